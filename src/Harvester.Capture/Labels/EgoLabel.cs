@@ -1,0 +1,10 @@
+using Harvester.Geometry;
+
+namespace Harvester.Capture.Labels;
+
+/// <summary>The vehicle that carries the camera.</summary>
+/// <param name="Position">The model's origin, metres, world.</param>
+/// <param name="HeadingDegrees">Degrees counter-clockwise from north, in [0, 360).</param>
+/// <param name="Velocity">Metres per second, world.</param>
+/// <param name="Model">The model's name.</param>
+public sealed record EgoLabel(Vector3D Position, double HeadingDegrees, Vector3D Velocity, string Model);

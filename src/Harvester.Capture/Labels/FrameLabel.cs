@@ -1,0 +1,25 @@
+using System.Collections.Generic;
+using Harvester.Capture.Scenes;
+
+namespace Harvester.Capture.Labels;
+
+/// <summary>One line of labels.jsonl: everything that is known of one frame.</summary>
+/// <param name="Frame">Number of the frame in its session, from 0.</param>
+/// <param name="GameFrame">The game's own count of frames.</param>
+/// <param name="TimeSeconds">The game's time, seconds.</param>
+/// <param name="Image">Path of the picture within the session, with forward slashes.</param>
+/// <param name="Mask">Path of the instance mask within the session; null without pixel maps.</param>
+/// <param name="Camera">The camera of the saved image.</param>
+/// <param name="Ego">The vehicle that carries the camera.</param>
+/// <param name="Environment">Weather and hour.</param>
+/// <param name="Objects">The objects in the image, in the order of their ids.</param>
+public sealed record FrameLabel(
+    int Frame,
+    long GameFrame,
+    double TimeSeconds,
+    string Image,
+    string? Mask,
+    CameraLabel Camera,
+    EgoLabel Ego,
+    EnvironmentState Environment,
+    IReadOnlyList<ObjectLabel> Objects);

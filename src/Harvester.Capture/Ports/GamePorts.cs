@@ -1,0 +1,11 @@
+using Harvester.Geometry.Visibility;
+
+namespace Harvester.Capture.Ports;
+
+/// <summary>A game, as the harvest sees it. The mod and the simulation are two makers of one of these.</summary>
+/// <param name="World">Camera, ego, entities, environment.</param>
+/// <param name="Rays">What rays meet.</param>
+/// <param name="Screen">The picture shown.</param>
+/// <param name="Pause">Stops the world.</param>
+/// <param name="Clock">The player's time.</param>
+public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IPause Pause, IClock Clock);

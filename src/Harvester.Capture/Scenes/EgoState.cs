@@ -1,0 +1,10 @@
+using Harvester.Geometry;
+
+namespace Harvester.Capture.Scenes;
+
+/// <summary>The vehicle that carries the camera.</summary>
+/// <param name="Handle">The game's handle; 0 when the camera rides on no vehicle.</param>
+/// <param name="Model">The model's name in small letters.</param>
+/// <param name="Pose">Position of the model's origin (metres, world) and orientation.</param>
+/// <param name="Velocity">Metres per second, world.</param>
+public sealed record EgoState(int Handle, string Model, Pose Pose, Vector3D Velocity);

@@ -1,0 +1,38 @@
+using System;
+
+namespace Harvester.Geometry;
+
+/// <summary>Conversions of angles and headings.</summary>
+public static class Angles
+{
+    private const double RadiansPerDegree = Math.PI / 180;
+
+    /// <summary>Radians of an angle in degrees.</summary>
+    public static double ToRadians(double degrees) => degrees * RadiansPerDegree;
+
+    /// <summary>Degrees of an angle in radians.</summary>
+    public static double ToDegrees(double radians) => radians / RadiansPerDegree;
+
+    /// <summary>The same angle in (-pi, pi], radians.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The angle is not finite.</exception>
+    public static double WrapRadians(double radians)
+    {
+        double wrapped = Math.IEEERemainder(Guard.Finite(radians, nameof(radians)), 2 * Math.PI);
+        return wrapped <= -Math.PI ? Math.PI : wrapped;
+    }
+
+    /// <summary>The same angle in [0, 360), degrees: the range of the game's headings.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The angle is not finite.</exception>
+    public static double WrapHeadingDegrees(double degrees)
+    {
+        double wrapped = Guard.Finite(degrees, nameof(degrees)) % 360;
+        wrapped = wrapped < 0 ? wrapped + 360 : wrapped;
+        return wrapped >= 360 ? 0 : wrapped + 0.0;
+    }
+
+    /// <summary>
+    /// The game's heading of a direction in the world: degrees counter-clockwise from north (+y), in [0, 360).
+    /// A vertical direction has heading 0.
+    /// </summary>
+    public static double HeadingDegrees(Vector3D forward) => WrapHeadingDegrees(ToDegrees(Math.Atan2(-forward.X, forward.Y)));
+}

@@ -1,0 +1,41 @@
+using System;
+
+namespace Harvester.Geometry.Cameras;
+
+/// <summary>Width and height of an image in pixels, each at least 1.</summary>
+public readonly record struct ImageSize
+{
+    /// <summary>Makes a size.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A side is less than 1 or more than 65,535.</exception>
+    public ImageSize(int width, int height)
+    {
+        const int largestSide = 65_535;
+        if (width is < 1 or > largestSide)
+        {
+            throw new ArgumentOutOfRangeException(nameof(width), width, "An image is 1 to 65,535 pixels wide.");
+        }
+
+        if (height is < 1 or > largestSide)
+        {
+            throw new ArgumentOutOfRangeException(nameof(height), height, "An image is 1 to 65,535 pixels high.");
+        }
+
+        Width = width;
+        Height = height;
+    }
+
+    /// <summary>Width in pixels.</summary>
+    public int Width { get; }
+
+    /// <summary>Height in pixels.</summary>
+    public int Height { get; }
+
+    /// <summary>Width divided by height, as if pixels were square.</summary>
+    public double Aspect => (double)Width / Height;
+
+    /// <summary>The number of pixels.</summary>
+    public int PixelCount => checked(Width * Height);
+
+    /// <summary>The rectangle that the image covers, in pixels.</summary>
+    public Box2D Bounds => new(0, 0, Width, Height);
+}

@@ -1,0 +1,51 @@
+using System;
+
+namespace Harvester.Geometry;
+
+/// <summary>The checks of arguments at the library's public edge; not-a-number and infinity never enter.</summary>
+internal static class Guard
+{
+    public static double Finite(double value, string name)
+    {
+        if (double.IsNaN(value) || double.IsInfinity(value))
+        {
+            throw new ArgumentOutOfRangeException(name, value, $"{name} must be a finite number.");
+        }
+
+        return value;
+    }
+
+    public static double Positive(double value, string name)
+    {
+        if (Finite(value, name) <= 0)
+        {
+            throw new ArgumentOutOfRangeException(name, value, $"{name} must be greater than 0.");
+        }
+
+        return value;
+    }
+
+    public static double InOpenRange(double value, double low, double high, string name)
+    {
+        if (!(Finite(value, name) > low && value < high))
+        {
+            throw new ArgumentOutOfRangeException(name, value, FormattableString.Invariant($"{name} must lie between {low} and {high}, both excluded."));
+        }
+
+        return value;
+    }
+
+    public static Vector3D Finite(Vector3D value, string name)
+    {
+        if (!value.IsFinite)
+        {
+            throw new ArgumentOutOfRangeException(name, value, $"{name} must have finite components.");
+        }
+
+        return value;
+    }
+
+    public static T NotNull<T>(T? value, string name)
+        where T : class =>
+        value ?? throw new ArgumentNullException(name);
+}

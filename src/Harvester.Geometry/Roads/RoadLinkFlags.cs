@@ -1,0 +1,26 @@
+using System;
+
+namespace Harvester.Geometry.Roads;
+
+/// <summary>What the game's path data says of a link between two road nodes. Names follow Figure 17 of the thesis.</summary>
+[Flags]
+public enum RoadLinkFlags
+{
+    /// <summary>Nothing is said.</summary>
+    None = 0,
+
+    /// <summary>A road with narrow lanes.</summary>
+    NarrowRoad = 1 << 0,
+
+    /// <summary>Route guidance uses it both ways.</summary>
+    GpsBothWays = 1 << 1,
+
+    /// <summary>Blocked in a direction without lanes.</summary>
+    BlockIfNoLanes = 1 << 2,
+
+    /// <summary>A short cut between carriageways that is no painted road.</summary>
+    Shortcut = 1 << 3,
+
+    /// <summary>Not used for navigation.</summary>
+    DontUseForNavigation = 1 << 4,
+}

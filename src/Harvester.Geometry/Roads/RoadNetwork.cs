@@ -1,0 +1,41 @@
+using System;
+using System.Collections.Generic;
+
+namespace Harvester.Geometry.Roads;
+
+/// <summary>Roads as nodes and the links between them. It does not change once made.</summary>
+public sealed class RoadNetwork
+{
+    private readonly int[][] _linksOfNode;
+
+    /// <summary>Makes a network.</summary>
+    /// <exception cref="ArgumentException">A link names a node that is not there, or has the same node at both ends.</exception>
+    public RoadNetwork(IReadOnlyList<RoadNode> nodes, IReadOnlyList<RoadLink> links)
+    {
+        Nodes = Guard.NotNull(nodes, nameof(nodes));
+        Links = Guard.NotNull(links, nameof(links));
+        var linksOfNode = new List<int>[nodes.Count];
+        for (int i = 0; i < links.Count; i++)
+        {
+            RoadLink link = links[i];
+            if (link.From < 0 || link.From >= nodes.Count || link.To < 0 || link.To >= nodes.Count || link.From == link.To)
+            {
+                throw new ArgumentException(FormattableString.Invariant($"Link {i} runs from node {link.From} to node {link.To}; there are {nodes.Count} nodes."), nameof(links));
+            }
+
+            (linksOfNode[link.From] ??= []).Add(i);
+            (linksOfNode[link.To] ??= []).Add(i);
+        }
+
+        _linksOfNode = Array.ConvertAll(linksOfNode, list => list?.ToArray() ?? []);
+    }
+
+    /// <summary>The nodes; a link names them by their place in this list.</summary>
+    public IReadOnlyList<RoadNode> Nodes { get; }
+
+    /// <summary>The links, each once.</summary>
+    public IReadOnlyList<RoadLink> Links { get; }
+
+    /// <summary>The indices of the links that start or end at a node.</summary>
+    public IReadOnlyList<int> LinksOf(int node) => _linksOfNode[node];
+}

@@ -1,0 +1,9 @@
+namespace Harvester.Geometry.Roads;
+
+/// <summary>A node of the road network.</summary>
+/// <param name="Area">Number of the cell of the game's path files that holds the node; 0 where a source has no cells.</param>
+/// <param name="Number">Number of the node within its cell.</param>
+/// <param name="Position">Metres, world, free of the bias of the game's truncated coordinates.</param>
+/// <param name="Street">Name or hash of the street as the source gives it; empty when it has none.</param>
+/// <param name="Flags">What the path data says of it.</param>
+public sealed record RoadNode(int Area, int Number, Vector3D Position, string Street, RoadNodeFlags Flags);

@@ -1,0 +1,62 @@
+using System;
+
+namespace Harvester.Geometry.Roads;
+
+/// <summary>What the game's path data says of a road node. Names follow Figure 16 of the thesis and the game's own tools.</summary>
+[Flags]
+public enum RoadNodeFlags
+{
+    /// <summary>Nothing is said.</summary>
+    None = 0,
+
+    /// <summary>Traffic is switched off here.</summary>
+    SwitchedOff = 1 << 0,
+
+    /// <summary>On water.</summary>
+    Water = 1 << 1,
+
+    /// <summary>Part of a motorway, or of a low bridge over water.</summary>
+    Highway = 1 << 2,
+
+    /// <summary>Left out by route guidance.</summary>
+    NoGps = 1 << 3,
+
+    /// <summary>In a tunnel.</summary>
+    Tunnel = 1 << 4,
+
+    /// <summary>Turning left is forbidden.</summary>
+    CannotGoLeft = 1 << 5,
+
+    /// <summary>Only left turns are allowed.</summary>
+    LeftTurnsOnly = 1 << 6,
+
+    /// <summary>An unpaved way.</summary>
+    OffRoad = 1 << 7,
+
+    /// <summary>Turning right is forbidden.</summary>
+    CannotGoRight = 1 << 8,
+
+    /// <summary>No lorries or buses.</summary>
+    NoBigVehicles = 1 << 9,
+
+    /// <summary>Indicates keeping left.</summary>
+    IndicateKeepLeft = 1 << 10,
+
+    /// <summary>Indicates keeping right.</summary>
+    IndicateKeepRight = 1 << 11,
+
+    /// <summary>On a slip lane.</summary>
+    SlipLane = 1 << 12,
+
+    /// <summary>A junction of roads.</summary>
+    Junction = 1 << 13,
+
+    /// <summary>A stop line before a traffic light.</summary>
+    TrafficLight = 1 << 14,
+
+    /// <summary>A stop or give-way line.</summary>
+    GiveWay = 1 << 15,
+
+    /// <summary>A crossing for pedestrians.</summary>
+    PedestrianCrossing = 1 << 16,
+}
