@@ -1,0 +1,102 @@
+using System;
+using System.Collections.Generic;
+
+namespace Harvester.Geometry.Lanes;
+
+/// <summary>
+/// Computes the indicators from the car's place on its road. The rules of activation are those of DeepDriving's driver for TORCS;
+/// their thresholds, given for lanes 4 metres wide, are scaled with the lane.
+/// </summary>
+public static class IndicatorCalculator
+{
+    /// <summary>Vehicles further ahead are not seen, metres: the thesis's range, and the value when there is none.</summary>
+    public const double VehicleRange = 70;
+
+    private const double InLaneReach = 1.5;
+    private const double MarkingReachOfThreeLanes = 1.0;
+    private const double MarkingReachOfFewerLanes = 1.2;
+    private const double ReachOutsideTheRoad = 2.0;
+
+    /// <summary>Computes the indicators.</summary>
+    /// <param name="angle">Heading of the road less that of the car, radians.</param>
+    /// <param name="offset">The car's place across the road, metres to the right of the left edge of the leftmost lane.</param>
+    /// <param name="section">The lanes of the car's direction.</param>
+    /// <param name="vehicles">Vehicles in these lanes; those behind or beyond <see cref="VehicleRange"/> are passed over.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite.</exception>
+    public static LaneIndicators Compute(double angle, double offset, LaneSection section, IReadOnlyList<VehicleAhead> vehicles)
+    {
+        Guard.Finite(offset, nameof(offset));
+        Guard.NotNull(vehicles, nameof(vehicles));
+        LaneIndicators indicators = LaneIndicators.Unknown with { Angle = Indicator.Of(Angles.WrapRadians(angle)) };
+        indicators = WithInLane(indicators, offset, section, vehicles);
+        return WithOnMarking(indicators, offset, section, vehicles);
+    }
+
+    private static LaneIndicators WithInLane(LaneIndicators indicators, double offset, LaneSection section, IReadOnlyList<VehicleAhead> vehicles)
+    {
+        if (section.LaneAt(offset) is not { } lane)
+        {
+            return indicators;
+        }
+
+        double fromCentre = offset - ((lane + 0.5) * section.LaneWidth);
+        if (Math.Abs(fromCentre) * section.TorcsScale > InLaneReach)
+        {
+            return indicators;
+        }
+
+        bool hasLeft = lane > 0;
+        bool hasRight = lane < section.LaneCount - 1;
+        return indicators with
+        {
+            ToMarkingLL = hasLeft ? ToMarking(lane - 1, offset, section) : indicators.ToMarkingLL,
+            ToMarkingML = ToMarking(lane, offset, section),
+            ToMarkingMR = ToMarking(lane + 1, offset, section),
+            ToMarkingRR = hasRight ? ToMarking(lane + 2, offset, section) : indicators.ToMarkingRR,
+            DistLL = hasLeft ? Nearest(lane - 1, vehicles) : indicators.DistLL,
+            DistMM = Nearest(lane, vehicles),
+            DistRR = hasRight ? Nearest(lane + 1, vehicles) : indicators.DistRR,
+        };
+    }
+
+    private static LaneIndicators WithOnMarking(LaneIndicators indicators, double offset, LaneSection section, IReadOnlyList<VehicleAhead> vehicles)
+    {
+        int marking = (int)Math.Max(0, Math.Min(section.LaneCount, Math.Round(offset / section.LaneWidth)));
+        double toTheRight = (offset - (marking * section.LaneWidth)) * section.TorcsScale;
+        double reach = section.LaneCount >= 3 ? MarkingReachOfThreeLanes : MarkingReachOfFewerLanes;
+        bool hasLeft = marking > 0;
+        bool hasRight = marking < section.LaneCount;
+        double reachLeft = hasLeft ? reach : ReachOutsideTheRoad;
+        double reachRight = hasRight ? reach : ReachOutsideTheRoad;
+        if (toTheRight < -reachLeft || toTheRight > reachRight)
+        {
+            return indicators;
+        }
+
+        return indicators with
+        {
+            ToMarkingL = hasLeft ? ToMarking(marking - 1, offset, section) : indicators.ToMarkingL,
+            ToMarkingM = ToMarking(marking, offset, section),
+            ToMarkingR = hasRight ? ToMarking(marking + 1, offset, section) : indicators.ToMarkingR,
+            DistL = hasLeft ? Nearest(marking - 1, vehicles) : indicators.DistL,
+            DistR = hasRight ? Nearest(marking, vehicles) : indicators.DistR,
+        };
+    }
+
+    private static Indicator ToMarking(int marking, double offset, LaneSection section) =>
+        Indicator.Of((marking * section.LaneWidth) - offset);
+
+    private static Indicator Nearest(int lane, IReadOnlyList<VehicleAhead> vehicles)
+    {
+        double nearest = VehicleRange;
+        foreach (VehicleAhead vehicle in vehicles)
+        {
+            if (vehicle.Lane == lane && vehicle.Distance > 0)
+            {
+                nearest = Math.Min(nearest, vehicle.Distance);
+            }
+        }
+
+        return Indicator.Of(nearest);
+    }
+}

@@ -1,0 +1,41 @@
+using System;
+
+namespace Harvester.Geometry.Lanes;
+
+/// <summary>
+/// The indicators as a road of TORCS would give them, for controllers and networks made for it: distances to markings scaled by
+/// 4.0 / lane width, distances to vehicles cut at 60 m, the angle as it is. The inactive values stay what they are.
+/// </summary>
+public static class TorcsEquivalent
+{
+    /// <summary>DeepDriving's value for a lane without a vehicle in sight, metres.</summary>
+    public const double VehicleRange = 60;
+
+    /// <summary>Scales indicators measured on lanes of a given width.</summary>
+    public static LaneIndicators Of(LaneIndicators indicators, LaneSection section)
+    {
+        Guard.NotNull(indicators, nameof(indicators));
+        double scale = section.TorcsScale;
+        return indicators with
+        {
+            ToMarkingL = Scaled(indicators.ToMarkingL, scale),
+            ToMarkingM = Scaled(indicators.ToMarkingM, scale),
+            ToMarkingR = Scaled(indicators.ToMarkingR, scale),
+            DistL = Cut(indicators.DistL),
+            DistR = Cut(indicators.DistR),
+            ToMarkingLL = Scaled(indicators.ToMarkingLL, scale),
+            ToMarkingML = Scaled(indicators.ToMarkingML, scale),
+            ToMarkingMR = Scaled(indicators.ToMarkingMR, scale),
+            ToMarkingRR = Scaled(indicators.ToMarkingRR, scale),
+            DistLL = Cut(indicators.DistLL),
+            DistMM = Cut(indicators.DistMM),
+            DistRR = Cut(indicators.DistRR),
+        };
+    }
+
+    private static Indicator Scaled(Indicator indicator, double scale) =>
+        indicator.IsValid ? Indicator.Of(indicator.Value * scale) : indicator;
+
+    private static Indicator Cut(Indicator indicator) =>
+        indicator.IsValid ? Indicator.Of(Math.Min(indicator.Value, VehicleRange)) : indicator;
+}
