@@ -1,0 +1,91 @@
+using System;
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.IO;
+using System.Threading;
+using System.Threading.Tasks;
+using Harvester.Cli.Commands;
+using Harvester.Datasets;
+
+namespace Harvester.Cli;
+
+/// <summary>The harvester command: parses a command line, runs it, and turns every failure into one line and an exit code.</summary>
+internal static class Application
+{
+    private const string Description =
+        "Harvests labelled driving images from a simulated game, and checks and shows what was harvested.";
+
+    private const string ExitCodes =
+        "Exit codes:\n"
+        + "  0    done\n"
+        + "  1    the data is at fault: a session with problems, a malformed file\n"
+        + "  2    the command line is at fault\n"
+        + "  3    a file cannot be read or written\n"
+        + "  130  stopped by Ctrl+C; what was written is whole";
+
+    /// <summary>Runs one command line.</summary>
+    /// <param name="arguments">The words after the command's name.</param>
+    /// <param name="terminal">Where it reads and writes.</param>
+    /// <param name="cancellation">Stops a long command cleanly, as Ctrl+C does.</param>
+    /// <returns>The exit code.</returns>
+    public static async Task<int> RunAsync(string[] arguments, Terminal terminal, CancellationToken cancellation)
+    {
+        ParseResult parsed = CreateRoot(terminal).Parse(arguments);
+        if (parsed.Errors.Count > 0)
+        {
+            string message = parsed.UnmatchedTokens.Count > 0
+                ? $"'{parsed.UnmatchedTokens[0]}' is no command, option or value here."
+                : parsed.Errors[0].Message;
+            return Fail(terminal, ExitCode.Usage, $"{message} See '{HelpOf(parsed.CommandResult)}'.");
+        }
+
+        var configuration = new InvocationConfiguration
+        {
+            Output = terminal.Out,
+            Error = terminal.Error,
+            EnableDefaultExceptionHandler = false,
+        };
+        try
+        {
+            return await parsed.InvokeAsync(configuration, cancellation).ConfigureAwait(false);
+        }
+        catch (UsageException e)
+        {
+            return Fail(terminal, ExitCode.Usage, $"{e.Message} See '{HelpOf(parsed.CommandResult)}'.");
+        }
+        catch (DatasetFormatException e)
+        {
+            return Fail(terminal, ExitCode.BadData, e.Message);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            return Fail(terminal, ExitCode.InputOutput, e.Message);
+        }
+        catch (OperationCanceledException)
+        {
+            return Fail(terminal, ExitCode.Cancelled, "Stopped.");
+        }
+        finally
+        {
+            await terminal.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
+        }
+    }
+
+    private static RootCommand CreateRoot(Terminal terminal)
+    {
+        var root = new RootCommand(Description);
+        root.Subcommands.Add(ProjectCommand.Create(terminal));
+        root.Subcommands.Add(BoxesCommand.Create(terminal));
+        HelpWithNotes.AddTo(root, ExitCodes);
+        return root;
+    }
+
+    private static int Fail(Terminal terminal, int code, string message)
+    {
+        terminal.Error.WriteLine($"harvester: {message.ReplaceLineEndings(" ")}");
+        return code;
+    }
+
+    private static string HelpOf(CommandResult command) =>
+        command.Parent is CommandResult ? $"harvester {command.Command.Name} --help" : "harvester --help";
+}

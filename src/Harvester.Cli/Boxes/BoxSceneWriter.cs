@@ -1,0 +1,89 @@
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text;
+using System.Text.Json;
+using Harvester.Datasets.Json;
+using Harvester.Geometry;
+using Harvester.Geometry.Boxes;
+using Harvester.Geometry.Visibility;
+
+namespace Harvester.Cli.Boxes;
+
+/// <summary>Writes what becomes of a scene's cuboids in the image, as docs/boxes-schema.md describes it.</summary>
+internal static class BoxSceneWriter
+{
+    private static readonly JsonWriterOptions Indented = new() { Indented = true, NewLine = "\n" };
+
+    public static string Write(BoxScene scene)
+    {
+        using var stream = new MemoryStream();
+        using (var json = new Utf8JsonWriter(stream, Indented))
+        {
+            json.WriteStartObject();
+            json.WriteStartArray("cuboids");
+            var rays = new CuboidRayCaster([.. scene.Cuboids.Select(cuboid => cuboid.Cuboid)]);
+            for (int i = 0; i < scene.Cuboids.Count; i++)
+            {
+                WriteCuboid(json, scene, i, rays);
+            }
+
+            json.WriteEndArray();
+            json.WriteEndObject();
+        }
+
+        return Encoding.UTF8.GetString(stream.ToArray());
+    }
+
+    private static void WriteCuboid(Utf8JsonWriter json, BoxScene scene, int index, CuboidRayCaster rays)
+    {
+        (string? name, Cuboid cuboid) = scene.Cuboids[index];
+        CuboidProjection projection = CuboidProjector.Project(scene.Camera, cuboid);
+        OcclusionEstimate occlusion = new OcclusionEstimator().Estimate(
+            scene.Camera, cuboid, projection, index + 1, RayHit.World, rays);
+
+        json.WriteStartObject();
+        json.WriteString("name", name);
+        json.WriteString("outcome", JsonNames.Of(projection.Outcome));
+        WriteBox(json, "box2d", projection.Box);
+        WriteBox(json, "box2dAmodal", projection.AmodalBox);
+        json.WriteNumber("truncatedFraction", projection.TruncatedFraction);
+        if (occlusion.Method == OcclusionMethod.None)
+        {
+            json.WriteNull("occludedFraction");
+        }
+        else
+        {
+            json.WriteNumber("occludedFraction", occlusion.OccludedFraction);
+        }
+
+        json.WriteString("occlusionMethod", JsonNames.Of(occlusion.Method));
+        json.WriteNumber("distanceMetres", (cuboid.Centre - scene.Camera.Pose.Position).Length);
+        json.WriteStartArray("silhouette");
+        foreach (Vector2D corner in projection.Silhouette)
+        {
+            json.WriteRawValue(OnOneLine([corner.X, corner.Y]));
+        }
+
+        json.WriteEndArray();
+        json.WriteEndObject();
+    }
+
+    private static void WriteBox(Utf8JsonWriter json, string name, Box2D? box)
+    {
+        json.WritePropertyName(name);
+        if (box is { } sides)
+        {
+            json.WriteRawValue(OnOneLine([sides.XMin, sides.YMin, sides.XMax, sides.YMax]));
+        }
+        else
+        {
+            json.WriteNullValue();
+        }
+    }
+
+    // The writer's own lists put each number on a line. Adding 0 turns minus zero into zero.
+    private static string OnOneLine(IEnumerable<double> numbers) =>
+        $"[{string.Join(", ", numbers.Select(number => (number + 0.0).ToString("R", CultureInfo.InvariantCulture)))}]";
+}

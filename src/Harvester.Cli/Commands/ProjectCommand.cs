@@ -1,0 +1,100 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Globalization;
+using System.IO;
+using Harvester.Cli.Arguments;
+using Harvester.Datasets;
+using Harvester.Datasets.Json;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Cli.Commands;
+
+/// <summary>harvester project: points of the world to pixels, as CSV.</summary>
+internal static class ProjectCommand
+{
+    private const double DefaultNearClip = 0.15;
+
+    private const string Notes =
+        "Points are read one a line as x,y,z (metres, world: x east, y north, z up); blank lines and lines that begin with # are left out.\n"
+        + "Written are u,v (pixels from the upper left corner; empty where there is no pixel), depth (metres ahead) and outcome\n"
+        + "(inImage, outsideImage, behindNearPlane), one row a point.\n\n"
+        + "Example:\n"
+        + "  echo 0,10,0 | harvester project --position 0,0,0 --rotation 0,0,0 --fov 50 --size 800x600";
+
+    public static Command Create(Terminal terminal)
+    {
+        Option<Vector3D> position = Required(ValueParsers.Vector("--position", "X,Y,Z", "The camera's position, metres, world"));
+        Option<Vector3D> rotation = Required(ValueParsers.Vector(
+            "--rotation", "PITCH,ROLL,YAW", "The camera's rotation, degrees, in the game's order Rz(yaw) Rx(pitch) Ry(roll)"));
+        Option<double> fov = Required(CameraOptions.Fov());
+        Option<ImageSize> size = Required(CameraOptions.Size());
+        Option<double?> aspect = ValueParsers.Optional(
+            "--aspect", "A", "Width divided by height of the game's window [default: that of --size]", Positive, "a number greater than 0");
+        Option<double> near = ValueParsers.Number(
+            "--near", "N", "Distance of the near plane, metres", value => value > 0, "a number greater than 0");
+        near.DefaultValueFactory = _ => DefaultNearClip;
+        var points = new Option<FileInfo?>("--points") { Description = "File of points [default: standard input]", HelpName = "FILE" };
+
+        var command = new Command("project", "Project points of the world into an image.")
+        {
+            position, rotation, fov, size, aspect, near, points,
+        };
+        HelpWithNotes.AddTo(command, Notes);
+        command.SetAction(parsed =>
+        {
+            ImageSize image = parsed.GetValue(size);
+            Vector3D angles = parsed.GetValue(rotation);
+            var pose = new Pose(parsed.GetValue(position), Axes.FromEuler(new EulerAngles(angles.X, angles.Y, angles.Z)));
+            var camera = new Camera(pose, new CameraIntrinsics(
+                parsed.GetValue(fov), image, parsed.GetValue(aspect) ?? image.Aspect, parsed.GetValue(near), Lens.Ideal));
+
+            FileInfo? file = parsed.GetValue(points);
+            using StreamReader? reader = file?.OpenText();
+            WriteProjections(camera, ReadPoints(reader ?? terminal.In, file?.Name ?? "standard input"), terminal.Out);
+            return ExitCode.Done;
+        });
+        return command;
+    }
+
+    private static IEnumerable<Vector3D> ReadPoints(TextReader reader, string source)
+    {
+        int number = 0;
+        while (reader.ReadLine() is { } line)
+        {
+            number++;
+            if (string.IsNullOrWhiteSpace(line) || line.StartsWith('#'))
+            {
+                continue;
+            }
+
+            double[] point = ValueParsers.Numbers(line, 3)
+                ?? throw new DatasetFormatException($"{source}, line {number}: expected x,y,z, found '{line.Trim()}'.");
+            yield return new Vector3D(point[0], point[1], point[2]);
+        }
+    }
+
+    private static void WriteProjections(Camera camera, IEnumerable<Vector3D> points, TextWriter output)
+    {
+        output.WriteLine("u,v,depth,outcome");
+        foreach (Vector3D point in points)
+        {
+            Projection projection = camera.Project(point);
+            bool hasPixel = projection.Outcome != ProjectionOutcome.BehindNearPlane;
+            string u = hasPixel ? Text(projection.U) : "";
+            string v = hasPixel ? Text(projection.V) : "";
+            output.WriteLine($"{u},{v},{Text(projection.Depth)},{JsonNames.Of(projection.Outcome)}");
+        }
+    }
+
+    private static Option<T> Required<T>(Option<T> option)
+    {
+        option.Required = true;
+        return option;
+    }
+
+    private static double? Positive(string text) => ValueParsers.Number(text) is { } value && value > 0 ? value : null;
+
+    // Adding 0 turns minus zero into zero.
+    private static string Text(double value) => (value + 0.0).ToString("R", CultureInfo.InvariantCulture);
+}

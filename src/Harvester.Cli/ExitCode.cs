@@ -1,0 +1,20 @@
+namespace Harvester.Cli;
+
+/// <summary>What the command's exit codes mean; they are part of its interface and listed in --help.</summary>
+internal static class ExitCode
+{
+    /// <summary>Everything asked for was done.</summary>
+    public const int Done = 0;
+
+    /// <summary>The data is at fault: a session with problems, a malformed file.</summary>
+    public const int BadData = 1;
+
+    /// <summary>The command line is at fault.</summary>
+    public const int Usage = 2;
+
+    /// <summary>A file cannot be read or written: missing, read-only, disk full.</summary>
+    public const int InputOutput = 3;
+
+    /// <summary>Stopped by Ctrl+C; what was written until then is whole.</summary>
+    public const int Cancelled = 130;
+}

@@ -1,0 +1,48 @@
+using System;
+using System.IO;
+using System.Text;
+using Spectre.Console;
+
+namespace Harvester.Cli;
+
+/// <summary>Where a command reads and writes: the process's own streams, or a test's.</summary>
+/// <param name="In">Standard input.</param>
+/// <param name="Out">Standard output: results.</param>
+/// <param name="Error">Standard error: one line for what went wrong.</param>
+/// <param name="IsInteractive">Whether a person watches the output, so that it may move and have colours.</param>
+internal sealed record Terminal(TextReader In, TextWriter Out, TextWriter Error, bool IsInteractive)
+{
+    /// <summary>A width for output that goes to a file or pipe, which has none of its own.</summary>
+    private const int PlainWidth = 120;
+
+    /// <summary>The process's own streams, UTF-8 and line feeds on every system.</summary>
+    public static Terminal OfProcess()
+    {
+        var utf8 = new UTF8Encoding(encoderShouldEmitUTF8Identifier: false);
+        if (!Console.IsOutputRedirected)
+        {
+            Console.OutputEncoding = utf8;
+        }
+
+        var output = new StreamWriter(Console.OpenStandardOutput(), utf8) { AutoFlush = !Console.IsOutputRedirected, NewLine = "\n" };
+        return new Terminal(new StreamReader(Console.OpenStandardInput(), utf8), output, Console.Error, !Console.IsOutputRedirected);
+    }
+
+    /// <summary>Tables and progress over the same output; without colours and motion when nobody watches.</summary>
+    public IAnsiConsole ToAnsiConsole()
+    {
+        IAnsiConsole console = AnsiConsole.Create(new AnsiConsoleSettings
+        {
+            Out = new AnsiConsoleOutput(Out),
+            Ansi = IsInteractive ? AnsiSupport.Detect : AnsiSupport.No,
+            ColorSystem = IsInteractive ? ColorSystemSupport.Detect : ColorSystemSupport.NoColors,
+            Interactive = IsInteractive ? InteractionSupport.Detect : InteractionSupport.No,
+        });
+        if (!IsInteractive)
+        {
+            console.Profile.Width = PlainWidth;
+        }
+
+        return console;
+    }
+}

@@ -1,0 +1,162 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.Json;
+using Harvester.Geometry;
+
+namespace Harvester.Datasets.Json;
+
+/// <summary>An object of a JSON text whose fields are read by name. Every error names the field by its path, as camera.position.</summary>
+public readonly struct JsonFields
+{
+    private readonly JsonElement _element;
+    private readonly string _path;
+
+    /// <summary>Takes the outermost object of a text.</summary>
+    /// <exception cref="DatasetFormatException">It is not an object.</exception>
+    public JsonFields(JsonElement element)
+        : this(element, "")
+    {
+    }
+
+    private JsonFields(JsonElement element, string path)
+    {
+        _element = element;
+        _path = path;
+        if (element.ValueKind != JsonValueKind.Object)
+        {
+            throw Wrong(path.Length == 0 ? "the text" : path, "an object", element);
+        }
+    }
+
+    /// <summary>Whether a field is there and not null.</summary>
+    public bool Has(string name) => _element.TryGetProperty(name, out JsonElement field) && field.ValueKind != JsonValueKind.Null;
+
+    /// <summary>A finite number.</summary>
+    public double Number(string name) => NumberOf(Field(name), Path(name));
+
+    /// <summary>A finite number, or null when the field is absent or null.</summary>
+    public double? OptionalNumber(string name) => Has(name) ? Number(name) : null;
+
+    /// <summary>A whole number that fits 64 bits.</summary>
+    public long LargeWholeNumber(string name)
+    {
+        JsonElement field = Field(name);
+        return field.ValueKind == JsonValueKind.Number && field.TryGetInt64(out long value)
+            ? value
+            : throw Wrong(Path(name), "a whole number", field);
+    }
+
+    /// <summary>A whole number that fits 32 bits.</summary>
+    public int WholeNumber(string name)
+    {
+        long value = LargeWholeNumber(name);
+        return value is >= int.MinValue and <= int.MaxValue ? (int)value : throw Wrong(Path(name), "a whole number of 32 bits", Field(name));
+    }
+
+    /// <summary>A text.</summary>
+    public string Text(string name)
+    {
+        JsonElement field = Field(name);
+        return field.ValueKind == JsonValueKind.String ? field.GetString()! : throw Wrong(Path(name), "a text", field);
+    }
+
+    /// <summary>A text, or null when the field is absent or null.</summary>
+    public string? OptionalText(string name) => Has(name) ? Text(name) : null;
+
+    /// <summary>One of an enumeration's names, written with a small first letter.</summary>
+    public T Name<T>(string name)
+        where T : struct, Enum
+    {
+        string text = Text(name);
+        return JsonNames.TryRead(text, out T value)
+            ? value
+            : throw Wrong(Path(name), "one of " + string.Join(", ", JsonNames.All<T>()), Field(name));
+    }
+
+    /// <summary>A list of so many finite numbers.</summary>
+    public double[] Numbers(string name, int count)
+    {
+        JsonElement field = Field(name);
+        if (field.ValueKind != JsonValueKind.Array || field.GetArrayLength() != count)
+        {
+            throw Wrong(Path(name), $"a list of {count} numbers", field);
+        }
+
+        string path = Path(name);
+        return [.. field.EnumerateArray().Select((item, index) => NumberOf(item, $"{path}[{index}]"))];
+    }
+
+    /// <summary>A list of three numbers as a vector.</summary>
+    public Vector3D Vector(string name)
+    {
+        double[] numbers = Numbers(name, 3);
+        return new Vector3D(numbers[0], numbers[1], numbers[2]);
+    }
+
+    /// <summary>The fields right, forward and up as an orientation.</summary>
+    public Axes Axes()
+    {
+        Vector3D right = Vector("right");
+        Vector3D forward = Vector("forward");
+        Vector3D up = Vector("up");
+        return Checked(() => Harvester.Geometry.Axes.FromVectors(right, forward, up));
+    }
+
+    /// <summary>An object within this one.</summary>
+    public JsonFields Fields(string name) => new(Field(name), Path(name));
+
+    /// <summary>A list of objects.</summary>
+    public IReadOnlyList<JsonFields> List(string name)
+    {
+        JsonElement field = Field(name);
+        string path = Path(name);
+        return field.ValueKind == JsonValueKind.Array
+            ? [.. field.EnumerateArray().Select((item, index) => new JsonFields(item, $"{path}[{index}]"))]
+            : throw Wrong(path, "a list of objects", field);
+    }
+
+    /// <summary>Makes a value of this object's fields; a value that is refused becomes an error that names this object.</summary>
+    public T Checked<T>(Func<T> make)
+    {
+        try
+        {
+            return make();
+        }
+        catch (ArgumentException e)
+        {
+            throw new DatasetFormatException(_path.Length == 0 ? e.Message : $"{_path}: {e.Message}", e);
+        }
+    }
+
+    /// <summary>Refuses fields of other names, so that a misspelt one is not passed over.</summary>
+    /// <exception cref="DatasetFormatException">There is another field.</exception>
+    public void AllowOnly(params IReadOnlyList<string> names)
+    {
+        string? other = _element.EnumerateObject().Select(property => property.Name).FirstOrDefault(name => !names.Contains(name, StringComparer.Ordinal));
+        if (other is not null)
+        {
+            throw new DatasetFormatException($"{Path(other)} is not a field here; the fields are {string.Join(", ", names)}.");
+        }
+    }
+
+    private static double NumberOf(JsonElement field, string path) =>
+        field.ValueKind == JsonValueKind.Number && field.TryGetDouble(out double value) && double.IsFinite(value)
+            ? value
+            : throw Wrong(path, "a finite number", field);
+
+    private static DatasetFormatException Wrong(string path, string expected, JsonElement found)
+    {
+        const int longestQuote = 40;
+        string text = found.GetRawText();
+        string quote = text.Length <= longestQuote ? text : text[..longestQuote] + "...";
+        return new DatasetFormatException($"{path} must be {expected}, not {quote.ReplaceLineEndings(" ")}.");
+    }
+
+    private JsonElement Field(string name) =>
+        _element.TryGetProperty(name, out JsonElement field)
+            ? field
+            : throw new DatasetFormatException($"{Path(name)} is missing.");
+
+    private string Path(string name) => _path.Length == 0 ? name : $"{_path}.{name}";
+}
