@@ -1,0 +1,45 @@
+using System.Collections.Generic;
+using System.Text;
+
+namespace Harvester.Capture.Spaces;
+
+/// <summary>One line of comma-separated values, RFC 4180 without line breaks within fields.</summary>
+internal static class CsvFields
+{
+    /// <summary>The fields of a line, or null when a quotation mark is not closed.</summary>
+    public static List<string>? Split(string line)
+    {
+        var fields = new List<string>();
+        var field = new StringBuilder();
+        bool quoted = false;
+        for (int i = 0; i < line.Length; i++)
+        {
+            char letter = line[i];
+            if (quoted && letter == '"' && i + 1 < line.Length && line[i + 1] == '"')
+            {
+                field.Append('"');
+                i++;
+            }
+            else if (letter == '"')
+            {
+                quoted = !quoted;
+            }
+            else if (letter == ',' && !quoted)
+            {
+                fields.Add(field.ToString());
+                field.Clear();
+            }
+            else
+            {
+                field.Append(letter);
+            }
+        }
+
+        fields.Add(field.ToString());
+        return quoted ? null : fields;
+    }
+
+    /// <summary>A field as it stands in a line: in quotation marks where it needs them.</summary>
+    public static string Quote(string field) =>
+        field.IndexOfAny([',', '"']) < 0 ? field : "\"" + field.Replace("\"", "\"\"") + "\"";
+}

@@ -1,0 +1,9 @@
+namespace Harvester.Capture.Spaces;
+
+/// <summary>The columns of spaces_of_interest.csv, in their order; data/README.md says what each holds.</summary>
+internal static class SpaceColumns
+{
+    public const string Header = "model,hash,class,name,mutcd,face,fulX,fulY,fulZ,blrX,blrY,blrZ,facing,provenance,source";
+
+    public static readonly string[] Names = Header.Split(',');
+}

@@ -1,0 +1,8 @@
+using System.Collections.Generic;
+
+namespace Harvester.Capture.Spaces;
+
+/// <summary>What was read of a table: the good rows, and why the others were refused.</summary>
+/// <param name="Table">The good rows.</param>
+/// <param name="Problems">The refused rows, in the order of the file.</param>
+public sealed record SpaceTableContent(SpaceTable Table, IReadOnlyList<SpaceTableProblem> Problems);
