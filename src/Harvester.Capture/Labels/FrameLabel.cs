@@ -7,6 +7,8 @@ namespace Harvester.Capture.Labels;
 /// <param name="Frame">Number of the frame in its session, from 0.</param>
 /// <param name="GameFrame">The game's own count of frames.</param>
 /// <param name="TimeSeconds">The game's time, seconds.</param>
+/// <param name="LagFrames">Game frames from the reading of the state to the grab of its picture, which is of the state's moment all the same; 0 when the game was frozen.</param>
+/// <param name="LagSeconds">The same in seconds of the game's time.</param>
 /// <param name="Image">Path of the picture within the session, with forward slashes.</param>
 /// <param name="Mask">Path of the instance mask within the session; null without pixel maps.</param>
 /// <param name="Camera">The camera of the saved image.</param>
@@ -17,6 +19,8 @@ public sealed record FrameLabel(
     int Frame,
     long GameFrame,
     double TimeSeconds,
+    int LagFrames,
+    double LagSeconds,
     string Image,
     string? Mask,
     CameraLabel Camera,

@@ -21,13 +21,33 @@ public static class ExhaustivePixelMapper
     /// <param name="rays">What rays meet.</param>
     public static InstanceMap Map(Camera camera, Box2D region, Func<int, ushort> numberOf, int ignoredEntity, IRayCaster rays)
     {
+        var map = new InstanceMap(Guard.NotNull(camera, nameof(camera)).Image);
+        MapInto(map, camera, region, numberOf, ignoredEntity, rays);
+        return map;
+    }
+
+    /// <summary>Labels the pixels of a map whose centres lie in a region of the image, and leaves the others as they are.</summary>
+    /// <param name="map">The map, of the camera's image size.</param>
+    /// <param name="camera">The camera.</param>
+    /// <param name="region">The region, pixels; what of it lies outside the image is left out.</param>
+    /// <param name="numberOf">The number in the map of an entity's handle; 0 for entities that are not labelled.</param>
+    /// <param name="ignoredEntity">Handle of an entity that rays pass through; <see cref="RayHit.World"/> for none.</param>
+    /// <param name="rays">What rays meet.</param>
+    /// <exception cref="ArgumentException">The map is of another image size.</exception>
+    public static void MapInto(
+        InstanceMap map, Camera camera, Box2D region, Func<int, ushort> numberOf, int ignoredEntity, IRayCaster rays)
+    {
         Guard.NotNull(camera, nameof(camera));
         Guard.NotNull(numberOf, nameof(numberOf));
         Guard.NotNull(rays, nameof(rays));
-        var map = new InstanceMap(camera.Image);
+        if (Guard.NotNull(map, nameof(map)).Image != camera.Image)
+        {
+            throw new ArgumentException("The map is not of the camera's image size.", nameof(map));
+        }
+
         if (region.Intersect(camera.Image.Bounds) is not { } inImage)
         {
-            return map;
+            return;
         }
 
         int firstColumn = (int)Math.Ceiling(inImage.XMin - 0.5);
@@ -40,7 +60,5 @@ public static class ExhaustivePixelMapper
                 map[column, row] = hit is { Entity: not RayHit.World } seen ? numberOf(seen.Entity) : (ushort)0;
             }
         }
-
-        return map;
     }
 }

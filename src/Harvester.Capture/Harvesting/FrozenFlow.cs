@@ -1,0 +1,87 @@
+using System.Collections.Generic;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Labelling;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Scenes;
+
+namespace Harvester.Capture.Harvesting;
+
+/// <summary>
+/// Freeze, settle, snapshot, grab, read again, label, unfreeze. A picture may be some frames behind the state; as the state has been
+/// one and the same for at least so many frames when the picture is grabbed, and still is when its labels are done, the picture
+/// shows what the labels say, whichever of those frames it is.
+/// </summary>
+internal sealed class FrozenFlow(
+    HarvestOptions options, GamePorts game, SceneReader reader, FrameLabeller labeller, PixelBufferPool pool, TickBudget budget, HarvestCounters counters)
+    : ICaptureFlow
+{
+    private readonly SceneComparison _comparison = new(options.StillToleranceMetres);
+
+    public FrameDraft? Draft { get; private set; }
+
+    public IEnumerable<HarvestPhase> TakeFrame()
+    {
+        Draft = null;
+        PixelBuffer? picture = pool.Rent();
+        game.Pause.Freeze();
+        try
+        {
+            var gate = new StillnessGate(_comparison);
+            SceneSnapshot snapshot = reader.Read();
+            gate.Observe(snapshot);
+            for (int ticks = 0; gate.StillTicks < options.MaxPictureLagTicks; ticks++)
+            {
+                if (ticks == options.MaxSettleTicks)
+                {
+                    counters.Discard("neverStill");
+                    yield break;
+                }
+
+                yield return HarvestPhase.Settling;
+                snapshot = reader.Read();
+                gate.Observe(snapshot);
+            }
+
+            GrabResult grab = game.Screen.Grab(picture);
+            if (grab.Refusal is { } refusal)
+            {
+                counters.Discard(refusal);
+                yield break;
+            }
+
+            if (_comparison.FirstDifference(snapshot, reader.Read()) is { } duringGrab)
+            {
+                counters.Discard(duringGrab);
+                yield break;
+            }
+
+            FrameLabelling? labelling = null;
+            foreach (FrameLabelling? slice in labeller.Label(snapshot))
+            {
+                labelling = slice;
+                if (slice is null && budget.IsSpent)
+                {
+                    yield return HarvestPhase.Labelling;
+                }
+            }
+
+            if (_comparison.FirstDifference(snapshot, reader.Read()) is { } duringLabelling)
+            {
+                counters.Discard(duringLabelling);
+                yield break;
+            }
+
+            Draft = new FrameDraft(snapshot, 0, 0, picture, labelling!);
+            picture = null;
+        }
+        finally
+        {
+            if (picture is not null)
+            {
+                pool.Return(picture);
+            }
+
+            game.Pause.Unfreeze();
+        }
+    }
+}

@@ -1,0 +1,72 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Scenes;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Capture.Harvesting;
+
+/// <summary>What to harvest and how. Every value is checked where it is set.</summary>
+/// <exception cref="ArgumentOutOfRangeException">A value is out of its range.</exception>
+public sealed record HarvestOptions
+{
+    /// <summary>Size of the saved images, pixels; 800 x 600 as in the thesis.</summary>
+    public ImageSize Image { get; init; } = new(800, 600);
+
+    /// <summary>File format of the saved images.</summary>
+    public ImageFormat Format { get; init; } = ImageFormat.Png;
+
+    /// <summary>Frames per second of the game's time; greater than 0. A game that ticks slower gives a frame a tick.</summary>
+    public double RateHz { get; init => field = OptionCheck.Positive(value, nameof(RateHz)); } = 10;
+
+    /// <summary>Objects whose origins lie farther from the camera are not labelled, metres; greater than 0.</summary>
+    public double RangeMetres { get; init => field = OptionCheck.Positive(value, nameof(RangeMetres)); } = 150;
+
+    /// <summary>The classes to label; null for all.</summary>
+    public IReadOnlyCollection<ObjectClass>? Classes { get; init; }
+
+    /// <summary>Whether the game is frozen for each frame, so that image and label are of one moment; otherwise the harvest is live.</summary>
+    public bool Freeze { get; init; } = true;
+
+    /// <summary>Whether instance masks are made.</summary>
+    public bool Masks { get; init; }
+
+    /// <summary>What separates the game's picture from a pinhole's, as calibration found it.</summary>
+    public Lens Lens { get; init; } = Lens.Ideal;
+
+    /// <summary>Objects whose box in the image is smaller are not labelled, square pixels; 0 or more.</summary>
+    public double MinBoxAreaPixels { get; init => field = OptionCheck.AtLeast(value, 0, nameof(MinBoxAreaPixels)); } = 16;
+
+    /// <summary>Objects whose box in the image is narrower or lower are not labelled, pixels; 0 or more.</summary>
+    public double MinBoxSidePixels { get; init => field = OptionCheck.AtLeast(value, 0, nameof(MinBoxSidePixels)); } = 2;
+
+    /// <summary>Objects that are hidden by more than this are not labelled, 0 to 1; 1 labels even what cannot be seen at all.</summary>
+    public double MaxOccludedFraction { get; init => field = OptionCheck.Fraction(value, nameof(MaxOccludedFraction)); } = 0.99;
+
+    /// <summary>Rays through an object's silhouette for its occlusion, 1 to 10,000.</summary>
+    public int OcclusionSamples { get; init => field = OptionCheck.InRange(value, 1, 10_000, nameof(OcclusionSamples)); } = 64;
+
+    /// <summary>Frames to take before the harvest stops by itself, at least 1; null for no end.</summary>
+    public int? MaxFrames { get; init => field = value is { } frames ? OptionCheck.InRange(frames, 1, int.MaxValue, nameof(MaxFrames)) : null; }
+
+    /// <summary>
+    /// By how many ticks the picture may at most be behind the state, 0 to 60. A frozen frame is kept only if nothing has moved in so many
+    /// ticks before its grab, so whichever of them the picture shows, it shows what the label says.
+    /// </summary>
+    public int MaxPictureLagTicks { get; init => field = OptionCheck.InRange(value, 0, 60, nameof(MaxPictureLagTicks)); } = 4;
+
+    /// <summary>Live mode only: the lag of the picture where it is known; null to measure it at the start, for which camera and traffic must move.</summary>
+    public PictureLag? LiveLag { get; init; }
+
+    /// <summary>Ticks after the request to freeze in which everything must have come to stand still, 1 to 10,000; otherwise the frame is discarded.</summary>
+    public int MaxSettleTicks { get; init => field = OptionCheck.InRange(value, 1, 10_000, nameof(MaxSettleTicks)); } = 60;
+
+    /// <summary>By how much a position may differ and still count as the same, metres; 0 or more. 1 mm is a quarter of a pixel at 3 m, 800 x 600 and 50 degrees.</summary>
+    public double StillToleranceMetres { get; init => field = OptionCheck.AtLeast(value, 0, nameof(StillToleranceMetres)); } = 0.001;
+
+    /// <summary>Time that labelling may take of one tick, milliseconds of the player's time; greater than 0. One object is always done.</summary>
+    public double TickBudgetMilliseconds { get; init => field = OptionCheck.Positive(value, nameof(TickBudgetMilliseconds)); } = 4;
+
+    /// <summary>Frames that may wait to be written, 1 to 1,000.</summary>
+    public int QueueCapacity { get; init => field = OptionCheck.InRange(value, 1, 1_000, nameof(QueueCapacity)); } = 16;
+}

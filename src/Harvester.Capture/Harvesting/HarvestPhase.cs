@@ -1,0 +1,29 @@
+namespace Harvester.Capture.Harvesting;
+
+/// <summary>What a harvest is doing between two game ticks.</summary>
+public enum HarvestPhase
+{
+    /// <summary>No frame is due yet; the game runs.</summary>
+    Waiting,
+
+    /// <summary>The game is asked to stand still, and is watched until it does.</summary>
+    Settling,
+
+    /// <summary>The lag between the state read and the picture shown is being measured.</summary>
+    Probing,
+
+    /// <summary>Live mode: the state is read, its picture has not appeared yet.</summary>
+    Following,
+
+    /// <summary>Labels are being made, as far as the budget of a tick allows.</summary>
+    Labelling,
+
+    /// <summary>A frame is ready and the sink has no room; the game runs.</summary>
+    WaitingForSink,
+
+    /// <summary>Stopped by the caller or because all frames are taken.</summary>
+    Stopped,
+
+    /// <summary>Ended by a fault; the message is in the status.</summary>
+    Faulted,
+}

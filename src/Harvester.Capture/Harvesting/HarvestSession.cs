@@ -1,0 +1,217 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Labelling;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Ports;
+
+namespace Harvester.Capture.Harvesting;
+
+/// <summary>
+/// A harvest from its first frame to its last: call <see cref="Step"/> once in every tick of the game, from the game's own thread.
+/// Nothing is thrown to the caller after construction: a fault of a port or of the sink ends the harvest with a message, and the
+/// game is left running. The sink is closed by the session and disposed by whoever made it.
+/// </summary>
+public sealed class HarvestSession : IDisposable
+{
+    private readonly HarvestOptions _options;
+    private readonly GamePorts _game;
+    private readonly IFrameSink _sink;
+    private readonly IEnumerator<HarvestPhase> _run;
+    private readonly TickBudget _budget;
+    private double _startMilliseconds;
+    private double _endMilliseconds;
+    private long _gameFrame;
+    private double _timeSeconds;
+    private bool _opened;
+    private HarvestPhase _phase = HarvestPhase.Waiting;
+
+    /// <summary>Makes a session; nothing is asked of the game before the first step.</summary>
+    /// <param name="options">What to harvest and how.</param>
+    /// <param name="game">The game.</param>
+    /// <param name="sink">Where the frames go.</param>
+    public HarvestSession(HarvestOptions options, GamePorts game, IFrameSink sink)
+    {
+        _options = options ?? throw new ArgumentNullException(nameof(options));
+        _game = game ?? throw new ArgumentNullException(nameof(game));
+        _sink = sink ?? throw new ArgumentNullException(nameof(sink));
+        _budget = new TickBudget(game.Clock, options.TickBudgetMilliseconds);
+        _run = Run().GetEnumerator();
+    }
+
+    /// <summary>What the harvest has done so far.</summary>
+    public HarvestCounters Counters { get; } = new();
+
+    /// <summary>One line that says why the harvest ended; null without a fault.</summary>
+    public string? Fault { get; private set; }
+
+    /// <summary>The harvest as it stands.</summary>
+    public HarvestStatus Status => new(_phase, Counters.Captured, Counters.Discarded, FramesPerSecond, Fault);
+
+    private double FramesPerSecond =>
+        _endMilliseconds > _startMilliseconds ? Counters.Captured * 1000.0 / (_endMilliseconds - _startMilliseconds) : 0;
+
+    /// <summary>Does one tick's share of the harvest. After the end it does nothing.</summary>
+    public HarvestStatus Step()
+    {
+        if (Status.IsOver)
+        {
+            return Status;
+        }
+
+        try
+        {
+            if (_sink.Fault is { } sinkFault)
+            {
+                throw new HarvestFaultException(sinkFault);
+            }
+
+            _budget.BeginTick();
+            if (_run.MoveNext())
+            {
+                _phase = _run.Current;
+            }
+            else
+            {
+                End(HarvestPhase.Stopped);
+            }
+
+            _endMilliseconds = _game.Clock.Milliseconds;
+        }
+#pragma warning disable CA1031 // The game's script loop must not see an exception of ours, whatever its type.
+        catch (Exception exception)
+#pragma warning restore CA1031
+        {
+            Fail(exception);
+        }
+
+        return Status;
+    }
+
+    /// <summary>Ends the harvest, lets the game go on and closes the sink. A frame that is not done is dropped. Again is no harm.</summary>
+    public void Stop()
+    {
+        if (Status.IsOver)
+        {
+            return;
+        }
+
+        try
+        {
+            End(HarvestPhase.Stopped);
+        }
+#pragma warning disable CA1031 // As in Step.
+        catch (Exception exception)
+#pragma warning restore CA1031
+        {
+            Fail(exception);
+        }
+    }
+
+    /// <summary>Stops the harvest; the sink stays its maker's to dispose.</summary>
+    public void Dispose() => Stop();
+
+    private IEnumerable<HarvestPhase> Run()
+    {
+        ReadTime();
+        _startMilliseconds = _game.Clock.Milliseconds;
+        _sink.Open(new SessionStart(_options, _gameFrame, _timeSeconds, _game.World.ReadCamera()));
+        _opened = true;
+        var schedule = new FrameSchedule(_options.RateHz);
+        var labeller = new FrameLabeller(_options, _game.Rays, new ObjectRegistry(_sink.FirstObjectId), new ExhaustiveInstanceMapper());
+        var pool = new PixelBufferPool(_options.Image);
+        var flow = new FrozenFlow(
+            _options, _game, new SceneReader(_game.World, _options.RangeMetres), labeller, pool, _budget, Counters);
+        while (true)
+        {
+            ReadTime();
+            if (!schedule.TakeIfDue(_timeSeconds))
+            {
+                yield return HarvestPhase.Waiting;
+                continue;
+            }
+
+            foreach (HarvestPhase phase in flow.TakeFrame())
+            {
+                yield return phase;
+            }
+
+            if (flow.Draft is { } draft)
+            {
+                FrameLabel label = FrameLabels.Of(
+                    _sink.FirstFrame + Counters.Captured, draft, labeller.CameraOf(draft.Snapshot.Camera), _options.Format);
+                var frame = new CapturedFrame(label, draft.Picture, draft.Labelling.Mask, pool);
+                while (!_sink.TryEnqueue(frame))
+                {
+                    Counters.TicksWaitedForSink++;
+                    yield return HarvestPhase.WaitingForSink;
+                }
+
+                Counters.Captured++;
+            }
+
+            if (Counters.Captured == _options.MaxFrames)
+            {
+                yield break;
+            }
+
+            yield return HarvestPhase.Waiting;
+        }
+    }
+
+    private void ReadTime()
+    {
+        _gameFrame = _game.World.GameFrame;
+        _timeSeconds = _game.World.TimeSeconds;
+    }
+
+    private void Fail(Exception exception)
+    {
+        Fault = exception is HarvestFaultException ? exception.Message : $"The harvest stopped: {OneLine(exception.Message)}";
+        try
+        {
+            End(HarvestPhase.Faulted);
+        }
+#pragma warning disable CA1031 // As in Step; the first fault is the one to tell.
+        catch (Exception second)
+#pragma warning restore CA1031
+        {
+            _phase = HarvestPhase.Faulted;
+            Fault += $" Ending it failed too: {OneLine(second.Message)}";
+        }
+    }
+
+    private void End(HarvestPhase phase)
+    {
+        _phase = phase;
+        try
+        {
+            _run.Dispose();
+        }
+        finally
+        {
+            try
+            {
+                // Leaving the flow of a frame lets the game go on; a flow that a fault broke off may not have come to it.
+                _game.Pause.Unfreeze();
+            }
+            finally
+            {
+                CloseSink();
+            }
+        }
+    }
+
+    private void CloseSink()
+    {
+        if (_opened)
+        {
+            _opened = false;
+            _sink.Close(new SessionEnd(
+                _gameFrame, _timeSeconds, Counters.Captured, [.. Counters.Discards], [.. Counters.SettleTicks], null, Fault));
+        }
+    }
+
+    private static string OneLine(string message) => string.Join(" ", message.Split('\r', '\n').Where(part => part.Length > 0));
+}

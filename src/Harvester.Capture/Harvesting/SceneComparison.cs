@@ -1,0 +1,63 @@
+using System.Collections.Generic;
+using Harvester.Capture.Scenes;
+using Harvester.Geometry;
+
+namespace Harvester.Capture.Harvesting;
+
+/// <summary>
+/// Whether two readings are of one standing scene: the same camera, ego vehicle and entities, at the same places. The hour and the
+/// count of frames go on in a frozen game and are not compared; nor are velocities, which a frozen game may report as 0.
+/// </summary>
+/// <param name="positionTolerance">By how much a position may differ, metres.</param>
+internal sealed class SceneComparison(double positionTolerance)
+{
+    /// <summary>By how much a component of an axis may differ: less than a tenth of a pixel at a focal length of 1,000 pixels.</summary>
+    private const double AxisTolerance = 1e-4;
+
+    /// <summary>Names the first difference for the counters: cameraMoved, egoMoved, objectsChanged or objectMoved; null when there is none.</summary>
+    public string? FirstDifference(SceneSnapshot a, SceneSnapshot b)
+    {
+        if (!CameraStands(a, b))
+        {
+            return "cameraMoved";
+        }
+
+        if (a.Ego.Handle != b.Ego.Handle || !Same(a.Ego.Pose, b.Ego.Pose))
+        {
+            return "egoMoved";
+        }
+
+        return FirstDifference(a.Entities, b.Entities);
+    }
+
+    public bool CameraStands(SceneSnapshot a, SceneSnapshot b) =>
+        Same(a.Camera.Pose, b.Camera.Pose) && a.Camera with { Pose = b.Camera.Pose } == b.Camera;
+
+    public string? FirstDifference(IReadOnlyList<EntityState> a, IReadOnlyList<EntityState> b)
+    {
+        if (a.Count != b.Count)
+        {
+            return "objectsChanged";
+        }
+
+        for (int i = 0; i < a.Count; i++)
+        {
+            if (a[i].Handle != b[i].Handle || a[i].Model != b[i].Model)
+            {
+                return "objectsChanged";
+            }
+
+            if (!Same(a[i].Pose, b[i].Pose))
+            {
+                return "objectMoved";
+            }
+        }
+
+        return null;
+    }
+
+    private bool Same(Pose a, Pose b) =>
+        (a.Position - b.Position).Length <= positionTolerance
+        && (a.Axes.Right - b.Axes.Right).Length <= AxisTolerance
+        && (a.Axes.Forward - b.Axes.Forward).Length <= AxisTolerance;
+}

@@ -1,0 +1,10 @@
+using Harvester.Capture.Scenes;
+
+namespace Harvester.Capture.Harvesting;
+
+/// <summary>What is known when a session begins.</summary>
+/// <param name="Options">The options of the harvest.</param>
+/// <param name="GameFrame">The game's count of frames.</param>
+/// <param name="TimeSeconds">The game's time, seconds.</param>
+/// <param name="Camera">The camera at that moment.</param>
+public sealed record SessionStart(HarvestOptions Options, long GameFrame, double TimeSeconds, CameraState Camera);

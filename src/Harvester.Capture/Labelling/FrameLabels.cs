@@ -1,0 +1,46 @@
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Capture.Labelling;
+
+/// <summary>Puts the label line of a frame together.</summary>
+internal static class FrameLabels
+{
+    public static FrameLabel Of(int frame, FrameDraft draft, Camera camera, ImageFormat format)
+    {
+        SceneSnapshot scene = draft.Snapshot;
+        return new FrameLabel(
+            frame,
+            scene.GameFrame,
+            scene.TimeSeconds,
+            draft.LagFrames,
+            draft.LagSeconds,
+            FramePaths.Image(frame, format),
+            draft.Labelling.Mask is null ? null : FramePaths.Mask(frame),
+            Of(camera),
+            new EgoLabel(scene.Ego.Pose.Position, Angles.HeadingDegrees(scene.Ego.Pose.Axes.Forward), scene.Ego.Velocity, scene.Ego.Model),
+            scene.Environment,
+            draft.Labelling.Objects);
+    }
+
+    private static CameraLabel Of(Camera camera)
+    {
+        CameraIntrinsics intrinsics = camera.Intrinsics;
+        return new CameraLabel(
+            camera.Pose,
+            intrinsics.VerticalFovDegrees,
+            intrinsics.Image.Width,
+            intrinsics.Image.Height,
+            intrinsics.WindowAspect,
+            intrinsics.NearClip,
+            intrinsics.Fx,
+            intrinsics.Fy,
+            intrinsics.Cx,
+            intrinsics.Cy,
+            new DistortionLabel(intrinsics.Lens.FocalScale, intrinsics.Lens.K1, intrinsics.Lens.K2));
+    }
+}

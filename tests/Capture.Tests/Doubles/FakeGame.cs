@@ -1,0 +1,142 @@
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Scenes;
+using Harvester.Geometry;
+using Harvester.Geometry.Visibility;
+
+namespace Harvester.Capture.Tests.Doubles;
+
+/// <summary>
+/// A game of one car ahead of a driving camera, at 60 ticks a second. Its pictures hold, in their first bytes, the number of the
+/// world's state that they show; the same number is the game time in ticks, so that a label can be held against its picture.
+/// Quirks: the picture's lag, ticks until a freeze takes, a camera that is reported a frame late, and failures of any port.
+/// </summary>
+internal sealed class FakeGame : IWorld, IRayCaster, IScreen, IPause, IClock
+{
+    public const double TicksPerSecond = 60;
+
+    private readonly List<long> _shown = [0];
+    private bool _wantsFrozen;
+    private int _ticksToFreeze;
+
+    public GamePorts Ports => new(this, this, this, this, this);
+
+    /// <summary>By how many ticks the picture is behind the state.</summary>
+    public int PictureLag { get; set; }
+
+    /// <summary>Ticks from the request to freeze until the world stands.</summary>
+    public int FreezeDelay { get; set; }
+
+    /// <summary>Whether the camera is reported as it was a tick ago.</summary>
+    public bool CameraReportedLate { get; set; }
+
+    /// <summary>Metres that traffic and camera move a tick.</summary>
+    public double MetresPerTick { get; set; } = 0.25;
+
+    /// <summary>Called at the start of each port's call with its name; throws to make a port fail.</summary>
+    public Action<string> OnCall { get; set; } = static _ => { };
+
+    /// <summary>What the screen answers.</summary>
+    public GrabResult GrabAnswer { get; set; } = GrabResult.Good;
+
+    /// <summary>Milliseconds of the player's time that a ray takes.</summary>
+    public double MillisecondsPerRay { get; set; }
+
+    /// <summary>Changes what the world reports, entity by entity.</summary>
+    public Func<IReadOnlyList<EntityState>, IReadOnlyList<EntityState>> Entities { get; set; } = static entities => entities;
+
+    /// <summary>The number of the world's state: it stands still while the world is frozen.</summary>
+    public long State { get; private set; }
+
+    public bool IsFrozen => _wantsFrozen && _ticksToFreeze == 0;
+
+    public bool WantsFrozen => _wantsFrozen;
+
+    public double Milliseconds { get; private set; }
+
+    public long GameFrame { get; private set; }
+
+    public double TimeSeconds => State / TicksPerSecond;
+
+    /// <summary>The number of the state that a picture of this game shows.</summary>
+    public static long StateOf(PixelBuffer picture) => BitConverter.ToInt64(picture.Bytes, 0);
+
+    /// <summary>One tick of the game, after the script's.</summary>
+    public void Tick()
+    {
+        Milliseconds += 1000 / TicksPerSecond;
+        GameFrame++;
+        if (!IsFrozen)
+        {
+            State++;
+            _ticksToFreeze -= _wantsFrozen ? 1 : 0;
+        }
+
+        _shown.Add(State);
+    }
+
+    public CameraState ReadCamera()
+    {
+        OnCall(nameof(ReadCamera));
+        long state = CameraReportedLate ? StateAgo(1) : State;
+        return new CameraState(new Pose(new Vector3D(0, state * MetresPerTick, 1.5), Axes.Identity), 50, 0.15, 4.0 / 3);
+    }
+
+    public EgoState ReadEgo()
+    {
+        OnCall(nameof(ReadEgo));
+        return new EgoState(7, "blista", new Pose(new Vector3D(0, State * MetresPerTick, 0), Axes.Identity), new Vector3D(0, 15, 0));
+    }
+
+    public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range)
+    {
+        OnCall(nameof(ReadEntities));
+        var car = new EntityState(
+            101,
+            ObjectClass.Car,
+            "asea",
+            new Pose(new Vector3D(2, (State * MetresPerTick * 1.5) + 12, 0.6), Axes.Identity),
+            new Vector3D(-1, -2.3, -0.6),
+            new Vector3D(1, 2.3, 0.9),
+            new Vector3D(0, 22, 0));
+        return Entities([car]);
+    }
+
+    public EnvironmentState ReadEnvironment()
+    {
+        OnCall(nameof(ReadEnvironment));
+        return new EnvironmentState("clear", TimeSpan.FromHours(12));
+    }
+
+    public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
+    {
+        OnCall(nameof(Cast));
+        Milliseconds += MillisecondsPerRay;
+        return null;
+    }
+
+    public GrabResult Grab(PixelBuffer target)
+    {
+        OnCall(nameof(Grab));
+        BitConverter.GetBytes(StateAgo(PictureLag)).CopyTo(target.Bytes, 0);
+        return GrabAnswer;
+    }
+
+    public void Freeze()
+    {
+        OnCall(nameof(Freeze));
+        if (!_wantsFrozen)
+        {
+            _wantsFrozen = true;
+            _ticksToFreeze = FreezeDelay;
+        }
+    }
+
+    public void Unfreeze()
+    {
+        OnCall(nameof(Unfreeze));
+        _wantsFrozen = false;
+    }
+
+    private long StateAgo(int ticks) => _shown[Math.Max(0, _shown.Count - 1 - ticks)];
+}

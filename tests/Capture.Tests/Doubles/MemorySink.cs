@@ -1,0 +1,39 @@
+using Harvester.Capture.Harvesting;
+
+namespace Harvester.Capture.Tests.Doubles;
+
+/// <summary>Keeps a session's frames in memory.</summary>
+internal sealed class MemorySink : IFrameSink
+{
+    public List<CapturedFrame> Frames { get; } = [];
+
+    public SessionStart? Start { get; private set; }
+
+    public SessionEnd? End { get; private set; }
+
+    public bool HasRoom { get; set; } = true;
+
+    public string? Fault { get; set; }
+
+    public int FirstFrame { get; set; }
+
+    public int FirstObjectId { get; set; } = 1;
+
+    public void Open(SessionStart start) => Start = start;
+
+    public bool TryEnqueue(CapturedFrame frame)
+    {
+        if (HasRoom)
+        {
+            Frames.Add(frame);
+        }
+
+        return HasRoom;
+    }
+
+    public void Close(SessionEnd end) => End = end;
+
+    public void Dispose()
+    {
+    }
+}
