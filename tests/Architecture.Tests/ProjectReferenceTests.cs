@@ -12,7 +12,8 @@ public sealed class ProjectReferenceTests
         ["Harvester.Mod"] = ["Harvester.Capture", "ScriptHookVDotNet3"],
         ["Harvester.Simulation"] = ["Harvester.Capture"],
         ["Harvester.Datasets"] = ["Harvester.Capture"],
-        ["Harvester.Cli"] = ["Harvester.Simulation", "Harvester.Datasets"],
+        ["Harvester.Driving"] = ["Harvester.Capture"],
+        ["Harvester.Cli"] = ["Harvester.Simulation", "Harvester.Datasets", "Harvester.Driving"],
     };
 
     public static TheoryData<string> Projects => new(Directory

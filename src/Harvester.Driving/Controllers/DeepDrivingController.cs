@@ -1,0 +1,150 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Driving;
+using Harvester.Geometry.Lanes;
+
+namespace Harvester.Driving.Controllers;
+
+/// <summary>
+/// The controller published with DeepDriving for TORCS roads of up to three lanes, restated from its rules and constants:
+/// it steers by steering = (angle - centre / 8) / 0.541 / damping toward the centre line of the lane it is in or moves to,
+/// changes lane when a vehicle is within 15 m and the lane beside was free for six seconds, and otherwise slows down behind it.
+/// It lives on <see cref="DrivingState.TorcsEquivalent"/>, ten times a second.
+/// </summary>
+public sealed class DeepDrivingController : IController
+{
+    private const double RoadWidth = 8.0;
+    private const double SteeringLockRadians = 0.541052;
+    private const double ChangeWithinMetres = 15;
+    private const double WidestLane = 5.5;
+    private const double NoLaneBeyond = 8;
+    private const double SteadySteering = 0.2;
+    private const int FramesToClear = 60;
+    private const int FramesCarriedOver = 30;
+    private const int TrendLength = 5;
+
+    private readonly Queue<double> _steerings = new(new double[TrendLength]);
+    private readonly LaneClearance _left = new();
+    private readonly LaneClearance _right = new();
+    private LaneManoeuvre _manoeuvre;
+    private double _previousMl = -2;
+    private double _previousMr = 2;
+
+    /// <inheritdoc/>
+    public DrivingControls Drive(DrivingState state)
+    {
+        ArgumentNullException.ThrowIfNull(state);
+        LaneIndicators at = state.TorcsEquivalent;
+        _left.Observe(at.DistLL.Value);
+        _right.Observe(at.DistRR.Value);
+        double trend = _steerings.Sum();
+        bool isBlocked = _manoeuvre == LaneManoeuvre.Keep && at.DistMM.Value < ChangeWithinMetres;
+        if (isBlocked)
+        {
+            ChooseManoeuvre(at, trend);
+        }
+
+        double damping = Steer(at, out double centre);
+        double steering = (at.Angle.Value - (centre / RoadWidth)) / SteeringLockRadians / damping;
+        if (_manoeuvre == LaneManoeuvre.Keep && damping > 1 && steering > 0.1)
+        {
+            steering *= (2.5 * steering) + 0.75;
+        }
+
+        steering = Math.Clamp(steering, -1, 1);
+        _steerings.Dequeue();
+        _steerings.Enqueue(steering);
+        return WithSpeed(steering, state, trend);
+    }
+
+    private static DrivingControls WithSpeed(double steering, DrivingState state, double trend)
+    {
+        const double vMax = 20;
+        double desired = state.IsFast ? vMax : Math.Max(10, vMax - (4.5 * Math.Abs(trend)));
+        desired = Math.Min(desired, SpeedBehind(state.TorcsEquivalent.DistMM.Value));
+        double error = desired - state.SpeedMetresPerSecond;
+        return error >= 0
+            ? new DrivingControls(steering, 0.2 * (error + 1), 0)
+            : new DrivingControls(steering, 0, 0.1 * -error);
+    }
+
+    /// <summary>The speed to follow a vehicle at a distance: 0 at 5 m, 15 m/s at 15 m.</summary>
+    private static double SpeedBehind(double distance)
+    {
+        const double vMax = 20;
+        const double c = 2.772;
+        const double d = -0.693;
+        return Math.Max(0, vMax * (1 - Math.Exp((-c / vMax * distance) - d)));
+    }
+
+    private void ChooseManoeuvre(LaneIndicators at, double trend)
+    {
+        if (at.ToMarkingLL.Value > -NoLaneBeyond && _left.IsClear(FramesToClear) && trend is >= 0 and < SteadySteering)
+        {
+            _manoeuvre = LaneManoeuvre.LeaveToLeft;
+            _left.Restart(FramesCarriedOver);
+            _right.Restart(0);
+        }
+        else if (at.ToMarkingRR.Value < NoLaneBeyond && _right.IsClear(FramesToClear) && trend is <= 0 and > -SteadySteering)
+        {
+            _manoeuvre = LaneManoeuvre.LeaveToRight;
+            _right.Restart(FramesCarriedOver);
+            _left.Restart(0);
+        }
+    }
+
+    /// <summary>Finds the line to steer to, metres to the right of the car, and how gently.</summary>
+    private double Steer(LaneIndicators at, out double centre)
+    {
+        bool isInLane = at.ToMarkingMR.Value - at.ToMarkingML.Value < WidestLane;
+        bool isOnLeftMarking = at.ToMarkingL.Value > -5 && at.ToMarkingM.Value < 1.5;
+        bool isOnRightMarking = at.ToMarkingR.Value < 5 && at.ToMarkingM.Value < 1.5;
+        double lane = (at.ToMarkingML.Value + at.ToMarkingMR.Value) / 2;
+        double leftOfMarking = (at.ToMarkingL.Value + at.ToMarkingM.Value) / 2;
+        double rightOfMarking = (at.ToMarkingR.Value + at.ToMarkingM.Value) / 2;
+        switch (_manoeuvre)
+        {
+            case LaneManoeuvre.LeaveToLeft:
+                return Leave(isInLane, isOnLeftMarking, (at.ToMarkingLL.Value + at.ToMarkingML.Value) / 2, leftOfMarking, LaneManoeuvre.ArriveFromRight, out centre);
+            case LaneManoeuvre.LeaveToRight:
+                return Leave(isInLane, isOnRightMarking, (at.ToMarkingRR.Value + at.ToMarkingMR.Value) / 2, rightOfMarking, LaneManoeuvre.ArriveFromLeft, out centre);
+            case LaneManoeuvre.ArriveFromRight when isOnLeftMarking:
+                centre = leftOfMarking;
+                return 20;
+            case LaneManoeuvre.ArriveFromLeft when isOnRightMarking:
+                centre = rightOfMarking;
+                return 20;
+            default:
+                _manoeuvre = LaneManoeuvre.Keep;
+                return Keep(at, isInLane, lane, leftOfMarking, rightOfMarking, out centre);
+        }
+    }
+
+    private double Keep(LaneIndicators at, bool isInLane, double lane, double leftOfMarking, double rightOfMarking, out double centre)
+    {
+        if (!isInLane)
+        {
+            centre = -_previousMl > _previousMr ? leftOfMarking : rightOfMarking;
+            return 0.3;
+        }
+
+        centre = lane;
+        _previousMl = at.ToMarkingML.Value;
+        _previousMr = at.ToMarkingMR.Value;
+        return at.ToMarkingM.Value < 1 ? 0.4 : 1.5;
+    }
+
+    private double Leave(bool isInLane, bool isOnMarking, double next, double beyondMarking, LaneManoeuvre arrival, out double centre)
+    {
+        if (isInLane)
+        {
+            centre = isOnMarking ? (next + beyondMarking) / 2 : next;
+            return 6;
+        }
+
+        centre = beyondMarking;
+        _manoeuvre = arrival;
+        return 20;
+    }
+}

@@ -1,0 +1,16 @@
+using Harvester.Geometry.Lanes;
+
+namespace Harvester.Driving.Controllers;
+
+/// <summary>What a controller knows at one moment.</summary>
+/// <param name="Indicators">The indicators in metres on the road as it is.</param>
+/// <param name="TorcsEquivalent">The same as a road of TORCS would give them.</param>
+/// <param name="IsFast">Whether more than 60 m of straight road lie ahead.</param>
+/// <param name="SpeedMetresPerSecond">The car's speed, m/s; 0 or more.</param>
+/// <param name="CurvaturePerMetre">Curvature of the road at the look-ahead point, 1/m, positive to the left; 0 when unknown.</param>
+public sealed record DrivingState(
+    LaneIndicators Indicators,
+    LaneIndicators TorcsEquivalent,
+    bool IsFast,
+    double SpeedMetresPerSecond,
+    double CurvaturePerMetre);
