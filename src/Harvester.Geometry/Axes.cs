@@ -21,6 +21,9 @@ public readonly record struct Axes
     /// <summary>Right is east, forward is north, up is up.</summary>
     public static Axes Identity { get; } = new(new(1, 0, 0), new(0, 1, 0), new(0, 0, 1));
 
+    /// <summary>Whether this was made by a factory and not by default, which is no orientation.</summary>
+    internal bool IsOrientation => Forward != Vector3D.Zero;
+
     /// <summary>Unit vector to the right, in the world.</summary>
     public Vector3D Right { get; }
 
@@ -86,8 +89,9 @@ public readonly record struct Axes
             return new EulerAngles(Angles.ToDegrees(pitch), 0, Angles.ToDegrees(Math.Atan2(Right.Y, Right.X)));
         }
 
-        double roll = Math.Atan2(-Right.Z, Up.Z);
-        double yaw = Math.Atan2(-Forward.X, Forward.Y);
+        // 0 - x and not -x: the arctangent of a minus zero would give -180 where the range says 180.
+        double roll = Math.Atan2(0 - Right.Z, Up.Z);
+        double yaw = Math.Atan2(0 - Forward.X, Forward.Y);
         return new EulerAngles(Angles.ToDegrees(pitch), Angles.ToDegrees(roll), Angles.ToDegrees(yaw));
     }
 

@@ -45,6 +45,9 @@ internal static class Guard
         return value;
     }
 
+    public static Axes Orientation(Axes value, string name) =>
+        value.IsOrientation ? value : throw new ArgumentException($"{name} must be an orientation, not the default value of the type.", name);
+
     public static T NotNull<T>(T? value, string name)
         where T : class =>
         value ?? throw new ArgumentNullException(name);

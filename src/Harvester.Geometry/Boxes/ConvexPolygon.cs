@@ -14,9 +14,14 @@ public static class ConvexPolygon
     {
         var sorted = new List<Vector2D>(Guard.NotNull(points, nameof(points)));
         sorted.Sort(static (a, b) => a.X != b.X ? a.X.CompareTo(b.X) : a.Y.CompareTo(b.Y));
-        if (sorted.Count < 3)
+        if (sorted.Count == 0)
         {
             return sorted;
+        }
+
+        if (sorted[0] == sorted[sorted.Count - 1])
+        {
+            return [sorted[0]];
         }
 
         var hull = new List<Vector2D>(sorted.Count + 1);

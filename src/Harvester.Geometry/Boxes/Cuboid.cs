@@ -14,6 +14,7 @@ public sealed record Cuboid
     /// <param name="halfExtents">Half of its size along right, forward and up, metres; each 0 or more (a plate has one 0).</param>
     /// <param name="axes">Its orientation.</param>
     /// <exception cref="ArgumentOutOfRangeException">A value is not finite, or an extent is negative.</exception>
+    /// <exception cref="ArgumentException">The axes are the default value, which is not an orientation.</exception>
     public Cuboid(Vector3D centre, Vector3D halfExtents, Axes axes)
     {
         Centre = Guard.Finite(centre, nameof(centre));
@@ -23,7 +24,7 @@ public sealed record Cuboid
             throw new ArgumentOutOfRangeException(nameof(halfExtents), halfExtents, "A cuboid's half extents are 0 or more.");
         }
 
-        Axes = axes;
+        Axes = Guard.Orientation(axes, nameof(axes));
     }
 
     /// <summary>The twelve edges as pairs of corner numbers (see <see cref="Corner"/>).</summary>

@@ -10,9 +10,11 @@ public sealed record Camera
     /// <param name="pose">Position and orientation in the world.</param>
     /// <param name="intrinsics">How directions become pixels.</param>
     /// <exception cref="System.ArgumentOutOfRangeException">The position is not finite.</exception>
+    /// <exception cref="System.ArgumentException">The pose's axes are the default value, which is not an orientation.</exception>
     public Camera(Pose pose, CameraIntrinsics intrinsics)
     {
         Guard.Finite(pose.Position, nameof(pose));
+        Guard.Orientation(pose.Axes, nameof(pose));
         Pose = pose;
         Intrinsics = Guard.NotNull(intrinsics, nameof(intrinsics));
     }

@@ -23,11 +23,12 @@ public sealed record CameraIntrinsics
         WindowAspect = Guard.Positive(windowAspect, nameof(windowAspect));
         NearClip = Guard.Positive(nearClip, nameof(nearClip));
         Guard.Positive(lens.FocalScale, nameof(lens));
+        Guard.Positive(image.Width, nameof(image));
         Image = image;
         Lens = lens;
         double tangent = Math.Tan(Angles.ToRadians(verticalFovDegrees) / 2);
-        Fx = lens.FocalScale * image.Width / (2 * tangent * windowAspect);
-        Fy = lens.FocalScale * image.Height / (2 * tangent);
+        Fx = Guard.Positive(lens.FocalScale * image.Width / (2 * tangent * windowAspect), nameof(windowAspect));
+        Fy = Guard.Positive(lens.FocalScale * image.Height / (2 * tangent), nameof(verticalFovDegrees));
         Cx = image.Width * (0.5 + lens.CentreOffsetX);
         Cy = image.Height * (0.5 + lens.CentreOffsetY);
     }

@@ -1,0 +1,152 @@
+using Harvester.Geometry.Boxes;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Geometry.Tests.Boxes;
+
+public sealed class CuboidProjectorTests
+{
+    private const double Rounding = 1e-9;
+
+    /// <summary>The outline of a bent edge is sampled in 32 pieces; between samples it bulges by less than this, pixels.</summary>
+    private const double BentEdgePixels = 0.05;
+
+    /// <summary>At the origin, looking north; fx = fy = 300, the image's middle at (400, 300).</summary>
+    private static readonly Camera Origin = Looking(Lens.Ideal);
+
+    [Fact]
+    public void Project_cuboid_ahead_is_bounded_by_its_near_face()
+    {
+        // Near face at depth 9, half sizes 1 and 1: 400 ± 300/9, 300 ± 300/9.
+        CuboidProjection projection = CuboidProjector.Project(Origin, Cube(0, 10, 0, 1));
+
+        Assert.Equal(BoxOutcome.InImage, projection.Outcome);
+        AssertBox(new Box2D(400 - (100 / 3.0), 300 - (100 / 3.0), 400 + (100 / 3.0), 300 + (100 / 3.0)), projection.Box);
+        Assert.Equal(projection.Box, projection.AmodalBox);
+        Assert.Equal(0, projection.TruncatedFraction);
+        Assert.Equal(4, projection.Silhouette.Count);
+    }
+
+    [Fact]
+    public void Project_half_out_of_the_image_is_half_truncated()
+    {
+        // A plate at depth 3 in the plane of x: x = -4 ± 1 gives u = 400 - 400 ± 100, half of it left of the image.
+        var plate = new Cuboid(new(-4, 3, 0), new(1, 0, 1), Axes.Identity);
+
+        CuboidProjection projection = CuboidProjector.Project(Origin, plate);
+
+        AssertBox(new Box2D(0, 200, 100, 400), projection.Box);
+        AssertBox(new Box2D(-100, 200, 100, 400), projection.AmodalBox);
+        Assert.Equal(0.5, projection.TruncatedFraction, Rounding);
+    }
+
+    [Fact]
+    public void Project_across_the_near_plane_is_clipped_and_not_mirrored()
+    {
+        // A wall 1 m to the right, from 5 m behind to 5 m ahead, without thickness, 1 m up and down: visible from depth 0.1 to 5,
+        // at u = 400 + 300/5 = 460 and beyond the right side; mirrored points would reach to the left of the middle.
+        var wall = new Cuboid(new(1, 0, 0), new(0, 5, 1), Axes.Identity);
+
+        CuboidProjection projection = CuboidProjector.Project(Origin, wall);
+
+        // At the right side, u = 800, the depth is 0.75 and v = 300 ± 400, cut at the image.
+        AssertBox(new Box2D(460, 0, 800, 600), projection.Box);
+        AssertBox(new Box2D(460, 300 - 3000, 400 + 3000, 300 + 3000), projection.AmodalBox);
+        Assert.InRange(projection.TruncatedFraction, 0.9, 1);
+    }
+
+    [Fact]
+    public void Project_around_the_camera_is_the_whole_image()
+    {
+        foreach (double half in new[] { 0.05, 1, 100 })
+        {
+            CuboidProjection projection = CuboidProjector.Project(Origin, Cube(0, 0, 0, half));
+
+            Assert.Equal(BoxOutcome.InImage, projection.Outcome);
+            Assert.Equal(Origin.Image.Bounds, projection.Box);
+        }
+    }
+
+    [Fact]
+    public void Project_behind_or_beside_is_not_in_the_image()
+    {
+        CuboidProjection behind = CuboidProjector.Project(Origin, Cube(0, -10, 0, 1));
+        Assert.Equal(BoxOutcome.BehindNearPlane, behind.Outcome);
+        Assert.Null(behind.Box);
+        Assert.Null(behind.AmodalBox);
+        Assert.Empty(behind.Silhouette);
+
+        CuboidProjection beside = CuboidProjector.Project(Origin, Cube(-50, 10, 0, 1));
+        Assert.Equal(BoxOutcome.OutsideImage, beside.Outcome);
+        Assert.Null(beside.Box);
+        Assert.Equal(1, beside.TruncatedFraction);
+        Assert.NotNull(beside.AmodalBox);
+    }
+
+    [Theory]
+    [InlineData(0, 0)]
+    [InlineData(-0.08, 0.01)]
+    [InlineData(0.1, 0)]
+    public void Project_silhouette_contains_every_point_of_the_cuboid(double k1, double k2)
+    {
+        Camera camera = Looking(new Lens(1, 0, 0, k1, k2));
+        var random = new Random(5);
+        for (int i = 0; i < 300; i++)
+        {
+            var cuboid = new Cuboid(
+                new(random.Between(-5, 5), random.Between(2, 30), random.Between(-5, 5)), Half(random), random.Axes());
+            CuboidProjection projection = CuboidProjector.Project(camera, cuboid);
+            for (int k = 0; k < 30; k++)
+            {
+                Vector3D inside = cuboid.Centre + cuboid.Axes.ToWorld(new Vector3D(
+                    random.Between(-1, 1) * cuboid.HalfExtents.X,
+                    random.Between(-1, 1) * cuboid.HalfExtents.Y,
+                    random.Between(-1, 1) * cuboid.HalfExtents.Z));
+                Projection point = camera.Project(inside);
+                if (point.Outcome == ProjectionOutcome.InImage)
+                {
+                    Assert.Equal(BoxOutcome.InImage, projection.Outcome);
+                    Assert.True(projection.AmodalBox!.Value.Contains(new Box2D(point.U, point.V, point.U, point.V), BentEdgePixels));
+                    Assert.True(projection.Box!.Value.Contains(new Box2D(point.U, point.V, point.U, point.V), BentEdgePixels));
+                }
+            }
+        }
+    }
+
+    [Fact]
+    public void Project_silhouette_is_where_rays_meet_the_cuboid()
+    {
+        var random = new Random(6);
+        for (int i = 0; i < 200; i++)
+        {
+            var cuboid = new Cuboid(
+                new(random.Between(-5, 5), random.Between(-2, 20), random.Between(-5, 5)), Half(random), random.Axes());
+            CuboidProjection projection = CuboidProjector.Project(Origin, cuboid);
+            for (int k = 0; k < 50; k++)
+            {
+                var pixel = new Vector2D(random.Between(0, 800), random.Between(0, 600));
+                Ray ray = Origin.RayThrough(pixel.X, pixel.Y);
+
+                // The ray counts from the near plane on, as the projection does; from inside the cuboid everything is covered.
+                double near = Origin.Intrinsics.NearClip / ray.Direction.Y;
+                bool met = cuboid.Intersect(ray) is { } span && span.Exit >= near;
+
+                Assert.Equal(met || cuboid.Contains(Vector3D.Zero), ConvexPolygon.Contains(projection.Silhouette, pixel));
+            }
+        }
+    }
+
+    private static Vector3D Half(Random random) => new(random.Between(0.1, 3), random.Between(0.1, 3), random.Between(0.1, 3));
+
+    private static Camera Looking(Lens lens) =>
+        new(
+            new Pose(Vector3D.Zero, Axes.Identity),
+            new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.1, lens));
+
+    private static Cuboid Cube(double x, double y, double z, double half) => new(new(x, y, z), new(half, half, half), Axes.Identity);
+
+    private static void AssertBox(Box2D expected, Box2D? actual)
+    {
+        Assert.NotNull(actual);
+        Assert.True(expected.Contains(actual.Value, Rounding) && actual.Value.Contains(expected, Rounding), $"expected {expected}, got {actual}");
+    }
+}

@@ -1,0 +1,117 @@
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Geometry.Tests.Cameras;
+
+public sealed class CameraTests
+{
+    private const double NearClip = 0.1;
+
+    /// <summary>Issue's demand for the round trip, pixels.</summary>
+    private const double RoundTripPixels = 1e-9;
+
+    private static readonly Lens[] Lenses =
+    [
+        Lens.Ideal,
+        new(1.02, 0.01, -0.02, -0.08, 0.01),
+        new(0.97, 0, 0, 0.15, 0),
+        new(1, 0, 0, -0.35, 0),
+    ];
+
+    public static TheoryData<string> ProjectionCases => [.. Vectors.Read("Cameras/projection.csv").Select(row => row["case"])];
+
+    [Theory]
+    [MemberData(nameof(ProjectionCases))]
+    public void Project_golden_vectors_of_a_camera_at_the_origin(string name)
+    {
+        IReadOnlyDictionary<string, string> row = Vectors.Read("Cameras/projection.csv").Single(r => r["case"] == name);
+        var lens = new Lens(row.Number("focalScale"), row.Number("centreX"), row.Number("centreY"), row.Number("k1"), row.Number("k2"));
+        var size = new ImageSize((int)row.Number("width"), (int)row.Number("height"));
+        var camera = new Camera(
+            new Pose(Vector3D.Zero, Axes.Identity),
+            new CameraIntrinsics(row.Number("fovDegrees"), size, row.Number("windowAspect"), NearClip, lens));
+
+        Projection projection = camera.Project(new Vector3D(row.Number("x"), row.Number("y"), row.Number("z")));
+
+        Assert.Equal(Enum.Parse<ProjectionOutcome>(row["outcome"]), projection.Outcome);
+        Assert.Equal(row.Number("u"), projection.U, row.Number("tolerance"));
+        Assert.Equal(row.Number("v"), projection.V, row.Number("tolerance"));
+        Assert.Equal(row.Number("depth"), projection.Depth, row.Number("tolerance"));
+    }
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    public void Project_of_Unproject_is_the_pixel(int lens)
+    {
+        var random = new Random(10 + lens);
+        for (int i = 0; i < 2_000; i++)
+        {
+            Camera camera = random.Camera(Lenses[lens]);
+            double u = random.Between(0, 800);
+            double v = random.Between(0, 600);
+            double depth = random.Between(1, 100);
+
+            Projection back = camera.Project(camera.Unproject(u, v, depth));
+
+            Assert.Equal(u, back.U, RoundTripPixels);
+            Assert.Equal(v, back.V, RoundTripPixels);
+            Assert.Equal(depth, back.Depth, 1e-9);
+        }
+    }
+
+    [Fact]
+    public void Project_moving_world_and_camera_together_changes_nothing()
+    {
+        var random = new Random(20);
+        for (int i = 0; i < 500; i++)
+        {
+            Camera camera = random.Camera(Lenses[1]);
+            Vector3D point = camera.Unproject(random.Between(0, 800), random.Between(0, 600), random.Between(1, 50));
+            var motion = new Pose(random.Vector(50), random.Axes());
+            var moved = new Camera(motion.Compose(camera.Pose), camera.Intrinsics);
+
+            Projection before = camera.Project(point);
+            Projection after = moved.Project(motion.ToWorld(point));
+
+            Assert.Equal(before.U, after.U, 1e-8);
+            Assert.Equal(before.V, after.V, 1e-8);
+        }
+    }
+
+    [Fact]
+    public void RayThrough_middle_of_the_image_looks_forward()
+    {
+        Camera camera = new Random(21).Camera(Lens.Ideal);
+
+        Ray ray = camera.RayThrough(400, 300);
+
+        Assert.Equal(1, ray.Direction.Dot(camera.Pose.Axes.Forward), 1e-12);
+        Assert.Equal(camera.Pose.Position, ray.Origin);
+    }
+
+    [Fact]
+    public void Camera_invalid_input_is_refused()
+    {
+        var size = new ImageSize(800, 600);
+        Assert.Throws<ArgumentOutOfRangeException>(() => new CameraIntrinsics(0, size, 1, NearClip, Lens.Ideal));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new CameraIntrinsics(180, size, 1, NearClip, Lens.Ideal));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new CameraIntrinsics(double.NaN, size, 1, NearClip, Lens.Ideal));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new CameraIntrinsics(50, size, 0, NearClip, Lens.Ideal));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new CameraIntrinsics(50, size, 1e-320, NearClip, Lens.Ideal));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new CameraIntrinsics(50, size, 1, double.PositiveInfinity, Lens.Ideal));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new CameraIntrinsics(50, size, 1, NearClip, default));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new CameraIntrinsics(50, default, 1, NearClip, Lens.Ideal));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new ImageSize(0, 600));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new ImageSize(800, 65_536));
+        Camera camera = new Random(22).Camera(Lens.Ideal);
+        Assert.Throws<ArgumentOutOfRangeException>(() => camera.Project(new Vector3D(double.NaN, 0, 0)));
+        Assert.Throws<ArgumentOutOfRangeException>(() => camera.RayThrough(double.PositiveInfinity, 0));
+        Assert.Throws<ArgumentOutOfRangeException>(() => camera.Unproject(0, 0, 0));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            () => new Camera(new Pose(new(0, double.NaN, 0), Axes.Identity), camera.Intrinsics));
+        Assert.Throws<ArgumentException>(() => new Camera(default, camera.Intrinsics));
+        Assert.Throws<ArgumentNullException>(() => new Camera(camera.Pose, null!));
+    }
+}

@@ -1,0 +1,106 @@
+using Harvester.Geometry.Boxes;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Tests.Scenes;
+using Harvester.Geometry.Visibility;
+
+namespace Harvester.Geometry.Tests.Visibility;
+
+public sealed class OcclusionEstimatorTests
+{
+    private const int Car = 7;
+    private const int Ego = 8;
+
+    /// <summary>256 well-spread samples: the R2 sequence is off by a few samples on a half plane.</summary>
+    private const double SamplingError = 0.02;
+
+    private static readonly Camera Camera = new(
+        new Pose(Vector3D.Zero, Axes.Identity),
+        new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.1, Lens.Ideal));
+
+    private static readonly Cuboid Target = new(new(0, 20, 0), new(2, 2, 2), Axes.Identity);
+
+    [Fact]
+    public void Estimate_nothing_in_front_is_not_occluded()
+    {
+        OcclusionEstimate estimate = Estimate([(Car, Target)]);
+
+        Assert.Equal(0, estimate.OccludedFraction);
+        Assert.Equal(OcclusionMethod.Rays, estimate.Method);
+        Assert.Equal(256, estimate.SamplesOnObject);
+        Assert.Equal(256, estimate.RaysCast);
+    }
+
+    [Fact]
+    public void Estimate_wall_over_the_left_half_hides_half()
+    {
+        // A wall at depth 10 from far left to the plane x = 0 covers exactly the image's left half.
+        OcclusionEstimate estimate = Estimate([(Car, Target), (RayHit.World, new(new(-50, 10, 0), new(50, 0.1, 50), Axes.Identity))]);
+
+        Assert.Equal(0.5, estimate.OccludedFraction, SamplingError);
+        Assert.Equal(OcclusionMethod.Rays, estimate.Method);
+    }
+
+    [Fact]
+    public void Estimate_behind_a_wall_is_all_hidden()
+    {
+        OcclusionEstimate estimate = Estimate([(Car, Target), (RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))]);
+
+        Assert.Equal(1, estimate.OccludedFraction);
+        Assert.Equal(OcclusionMethod.Rays, estimate.Method);
+    }
+
+    [Fact]
+    public void Estimate_ignored_entity_hides_nothing()
+    {
+        OcclusionEstimate estimate = Estimate([(Car, Target), (Ego, new(new(0, 5, 0), new(50, 0.1, 50), Axes.Identity))]);
+
+        Assert.Equal(0, estimate.OccludedFraction);
+    }
+
+    [Fact]
+    public void Estimate_gaps_between_cuboid_and_object_do_not_count()
+    {
+        // The object fills only the right half of its cuboid, and the wall hides only the left half.
+        Cuboid rightHalf = new(new(1, 20, 0), new(1, 2, 2), Axes.Identity);
+        OcclusionEstimate estimate = Estimate([(Car, rightHalf), (RayHit.World, new(new(-50, 10, 0), new(50, 0.1, 50), Axes.Identity))]);
+
+        Assert.Equal(0, estimate.OccludedFraction);
+        Assert.InRange(estimate.SamplesOnObject, 100, 156);
+    }
+
+    [Fact]
+    public void Estimate_entity_that_rays_never_meet_falls_back_to_its_cuboid()
+    {
+        OcclusionEstimate estimate = Estimate([(RayHit.World, new(new(-50, 10, 0), new(50, 0.1, 50), Axes.Identity))]);
+
+        Assert.Equal(0.5, estimate.OccludedFraction, SamplingError);
+        Assert.Equal(OcclusionMethod.CuboidRays, estimate.Method);
+    }
+
+    [Fact]
+    public void Estimate_behind_the_camera_says_nothing()
+    {
+        Cuboid behind = new(new(0, -20, 0), new(2, 2, 2), Axes.Identity);
+        OcclusionEstimate estimate = new OcclusionEstimator().Estimate(
+            Camera, behind, CuboidProjector.Project(Camera, behind), Car, Ego, new CuboidWorld([]));
+
+        Assert.Equal(new OcclusionEstimate(0, 0, 0, OcclusionMethod.None), estimate);
+    }
+
+    [Fact]
+    public void OcclusionEstimator_invalid_input_is_refused()
+    {
+        Assert.Throws<ArgumentOutOfRangeException>(() => new OcclusionEstimator(0));
+        Assert.Throws<ArgumentNullException>(
+            () => new OcclusionEstimator().Estimate(Camera, Target, CuboidProjector.Project(Camera, Target), Car, Ego, null!));
+    }
+
+    private static OcclusionEstimate Estimate(IReadOnlyList<(int Entity, Cuboid Solid)> solids)
+    {
+        var world = new CuboidWorld(solids);
+        OcclusionEstimate estimate = new OcclusionEstimator(256).Estimate(
+            Camera, Target, CuboidProjector.Project(Camera, Target), Car, Ego, world);
+        Assert.Equal(world.RaysCast, estimate.RaysCast);
+        return estimate;
+    }
+}
