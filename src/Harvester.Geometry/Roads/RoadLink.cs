@@ -11,4 +11,7 @@ public sealed record RoadLink(int From, int To, int LanesForward, int LanesBackw
 {
     /// <summary>Whether it is driven one way only.</summary>
     public bool IsOneWay => LanesForward == 0 || LanesBackward == 0;
+
+    /// <summary>The same piece of road looked at from its other end.</summary>
+    public RoadLink Reversed() => new(To, From, LanesBackward, LanesForward, MedianWidth, Flags);
 }

@@ -6,4 +6,11 @@ namespace Harvester.Geometry.Roads;
 /// <param name="Position">Metres, world, free of the bias of the game's truncated coordinates.</param>
 /// <param name="Street">Name or hash of the street as the source gives it; empty when it has none.</param>
 /// <param name="Flags">What the path data says of it.</param>
-public sealed record RoadNode(int Area, int Number, Vector3D Position, string Street, RoadNodeFlags Flags);
+public sealed record RoadNode(int Area, int Number, Vector3D Position, string Street, RoadNodeFlags Flags)
+{
+    /// <summary>How fast traffic drives here; null where the source does not say.</summary>
+    public RoadSpeed? Speed { get; init; }
+
+    /// <summary>How dense traffic is here, 0 to 15; null where the source does not say.</summary>
+    public int? Density { get; init; }
+}

@@ -59,4 +59,25 @@ public enum RoadNodeFlags
 
     /// <summary>A crossing for pedestrians.</summary>
     PedestrianCrossing = 1 << 16,
+
+    /// <summary>A crossing for pedestrians where nobody waits for the cars.</summary>
+    PedestrianCrossingWithoutWait = 1 << 17,
+
+    /// <summary>A way for pedestrians on which they are led.</summary>
+    PedestrianAssisted = 1 << 18,
+
+    /// <summary>A parking place.</summary>
+    Parking = 1 << 19,
+
+    /// <summary>A place to drive with caution.</summary>
+    Caution = 1 << 20,
+
+    /// <summary>For emergency services only.</summary>
+    EmergencyOnly = 1 << 21,
+
+    /// <summary>A junction of unpaved ways.</summary>
+    OffRoadJunction = 1 << 22,
+
+    /// <summary>On a way that leads nowhere else.</summary>
+    DeadEnd = 1 << 23,
 }

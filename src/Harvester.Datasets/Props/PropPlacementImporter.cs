@@ -1,0 +1,59 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Text.Json;
+using Harvester.Datasets.Json;
+using Harvester.Geometry;
+
+namespace Harvester.Datasets.Props;
+
+/// <summary>Reads lists of props as the public dumps have them: objects with Name, Position and Rotation (X, Y, Z in degrees).</summary>
+public static class PropPlacementImporter
+{
+    /// <summary>Reads a list of props.</summary>
+    /// <exception cref="DatasetFormatException">The file is no such list; the message names the place.</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    public static IReadOnlyList<PropPlacement> Import(string path)
+    {
+        using FileStream stream = File.OpenRead(path);
+        string file = Path.GetFileName(path);
+        try
+        {
+            using JsonDocument document = JsonDocument.Parse(stream);
+            return Read(document.RootElement, file);
+        }
+        catch (JsonException e)
+        {
+            throw new DatasetFormatException($"{file}, line {e.LineNumber + 1}: {e.Message}", e);
+        }
+    }
+
+    private static List<PropPlacement> Read(JsonElement root, string file)
+    {
+        if (root.ValueKind != JsonValueKind.Array)
+        {
+            throw new DatasetFormatException($"{file}: a list of props was expected.");
+        }
+
+        var props = new List<PropPlacement>(root.GetArrayLength());
+        foreach (JsonElement element in root.EnumerateArray())
+        {
+            try
+            {
+                var fields = new JsonFields(element);
+                Vector3D rotation = Components(fields.Fields("Rotation"));
+                props.Add(new PropPlacement(
+                    fields.Text("Name"),
+                    Components(fields.Fields("Position")),
+                    new EulerAngles(rotation.X, rotation.Y, rotation.Z)));
+            }
+            catch (DatasetFormatException e)
+            {
+                throw new DatasetFormatException($"{file}, prop {props.Count}: {e.Message}", e);
+            }
+        }
+
+        return props;
+    }
+
+    private static Vector3D Components(JsonFields fields) => new(fields.Number("X"), fields.Number("Y"), fields.Number("Z"));
+}

@@ -1,0 +1,123 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Text.Json;
+using System.Threading.Tasks;
+using Harvester.Geometry;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Datasets.Roads.JsonDump;
+
+/// <summary>
+/// Reads the public JSON dump of the game's nodes: a list of cells, each with its nodes and their neighbours. A neighbour is given
+/// by its number and position without its cell, so both together name it. The dump has no median, narrow or short-cut bits.
+/// </summary>
+internal static class JsonDumpImporter
+{
+    private const string Format = "JSON dump of nodes";
+
+    /// <summary>The dump nests 8 levels deep.</summary>
+    private const int DeepestNesting = 16;
+
+    private const int MostLanes = 7;
+
+    private static readonly JsonSerializerOptions Options = new() { MaxDepth = DeepestNesting, RespectNullableAnnotations = true };
+
+    public static RoadImport Import(RoadSource source)
+    {
+        var assembly = new RoadAssembly();
+        var indices = new Dictionary<(int Number, DumpPosition Position), int>();
+        var areas = new HashSet<int>();
+        var neighbours = new List<(int From, DumpConnection Connection)>();
+        foreach (DumpArea area in Areas(source))
+        {
+            if (!areas.Add(area.AreaId))
+            {
+                throw new DatasetFormatException($"{source.Name}: cell {area.AreaId} is there twice.");
+            }
+
+            foreach (DumpNode node in area.Nodes)
+            {
+                if (node is null)
+                {
+                    throw new DatasetFormatException($"{source.Name}: a node of cell {area.AreaId} is null.");
+                }
+
+                Add(assembly, indices, neighbours, node, area.AreaId, source.Name);
+            }
+        }
+
+        foreach ((int from, DumpConnection connection) in neighbours)
+        {
+            if (indices.TryGetValue((connection.Node.Id, connection.Node.Position), out int to))
+            {
+                assembly.Add(new RoadLink(from, to, connection.LaneCountForward, connection.LaneCountBackward, null, RoadLinkFlags.None));
+            }
+            else if (areas.Contains(PathGrid.CellOf(Vector(connection.Node.Position))))
+            {
+                throw new DatasetFormatException($"{source.Name}: {Name(assembly.Nodes[from])} has a neighbour, node {connection.Node.Id} at {connection.Node.Position}, that is not in the file.");
+            }
+            else
+            {
+                assembly.LeadsOutside();
+            }
+        }
+
+        return assembly.Finish(Format);
+    }
+
+    private static void Add(
+        RoadAssembly assembly,
+        Dictionary<(int Number, DumpPosition Position), int> indices,
+        List<(int From, DumpConnection Connection)> neighbours,
+        DumpNode node,
+        int area,
+        string file)
+    {
+        int index = assembly.NodeCount;
+        string street = node.StreetName is null or "0" ? "" : node.StreetName;
+        var roadNode = new RoadNode(area, node.Id, PathGrid.RemoveBias(Vector(node.Position)), street, node.Flags());
+        assembly.Add(roadNode);
+        if (!indices.TryAdd((node.Id, node.Position), index))
+        {
+            throw new DatasetFormatException($"{file}: {Name(roadNode)} is there twice.");
+        }
+
+        foreach (DumpConnection connection in node.ConnectedNodes ?? [])
+        {
+            if (connection is null || connection.LaneCountForward is < 0 or > MostLanes || connection.LaneCountBackward is < 0 or > MostLanes)
+            {
+                throw new DatasetFormatException($"{file}: {Name(roadNode)} has a link without a number of lanes from 0 to {MostLanes} each way.");
+            }
+
+            neighbours.Add((index, connection));
+        }
+    }
+
+    private static IEnumerable<DumpArea> Areas(RoadSource source)
+    {
+        using Stream stream = source.Open();
+        IAsyncEnumerable<DumpArea?> areas = JsonSerializer.DeserializeAsyncEnumerable<DumpArea>(stream, Options);
+        IAsyncEnumerator<DumpArea?> enumerator = areas.GetAsyncEnumerator();
+        while (Next(source, enumerator))
+        {
+            yield return enumerator.Current ?? throw new DatasetFormatException($"{source.Name}: a cell is null.");
+        }
+    }
+
+    private static bool Next(RoadSource source, IAsyncEnumerator<DumpArea?> enumerator)
+    {
+        try
+        {
+            ValueTask<bool> next = enumerator.MoveNextAsync();
+            return next.IsCompletedSuccessfully ? next.Result : next.AsTask().GetAwaiter().GetResult();
+        }
+        catch (JsonException e)
+        {
+            throw new DatasetFormatException($"{source.Name}, line {e.LineNumber + 1}: {e.Message}", e);
+        }
+    }
+
+    private static Vector3D Vector(DumpPosition position) => new(position.X, position.Y, position.Z);
+
+    private static string Name(RoadNode node) => $"node {node.Number} of cell {node.Area}";
+}

@@ -1,0 +1,73 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.IO.Compression;
+using System.Linq;
+using Harvester.Datasets.Roads.JsonDump;
+
+namespace Harvester.Datasets.Roads;
+
+/// <summary>
+/// Reads a road network from a file, a folder or a zip archive. What the files are is told from their content, not their names;
+/// any of them may be packed by gzip.
+/// </summary>
+public static class RoadImporter
+{
+    /// <summary>Reads a road network.</summary>
+    /// <param name="path">A file, a folder, or a zip archive.</param>
+    /// <exception cref="DatasetFormatException">The files are of no known format, or not as their format asks; the message names the place.</exception>
+    /// <exception cref="IOException">A file cannot be read.</exception>
+    public static RoadImport Import(string path)
+    {
+        ArgumentException.ThrowIfNullOrEmpty(path);
+        try
+        {
+            return ImportAny(path);
+        }
+        catch (InvalidDataException e)
+        {
+            throw new DatasetFormatException($"{path}: the packed data is corrupt: {e.Message}", e);
+        }
+    }
+
+    private static RoadImport ImportAny(string path)
+    {
+        if (Directory.Exists(path))
+        {
+            return Import(path, [.. Directory.EnumerateFiles(path).Order(StringComparer.Ordinal).Select(FileSource)]);
+        }
+
+        if (!IsZip(path))
+        {
+            return Import(path, [FileSource(path)]);
+        }
+
+        using ZipArchive archive = ZipFile.OpenRead(path);
+        return Import(path, [.. archive.Entries.Where(entry => entry.Length > 0).OrderBy(entry => entry.FullName, StringComparer.Ordinal).Select(EntrySource)]);
+    }
+
+    private static RoadImport Import(string path, IReadOnlyList<RoadSource> sources)
+    {
+        foreach (RoadSource source in sources)
+        {
+            string head = source.Head().TrimStart();
+            if (head.StartsWith('['))
+            {
+                return JsonDumpImporter.Import(source);
+            }
+        }
+
+        throw new DatasetFormatException($"{path}: no road data of a known format here.");
+    }
+
+    private static bool IsZip(string path)
+    {
+        byte[] magic = new byte[4];
+        using FileStream stream = File.OpenRead(path);
+        return stream.ReadAtLeast(magic, magic.Length, throwOnEndOfStream: false) == magic.Length && magic is [(byte)'P', (byte)'K', 3, 4];
+    }
+
+    private static RoadSource FileSource(string path) => new(Path.GetFileName(path), () => File.OpenRead(path));
+
+    private static RoadSource EntrySource(ZipArchiveEntry entry) => new(entry.FullName, entry.Open);
+}

@@ -1,0 +1,41 @@
+using System;
+using System.IO;
+using System.IO.Compression;
+
+namespace Harvester.Datasets.Roads;
+
+/// <summary>One file of road data, plain, packed by gzip, or within a zip archive.</summary>
+/// <param name="name">What messages call it.</param>
+/// <param name="open">Opens its bytes as they are stored.</param>
+internal sealed class RoadSource(string name, Func<Stream> open)
+{
+    /// <summary>The largest file that is read, bytes unpacked; the dump of the whole game has 147 million.</summary>
+    public const long LargestFile = 1L << 30;
+
+    private const int HeadLength = 4096;
+
+    public string Name => name;
+
+    /// <summary>Opens the unpacked bytes, which end in an error beyond <see cref="LargestFile"/>.</summary>
+    public Stream Open()
+    {
+        byte[] magic = new byte[2];
+        using (Stream probe = open())
+        {
+            probe.ReadAtLeast(magic, magic.Length, throwOnEndOfStream: false);
+        }
+
+        Stream stored = open();
+        Stream unpacked = magic is [0x1F, 0x8B] ? new GZipStream(stored, CompressionMode.Decompress) : stored;
+        return new LimitedStream(unpacked, LargestFile);
+    }
+
+    /// <summary>The first bytes as text, without a byte order mark.</summary>
+    public string Head()
+    {
+        using Stream stream = Open();
+        byte[] head = new byte[HeadLength];
+        int length = stream.ReadAtLeast(head, head.Length, throwOnEndOfStream: false);
+        return System.Text.Encoding.UTF8.GetString(head, 0, length).TrimStart('\uFEFF');
+    }
+}

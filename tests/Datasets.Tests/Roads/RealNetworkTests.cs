@@ -1,0 +1,25 @@
+using Harvester.Datasets.Roads;
+using Harvester.Geometry.Roads;
+using Harvester.TestSupport;
+
+namespace Harvester.Datasets.Tests.Roads;
+
+/// <summary>The import of the whole game's network, against counts that were taken from the dump by other means.</summary>
+[Trait("Category", "Heavy")]
+public sealed class RealNetworkTests
+{
+    [RealWorldFact("nodes.zip")]
+    public void Import_dump_of_the_whole_game_has_every_node_link_and_lane()
+    {
+        RoadImport import = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!);
+
+        Assert.Equal(67_454, import.Network.Nodes.Count);
+        Assert.Equal(144_678 / 2, import.Network.Links.Count);
+        Assert.Empty(import.Notes);
+        Assert.Equal(259, import.Network.Nodes.Select(node => node.Area).Distinct().Count());
+        Assert.Equal(98_228 / 2, import.Network.Links.Count(link => link is { LanesForward: 1, LanesBackward: 1 }));
+        Assert.Equal(451, import.Network.Links.Count(link => Math.Max(link.LanesForward, link.LanesBackward) == 4 && link.IsOneWay));
+        Assert.Equal(6_447, import.Network.Nodes.Count(node => node.Flags.HasFlag(RoadNodeFlags.Highway)));
+        Assert.Equal(3_053, import.Network.Nodes.Count(node => node.Flags.HasFlag(RoadNodeFlags.Junction)));
+    }
+}

@@ -1,0 +1,93 @@
+using System.IO.Compression;
+using Harvester.Datasets.Roads;
+using Harvester.Geometry;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Datasets.Tests.Roads;
+
+public sealed class RoadImporterTests : IDisposable
+{
+    private const string TwoNodes = """
+        [{"AreaId": 496, "Nodes": [
+          {"Id": 7, "StreetName": "0", "IsValidForGps": true, "IsJunction": true, "Position": {"X": 10.25, "Y": -20.5, "Z": 3.0},
+           "ConnectedNodes": [{"Node": {"Id": 8, "Position": {"X": 30.0, "Y": -20.5, "Z": 3.0}, "ConnectedNodes": null}, "LaneCountForward": 2, "LaneCountBackward": 1}]},
+          {"Id": 8, "StreetName": "Elgin Ave", "IsFreeway": true, "Position": {"X": 30.0, "Y": -20.5, "Z": 3.0},
+           "ConnectedNodes": [{"Node": {"Id": 7, "Position": {"X": 10.25, "Y": -20.5, "Z": 3.0}, "ConnectedNodes": null}, "LaneCountForward": 1, "LaneCountBackward": 2}]}]}]
+        """;
+
+    private readonly string _file = Path.GetTempFileName();
+
+    public void Dispose() => File.Delete(_file);
+
+    [Fact]
+    public void Import_dump_holds_a_link_once_and_removes_the_bias_of_truncation()
+    {
+        File.WriteAllText(_file, TwoNodes);
+
+        RoadImport import = RoadImporter.Import(_file);
+
+        Assert.Empty(import.Notes);
+        Assert.Equal(new RoadLink(0, 1, 2, 1, null, RoadLinkFlags.None), Assert.Single(import.Network.Links));
+        // Half a step further from zero: 10.25 + 0.125, -20.5 - 0.125, 3 + 1/64.
+        Assert.Equal(new RoadNode(496, 7, new Vector3D(10.375, -20.625, 3.015625), "", RoadNodeFlags.Junction), import.Network.Nodes[0]);
+        Assert.Equal("Elgin Ave", import.Network.Nodes[1].Street);
+        Assert.Equal(RoadNodeFlags.Highway | RoadNodeFlags.NoGps, import.Network.Nodes[1].Flags);
+    }
+
+    [Fact]
+    public void Import_dump_packed_by_gzip_or_zip_is_the_same()
+    {
+        File.WriteAllText(_file, TwoNodes);
+        RoadImport plain = RoadImporter.Import(_file);
+        using (var gzip = new GZipStream(File.Create(_file), CompressionLevel.Fastest))
+        {
+            gzip.Write(System.Text.Encoding.UTF8.GetBytes(TwoNodes));
+        }
+
+        Assert.Equal(plain.Network.Nodes, RoadImporter.Import(_file).Network.Nodes);
+        using (var zip = new ZipArchive(File.Create(_file), ZipArchiveMode.Create))
+        {
+            using var writer = new StreamWriter(zip.CreateEntry("anything.txt").Open());
+            writer.Write(TwoNodes);
+        }
+
+        Assert.Equal(plain.Network.Links, RoadImporter.Import(_file).Network.Links);
+    }
+
+    [Theory]
+    [InlineData("\"Id\": 8, \"Position\"", "\"Id\": 9, \"Position\"", "node 7 of cell 496 has a neighbour, node 9")]
+    [InlineData("\"LaneCountForward\": 2", "\"LaneCountForward\": 8", "node 7 of cell 496 has a link without a number of lanes from 0 to 7")]
+    [InlineData("\"Id\": 8, \"StreetName\"", "\"Id\": \"8\", \"StreetName\"", "line 4")]
+    [InlineData("\"LaneCountBackward\": 2}]}]}]", "\"LaneCountBackward\": 2}", "line 5")]
+    [InlineData("\"X\": 10.25, \"Y\": -20.5, \"Z\": 3.0},\n   \"Conn", "\"X\": 1e999, \"Y\": -20.5, \"Z\": 3.0},\n   \"Conn", "finite")]
+    public void Import_corrupt_dump_names_the_place(string healthy, string corrupt, string expected)
+    {
+        string text = TwoNodes.ReplaceLineEndings("\n").Replace(healthy, corrupt, StringComparison.Ordinal);
+        Assert.NotEqual(TwoNodes.ReplaceLineEndings("\n"), text);
+        File.WriteAllText(_file, text);
+
+        var error = Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file));
+
+        Assert.Contains(expected, error.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Import_link_into_a_cell_that_is_not_there_is_left_out_and_noted()
+    {
+        // x = 600 lies one cell of 512 m further east than x = 30.
+        File.WriteAllText(_file, TwoNodes.Replace("\"Id\": 8, \"Position\": {\"X\": 30.0", "\"Id\": 8, \"Position\": {\"X\": 600.0", StringComparison.Ordinal));
+
+        RoadImport import = RoadImporter.Import(_file);
+
+        Assert.Equal("1 links lead to cells that are not among the files and were left out.", Assert.Single(import.Notes));
+        Assert.Single(import.Network.Links);
+    }
+
+    [Fact]
+    public void Import_of_something_else_says_so()
+    {
+        File.WriteAllText(_file, "no road data at all");
+
+        Assert.Contains("known format", Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
+    }
+}
