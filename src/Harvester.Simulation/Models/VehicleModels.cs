@@ -1,0 +1,37 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Simulation.Rendering;
+
+namespace Harvester.Simulation.Models;
+
+/// <summary>The vehicles of the embedded list.</summary>
+internal static class VehicleModels
+{
+    private static readonly Rgb FireRed = new(176, 22, 20);
+    private static readonly Rgb PoliceBlack = new(24, 24, 28);
+    private static readonly Rgb PrisonGrey = new(176, 180, 178);
+
+    public static IEnumerable<Model> All() => VehicleRow.ReadAll().Select(Build);
+
+    private static Model Build(VehicleRow row) =>
+        new(row.Model, row.Class, row.Min, row.Max, ColoursOf(row).Select(colour => MeshOf(row, colour)).ToArray());
+
+    private static Mesh MeshOf(VehicleRow row, Rgb colour) => row.Shape switch
+    {
+        VehicleShape.Motorcycle or VehicleShape.Bicycle => CycleModels.Build(row, colour),
+        VehicleShape.BoxVan or VehicleShape.BoxTruck or VehicleShape.DumpTruck or VehicleShape.Tractor or VehicleShape.Trailer
+            or VehicleShape.Bus => HeavyModels.Build(row, colour),
+        _ => CarModels.Build(row, colour),
+    };
+
+    private static Rgb[] ColoursOf(VehicleRow row) => row switch
+    {
+        { Model: "firetruk" } => [FireRed],
+        { Model: "pbus" } => [PrisonGrey],
+        _ when row.Model.StartsWith("police", StringComparison.Ordinal) => [PoliceBlack],
+        { Shape: VehicleShape.Motorcycle or VehicleShape.Bicycle } => VehiclePaint.Cycles,
+        { Class: Capture.Scenes.ObjectClass.Car } => VehiclePaint.Cars,
+        _ => VehiclePaint.Lorries,
+    };
+}

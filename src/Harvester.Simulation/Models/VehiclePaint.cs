@@ -1,0 +1,25 @@
+using Harvester.Simulation.Rendering;
+
+namespace Harvester.Simulation.Models;
+
+/// <summary>Colours of vehicles, after how often they are met on the road.</summary>
+internal static class VehiclePaint
+{
+    public static readonly Rgb Rubber = new(22, 22, 24);
+    public static readonly Rgb Rim = new(150, 152, 156);
+    public static readonly Rgb DarkPlastic = new(38, 38, 42);
+    public static readonly Rgb Window = new(26, 32, 38);
+    public static readonly Rgb HeadLamp = new(255, 246, 224);
+    public static readonly Rgb TailLamp = new(200, 18, 16);
+    public static readonly Rgb Plate = new(220, 220, 208);
+
+    public static readonly Rgb[] Cars =
+    [
+        new(214, 216, 218), new(30, 31, 34), new(128, 132, 138), new(150, 24, 28), new(34, 62, 118),
+        new(182, 184, 180), new(72, 78, 86), new(22, 74, 58), new(196, 150, 52), new(108, 66, 42),
+    ];
+
+    public static readonly Rgb[] Lorries = [new(224, 224, 220), new(168, 32, 30), new(38, 76, 138), new(210, 166, 40), new(62, 92, 66)];
+
+    public static readonly Rgb[] Cycles = [new(170, 28, 30), new(28, 64, 140), new(36, 36, 40), new(206, 168, 40), new(38, 110, 64)];
+}

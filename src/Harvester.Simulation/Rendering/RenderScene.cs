@@ -1,0 +1,32 @@
+using System;
+using System.Collections.Generic;
+
+namespace Harvester.Simulation.Rendering;
+
+/// <summary>What there is to see: the world that stands still, the entities of the moment, and the light.</summary>
+public sealed class RenderScene
+{
+    /// <summary>Makes a scene of a world that stands still; its search tree is built here, once.</summary>
+    public RenderScene(IEnumerable<MeshInstance> staticInstances)
+    {
+        ArgumentNullException.ThrowIfNull(staticInstances);
+        Static = new InstanceSet(staticInstances);
+    }
+
+    /// <summary>Sun, sky and weather.</summary>
+    public Lighting Lighting { get; set; } = new();
+
+    /// <summary>Street lamps and headlights that light what is near them once it is dark; only those near the camera need be given.</summary>
+    public IReadOnlyList<LightSource> Lights { get; set; } = [];
+
+    internal InstanceSet Static { get; }
+
+    internal InstanceSet Dynamic { get; private set; } = new([]);
+
+    /// <summary>Replaces the instances that move: vehicles, people, signals.</summary>
+    public void SetDynamic(IEnumerable<MeshInstance> instances)
+    {
+        ArgumentNullException.ThrowIfNull(instances);
+        Dynamic = new InstanceSet(instances);
+    }
+}

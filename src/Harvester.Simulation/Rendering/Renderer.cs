@@ -1,0 +1,165 @@
+using System;
+using System.Collections.Generic;
+using System.Threading.Tasks;
+
+namespace Harvester.Simulation.Rendering;
+
+/// <summary>
+/// Draws a scene on the processor: meshes through 4x4 matrices into a z-buffer, bands of rows in parallel, then light and air for each
+/// pixel. Pixel (i, j) shows what lies at its centre (i + 0.5, j + 0.5); both sides of a triangle are drawn. The same scene and
+/// camera give the same bytes. A renderer keeps its buffers from frame to frame and serves one caller at a time.
+/// </summary>
+public sealed class Renderer
+{
+    private const int BandHeight = 16;
+    private const int Nothing = -1;
+    private readonly List<TriangleChunk> _chunks = [];
+    private readonly List<(int First, int Count)> _instances = [];
+    private readonly List<(int First, int Count)> _triangles = [];
+    private int _chunkCount;
+    private float[] _nearness = [];
+    private int[] _ids = [];
+    private (RenderCamera Camera, SampleGrid Grid)? _bentBefore;
+
+    /// <summary>Draws a scene.</summary>
+    /// <param name="scene">What there is to see.</param>
+    /// <param name="camera">From where.</param>
+    /// <param name="target">Where the picture goes; as large as the camera's image.</param>
+    /// <exception cref="ArgumentException">The target's size is not the camera's.</exception>
+    public void Render(RenderScene scene, RenderCamera camera, RenderTarget target)
+    {
+        ArgumentNullException.ThrowIfNull(scene);
+        ArgumentNullException.ThrowIfNull(camera);
+        ArgumentNullException.ThrowIfNull(target);
+        if (target.Width != camera.Width || target.Height != camera.Height)
+        {
+            throw new ArgumentException($"The target is {target.Width}x{target.Height}, but the camera's image {camera.Width}x{camera.Height}.", nameof(target));
+        }
+
+        var view = new View(camera, GridOf(camera));
+        int bandCount = (camera.Height + BandHeight - 1) / BandHeight;
+        CollectPieces(scene, view, bandCount);
+        Parallel.For(0, _chunkCount, number => _chunks[number].Process(view, BandHeight));
+        if (_ids.Length != target.Depth.Length)
+        {
+            _ids = new int[target.Depth.Length];
+            _nearness = new float[target.Depth.Length];
+        }
+
+        var shader = new PixelShader(scene, view);
+        Parallel.For(0, bandCount, band =>
+        {
+            int top = band * BandHeight;
+            int bottom = Math.Min(camera.Height, top + BandHeight);
+            DrawBand(view, band, top, bottom);
+            Resolve(shader, view, target, top, bottom);
+        });
+        Precipitation.Draw(scene.Lighting, target);
+    }
+
+    private SampleGrid? GridOf(RenderCamera camera)
+    {
+        if (camera.Lens.IsRectilinear)
+        {
+            return null;
+        }
+
+        // Where pixels lie in the pinhole's image has nothing to do with where the camera stands.
+        RenderCamera unposed = camera with { Pose = default };
+        if (_bentBefore is not { } before || before.Camera != unposed)
+        {
+            _bentBefore = (unposed, new SampleGrid(camera));
+        }
+
+        return _bentBefore?.Grid;
+    }
+
+    private void CollectPieces(RenderScene scene, View view, int bandCount)
+    {
+        _chunkCount = 0;
+        foreach (InstanceSet set in new[] { scene.Static, scene.Dynamic })
+        {
+            _instances.Clear();
+            set.Hierarchy.AddRangesInside(view.Sides(view.Matrix), _instances);
+            foreach ((int first, int count) in _instances)
+            {
+                foreach (ref readonly MeshInstance instance in set.Instances.Slice(first, count))
+                {
+                    CollectPieces(instance, view, bandCount);
+                }
+            }
+        }
+    }
+
+    private void CollectPieces(in MeshInstance instance, View view, int bandCount)
+    {
+        _triangles.Clear();
+        instance.Mesh.Hierarchy.AddRangesInside(view.Sides(view.Matrix * Matrix4.ToWorld(instance.Pose)), _triangles);
+        foreach ((int first, int count) in _triangles)
+        {
+            for (int done = 0; done < count;)
+            {
+                TriangleChunk chunk = ChunkWithRoom(bandCount);
+                int taken = Math.Min(count - done, TriangleChunk.Capacity - chunk.TriangleCount);
+                chunk.Add(new MeshPiece(instance, first + done, taken));
+                done += taken;
+            }
+        }
+    }
+
+    private TriangleChunk ChunkWithRoom(int bandCount)
+    {
+        if (_chunkCount == 0 || _chunks[_chunkCount - 1].TriangleCount == TriangleChunk.Capacity)
+        {
+            if (_chunkCount == _chunks.Count)
+            {
+                _chunks.Add(new TriangleChunk());
+            }
+
+            _chunks[_chunkCount++].Clear(bandCount);
+        }
+
+        return _chunks[_chunkCount - 1];
+    }
+
+    private void DrawBand(View view, int band, int top, int bottom)
+    {
+        int start = top * view.Camera.Width;
+        int length = (bottom - top) * view.Camera.Width;
+        Array.Clear(_nearness, start, length);
+        Array.Fill(_ids, Nothing, start, length);
+        for (int number = 0; number < _chunkCount; number++)
+        {
+            ReadOnlySpan<ScreenTriangle> triangles = _chunks[number].Triangles;
+            foreach (int index in _chunks[number].Band(band))
+            {
+                BandRasteriser.Draw(triangles[index], (number << TriangleChunk.IndexBits) | index, view, top, bottom, _nearness, _ids);
+            }
+        }
+    }
+
+    private void Resolve(PixelShader shader, View view, RenderTarget target, int top, int bottom)
+    {
+        for (int row = top; row < bottom; row++)
+        {
+            for (int column = 0; column < target.Width; column++)
+            {
+                int pixel = (row * target.Width) + column;
+                int id = _ids[pixel];
+                if (id == Nothing)
+                {
+                    target.Handles[pixel] = 0;
+                    target.Depth[pixel] = float.PositiveInfinity;
+                    shader.ShadeSky(column, row, target.Colour.AsSpan(pixel * 3, 3));
+                    continue;
+                }
+
+                ref readonly ScreenTriangle triangle =
+                    ref _chunks[id >> TriangleChunk.IndexBits].Triangles[id & ((1 << TriangleChunk.IndexBits) - 1)];
+                target.Handles[pixel] = triangle.Handle;
+                target.Depth[pixel] = (float)view.Camera.NearClip / _nearness[pixel];
+                shader.Shade(triangle, column, row, target.Depth[pixel], target.Colour.AsSpan(pixel * 3, 3));
+            }
+        }
+    }
+}

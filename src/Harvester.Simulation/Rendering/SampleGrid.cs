@@ -1,0 +1,105 @@
+using System;
+using System.Threading.Tasks;
+
+namespace Harvester.Simulation.Rendering;
+
+/// <summary>
+/// Where in the pinhole's image each pixel of a bent picture has its centre. The lens maps a normalised radius r to
+/// r (1 + k1 r² + k2 r⁴), and goes on straight once the slope has fallen to 0.1; the grid holds the inverse, found by halving.
+/// </summary>
+internal sealed class SampleGrid
+{
+    private const double SmallestSlope = 0.1;
+    private const double LargestRadius = 64;
+    private readonly RenderLens _lens;
+    private readonly double _end;
+
+    public SampleGrid(RenderCamera camera)
+    {
+        _lens = camera.Lens;
+        _end = EndOfPolynomial();
+        U = new double[camera.Width * camera.Height];
+        V = new double[U.Length];
+        Parallel.For(0, camera.Height, row =>
+        {
+            double y = (row + 0.5 - camera.CentreY) / camera.FocalY;
+            for (int column = 0; column < camera.Width; column++)
+            {
+                double x = (column + 0.5 - camera.CentreX) / camera.FocalX;
+                double shown = Math.Sqrt((x * x) + (y * y));
+                double factor = shown == 0 ? 1 : RadiusShownAt(shown) / shown;
+                int pixel = (row * camera.Width) + column;
+                U[pixel] = camera.CentreX + (camera.FocalX * x * factor);
+                V[pixel] = camera.CentreY + (camera.FocalY * y * factor);
+            }
+        });
+    }
+
+    /// <summary>Pixels from the left in the pinhole's image, row by row.</summary>
+    public double[] U { get; }
+
+    /// <summary>Pixels from the top in the pinhole's image, row by row.</summary>
+    public double[] V { get; }
+
+    /// <summary>The least and greatest factor by which the lens moves points whose normalised radius lies between two values.</summary>
+    public (double Least, double Greatest) FactorsBetween(double low, double high)
+    {
+        double atLow = FactorAt(low);
+        double atHigh = FactorAt(high);
+        double least = Math.Min(atLow, atHigh);
+        double greatest = Math.Max(atLow, atHigh);
+
+        // 1 + k1 q + k2 q² turns at q = -k1 / (2 k2).
+        double turn = _lens.K2 == 0 ? -1 : -_lens.K1 / (2 * _lens.K2);
+        double turningRadius = turn > 0 ? Math.Sqrt(turn) : -1;
+        if (turningRadius > low && turningRadius < high && turningRadius < _end)
+        {
+            least = Math.Min(least, FactorAt(turningRadius));
+            greatest = Math.Max(greatest, FactorAt(turningRadius));
+        }
+
+        return (least, greatest);
+    }
+
+    private double EndOfPolynomial()
+    {
+        const double step = 1.0 / 4096;
+        double radius = 0;
+        while (radius < LargestRadius && SlopeAt(radius) >= SmallestSlope)
+        {
+            radius += step;
+        }
+
+        return radius < LargestRadius
+            ? Halve(Math.Max(0, radius - step), radius, middle => SlopeAt(middle) < SmallestSlope)
+            : double.PositiveInfinity;
+    }
+
+    private double RadiusShownAt(double shown) =>
+        Halve(0, Math.Max(LargestRadius, shown / SmallestSlope), radius => radius * FactorAt(radius) > shown);
+
+    private static double Halve(double low, double high, Func<double, bool> isAbove)
+    {
+        for (int step = 0; step < 64 && low < high; step++)
+        {
+            double middle = (low + high) / 2;
+            (low, high) = isAbove(middle) ? (low, middle) : (middle, high);
+        }
+
+        return (low + high) / 2;
+    }
+
+    private double FactorAt(double radius)
+    {
+        if (radius <= _end)
+        {
+            return Polynomial(radius);
+        }
+
+        return ((Polynomial(_end) * _end) + (SmallestSlope * (radius - _end))) / radius;
+    }
+
+    private double Polynomial(double radius) => 1 + (radius * radius * (_lens.K1 + (_lens.K2 * radius * radius)));
+
+    private double SlopeAt(double radius) => 1 + (3 * _lens.K1 * radius * radius) + (5 * _lens.K2 * Math.Pow(radius, 4));
+}

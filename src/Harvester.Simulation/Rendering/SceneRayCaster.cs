@@ -1,0 +1,28 @@
+using System;
+using Harvester.Geometry;
+using Harvester.Geometry.Visibility;
+
+namespace Harvester.Simulation.Rendering;
+
+/// <summary>Rays against the very shapes that the renderer draws.</summary>
+public sealed class SceneRayCaster : IRayCaster
+{
+    private readonly RenderScene _scene;
+
+    /// <summary>Makes a caster that always asks the scene as it is at the moment of the question.</summary>
+    public SceneRayCaster(RenderScene scene)
+    {
+        ArgumentNullException.ThrowIfNull(scene);
+        _scene = scene;
+    }
+
+    /// <inheritdoc/>
+    public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
+    {
+        double limit = maxDistance;
+        int handle = RayHit.World;
+        bool hit = _scene.Static.Intersect(ray, ignoredEntity, ref limit, ref handle);
+        hit |= _scene.Dynamic.Intersect(ray, ignoredEntity, ref limit, ref handle);
+        return hit ? new RayHit(limit, handle) : null;
+    }
+}
