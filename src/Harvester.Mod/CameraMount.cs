@@ -1,0 +1,88 @@
+using GTA;
+
+namespace Harvester.Mod;
+
+/// <summary>
+/// The camera on the hood. The game itself attaches it with the vehicle's whole matrix, so that no tick's delay comes between the
+/// two; setting position and rotation on every tick, as the thesis did, lags a frame behind.
+/// </summary>
+internal sealed class CameraMount : IFeature
+{
+    private readonly ModSettings _settings;
+    private readonly Messages _messages;
+    private int _camera;
+
+    public CameraMount(ModSettings settings, Messages messages)
+    {
+        _settings = settings;
+        _messages = messages;
+    }
+
+    /// <inheritdoc/>
+    public string Name => "The camera";
+
+    /// <summary>The vehicle that carries the camera; 0 when it is not mounted.</summary>
+    public int Vehicle { get; private set; }
+
+    /// <summary>Mounts the rendering camera on the vehicle that the player sits in.</summary>
+    public void Mount()
+    {
+        if (Game.Version is >= 0 and < GameVersion.v1_0_2189_0_Steam)
+        {
+            _messages.Tell("This build of the game is older than 1.0.2189 and cannot attach a camera rigidly. Update the game.");
+            return;
+        }
+
+        int vehicle = Natives.VehicleOf(Natives.PlayerPed());
+        if (vehicle == 0)
+        {
+            _messages.Tell("Enter a vehicle first: the camera is mounted on the one you sit in.");
+            return;
+        }
+
+        Stop();
+        int camera = Natives.CreateCamera((float)_settings.VerticalFovDegrees);
+        if (!Natives.CameraExists(camera))
+        {
+            _messages.Tell("The game did not make a camera. Too many may be in use by other mods.");
+            return;
+        }
+
+        _camera = camera;
+        Vehicle = vehicle;
+        Natives.AttachRigidly(camera, vehicle, _settings.CameraOffset);
+        Natives.SetCameraActive(camera, true);
+        Natives.RenderScriptedCameras(true);
+        _messages.Tell("The camera is mounted.");
+    }
+
+    /// <inheritdoc/>
+    public void Tick()
+    {
+        if (Vehicle != 0 && !Natives.EntityExists(Vehicle))
+        {
+            Stop();
+            _messages.Tell("The vehicle with the camera is gone. The view is yours again.");
+        }
+    }
+
+    /// <summary>Gives the view back to the game. Cameras of other mods are left alone.</summary>
+    public void Stop()
+    {
+        int camera = _camera;
+        _camera = 0;
+        Vehicle = 0;
+        if (camera == 0 || !Natives.CameraExists(camera))
+        {
+            return;
+        }
+
+        if (Natives.RenderingCamera() == camera)
+        {
+            Natives.RenderScriptedCameras(false);
+        }
+
+        Natives.SetCameraActive(camera, false);
+        Natives.DestroyCamera(camera);
+    }
+}

@@ -1,0 +1,14 @@
+namespace Harvester.Mod;
+
+/// <summary>A part of the mod that works on every tick.</summary>
+internal interface IFeature
+{
+    /// <summary>What it is to the player, as the message of a failure names it.</summary>
+    string Name { get; }
+
+    /// <summary>Does this frame's work.</summary>
+    void Tick();
+
+    /// <summary>Ends what it is doing and gives back what it took from the game. Again is no harm.</summary>
+    void Stop();
+}

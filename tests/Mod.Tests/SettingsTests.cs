@@ -1,0 +1,43 @@
+using System.Windows.Forms;
+
+namespace Harvester.Mod.Tests;
+
+public sealed class SettingsTests
+{
+    [Fact]
+    public void Bad_value_is_told_with_its_line_at_the_first_tick_and_the_default_holds()
+    {
+        using var driver = new ScriptDriver("[Keys]\nSpawnTestCar = Banana\n");
+        Assert.Empty(driver.Game.Notifications);
+        driver.Tick(2);
+
+        Assert.Equal(
+            "GtaDataHarvester: GtaDataHarvester.ini: Line 2: SpawnTestCar = Banana is not a key, such as NumPad0, I or F9; the default is used.",
+            Assert.Single(driver.Game.Notifications));
+        driver.Press(Keys.NumPad0);
+        driver.Tick(10);
+        Assert.Single(driver.Game.Vehicles);
+    }
+
+    [Fact]
+    public void Keys_can_be_changed()
+    {
+        using var driver = new ScriptDriver("[Keys]\nSpawnTestCar = F9\n");
+        driver.Press(Keys.NumPad0);
+        driver.Tick(10);
+        Assert.Empty(driver.Game.Vehicles);
+
+        driver.Press(Keys.F9);
+        driver.Tick(10);
+        Assert.Single(driver.Game.Vehicles);
+    }
+
+    [Fact]
+    public void First_tick_logs_the_versions_in_one_line()
+    {
+        using var driver = new ScriptDriver();
+        driver.Tick(3);
+
+        Assert.Matches(@"^\d{4}-\d\d-\d\d \d\d:\d\d:\d\d GtaDataHarvester \d+(\.\d+){3}, API 3\.6\.0\.0, game build 86\.\s*$", driver.Log);
+    }
+}
