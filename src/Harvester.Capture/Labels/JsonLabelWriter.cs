@@ -1,0 +1,111 @@
+using System;
+using System.Globalization;
+using Harvester.Capture.Scenes;
+using Harvester.Geometry;
+using Harvester.Geometry.Boxes;
+
+namespace Harvester.Capture.Labels;
+
+/// <summary>Writes a frame's label as one line of JSON. Fields, units and ranges: docs/dataset-format.md.</summary>
+public static class JsonLabelWriter
+{
+    /// <summary>The line of a frame, without the end of the line.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite or too large to be written.</exception>
+    public static string Line(FrameLabel frame)
+    {
+        if (frame is null)
+        {
+            throw new ArgumentNullException(nameof(frame));
+        }
+
+        var json = new JsonText();
+        json.BeginObject()
+            .Key("frame").Integer(frame.Frame)
+            .Key("gameFrame").Integer(frame.GameFrame)
+            .Key("timeSeconds").Number(frame.TimeSeconds, LabelDecimals.Seconds)
+            .Key("lagFrames").Integer(frame.LagFrames)
+            .Key("lagSeconds").Number(frame.LagSeconds, LabelDecimals.Seconds)
+            .Key("image").String(frame.Image)
+            .Key("mask").String(frame.Mask);
+        Append(json.Key("camera"), frame.Camera);
+        Append(json.Key("ego"), frame.Ego);
+        Append(json.Key("environment"), frame.Environment);
+        json.Key("objects").BeginArray();
+        foreach (ObjectLabel label in frame.Objects)
+        {
+            Append(json, label);
+        }
+
+        return json.EndArray().EndObject().ToString();
+    }
+
+    internal static void Append(JsonText json, CameraLabel camera)
+    {
+        json.BeginObject()
+            .Key("position").Vector(camera.Pose.Position, LabelDecimals.Metres);
+        Append(json, camera.Pose.Axes);
+        json.Key("verticalFovDegrees").Number(camera.VerticalFovDegrees, LabelDecimals.CameraRatio)
+            .Key("width").Integer(camera.Width)
+            .Key("height").Integer(camera.Height)
+            .Key("windowAspect").Number(camera.WindowAspect, LabelDecimals.CameraRatio)
+            .Key("nearClip").Number(camera.NearClip, LabelDecimals.Metres)
+            .Key("fx").Number(camera.Fx, LabelDecimals.Intrinsics)
+            .Key("fy").Number(camera.Fy, LabelDecimals.Intrinsics)
+            .Key("cx").Number(camera.Cx, LabelDecimals.Intrinsics)
+            .Key("cy").Number(camera.Cy, LabelDecimals.Intrinsics)
+            .Key("distortion").BeginObject()
+            .Key("focalScale").Number(camera.Distortion.FocalScale, LabelDecimals.CameraRatio)
+            .Key("k1").Number(camera.Distortion.K1, LabelDecimals.CameraRatio)
+            .Key("k2").Number(camera.Distortion.K2, LabelDecimals.CameraRatio)
+            .EndObject()
+            .EndObject();
+    }
+
+    private static void Append(JsonText json, EgoLabel ego) =>
+        json.BeginObject()
+            .Key("position").Vector(ego.Position, LabelDecimals.Metres)
+            .Key("headingDegrees").Number(Angles.WrapHeadingDegrees(ego.HeadingDegrees), LabelDecimals.Degrees)
+            .Key("velocity").Vector(ego.Velocity, LabelDecimals.Speed)
+            .Key("model").String(ego.Model)
+            .EndObject();
+
+    private static void Append(JsonText json, EnvironmentState environment) =>
+        json.BeginObject()
+            .Key("weather").String(environment.Weather)
+            .Key("timeOfDay").String(environment.TimeOfDay.ToString("hh\\:mm\\:ss", CultureInfo.InvariantCulture))
+            .EndObject();
+
+    private static void Append(JsonText json, ObjectLabel label)
+    {
+        json.BeginObject()
+            .Key("id").Integer(label.Id)
+            .Key("class").String(JsonName.Of(label.Class))
+            .Key("model").String(label.Model)
+            .Key("name").String(label.Name)
+            .Key("box2d").Box(label.Box2D, LabelDecimals.Pixels)
+            .Key("box2dAmodal").Box(label.Box2DAmodal, LabelDecimals.Pixels)
+            .Key("box2dVisible").Box(label.Box2DVisible, LabelDecimals.Pixels)
+            .Key("truncatedFraction").Number(label.TruncatedFraction, LabelDecimals.Fraction)
+            .Key("occludedFraction").Number(label.OccludedFraction, LabelDecimals.Fraction)
+            .Key("occlusionMethod").String(JsonName.Of(label.OcclusionMethod))
+            .Key("visibleFraction").Number(label.VisibleFraction, LabelDecimals.Fraction);
+        Append(json.Key("box3d"), label.Box3D);
+        json.Key("distanceMetres").Number(label.DistanceMetres, LabelDecimals.Metres)
+            .Key("velocity").Vector(label.Velocity, LabelDecimals.Speed)
+            .EndObject();
+    }
+
+    private static void Append(JsonText json, Cuboid cuboid)
+    {
+        json.BeginObject()
+            .Key("centre").Vector(cuboid.Centre, LabelDecimals.Metres)
+            .Key("halfExtents").Vector(cuboid.HalfExtents, LabelDecimals.Metres);
+        Append(json, cuboid.Axes);
+        json.EndObject();
+    }
+
+    private static void Append(JsonText json, Axes axes) =>
+        json.Key("right").Vector(axes.Right, LabelDecimals.Axis)
+            .Key("forward").Vector(axes.Forward, LabelDecimals.Axis)
+            .Key("up").Vector(axes.Up, LabelDecimals.Axis);
+}
