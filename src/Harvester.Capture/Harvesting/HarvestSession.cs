@@ -140,7 +140,7 @@ public sealed class HarvestSession : IDisposable
             if (flow.Draft is { } draft)
             {
                 FrameLabel label = FrameLabels.Of(
-                    _sink.FirstFrame + Counters.Captured, draft, labeller.CameraOf(draft.Snapshot.Camera), _options.Format);
+                    _sink.FirstFrame + Counters.Captured, draft, FrameLabeller.CameraOf(_options, draft.Snapshot.Camera), _options.Format);
                 var frame = new CapturedFrame(label, draft.Picture, draft.Labelling.Mask, pool);
                 while (!_sink.TryEnqueue(frame))
                 {

@@ -10,6 +10,7 @@ public sealed class BmpEncoder
     private const int InfoHeaderBytes = 40;
     private const int HeaderBytes = FileHeaderBytes + InfoHeaderBytes;
     private byte[] _file = [];
+    private int _width;
 
     /// <summary>Writes a picture.</summary>
     /// <exception cref="IOException">The stream cannot be written.</exception>
@@ -30,9 +31,11 @@ public sealed class BmpEncoder
         int height = picture.Size.Height;
         int stride = ((width * PixelBuffer.BytesPerPixel) + 3) / 4 * 4;
         int length = checked(HeaderBytes + (stride * height));
-        if (_file.Length != length)
+        if (_file.Length != length || _width != width)
         {
+            // A new one also where only the width differs: the padding lies elsewhere.
             _file = new byte[length];
+            _width = width;
         }
 
         WriteHeader(width, height, length);

@@ -17,7 +17,7 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
     private readonly OcclusionEstimator _occlusion = new(options.OcclusionSamples);
 
     /// <summary>The camera of the saved image.</summary>
-    public Camera CameraOf(CameraState state) =>
+    public static Camera CameraOf(HarvestOptions options, CameraState state) =>
         new(state.Pose, new CameraIntrinsics(state.VerticalFovDegrees, options.Image, state.WindowAspect, state.NearClip, options.Lens));
 
     /// <summary>
@@ -26,7 +26,7 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
     /// </summary>
     public IEnumerable<FrameLabelling?> Label(SceneSnapshot snapshot)
     {
-        Camera camera = CameraOf(snapshot.Camera);
+        Camera camera = CameraOf(options, snapshot.Camera);
         var objects = new List<ObjectLabel>();
         var numbers = new Dictionary<int, ushort>();
         foreach (EntityState entity in snapshot.Entities)

@@ -27,7 +27,8 @@ internal static class FrameLabels
             draft.Labelling.Objects);
     }
 
-    private static CameraLabel Of(Camera camera)
+    /// <summary>The camera as labels have it.</summary>
+    public static CameraLabel Of(Camera camera)
     {
         CameraIntrinsics intrinsics = camera.Intrinsics;
         return new CameraLabel(

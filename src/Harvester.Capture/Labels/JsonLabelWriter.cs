@@ -64,10 +64,17 @@ public static class JsonLabelWriter
     private static void Append(JsonText json, EgoLabel ego) =>
         json.BeginObject()
             .Key("position").Vector(ego.Position, LabelDecimals.Metres)
-            .Key("headingDegrees").Number(Angles.WrapHeadingDegrees(ego.HeadingDegrees), LabelDecimals.Degrees)
+            .Key("headingDegrees").Number(RoundedHeading(ego.HeadingDegrees), LabelDecimals.Degrees)
             .Key("velocity").Vector(ego.Velocity, LabelDecimals.Speed)
             .Key("model").String(ego.Model)
             .EndObject();
+
+    /// <summary>The heading in [0, 360) also after rounding: 359.99999 is written as 0.</summary>
+    private static double RoundedHeading(double headingDegrees)
+    {
+        const double steps = 10_000;
+        return Angles.WrapHeadingDegrees(Math.Floor((headingDegrees * steps) + 0.5) / steps);
+    }
 
     private static void Append(JsonText json, EnvironmentState environment) =>
         json.BeginObject()

@@ -6,6 +6,9 @@ namespace Harvester.Capture.Tests.Imaging;
 
 public sealed class BmpEncoderTests
 {
+    /// <summary>Where the format keeps the file's size, the pixels' place, the second header's size, width and height.</summary>
+    private static readonly int[] HeaderOffsets = [2, 10, 14, 18, 22];
+
     [Fact]
     public void Write_two_by_two_gives_the_bytes_of_the_format()
     {
@@ -21,7 +24,7 @@ public sealed class BmpEncoderTests
         // 54 bytes of header; 2 rows of 6 bytes, each padded to 8, the lower one first, blue first.
         Assert.Equal(70, file.Length);
         Assert.Equal("BM"u8.ToArray(), file[..2]);
-        Assert.Equal([70, 54, 40, 2, 2], new[] { 2, 10, 14, 18, 22 }.Select(offset => BinaryPrimitives.ReadInt32LittleEndian(file.AsSpan(offset))));
+        Assert.Equal([70, 54, 40, 2, 2], HeaderOffsets.Select(offset => BinaryPrimitives.ReadInt32LittleEndian(file.AsSpan(offset))));
         Assert.Equal([1, 0, 24, 0, 0, 0, 0, 0, 16, 0, 0, 0], file[26..38]);
         Assert.Equal([9, 8, 7, 12, 11, 10, 0, 0, 3, 2, 1, 6, 5, 4, 0, 0], file[54..]);
     }

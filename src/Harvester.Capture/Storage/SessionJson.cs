@@ -1,0 +1,115 @@
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Labelling;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+
+namespace Harvester.Capture.Storage;
+
+/// <summary>Writes session.json. Fields, units and ranges: docs/dataset-format.md. No value comes from the clock on the wall.</summary>
+internal static class SessionJson
+{
+    /// <summary>Grows when a reader of older sessions would misread a newer one.</summary>
+    public const int FormatVersion = 1;
+
+    /// <summary>What stands before the part that differs between the runs of one session.</summary>
+    public const string RunsBegin = "\n  \"start\": ";
+
+    public static string Text(SessionRecord record)
+    {
+        HarvestOptions options = record.Start.Options;
+        var json = new JsonText(indented: true);
+        json.BeginObject()
+            .Key("formatVersion").Integer(FormatVersion)
+            .Key("tool").String(record.Origin.Tool)
+            .Key("captureVersion").String(typeof(SessionJson).Assembly.GetName().Version!.ToString(3))
+            .Key("game").String(record.Origin.Game)
+            .Key("seed").Integer(record.Origin.Seed)
+            .Key("settings").BeginObject();
+        foreach (KeyValuePair<string, string> setting in record.Origin.Settings)
+        {
+            json.Key(setting.Key).String(setting.Value);
+        }
+
+        json.EndObject()
+            .Key("image").BeginObject()
+            .Key("width").Integer(options.Image.Width)
+            .Key("height").Integer(options.Image.Height)
+            .Key("format").String(JsonName.Of(options.Format))
+            .EndObject();
+        Append(json.Key("options"), options);
+        json.Key("classes").BeginArray();
+        foreach (ObjectClass each in ClassesOf(options))
+        {
+            json.String(JsonName.Of(each));
+        }
+
+        json.EndArray().Key("start").BeginObject()
+            .Key("gameFrame").Integer(record.Start.GameFrame)
+            .Key("timeSeconds").Number(record.Start.TimeSeconds, LabelDecimals.Seconds)
+            .Key("recordedUtc").String(record.Origin.RecordedUtc)
+            .EndObject();
+        JsonLabelWriter.Append(json.Key("camera"), FrameLabels.Of(FrameLabeller.CameraOf(options, record.Start.Camera)));
+        AppendEnd(json, record);
+        return json.EndObject() + "\n";
+    }
+
+    private static IEnumerable<ObjectClass> ClassesOf(HarvestOptions options) =>
+        typeof(ObjectClass).GetEnumValues().Cast<ObjectClass>().Where(each => options.Classes?.Contains(each) ?? true);
+
+    private static void Append(JsonText json, HarvestOptions options) =>
+        json.BeginObject()
+            .Key("rateHz").Number(options.RateHz, LabelDecimals.Seconds)
+            .Key("rangeMetres").Number(options.RangeMetres, LabelDecimals.Metres)
+            .Key("freeze").Truth(options.Freeze)
+            .Key("masks").Truth(options.Masks)
+            .Key("minBoxAreaPixels").Number(options.MinBoxAreaPixels, LabelDecimals.Pixels)
+            .Key("minBoxSidePixels").Number(options.MinBoxSidePixels, LabelDecimals.Pixels)
+            .Key("maxOccludedFraction").Number(options.MaxOccludedFraction, LabelDecimals.Fraction)
+            .Key("occlusionSamples").Integer(options.OcclusionSamples)
+            .Key("maxPictureLagTicks").Integer(options.MaxPictureLagTicks)
+            .Key("maxSettleTicks").Integer(options.MaxSettleTicks)
+            .Key("stillToleranceMetres").Number(options.StillToleranceMetres, LabelDecimals.Seconds)
+            .EndObject();
+
+    private static void AppendEnd(JsonText json, SessionRecord record)
+    {
+        if (record.End is not { } end)
+        {
+            json.Key("state").String("recording");
+            return;
+        }
+
+        json.Key("state").String(end.Fault is null ? "complete" : "faulted")
+            .Key("fault").String(end.Fault)
+            .Key("end").BeginObject()
+            .Key("gameFrame").Integer(end.GameFrame)
+            .Key("timeSeconds").Number(end.TimeSeconds, LabelDecimals.Seconds)
+            .EndObject()
+            .Key("counters").BeginObject()
+            .Key("captured").Integer(record.FramesWritten)
+            .Key("discarded").Integer(end.Discards.Sum(static discard => discard.Value))
+            .Key("discards").BeginObject();
+        foreach (KeyValuePair<string, int> discard in end.Discards)
+        {
+            json.Key(discard.Key).Integer(discard.Value);
+        }
+
+        json.EndObject().Key("settleTicks").BeginObject();
+        foreach (KeyValuePair<int, int> settle in end.SettleTicks)
+        {
+            json.Key(settle.Key.ToString(CultureInfo.InvariantCulture)).Integer(settle.Value);
+        }
+
+        json.EndObject().EndObject();
+        if (end.Lag is { } lag)
+        {
+            json.Key("pictureLag").BeginObject()
+                .Key("cameraTicks").Integer(lag.CameraTicks)
+                .Key("entityTicks").Integer(lag.EntityTicks)
+                .EndObject();
+        }
+    }
+}
