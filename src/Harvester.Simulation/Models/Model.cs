@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Simulation.Rendering;
@@ -15,6 +16,13 @@ public sealed record Model(string Name, ObjectClass Class, Vector3D Min, Vector3
 {
     /// <summary>Its first look.</summary>
     public Mesh Mesh => Variants[0];
+
+    /// <summary>A model whose box is the one around all of its looks.</summary>
+    internal static Model Of(string name, ObjectClass objectClass, IReadOnlyList<Mesh> variants)
+    {
+        Bounds bounds = variants.Aggregate(Bounds.Empty, (collected, mesh) => collected.With(mesh.Bounds));
+        return new Model(name, objectClass, bounds.Min, bounds.Max, variants);
+    }
 
     /// <summary>The look of any number, taken round the list: a colour by seed, a step by the distance walked.</summary>
     public Mesh Variant(int number) => Variants[(int)((uint)number % (uint)Variants.Count)];

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Harvester.Geometry;
 
 namespace Harvester.Simulation.Models;
 
@@ -13,11 +14,34 @@ public sealed class ModelCatalogue
     public ModelCatalogue()
     {
         Vehicles = VehicleModels.All().ToArray();
-        _byName = Vehicles.ToDictionary(model => model.Name, StringComparer.Ordinal);
+        Pedestrians = PedestrianModels.All().ToArray();
+        Signs = SignModels.All().ToArray();
+        TrafficLights = SignalModels.All().ToArray();
+        StreetLamp = StreetModels.StreetLamp();
+        Trees = StreetModels.Trees().ToArray();
+        _byName = ((IEnumerable<Model>)[.. Vehicles, .. Pedestrians, .. Signs, .. TrafficLights, StreetLamp, .. Trees]).ToDictionary(model => model.Name, StringComparer.Ordinal);
     }
 
     /// <summary>Vehicles with the sizes of the game's models, in several colours.</summary>
     public IReadOnlyList<Model> Vehicles { get; }
+
+    /// <summary>People of several heights and clothes; the variants are the steps of a stride.</summary>
+    public IReadOnlyList<Model> Pedestrians { get; }
+
+    /// <summary>Traffic signs, whose faces look to the model's -y.</summary>
+    public IReadOnlyList<Model> Signs { get; }
+
+    /// <summary>Traffic lights, whose lenses look to the model's -y; the variants are the states.</summary>
+    public IReadOnlyList<Model> TrafficLights { get; }
+
+    /// <summary>A street lamp; its arm reaches to the model's -x.</summary>
+    public Model StreetLamp { get; }
+
+    /// <summary>Where the lamp's light comes from, in the frame of <see cref="StreetLamp"/>.</summary>
+    public static Vector3D StreetLampHead => StreetModels.LampHead;
+
+    /// <summary>Trees of several kinds, each in several sizes.</summary>
+    public IReadOnlyList<Model> Trees { get; }
 
     /// <summary>The model of a name.</summary>
     /// <exception cref="KeyNotFoundException">There is no such model.</exception>

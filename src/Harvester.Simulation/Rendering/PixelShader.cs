@@ -62,7 +62,7 @@ internal sealed class PixelShader
         {
             Surface.Lamp => own,
             Surface.NightLamp => Vector3.Lerp(own * light, own, _night),
-            Surface.LitWindow => Vector3.Lerp(Mirrored(own * light * 0.5f, direction, normal, 0.35f), own, _night),
+            Surface.LitWindow => Vector3.Lerp(Mirrored(own * light * 0.2f, direction, normal, 0.3f), own, _night),
             Surface.Glass => Mirrored(own * light, direction, normal, 0.3f),
             Surface.Paint => Mirrored(own * light, direction, normal, 0.06f),
             Surface.Ground => Mirrored(own * light * (1 - (0.3f * (float)_lighting.RainFraction)), direction, normal, 0.09f * (float)_lighting.RainFraction),

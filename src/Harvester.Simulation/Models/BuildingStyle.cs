@@ -1,0 +1,17 @@
+namespace Harvester.Simulation.Models;
+
+/// <summary>How a building looks.</summary>
+public enum BuildingStyle
+{
+    /// <summary>A house with a hipped roof.</summary>
+    House,
+
+    /// <summary>Rows of windows in plaster or brick, with shops on the ground floor.</summary>
+    Block,
+
+    /// <summary>Bands of glass between floors.</summary>
+    Tower,
+
+    /// <summary>Sheet metal with a few high windows and a gate.</summary>
+    Warehouse,
+}
