@@ -1,0 +1,11 @@
+using Harvester.Capture.Ports;
+
+namespace Harvester.Simulation.Ports;
+
+/// <summary>Stops the simulated world.</summary>
+internal sealed class PausePort(SimulatedGame game) : IPause
+{
+    public void Freeze() => game.IsFrozen = true;
+
+    public void Unfreeze() => game.IsFrozen = false;
+}

@@ -1,0 +1,139 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Scenes;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+using Harvester.Simulation.Ports;
+using Harvester.Simulation.Rendering;
+using Harvester.Simulation.World;
+
+namespace Harvester.Simulation;
+
+/// <summary>
+/// A game without GTA: a car drives through a town or along given roads among traffic, with a camera mounted on it.
+/// It is used through its ports, as the real one is; the truth about its pictures and lanes is for tests.
+/// </summary>
+public sealed class SimulatedGame
+{
+    private const double RealSecondsPerGameMinute = 2;
+    private const double SightRange = 350;
+
+    /// <summary>The camera's place on the car: 2 m ahead of its origin and 0.4 m above it.</summary>
+    private static readonly Pose CameraMount = new(new Vector3D(0, 2, 0.4), Axes.Identity);
+
+    private readonly SimulationOptions _options;
+    private readonly SimulatedWorld _world;
+    private readonly Renderer _renderer = new();
+    private RenderTarget? _picture;
+    private long _state;
+    private long _pictureState = -1;
+    private long _sceneState = -1;
+
+    /// <summary>Builds the world.</summary>
+    /// <exception cref="ArgumentException">No road lies near the start.</exception>
+    public SimulatedGame(SimulationOptions options)
+    {
+        ArgumentNullException.ThrowIfNull(options);
+        _options = options;
+        _world = new SimulatedWorld(options);
+        Ports = new GamePorts(new WorldPort(this), new RayPort(this), new ScreenPort(this), new PausePort(this), new ClockPort(this));
+    }
+
+    /// <summary>The game as the harvest sees it.</summary>
+    public GamePorts Ports { get; }
+
+    /// <summary>The lanes that the world was built with.</summary>
+    public RoadTruth Truth => _world.Truth;
+
+    /// <summary>Whether the world stands still.</summary>
+    public bool IsFrozen { get; internal set; }
+
+    internal SimulatedWorld World => _world;
+
+    internal long GameFrame { get; private set; }
+
+    internal double ElapsedSeconds { get; private set; }
+
+    internal EnvironmentState Environment => new(_options.Weather, TimeOfDay);
+
+    internal CameraState Camera =>
+        new(_world.Ego.Pose.Compose(CameraMount), _options.VerticalFovDegrees, _options.NearClip, _options.WindowAspect);
+
+    internal RenderScene Scene
+    {
+        get
+        {
+            RefreshScene();
+            return _world.Scene;
+        }
+    }
+
+    private TimeSpan TimeOfDay
+    {
+        get
+        {
+            double gameMinutes = _options.IsTimeOfDayFixed ? 0 : _world.TimeSeconds / RealSecondsPerGameMinute;
+            return TimeSpan.FromTicks((_options.TimeOfDay + TimeSpan.FromMinutes(gameMinutes)).Ticks % TimeSpan.TicksPerDay);
+        }
+    }
+
+    /// <summary>One frame of the game: the world goes on, unless it is frozen, and the frame is counted.</summary>
+    /// <param name="seconds">Time that passes for the player; greater than 0.</param>
+    public void Tick(double seconds)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegativeOrZero(seconds);
+        GameFrame++;
+        ElapsedSeconds += seconds;
+        if (!IsFrozen)
+        {
+            _world.Advance(seconds);
+            _state++;
+        }
+    }
+
+    /// <summary>The picture of the present state with the true handle and depth of each pixel; it is overwritten by the next one.</summary>
+    public RenderTarget Render(ImageSize size)
+    {
+        if (_picture is null || _picture.Width != size.Width || _picture.Height != size.Height)
+        {
+            _picture = new RenderTarget(size.Width, size.Height);
+            _pictureState = -1;
+        }
+
+        if (_pictureState != _state)
+        {
+            CameraState camera = Camera;
+            _renderer.Render(Scene, new RenderCamera(camera.Pose, camera.VerticalFovDegrees, camera.WindowAspect, camera.NearClip, size.Width, size.Height), _picture);
+            _pictureState = _state;
+        }
+
+        return _picture;
+    }
+
+    private void RefreshScene()
+    {
+        if (_sceneState != _state)
+        {
+            Vector3D eye = Camera.Pose.Position;
+            _world.Scene.SetDynamic(_world.MovingNear(eye, SightRange));
+            _world.Scene.Lighting = Weather.LightingOf(_options.Weather, TimeOfDay) with { PrecipitationSeed = (int)_state };
+            _world.Scene.Lights = LightsNear(eye);
+            _sceneState = _state;
+        }
+    }
+
+    private List<LightSource> LightsNear(Vector3D eye)
+    {
+        const double range = 90;
+        const int most = 14;
+        const double lampAhead = 2;
+        IEnumerable<LightSource> headlights = _world.Vehicles
+            .Where(vehicle => (vehicle.Pose.Position - eye).Length < range)
+            .OrderBy(vehicle => (vehicle.Pose.Position - eye).LengthSquared)
+            .Take(most)
+            .Select(vehicle => LightSource.Headlights(vehicle.Pose.ToWorld(new Vector3D(0, lampAhead, 0)), vehicle.Pose.Axes.Forward));
+        return [.. headlights];
+    }
+}

@@ -1,0 +1,45 @@
+using System;
+using Harvester.Geometry;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Simulation;
+
+/// <summary>What a simulated game is made with.</summary>
+public sealed record SimulationOptions
+{
+    /// <summary>Decides everything that is left to chance: town, traffic, routes.</summary>
+    public int Seed { get; init; }
+
+    /// <summary>The roads to build on; null for a town made from the seed.</summary>
+    public RoadNetwork? Roads { get; init; }
+
+    /// <summary>Where the ego starts, metres, world x and y; null for the middle of the roads.</summary>
+    public Vector2D? Near { get; init; }
+
+    /// <summary>Roads further from the start than this are not built, metres; the ego does not leave them.</summary>
+    public double RadiusMetres { get; init; } = 400;
+
+    /// <summary>The game's name of the weather in small letters.</summary>
+    public string Weather { get; init; } = "clear";
+
+    /// <summary>The hour at the beginning.</summary>
+    public TimeSpan TimeOfDay { get; init; } = TimeSpan.FromHours(12);
+
+    /// <summary>Whether the hour stands still; else a minute of the game's day passes every two seconds.</summary>
+    public bool IsTimeOfDayFixed { get; init; }
+
+    /// <summary>Vertical field of view, degrees.</summary>
+    public double VerticalFovDegrees { get; init; } = 50;
+
+    /// <summary>Width divided by height of the window.</summary>
+    public double WindowAspect { get; init; } = 4.0 / 3;
+
+    /// <summary>Distance of the near plane, metres.</summary>
+    public double NearClip { get; init; } = 0.15;
+
+    /// <summary>Factor on the number of moving and parked vehicles; 0 for empty roads.</summary>
+    public double TrafficDensity { get; init; } = 1;
+
+    /// <summary>Factor on the number of people on foot.</summary>
+    public double PedestrianDensity { get; init; } = 1;
+}

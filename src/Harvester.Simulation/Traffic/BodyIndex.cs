@@ -1,0 +1,56 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Geometry;
+
+namespace Harvester.Simulation.Traffic;
+
+/// <summary>Finds bodies near a place by a grid on the ground.</summary>
+/// <typeparam name="T">What is found.</typeparam>
+internal sealed class BodyIndex<T>
+    where T : notnull
+{
+    private const double CellSize = 20;
+
+    private readonly Dictionary<(int X, int Y), List<T>> _cells = [];
+
+    public void Add(T body, Vector3D place)
+    {
+        (int X, int Y) cell = CellOf(place);
+        if (!_cells.TryGetValue(cell, out List<T>? list))
+        {
+            _cells[cell] = list = [];
+        }
+
+        list.Add(body);
+    }
+
+    public void Move(T body, Vector3D from, Vector3D to)
+    {
+        if (CellOf(from) != CellOf(to))
+        {
+            _cells[CellOf(from)].Remove(body);
+            Add(body, to);
+        }
+    }
+
+    /// <summary>The bodies of the cell at a place and of the eight around it: all within 20 m, and some further.</summary>
+    public IEnumerable<T> Near(Vector3D place)
+    {
+        (int x, int y) = CellOf(place);
+        for (int i = x - 1; i <= x + 1; i++)
+        {
+            for (int j = y - 1; j <= y + 1; j++)
+            {
+                if (_cells.TryGetValue((i, j), out List<T>? list))
+                {
+                    foreach (T body in list)
+                    {
+                        yield return body;
+                    }
+                }
+            }
+        }
+    }
+
+    private static (int X, int Y) CellOf(Vector3D place) => ((int)Math.Floor(place.X / CellSize), (int)Math.Floor(place.Y / CellSize));
+}

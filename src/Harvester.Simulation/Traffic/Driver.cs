@@ -1,0 +1,98 @@
+using System;
+using System.Linq;
+using Harvester.Geometry;
+using Harvester.Simulation.World;
+
+namespace Harvester.Simulation.Traffic;
+
+/// <summary>
+/// How a driver uses the pedals: the intelligent driver model of Treiber, Hennecke and Helbing (2000), with bends taken
+/// no faster than is comfortable and with people on the road and stop lines taken as standing vehicles.
+/// </summary>
+internal static class Driver
+{
+    private const double Acceleration0 = 2;
+    private const double ComfortableBraking = 2.5;
+    private const double HardestBraking = 8;
+    private const double StandingGap = 2;
+    private const double TimeGapSeconds = 1.2;
+    private const double SidewaysAcceleration = 2.2;
+    private const double BendLookAhead = 36;
+    private const double BendStep = 3;
+    private const double LeaderRange = 60;
+    private const double MotorwayFactor = 1.4;
+    private const double UnpavedFactor = 0.7;
+
+    public static double Acceleration(Vehicle vehicle, LaneOccupation occupation, double distanceToStop, BodyIndex<Walker> walkersOnRoad)
+    {
+        double desired = DesiredSpeed(vehicle);
+        double freeShare = Math.Pow(vehicle.Speed / desired, 4);
+        (double gap, double leaderSpeed) = Leader(vehicle, occupation);
+        double stop = Math.Min(distanceToStop, DistanceToWalker(vehicle, walkersOnRoad)) - vehicle.FrontOverhang;
+        double interaction = Math.Max(Interaction(vehicle.Speed, gap, leaderSpeed), Interaction(vehicle.Speed, stop + StandingGap - 0.5, 0));
+        return Math.Clamp(Acceleration0 * (1 - freeShare - (interaction * interaction)), -HardestBraking, Acceleration0);
+    }
+
+    /// <summary>The share of the wanted gap in the actual one.</summary>
+    private static double Interaction(double speed, double gap, double leaderSpeed)
+    {
+        double wanted = StandingGap + Math.Max(0, (speed * TimeGapSeconds) + (speed * (speed - leaderSpeed) / (2 * Math.Sqrt(Acceleration0 * ComfortableBraking))));
+        return wanted / Math.Max(gap, 0.1);
+    }
+
+    private static double DesiredSpeed(Vehicle vehicle)
+    {
+        Road? road = vehicle.Path.Road;
+        double desired = vehicle.CruiseSpeed * (road is { IsHighway: true } ? MotorwayFactor : road is { IsUnpaved: true } ? UnpavedFactor : 1);
+        for (double ahead = 0; ahead <= BendLookAhead; ahead += BendStep)
+        {
+            (LanePath path, double distance) = vehicle.PlaceAhead(ahead);
+            double bend = path.Line.BendAt(distance);
+            double slowestSquared = SidewaysAcceleration / Math.Max(bend, 1e-6);
+            desired = Math.Min(desired, Math.Sqrt(slowestSquared + (ComfortableBraking * ahead)));
+        }
+
+        return desired;
+    }
+
+    private static (double Gap, double Speed) Leader(Vehicle vehicle, LaneOccupation occupation)
+    {
+        double toStart = -vehicle.Distance;
+        foreach (LanePath path in vehicle.Route)
+        {
+            Vehicle? leader = occupation.On(path)
+                .Where(other => other != vehicle && toStart + other.Distance > 0)
+                .MinBy(other => other.Distance);
+            if (leader is not null)
+            {
+                return (toStart + leader.Distance - leader.RearOverhang - vehicle.FrontOverhang, leader.Speed);
+            }
+
+            toStart += path.Length;
+            if (toStart > LeaderRange)
+            {
+                break;
+            }
+        }
+
+        return (double.PositiveInfinity, 0);
+    }
+
+    private static double DistanceToWalker(Vehicle vehicle, BodyIndex<Walker> walkersOnRoad)
+    {
+        const double halfLane = 2.2;
+        const double step = 1.5;
+        double range = vehicle.FrontOverhang + 4 + (vehicle.Speed * vehicle.Speed / (2 * ComfortableBraking));
+        Walker[] near = [.. walkersOnRoad.Near(vehicle.PoseAhead(range / 2).Position)];
+        for (double ahead = vehicle.FrontOverhang; near.Length > 0 && ahead < range; ahead += step)
+        {
+            Vector3D place = vehicle.PoseAhead(ahead).Position;
+            if (near.Any(walker => Horizontal.Distance(walker.Pose.Position, place) < halfLane))
+            {
+                return ahead - StandingGap;
+            }
+        }
+
+        return double.PositiveInfinity;
+    }
+}

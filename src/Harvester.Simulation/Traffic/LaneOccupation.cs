@@ -1,0 +1,33 @@
+using System.Collections.Generic;
+using Harvester.Simulation.World;
+
+namespace Harvester.Simulation.Traffic;
+
+/// <summary>Which vehicles are on which way at the beginning of a tick.</summary>
+internal sealed class LaneOccupation(LaneGraph lanes)
+{
+    private readonly List<Vehicle>?[] _vehicles = new List<Vehicle>?[lanes.Paths.Count];
+    private readonly List<int> _used = [];
+
+    public void Refresh(IReadOnlyList<Vehicle> vehicles)
+    {
+        foreach (int path in _used)
+        {
+            _vehicles[path]!.Clear();
+        }
+
+        _used.Clear();
+        foreach (Vehicle vehicle in vehicles)
+        {
+            List<Vehicle> list = _vehicles[vehicle.Path.Index] ??= [];
+            if (list.Count == 0)
+            {
+                _used.Add(vehicle.Path.Index);
+            }
+
+            list.Add(vehicle);
+        }
+    }
+
+    public IReadOnlyList<Vehicle> On(LanePath path) => _vehicles[path.Index] ?? (IReadOnlyList<Vehicle>)[];
+}

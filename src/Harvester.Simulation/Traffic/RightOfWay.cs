@@ -1,0 +1,93 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Simulation.Models;
+using Harvester.Simulation.World;
+
+namespace Harvester.Simulation.Traffic;
+
+/// <summary>
+/// Who may drive into a junction: first come, first served among ways that cross, with the lights at green and room behind the junction.
+/// </summary>
+internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupation occupation)
+{
+    private const double BrakingForStop = 2;
+    private const double AskEarlier = 8;
+    private const double RoomBehind = 2;
+    private const double FlowingSpeed = 2;
+
+    private readonly int[] _users = new int[lanes.Paths.Count];
+
+    /// <summary>Metres from the vehicle's origin to the line where it has to stop; infinite when its way is free as far as it needs.</summary>
+    public double DistanceToStop(Vehicle vehicle, double timeSeconds)
+    {
+        double distance = vehicle.Path.Length - vehicle.Distance;
+        double range = (vehicle.Speed * vehicle.Speed / (2 * BrakingForStop)) + AskEarlier + vehicle.FrontOverhang;
+        for (int i = 1; i < vehicle.Route.Count && distance < range; i++)
+        {
+            LanePath way = vehicle.Route[i];
+            if (way.Junction is not null && !vehicle.Granted.Contains(way))
+            {
+                if (!MayEnter(vehicle, way, timeSeconds))
+                {
+                    return distance;
+                }
+
+                vehicle.Granted.Add(way);
+                _users[way.Index]++;
+            }
+
+            distance += way.Length;
+        }
+
+        return double.PositiveInfinity;
+    }
+
+    public void ReleasePassed(Vehicle vehicle)
+    {
+        for (int i = vehicle.Granted.Count - 1; i >= 0; i--)
+        {
+            if (!vehicle.Route.Contains(vehicle.Granted[i]) && vehicle.Distance > vehicle.RearOverhang)
+            {
+                Release(vehicle, i);
+            }
+        }
+    }
+
+    public void ReleaseAll(Vehicle vehicle)
+    {
+        while (vehicle.Granted.Count > 0)
+        {
+            Release(vehicle, vehicle.Granted.Count - 1);
+        }
+    }
+
+    private void Release(Vehicle vehicle, int index)
+    {
+        _users[vehicle.Granted[index].Index]--;
+        vehicle.Granted.RemoveAt(index);
+    }
+
+    private bool MayEnter(Vehicle vehicle, LanePath way, double timeSeconds)
+    {
+        LanePath lane = way.Previous[0];
+        LanePath exit = way.Next[0];
+        RoadArm arm = new(lane.Road!, AtStart: !lane.IsForward);
+        return way.Conflicts.All(other => _users[other.Index] == 0)
+            && signals.ColourFor(way.Junction!, arm, timeSeconds) == SignalState.Green
+            && HasRoom(vehicle, exit);
+    }
+
+    private bool HasRoom(Vehicle vehicle, LanePath exit)
+    {
+        IReadOnlyList<Vehicle> ahead = occupation.On(exit);
+        if (ahead.Count == 0)
+        {
+            return true;
+        }
+
+        Vehicle last = ahead.MinBy(other => other.Distance)!;
+        double room = last.Distance - last.RearOverhang - RoomBehind;
+        return last == vehicle || last.Speed > FlowingSpeed || room > vehicle.FrontOverhang + vehicle.RearOverhang;
+    }
+}

@@ -1,0 +1,57 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry.Roads;
+using Harvester.Simulation.Models;
+using Harvester.Simulation.World;
+
+namespace Harvester.Simulation.Traffic;
+
+/// <summary>Traffic lights: at each signalled junction the roads that cross take turns.</summary>
+internal sealed class Signals
+{
+    private const double GreenSeconds = 9;
+    private const double AmberSeconds = 2.5;
+    private const double PhaseSeconds = GreenSeconds + AmberSeconds + 1.5;
+    private const double CycleSeconds = 2 * PhaseSeconds;
+
+    private readonly Dictionary<Junction, double> _offsets = [];
+
+    public Signals(RoadPlan plan, RoadNetwork network)
+    {
+        foreach (Junction junction in plan.Junctions.Where(junction => IsSignalled(junction, network)))
+        {
+            _offsets[junction] = junction.Node * 7.3 % CycleSeconds;
+        }
+    }
+
+    /// <summary>The junctions that have lights.</summary>
+    public IEnumerable<Junction> Junctions => _offsets.Keys;
+
+    public bool Has(Junction junction) => _offsets.ContainsKey(junction);
+
+    /// <summary>The light that an arm's traffic sees; green where there are no lights.</summary>
+    public SignalState ColourFor(Junction junction, RoadArm arm, double timeSeconds)
+    {
+        if (!_offsets.TryGetValue(junction, out double offset))
+        {
+            return SignalState.Green;
+        }
+
+        double cosine = arm.Outward.Dot(junction.Arms[0].Outward);
+        double phaseStart = Math.Abs(cosine) > Math.Sqrt(0.5) ? 0 : PhaseSeconds;
+        double time = (timeSeconds + offset - phaseStart + CycleSeconds) % CycleSeconds;
+        return time < GreenSeconds ? SignalState.Green : time < GreenSeconds + AmberSeconds ? SignalState.Amber : SignalState.Red;
+    }
+
+    private static bool IsSignalled(Junction junction, RoadNetwork network)
+    {
+        const int fewestArms = 3;
+        const double stopLineRange = 45;
+        return junction.Arms.Count >= fewestArms && junction.Arms.Count(HasStopLine) >= 2;
+
+        bool HasStopLine(RoadArm arm) => !arm.Road.IsInner && arm.Road.Nodes.Any(node =>
+            network.Nodes[node].Flags.HasFlag(RoadNodeFlags.TrafficLight)
+            && (network.Nodes[node].Position - junction.Position).Length < stopLineRange);
+    }
+}

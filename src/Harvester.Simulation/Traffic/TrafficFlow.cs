@@ -1,0 +1,107 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry;
+using Harvester.Simulation.World;
+
+namespace Harvester.Simulation.Traffic;
+
+/// <summary>Moves vehicles along their lanes. A vehicle never moves into the place of another, whatever its driver has decided.</summary>
+internal sealed class TrafficFlow
+{
+    /// <summary>Least distance between two bodies, metres.</summary>
+    private const double Clearance = 0.15;
+    private const double LookAhead = 1;
+    private const double StuckSeconds = 40;
+    private const double EgoPatienceSeconds = 12;
+    private const double EgoSurroundings = 30;
+
+    private readonly RightOfWay _rightOfWay;
+    private readonly Placing _placing;
+    private readonly IReadOnlyList<Vehicle> _vehicles;
+    private readonly BodyIndex<Vehicle> _index = new();
+    private readonly BodyIndex<Footprint> _obstacles = new();
+    private readonly LaneOccupation _occupation;
+
+    /// <summary>Starts with vehicles that are on lanes and clear of each other and of the obstacles; the first is the ego.</summary>
+    public TrafficFlow(LaneGraph lanes, Signals signals, IReadOnlyList<Vehicle> vehicles, IEnumerable<Footprint> obstacles, Placing placing)
+    {
+        _vehicles = vehicles;
+        _placing = placing;
+        _occupation = new LaneOccupation(lanes);
+        _rightOfWay = new RightOfWay(lanes, signals, _occupation);
+        foreach (Vehicle vehicle in vehicles)
+        {
+            _index.Add(vehicle, vehicle.Pose.Position);
+        }
+
+        foreach (Footprint obstacle in obstacles)
+        {
+            _obstacles.Add(obstacle, obstacle.Centre);
+        }
+    }
+
+    private Vehicle Ego => _vehicles[0];
+
+    /// <summary>The vehicles in the neighbourhood of a place.</summary>
+    public IEnumerable<Vehicle> Near(Vector3D place) => _index.Near(place);
+
+    public void Tick(double seconds, double timeSeconds, BodyIndex<Walker> walkersOnRoad)
+    {
+        _occupation.Refresh(_vehicles);
+        foreach (Vehicle vehicle in _vehicles)
+        {
+            double acceleration = Driver.Acceleration(vehicle, _occupation, _rightOfWay.DistanceToStop(vehicle, timeSeconds), walkersOnRoad);
+            double speed = Math.Max(0, vehicle.Speed + (acceleration * seconds));
+            double metres = (vehicle.Speed + speed) / 2 * seconds;
+            Vector3D before = vehicle.Pose.Position;
+            if (metres > 0 && IsFree(vehicle, metres, walkersOnRoad))
+            {
+                vehicle.Advance(metres);
+                vehicle.Speed = speed;
+                vehicle.StandingSeconds = 0;
+            }
+            else
+            {
+                vehicle.Speed = 0;
+                vehicle.StandingSeconds += seconds;
+            }
+
+            if (HasToLeave(vehicle))
+            {
+                _rightOfWay.ReleaseAll(vehicle);
+                _placing.Replace(vehicle, place => !IsTaken(vehicle, place));
+            }
+
+            _rightOfWay.ReleasePassed(vehicle);
+            _index.Move(vehicle, before, vehicle.Pose.Position);
+        }
+    }
+
+    private bool HasToLeave(Vehicle vehicle)
+    {
+        const double nearlyAtEnd = 2;
+        bool atDeadEnd = !vehicle.CanGoOn && vehicle.Distance + vehicle.FrontOverhang > vehicle.Path.Length - nearlyAtEnd;
+        bool isInTheWay = vehicle != Ego
+            && Ego.StandingSeconds > EgoPatienceSeconds
+            && vehicle.StandingSeconds > EgoPatienceSeconds
+            && (vehicle.Pose.Position - Ego.Pose.Position).Length < EgoSurroundings;
+        return atDeadEnd || isInTheWay || vehicle.StandingSeconds > StuckSeconds;
+    }
+
+    private bool IsFree(Vehicle vehicle, double metres, BodyIndex<Walker> walkersOnRoad)
+    {
+        Footprint next = vehicle.FootprintAhead(metres).Grown(Clearance);
+        Footprint further = vehicle.FootprintAhead(metres + LookAhead).Grown(Clearance);
+        Footprint now = vehicle.Footprint;
+        return !_index.Near(now.Centre).Any(other => other != vehicle && Blocks(other.Footprint))
+            && !_obstacles.Near(now.Centre).Any(Blocks)
+            && !walkersOnRoad.Near(now.Centre).Any(walker => Blocks(walker.Footprint));
+
+        bool Blocks(Footprint other) => next.Overlaps(other) || (further.Overlaps(other) && (other.Centre - now.Centre).Dot(now.Forward) > 0);
+    }
+
+    private bool IsTaken(Vehicle vehicle, Footprint place) =>
+        _index.Near(place.Centre).Any(other => other != vehicle && place.Overlaps(other.Footprint))
+        || _obstacles.Near(place.Centre).Any(place.Overlaps);
+}

@@ -1,0 +1,128 @@
+using System;
+using Harvester.Geometry;
+using Harvester.Simulation.Models;
+using Harvester.Simulation.Rendering;
+using Harvester.Simulation.World;
+
+namespace Harvester.Simulation.Traffic;
+
+/// <summary>Somebody who walks up and down a pavement and sometimes crosses the street at its end, when no vehicle comes.</summary>
+internal sealed class Walker
+{
+    private const double TurnSeconds = 0.6;
+    private const double StepLength = 0.35;
+
+    private readonly Random _random;
+    private readonly double _beyondKerb;
+    private Walkway _walkway;
+    private Walkway? _opposite;
+    private double _distance;
+    private double _crossed;
+    private int _direction;
+
+    public Walker(int handle, Model model, int seed, Walkway walkway)
+    {
+        Handle = handle;
+        Model = model;
+        _random = new Random(seed);
+        _walkway = walkway;
+        _distance = walkway.From + (_random.NextDouble() * walkway.Length);
+        _direction = _random.Next(2) == 0 ? 1 : -1;
+        _beyondKerb = 0.4 + (2.2 * _random.NextDouble());
+        WalkingSpeed = 1 + (0.7 * _random.NextDouble());
+        Place();
+    }
+
+    public int Handle { get; }
+
+    public Model Model { get; }
+
+    public double WalkingSpeed { get; }
+
+    /// <summary>Metres walked, for the steps of the walk.</summary>
+    public double Walked { get; private set; }
+
+    /// <summary>The shape of the present step of the walk.</summary>
+    public Mesh Look => Model.Variant((int)(Walked / StepLength));
+
+    public bool IsMoving { get; private set; } = true;
+
+    public bool IsOnRoad => _opposite is not null;
+
+    public Pose Pose { get; private set; }
+
+    public Footprint Footprint => Footprint.Of(Pose, Model.Min, Model.Max);
+
+    public Vector3D Velocity => IsMoving ? Pose.Axes.Forward * WalkingSpeed : Vector3D.Zero;
+
+    /// <summary>Walks on, given how to find the pavement across a street at a place, and whether no vehicle comes near a place.</summary>
+    public void Tick(double seconds, Func<Walkway, double, Walkway?> oppositeOf, Func<Vector3D, bool> isSafe)
+    {
+        double metres = WalkingSpeed * seconds;
+        IsMoving = true;
+        if (_opposite is not null)
+        {
+            Cross(metres);
+        }
+        else if (!Along(metres))
+        {
+            AtEnd(seconds, oppositeOf(_walkway, _distance), isSafe);
+        }
+
+        Walked += IsMoving ? metres : 0;
+        Place();
+    }
+
+    private bool Along(double metres)
+    {
+        double next = _distance + (_direction * metres);
+        bool isWithin = next > _walkway.From && next < _walkway.To;
+        _distance = isWithin ? next : _distance;
+        return isWithin;
+    }
+
+    private void AtEnd(double seconds, Walkway? opposite, Func<Vector3D, bool> isSafe)
+    {
+        IsMoving = false;
+        if (opposite is not null && isSafe(_walkway.Road.Curve.PositionAt(_distance)))
+        {
+            _opposite = opposite;
+            _crossed = 0;
+        }
+        else if (opposite is null || _random.NextDouble() < seconds / TurnSeconds * 0.1)
+        {
+            _direction = -_direction;
+        }
+    }
+
+    private void Cross(double metres)
+    {
+        _crossed += metres;
+        if (_crossed >= CrossingLength)
+        {
+            _walkway = _opposite!;
+            _distance = Math.Clamp(_distance, _walkway.From, _walkway.To);
+            _direction = -_direction;
+            _opposite = null;
+        }
+    }
+
+    private double CrossingLength => _walkway.Road.RightKerb - _walkway.Road.LeftKerb + (2 * _beyondKerb);
+
+    private void Place()
+    {
+        Vector3D along = _walkway.Road.Curve.TangentAt(_distance);
+        Vector3D level = new Vector3D(along.X, along.Y, 0).Normalized();
+        Vector3D forward = level * _direction;
+        Vector3D feet = _walkway.PlaceBeyondKerb(_distance, _beyondKerb);
+        if (_opposite is not null)
+        {
+            Vector3D across = Horizontal.RightOf(level) * -_walkway.Side;
+            bool isOnPavement = _crossed < _beyondKerb || _crossed > CrossingLength - _beyondKerb;
+            feet += (across * _crossed) - (Horizontal.Up * (isOnPavement ? 0 : Walkway.KerbHeight));
+            forward = across;
+        }
+
+        Pose = new Pose(feet - (Horizontal.Up * Model.Min.Z), Horizontal.AxesAlong(forward));
+    }
+}

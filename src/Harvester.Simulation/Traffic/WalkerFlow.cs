@@ -1,0 +1,59 @@
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry;
+using Harvester.Simulation.World;
+
+namespace Harvester.Simulation.Traffic;
+
+/// <summary>Moves the people on foot.</summary>
+internal sealed class WalkerFlow
+{
+    private const double StandingVehicleRoom = 7;
+    private const double ArrivalSeconds = 6;
+    private const double RestingSpeed = 0.3;
+
+    private readonly IReadOnlyList<Walker> _walkers;
+    private readonly ILookup<Road, Walkway> _walkwaysOf;
+
+    public WalkerFlow(IReadOnlyList<Walker> walkers, IEnumerable<Walkway> walkways)
+    {
+        _walkers = walkers;
+        _walkwaysOf = walkways.ToLookup(walkway => walkway.Road);
+    }
+
+    /// <summary>The walkers that are on a carriageway now.</summary>
+    public BodyIndex<Walker> OnRoad()
+    {
+        BodyIndex<Walker> index = new();
+        foreach (Walker walker in _walkers.Where(walker => walker.IsOnRoad))
+        {
+            index.Add(walker, walker.Pose.Position);
+        }
+
+        return index;
+    }
+
+    public void Tick(double seconds, TrafficFlow traffic)
+    {
+        foreach (Walker walker in _walkers)
+        {
+            walker.Tick(seconds, Opposite, place => IsSafe(place, traffic));
+        }
+    }
+
+    private static bool IsSafe(Vector3D place, TrafficFlow traffic) =>
+        traffic.Near(place).All(vehicle =>
+        {
+            double distance = Horizontal.Distance(vehicle.Pose.Position, place);
+            return vehicle.Speed < RestingSpeed
+                ? distance > StandingVehicleRoom + vehicle.FrontOverhang
+                : distance > vehicle.FrontOverhang + StandingVehicleRoom + (vehicle.Speed * ArrivalSeconds / 3);
+        });
+
+    private Walkway? Opposite(Walkway walkway, double distance)
+    {
+        const double nearEnd = 3;
+        return _walkwaysOf[walkway.Road].FirstOrDefault(other =>
+            other.OnRight != walkway.OnRight && distance > other.From - nearEnd && distance < other.To + nearEnd);
+    }
+}

@@ -1,0 +1,17 @@
+namespace Harvester.Simulation.World;
+
+/// <summary>How a line on the road is painted.</summary>
+internal enum MarkingKind
+{
+    /// <summary>White and unbroken, along the side of the carriageway.</summary>
+    Edge,
+
+    /// <summary>White and dashed, between lanes of one direction.</summary>
+    LaneDashed,
+
+    /// <summary>Yellow and unbroken, between the directions.</summary>
+    Centre,
+
+    /// <summary>Yellow and dashed, between the directions of a small road.</summary>
+    CentreDashed,
+}

@@ -1,0 +1,56 @@
+using System;
+using System.Linq;
+using Harvester.Geometry;
+
+namespace Harvester.Simulation.World;
+
+/// <summary>Knows the lanes that the world was built with: the judge of whatever works lanes out from nodes or pictures.</summary>
+public sealed class RoadTruth
+{
+    private const double SameLevel = 3;
+    private readonly RoadIndex _index;
+
+    internal RoadTruth(RoadIndex index) => _index = index;
+
+    /// <summary>Where a body is among the lanes.</summary>
+    /// <param name="position">A point of it near the ground, metres, world.</param>
+    /// <param name="forward">The direction it faces.</param>
+    /// <returns>The road it is on that runs best along its direction; null on none.</returns>
+    public LanePosition? Locate(Vector3D position, Vector3D forward)
+    {
+        RoadPlace? best = _index.PlacesAt(position)
+            .Where(place => Math.Abs(place.Height) < SameLevel && place.IsOnCarriageway(0))
+            .OrderBy(place => Math.Min(HeadingMisfit(place, forward, true), HeadingMisfit(place, forward, false)))
+            .Cast<RoadPlace?>()
+            .FirstOrDefault();
+        return best is { } found ? Describe(found, position, forward) : null;
+    }
+
+    /// <summary>Angle between a direction and the traffic of one side of a road; more than any angle where that side has no lanes.</summary>
+    private static double HeadingMisfit(RoadPlace place, Vector3D forward, bool along) =>
+        place.Road.Layout.Lanes(along) > 0 ? Math.Abs(Horizontal.Turn(along ? place.Tangent : -place.Tangent, forward)) : 4;
+
+    private LanePosition Describe(RoadPlace place, Vector3D position, Vector3D forward)
+    {
+        LaneLayout layout = place.Road.Layout;
+        bool drivesForward = Horizontal.Turn(place.Tangent, forward) is > -Math.PI / 2 and < Math.PI / 2;
+        Vector3D direction = drivesForward ? place.Tangent : -place.Tangent;
+        (bool Forward, int Lane)? lane = layout.LaneAt(place.RightOffset);
+        bool isOncoming = lane is { } at && at.Forward != drivesForward;
+        double toCentre = lane is { } own ? place.RightOffset - layout.LaneCentre(own.Forward, own.Lane) : 0;
+        return new LanePosition(
+            place.Road.Index,
+            drivesForward,
+            place.Distance,
+            drivesForward ? place.RightOffset : -place.RightOffset,
+            lane is null || isOncoming ? null : lane.Value.Lane,
+            layout.Lanes(drivesForward),
+            layout.Lanes(!drivesForward),
+            layout.LaneWidth,
+            layout.IsOneWay ? 0 : layout.MedianWidth,
+            drivesForward ? toCentre : -toCentre,
+            Horizontal.Turn(forward, direction),
+            (drivesForward ? 1 : -1) * place.Road.Curve.CurvatureAt(place.Distance),
+            place.Road.IsInner || place.Road.IsInTrim(place.Distance) || _index.IsOnAnother(place.Road, position, 0));
+    }
+}

@@ -1,0 +1,103 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Scenes;
+using Harvester.Geometry;
+using Harvester.Geometry.Roads;
+using Harvester.Simulation.Models;
+using Harvester.Simulation.Rendering;
+using Harvester.Simulation.Traffic;
+
+namespace Harvester.Simulation.World;
+
+/// <summary>Roads with all that stands and moves on and beside them.</summary>
+internal sealed class SimulatedWorld
+{
+    private const double LongestTick = 0.05;
+
+    private readonly List<Prop> _entities;
+    private readonly List<Vehicle> _vehicles;
+    private readonly List<Walker> _walkers;
+    private readonly TrafficFlow _traffic;
+    private readonly WalkerFlow _walking;
+
+    public SimulatedWorld(SimulationOptions options)
+    {
+        RoadNetwork network = options.Roads ?? TownBuilder.Build(options.Seed);
+        Vector3D start = options.Near is { } near ? new Vector3D(near.X, near.Y, 0) : options.Roads is null ? Vector3D.Zero : Middle(network);
+        RoadPlan plan = RoadPlan.Build(network, start, options.Roads is null ? double.PositiveInfinity : options.RadiusMetres);
+        RoadIndex index = new(plan.Roads);
+        Truth = new RoadTruth(index);
+        List<Walkway> walkways = Walkway.Find(plan, index);
+        LaneGraph lanes = new(plan);
+        Signals signals = new(plan, network);
+        ModelCatalogue catalogue = new();
+        HandleCounter handles = new();
+        Population population = new(options.Seed, catalogue, handles);
+        Placing placing = new(lanes, options.Seed);
+        _entities = population.Park(walkways, index, options.TrafficDensity);
+        _vehicles = population.Drive(placing, _entities, start, options.TrafficDensity);
+        _walkers = [];
+        _traffic = new TrafficFlow(lanes, signals, _vehicles, _entities.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max)), placing);
+        _walking = new WalkerFlow(_walkers, walkways);
+
+        Terrain terrain = new(plan);
+        GroundMesh ground = new();
+        terrain.Build(ground);
+        new RoadSurfaces(plan, index, terrain, ground).Build();
+        new RoadPainter(plan, index, ground).Paint();
+        Scene = new RenderScene([
+            .. ground.Instances(),
+            .. _entities.Select(prop => new MeshInstance(prop.Model.Variant(prop.Variant), prop.Pose, prop.Handle)),
+        ]);
+    }
+
+    public RoadTruth Truth { get; }
+
+    public RenderScene Scene { get; }
+
+    /// <summary>Seconds since the beginning.</summary>
+    public double TimeSeconds { get; private set; }
+
+    public Vehicle Ego => _vehicles[0];
+
+    public IReadOnlyList<Vehicle> Vehicles => _vehicles;
+
+    public void Advance(double seconds)
+    {
+        int steps = (int)Math.Ceiling(seconds / LongestTick);
+        for (int i = 0; i < steps; i++)
+        {
+            double step = seconds / steps;
+            _traffic.Tick(step, TimeSeconds, _walking.OnRoad());
+            _walking.Tick(step, _traffic);
+            TimeSeconds += step;
+        }
+    }
+
+    /// <summary>What moves or changes within a distance of a place, without the ego.</summary>
+    public IEnumerable<MeshInstance> MovingNear(Vector3D place, double range)
+    {
+        double squared = range * range;
+        return _vehicles.Skip(1).Where(vehicle => (vehicle.Pose.Position - place).LengthSquared < squared)
+            .Select(vehicle => new MeshInstance(vehicle.Model.Variant(vehicle.Handle), vehicle.Pose, vehicle.Handle))
+            .Concat(_walkers.Where(walker => (walker.Pose.Position - place).LengthSquared < squared)
+                .Select(walker => new MeshInstance(walker.Look, walker.Pose, walker.Handle)));
+    }
+
+    /// <summary>The entities within a distance of a place, without the ego, in the order of their handles.</summary>
+    public List<EntityState> EntitiesNear(Vector3D place, double range)
+    {
+        double squared = range * range;
+        IEnumerable<EntityState> vehicles = _vehicles.Skip(1).Select(vehicle =>
+            new EntityState(vehicle.Handle, vehicle.Model.Class, vehicle.Model.Name, vehicle.Pose, vehicle.Model.Min, vehicle.Model.Max, vehicle.Velocity));
+        IEnumerable<EntityState> walkers = _walkers.Select(walker =>
+            new EntityState(walker.Handle, walker.Model.Class, walker.Model.Name, walker.Pose, walker.Model.Min, walker.Model.Max, walker.Velocity));
+        return [.. vehicles.Concat(walkers).Concat(_entities.Select(prop => prop.State))
+            .Where(entity => (entity.Pose.Position - place).LengthSquared < squared)
+            .OrderBy(entity => entity.Handle)];
+    }
+
+    private static Vector3D Middle(RoadNetwork network) =>
+        network.Nodes.Aggregate(Vector3D.Zero, (sum, node) => sum + node.Position) / network.Nodes.Count;
+}

@@ -1,0 +1,104 @@
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Scenes;
+using Harvester.Geometry.Cameras;
+using Harvester.Simulation.World;
+
+namespace Harvester.Simulation.Tests;
+
+public class SimulatedGameTests
+{
+    private const double EverythingMetres = 5000;
+
+    [Fact]
+    public void Tick_same_seed_gives_same_states_and_same_picture()
+    {
+        (string states, byte[] picture) = Play(seed: 4);
+        (string again, byte[] pictureAgain) = Play(seed: 4);
+        (string other, byte[] otherPicture) = Play(seed: 5);
+
+        Assert.Equal(states, again);
+        Assert.Equal(picture, pictureAgain);
+        Assert.NotEqual(states, other);
+        Assert.NotEqual(picture, otherPicture);
+    }
+
+    [Fact]
+    public void Tick_frozen_counts_frames_but_moves_nothing()
+    {
+        SimulatedGame game = new(new SimulationOptions());
+        IWorld world = game.Ports.World;
+        game.Tick(0.1);
+        string before = States(world);
+        game.Ports.Pause.Freeze();
+        game.Tick(0.1);
+        game.Tick(0.1);
+
+        Assert.Equal(3, world.GameFrame);
+        Assert.Equal(0.1, world.TimeSeconds, 12);
+        Assert.Equal(before, States(world));
+
+        game.Ports.Pause.Unfreeze();
+        game.Tick(0.1);
+        Assert.NotEqual(before, States(world));
+    }
+
+    [Fact]
+    public void ReadEnvironment_time_passes_thirty_times_as_fast()
+    {
+        SimulatedGame game = new(new SimulationOptions { TrafficDensity = 0, TimeOfDay = new TimeSpan(23, 59, 30) });
+        for (int i = 0; i < 20; i++)
+        {
+            game.Tick(0.1);
+        }
+
+        // 2 s of play are a minute of the game's day, past midnight here.
+        Assert.Equal(30, game.Ports.World.ReadEnvironment().TimeOfDay.TotalSeconds, 3);
+    }
+
+    [Fact]
+    public void Ego_drives_within_its_lane_outside_junctions()
+    {
+        SimulatedGame game = new(new SimulationOptions { Seed = 2 });
+        int judged = 0;
+        double driven = 0;
+        for (int i = 0; i < 1200; i++)
+        {
+            game.Tick(0.1);
+            EgoState ego = game.Ports.World.ReadEgo();
+            driven += ego.Velocity.Length * 0.1;
+            LanePosition? position = game.Truth.Locate(ego.Pose.Position, ego.Pose.Axes.Forward);
+            if (position is { IsInJunction: false })
+            {
+                judged++;
+                Assert.NotNull(position.Lane);
+
+                // Lanes are driven as polylines of 1 m: on a bend of 20 m radius the chord is 1²/(8·20) = 6 mm off.
+                Assert.InRange(position.RightOfLaneCentre, -0.02, 0.02);
+                Assert.InRange(position.AngleToRoad, -0.05, 0.05);
+            }
+        }
+
+        Assert.True(judged > 300, $"Only {judged} frames outside junctions.");
+        Assert.True(driven > 400, $"Only {driven:F0} m driven in two minutes.");
+    }
+
+    private static (string States, byte[] Picture) Play(int seed)
+    {
+        SimulatedGame game = new(new SimulationOptions { Seed = seed });
+        for (int i = 0; i < 30; i++)
+        {
+            game.Tick(0.1);
+        }
+
+        PixelBuffer picture = new(new ImageSize(160, 120));
+        Assert.True(game.Ports.Screen.Grab(picture).IsGood);
+        return (States(game.Ports.World), picture.Bytes);
+    }
+
+    private static string States(IWorld world)
+    {
+        EgoState ego = world.ReadEgo();
+        return string.Join('\n', world.ReadEntities(ego.Pose.Position, EverythingMetres).Select(entity => entity.ToString()).Prepend(ego.ToString()));
+    }
+}

@@ -1,0 +1,37 @@
+using Harvester.Simulation.Traffic;
+using Harvester.Simulation.World;
+
+namespace Harvester.Simulation.Tests.Traffic;
+
+public class TrafficTests
+{
+    [Fact]
+    public void Tick_vehicles_never_overlap()
+    {
+        SimulatedWorld world = new(new SimulationOptions { Seed = 1 });
+        for (int i = 0; i < 150; i++)
+        {
+            world.Advance(0.1);
+            if (i % 10 == 0)
+            {
+                AssertApart(world.Vehicles);
+            }
+        }
+    }
+
+    private static void AssertApart(IReadOnlyList<Vehicle> vehicles)
+    {
+        BodyIndex<Vehicle> index = new();
+        foreach (Vehicle vehicle in vehicles)
+        {
+            foreach (Vehicle other in index.Near(vehicle.Pose.Position))
+            {
+                Assert.False(
+                    vehicle.Footprint.Overlaps(other.Footprint),
+                    $"{vehicle.Model.Name} and {other.Model.Name} overlap near {vehicle.Pose.Position}.");
+            }
+
+            index.Add(vehicle, vehicle.Pose.Position);
+        }
+    }
+}
