@@ -21,6 +21,7 @@ internal static class Application
         + "  1    the data is at fault: a session with problems, a malformed file\n"
         + "  2    the command line is at fault\n"
         + "  3    a file cannot be read or written\n"
+        + "  4    the game failed; what was written is whole\n"
         + "  130  stopped by Ctrl+C; what was written is whole";
 
     /// <summary>Runs one command line.</summary>
@@ -44,6 +45,8 @@ internal static class Application
             Output = terminal.Out,
             Error = terminal.Error,
             EnableDefaultExceptionHandler = false,
+            // The process's signals come through the cancellation token.
+            ProcessTerminationTimeout = null,
         };
         try
         {
@@ -74,6 +77,8 @@ internal static class Application
     private static RootCommand CreateRoot(Terminal terminal)
     {
         var root = new RootCommand(Description);
+        root.Subcommands.Add(ValidateCommand.Create(terminal));
+        root.Subcommands.Add(ReportCommand.Create(terminal));
         root.Subcommands.Add(ProjectCommand.Create(terminal));
         root.Subcommands.Add(BoxesCommand.Create(terminal));
         HelpWithNotes.AddTo(root, ExitCodes);
@@ -82,7 +87,7 @@ internal static class Application
 
     private static int Fail(Terminal terminal, int code, string message)
     {
-        terminal.Error.WriteLine($"harvester: {message.ReplaceLineEndings(" ")}");
+        terminal.WriteError(message);
         return code;
     }
 

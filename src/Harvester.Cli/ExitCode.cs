@@ -15,6 +15,9 @@ internal static class ExitCode
     /// <summary>A file cannot be read or written: missing, read-only, disk full.</summary>
     public const int InputOutput = 3;
 
+    /// <summary>The game failed in a harvest; what was written until then is whole.</summary>
+    public const int HarvestFault = 4;
+
     /// <summary>Stopped by Ctrl+C; what was written until then is whole.</summary>
     public const int Cancelled = 130;
 }

@@ -28,6 +28,9 @@ internal sealed record Terminal(TextReader In, TextWriter Out, TextWriter Error,
         return new Terminal(new StreamReader(Console.OpenStandardInput(), utf8), output, Console.Error, !Console.IsOutputRedirected);
     }
 
+    /// <summary>Says in one line what went wrong.</summary>
+    public void WriteError(string message) => Error.WriteLine($"harvester: {message.ReplaceLineEndings(" ")}");
+
     /// <summary>Tables and progress over the same output; without colours and motion when nobody watches.</summary>
     public IAnsiConsole ToAnsiConsole()
     {

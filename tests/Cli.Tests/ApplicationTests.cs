@@ -14,6 +14,8 @@ public sealed class ApplicationTests
     }
 
     [Theory]
+    [InlineData("validate")]
+    [InlineData("report")]
     [InlineData("project")]
     [InlineData("boxes")]
     public void Help_of_a_command_ends_with_an_example(string command)

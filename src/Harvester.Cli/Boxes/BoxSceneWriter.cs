@@ -4,7 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using System.Text.Json;
-using Harvester.Datasets.Json;
+using Harvester.Capture.Labels;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Visibility;
@@ -45,7 +45,7 @@ internal static class BoxSceneWriter
 
         json.WriteStartObject();
         json.WriteString("name", name);
-        json.WriteString("outcome", JsonNames.Of(projection.Outcome));
+        json.WriteString("outcome", JsonName.Of(projection.Outcome));
         WriteBox(json, "box2d", projection.Box);
         WriteBox(json, "box2dAmodal", projection.AmodalBox);
         json.WriteNumber("truncatedFraction", projection.TruncatedFraction);
@@ -58,15 +58,10 @@ internal static class BoxSceneWriter
             json.WriteNumber("occludedFraction", occlusion.OccludedFraction);
         }
 
-        json.WriteString("occlusionMethod", JsonNames.Of(occlusion.Method));
+        json.WriteString("occlusionMethod", JsonName.Of(occlusion.Method));
         json.WriteNumber("distanceMetres", (cuboid.Centre - scene.Camera.Pose.Position).Length);
-        json.WriteStartArray("silhouette");
-        foreach (Vector2D corner in projection.Silhouette)
-        {
-            json.WriteRawValue(OnOneLine([corner.X, corner.Y]));
-        }
-
-        json.WriteEndArray();
+        json.WritePropertyName("silhouette");
+        json.WriteRawValue($"[{string.Join(", ", projection.Silhouette.Select(corner => OnOneLine([corner.X, corner.Y])))}]");
         json.WriteEndObject();
     }
 

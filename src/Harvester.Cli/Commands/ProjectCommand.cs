@@ -2,9 +2,9 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
 using System.IO;
+using Harvester.Capture.Labels;
 using Harvester.Cli.Arguments;
 using Harvester.Datasets;
-using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 
@@ -83,7 +83,7 @@ internal static class ProjectCommand
             bool hasPixel = projection.Outcome != ProjectionOutcome.BehindNearPlane;
             string u = hasPixel ? Text(projection.U) : "";
             string v = hasPixel ? Text(projection.V) : "";
-            output.WriteLine($"{u},{v},{Text(projection.Depth)},{JsonNames.Of(projection.Outcome)}");
+            output.WriteLine($"{u},{v},{Text(projection.Depth)},{JsonName.Of(projection.Outcome)}");
         }
     }
 

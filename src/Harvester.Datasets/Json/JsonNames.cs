@@ -1,22 +1,17 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using System.Text.Json;
+using Harvester.Capture.Labels;
 
 namespace Harvester.Datasets.Json;
 
-/// <summary>The names of enumerations as files have them: with a small first letter.</summary>
+/// <summary>Reads the names of enumerations as files have them.</summary>
 public static class JsonNames
 {
-    /// <summary>The name of a value.</summary>
-    public static string Of<T>(T value)
-        where T : struct, Enum =>
-        JsonNamingPolicy.CamelCase.ConvertName(value.ToString());
-
     /// <summary>The names of all values, in the order of the enumeration.</summary>
     public static IEnumerable<string> All<T>()
         where T : struct, Enum =>
-        Enum.GetValues<T>().Select(Of);
+        Enum.GetValues<T>().Select(JsonName.Of);
 
     /// <summary>Reads a name; capitals matter.</summary>
     public static bool TryRead<T>(string name, out T value)
@@ -24,7 +19,7 @@ public static class JsonNames
     {
         foreach (T candidate in Enum.GetValues<T>())
         {
-            if (string.Equals(Of(candidate), name, StringComparison.Ordinal))
+            if (string.Equals(JsonName.Of(candidate), name, StringComparison.Ordinal))
             {
                 value = candidate;
                 return true;

@@ -1,0 +1,54 @@
+using System.CommandLine;
+using System.IO;
+using Harvester.Cli.Arguments;
+using Harvester.Datasets.Reports;
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Cli.Commands;
+
+/// <summary>harvester report: one page that shows a session, or one of its frames as a picture.</summary>
+internal static class ReportCommand
+{
+    private const string Notes =
+        "The page needs nothing beside it and no network: frames with their boxes, a slider, classes to switch on and off, counts and charts.\n\n"
+        + "Examples:\n"
+        + "  harvester report out\n"
+        + "  harvester report out --frames 300 --out report.html\n"
+        + "  harvester report out --still 12 --out frame.png";
+
+    private const int MostFrames = 10_000;
+
+    public static Command Create(Terminal terminal)
+    {
+        Argument<string> folder = SessionArgument.Create();
+        var output = new Option<string?>("--out")
+        {
+            Description = $"File to write [default: {ReportWriter.FileName} in the session; with --still, frame-N.png in the working folder]",
+            HelpName = "FILE",
+        };
+        Option<int> frames = ValueParsers.Integer("--frames", "N", "Frames to show at most, evenly chosen", 1, MostFrames);
+        frames.DefaultValueFactory = _ => new ReportLimits().Frames;
+        var still = new Option<int?>("--still") { Description = "Draw this frame with its boxes as a PNG picture instead", HelpName = "FRAME" };
+        var command = new Command("report", "Show a session as one self-contained HTML page.") { folder, output, frames, still };
+        HelpWithNotes.AddTo(command, Notes);
+        command.SetAction(parsed =>
+        {
+            string session = parsed.GetRequiredValue(folder);
+            var reader = new SessionReader(session);
+            if (parsed.GetValue(still) is { } frame)
+            {
+                string picture = parsed.GetValue(output) ?? $"frame-{frame}.png";
+                StillWriter.Write(reader, frame, picture);
+                terminal.Out.WriteLine(picture);
+                return ExitCode.Done;
+            }
+
+            string page = parsed.GetValue(output) ?? Path.Combine(session, ReportWriter.FileName);
+            var limits = new ReportLimits(parsed.GetValue(frames));
+            int shown = new ReportWriter(reader, limits).Write(page);
+            terminal.Out.WriteLine($"{page}: {shown} frames shown");
+            return ExitCode.Done;
+        });
+        return command;
+    }
+}

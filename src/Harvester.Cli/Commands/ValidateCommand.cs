@@ -1,0 +1,44 @@
+using System.CommandLine;
+using System.Threading.Tasks;
+using Harvester.Cli.Arguments;
+using Harvester.Datasets.Sessions;
+using Harvester.Datasets.Validation;
+
+namespace Harvester.Cli.Commands;
+
+/// <summary>harvester validate: says whether a session is what its format promises.</summary>
+internal static class ValidateCommand
+{
+    private const string Notes =
+        "Checked are: every line can be read; images and masks are there, whole, and of the size in their label; boxes lie in the image and\n"
+        + "within their amodal boxes; fractions are 0 to 1; distances agree with cuboids; an id means one object; frame numbers rise.\n"
+        + "All problems are listed, one a line; the exit code is 1 if there is any.\n\n"
+        + "Example:\n"
+        + "  harvester validate out";
+
+    public static Command Create(Terminal terminal)
+    {
+        Argument<string> folder = SessionArgument.Create();
+        var command = new Command("validate", "Check a session and list what is wrong with it.") { folder };
+        HelpWithNotes.AddTo(command, Notes);
+        command.SetAction((parsed, cancellation) =>
+        {
+            string session = parsed.GetRequiredValue(folder);
+            SessionValidation validation = SessionValidator.Validate(new SessionReader(session), cancellation);
+            foreach (SessionProblem problem in validation.Problems)
+            {
+                terminal.Out.WriteLine(problem);
+            }
+
+            if (validation.Info is { CapturedFrames: null })
+            {
+                terminal.Out.WriteLine("Note: the recording was cut off before session.json could be closed; the frames it has are listed all the same.");
+            }
+
+            string verdict = validation.IsGood ? "good" : validation.Problems.Count == 1 ? "1 problem" : $"{validation.Problems.Count} problems";
+            terminal.Out.WriteLine($"{session}: {validation.Frames} frames, {validation.Objects} labels, {verdict}");
+            return Task.FromResult(validation.IsGood ? ExitCode.Done : ExitCode.BadData);
+        });
+        return command;
+    }
+}

@@ -1,0 +1,64 @@
+using System.IO;
+using System.Linq;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Labels;
+using Harvester.Datasets.Images;
+using Harvester.Datasets.Sessions;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Datasets.Reports;
+
+/// <summary>Draws one frame of a session with its 2D and 3D boxes, in the colours of the classes.</summary>
+public static class StillWriter
+{
+    private const int Black = 0;
+    private const double BoxWidth = 2;
+    private const double OutlineWidth = 4;
+    private const double OutlineOpacity = 0.45;
+    private const double EdgeWidth = 1;
+    private const double EdgeOpacity = 0.6;
+
+    /// <summary>Writes the picture as PNG.</summary>
+    /// <param name="session">The session.</param>
+    /// <param name="frame">The frame's number.</param>
+    /// <param name="path">Where the picture goes.</param>
+    /// <exception cref="DatasetFormatException">There is no such frame, or it cannot be read.</exception>
+    /// <exception cref="IOException">A file cannot be read or written.</exception>
+    public static void Write(SessionReader session, int frame, string path)
+    {
+        FrameLabel label = session.ReadLabels().FirstOrDefault(candidate => candidate.Frame == frame)
+            ?? throw new DatasetFormatException($"The session has no frame {frame}.");
+        PixelBuffer picture = ReadPicture(session, label.Image);
+        var canvas = new PictureCanvas(picture);
+        Camera camera = LabelCamera.Of(label.Camera);
+
+        // The farthest first, so that the nearest lies on top.
+        foreach (ObjectLabel item in label.Objects.OrderByDescending(item => item.DistanceMetres))
+        {
+            int colour = ClassColours.Of(item.Class);
+            foreach ((Vector2D start, Vector2D end) in CuboidEdges.Of(camera, item.Box3D))
+            {
+                canvas.Line(start, end, EdgeWidth, colour, EdgeOpacity);
+            }
+
+            canvas.Rectangle(item.Box2D, OutlineWidth, Black, OutlineOpacity);
+            canvas.Rectangle(item.Box2D, BoxWidth, colour, 1);
+        }
+
+        using FileStream file = File.Create(path);
+        new PngEncoder().Write(picture, file);
+    }
+
+    private static PixelBuffer ReadPicture(SessionReader session, string image)
+    {
+        try
+        {
+            return PngDecoder.ReadRgb(session.PathOf(image));
+        }
+        catch (DatasetFormatException e)
+        {
+            throw new DatasetFormatException($"{image} cannot be drawn on: {e.Message}", e);
+        }
+    }
+}

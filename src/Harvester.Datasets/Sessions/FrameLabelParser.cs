@@ -1,0 +1,99 @@
+using System;
+using System.Globalization;
+using System.Linq;
+using System.Text.Json;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+using Harvester.Datasets.Json;
+using Harvester.Geometry;
+using Harvester.Geometry.Boxes;
+using Harvester.Geometry.Visibility;
+
+namespace Harvester.Datasets.Sessions;
+
+/// <summary>Reads one line of labels.jsonl; its fields are those of docs/dataset-format.md. Fields that later versions add are passed over.</summary>
+public static class FrameLabelParser
+{
+    /// <exception cref="DatasetFormatException">The line is not such a label; the message names the field.</exception>
+    public static FrameLabel Parse(string line)
+    {
+        try
+        {
+            using JsonDocument document = JsonDocument.Parse(line);
+            return ReadFrame(new JsonFields(document.RootElement));
+        }
+        catch (JsonException e)
+        {
+            throw new DatasetFormatException($"not JSON, from character {e.BytePositionInLine + 1} on.", e);
+        }
+    }
+
+    private static FrameLabel ReadFrame(JsonFields frame) =>
+        new(
+            frame.WholeNumber("frame"),
+            frame.LargeWholeNumber("gameFrame"),
+            frame.Number("timeSeconds"),
+            frame.WholeNumber("lagFrames"),
+            frame.Number("lagSeconds"),
+            frame.Text("image"),
+            frame.OptionalText("mask"),
+            ReadCamera(frame.Fields("camera")),
+            ReadEgo(frame.Fields("ego")),
+            ReadEnvironment(frame.Fields("environment")),
+            [.. frame.List("objects").Select(ReadObject)]);
+
+    private static CameraLabel ReadCamera(JsonFields camera)
+    {
+        JsonFields lens = camera.Fields("distortion");
+        return new CameraLabel(
+            new Pose(camera.Vector("position"), camera.Axes()),
+            camera.Number("verticalFovDegrees"),
+            camera.WholeNumber("width"),
+            camera.WholeNumber("height"),
+            camera.Number("windowAspect"),
+            camera.Number("nearClip"),
+            camera.Number("fx"),
+            camera.Number("fy"),
+            camera.Number("cx"),
+            camera.Number("cy"),
+            new DistortionLabel(lens.Number("focalScale"), lens.Number("k1"), lens.Number("k2")));
+    }
+
+    private static EgoLabel ReadEgo(JsonFields ego) =>
+        new(ego.Vector("position"), ego.Number("headingDegrees"), ego.Vector("velocity"), ego.Text("model"));
+
+    private static EnvironmentState ReadEnvironment(JsonFields environment)
+    {
+        string text = environment.Text("timeOfDay");
+        return TimeSpan.TryParseExact(text, @"hh\:mm\:ss", CultureInfo.InvariantCulture, out TimeSpan timeOfDay)
+            ? new EnvironmentState(environment.Text("weather"), timeOfDay)
+            : throw new DatasetFormatException($"environment.timeOfDay must be a time as 13:05:00, not \"{text}\".");
+    }
+
+    private static ObjectLabel ReadObject(JsonFields label)
+    {
+        JsonFields box3D = label.Fields("box3d");
+        return new ObjectLabel
+        {
+            Id = label.WholeNumber("id"),
+            Class = label.Name<ObjectClass>("class"),
+            Model = label.Text("model"),
+            Name = label.OptionalText("name"),
+            Box2D = ReadBox(label, "box2d"),
+            Box2DAmodal = ReadBox(label, "box2dAmodal"),
+            Box2DVisible = label.Has("box2dVisible") ? ReadBox(label, "box2dVisible") : null,
+            TruncatedFraction = label.Number("truncatedFraction"),
+            OccludedFraction = label.OptionalNumber("occludedFraction"),
+            OcclusionMethod = label.Name<OcclusionMethod>("occlusionMethod"),
+            Box3D = box3D.Checked(() => new Cuboid(box3D.Vector("centre"), box3D.Vector("halfExtents"), box3D.Axes())),
+            DistanceMetres = label.Number("distanceMetres"),
+            Velocity = label.Vector("velocity"),
+        };
+    }
+
+    private static Box2D ReadBox(JsonFields label, string name)
+    {
+        double[] sides = label.Numbers(name, 4);
+        return new Box2D(sides[0], sides[1], sides[2], sides[3]);
+    }
+}

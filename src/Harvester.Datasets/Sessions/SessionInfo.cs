@@ -1,0 +1,53 @@
+using System.IO;
+using System.Text.Json;
+using Harvester.Datasets.Json;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Datasets.Sessions;
+
+/// <summary>What session.json says of a session as a whole, as far as readers need it.</summary>
+/// <param name="Game">The game it was harvested from.</param>
+/// <param name="Seed">What everything random of the game was drawn from; null in a game without a seed.</param>
+/// <param name="Image">Size of all its images, pixels.</param>
+/// <param name="CapturedFrames">How many frames it counted; null when the recording was cut off before it could count.</param>
+/// <param name="Fault">Why the recording ended; null for a good end or none.</param>
+public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? CapturedFrames, string? Fault)
+{
+    /// <summary>Name of the file.</summary>
+    public const string FileName = "session.json";
+
+    /// <summary>The version of the format that this reader knows.</summary>
+    private const int KnownFormatVersion = 1;
+
+    /// <summary>Reads the file.</summary>
+    /// <exception cref="DatasetFormatException">It is not what its format asks for; the message names the field, not the file.</exception>
+    internal static SessionInfo Read(string path)
+    {
+        try
+        {
+            using JsonDocument document = JsonDocument.Parse(File.ReadAllBytes(path));
+            return Read(new JsonFields(document.RootElement));
+        }
+        catch (JsonException e)
+        {
+            throw new DatasetFormatException($"not JSON, line {e.LineNumber + 1}.", e);
+        }
+    }
+
+    private static SessionInfo Read(JsonFields session)
+    {
+        int version = session.WholeNumber("formatVersion");
+        if (version != KnownFormatVersion)
+        {
+            throw new DatasetFormatException($"formatVersion is {version}; this program knows version {KnownFormatVersion} only.");
+        }
+
+        JsonFields image = session.Fields("image");
+        return new SessionInfo(
+            session.Text("game"),
+            session.Has("seed") ? session.LargeWholeNumber("seed") : null,
+            image.Checked(() => new ImageSize(image.WholeNumber("width"), image.WholeNumber("height"))),
+            session.Has("counters") ? session.Fields("counters").WholeNumber("captured") : null,
+            session.OptionalText("fault"));
+    }
+}

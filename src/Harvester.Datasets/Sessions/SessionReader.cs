@@ -1,0 +1,80 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Harvester.Capture.Labels;
+
+namespace Harvester.Datasets.Sessions;
+
+/// <summary>Reads a session as it lies on disk; labels are streamed, so that a session of any length can be read.</summary>
+public sealed class SessionReader
+{
+    /// <summary>Name of the file of labels.</summary>
+    public const string LabelsFile = "labels.jsonl";
+
+    /// <summary>Takes a session's folder.</summary>
+    /// <exception cref="DirectoryNotFoundException">There is no such folder.</exception>
+    /// <exception cref="FileNotFoundException">The folder is not a session.</exception>
+    public SessionReader(string folder)
+    {
+        if (!Directory.Exists(folder))
+        {
+            throw new DirectoryNotFoundException($"There is no folder '{folder}'.");
+        }
+
+        Folder = folder;
+        if (!File.Exists(PathOf(SessionInfo.FileName)))
+        {
+            throw new FileNotFoundException($"'{folder}' is not a session: it has no {SessionInfo.FileName}.");
+        }
+    }
+
+    /// <summary>The session's folder, as it was given.</summary>
+    public string Folder { get; }
+
+    /// <summary>Where a file of the session lies.</summary>
+    /// <param name="name">Its path within the session, with forward slashes.</param>
+    public string PathOf(string name) => Path.Combine(Folder, name.Replace('/', Path.DirectorySeparatorChar));
+
+    /// <summary>Reads session.json.</summary>
+    /// <exception cref="DatasetFormatException">It is not what its format asks for; the message names file and field.</exception>
+    public SessionInfo ReadInfo()
+    {
+        try
+        {
+            return SessionInfo.Read(PathOf(SessionInfo.FileName));
+        }
+        catch (DatasetFormatException e)
+        {
+            throw new DatasetFormatException($"{SessionInfo.FileName}: {e.Message}", e);
+        }
+    }
+
+    /// <summary>The labels, in the order of the file.</summary>
+    /// <exception cref="DatasetFormatException">A line cannot be read; the message names file, line and field.</exception>
+    public IEnumerable<FrameLabel> ReadLabels()
+    {
+        foreach (LabelLine line in ReadLines())
+        {
+            yield return line.Label ?? throw new DatasetFormatException($"{LabelsFile}, line {line.Number}: {line.Problem}");
+        }
+    }
+
+    /// <summary>The lines of labels, those that cannot be read included; none when not one frame was written.</summary>
+    public IEnumerable<LabelLine> ReadLines()
+    {
+        string path = PathOf(LabelsFile);
+        return File.Exists(path) ? File.ReadLines(path).Select((line, index) => ReadLine(index + 1, line)) : [];
+    }
+
+    private static LabelLine ReadLine(int number, string line)
+    {
+        try
+        {
+            return new LabelLine(number, FrameLabelParser.Parse(line), null);
+        }
+        catch (DatasetFormatException e)
+        {
+            return new LabelLine(number, null, e.Message);
+        }
+    }
+}

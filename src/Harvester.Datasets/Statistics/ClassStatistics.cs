@@ -1,0 +1,40 @@
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Labels;
+
+namespace Harvester.Datasets.Statistics;
+
+/// <summary>What a session has of one class of objects.</summary>
+public sealed class ClassStatistics
+{
+    private readonly HashSet<int> _ids = [];
+    private readonly List<double> _distances = [];
+    private double _occlusionSum;
+    private int _occlusionCount;
+
+    /// <summary>Labels: an object counts in each frame in which it is seen.</summary>
+    public int Labels => _distances.Count;
+
+    /// <summary>Different objects.</summary>
+    public int Objects => _ids.Count;
+
+    /// <summary>Distance of the nearest, metres.</summary>
+    public double NearestMetres => _distances.Min();
+
+    /// <summary>Median of the distances, metres: of an even number, the upper of the two in the middle.</summary>
+    public double MedianDistanceMetres => _distances.Order().ElementAt(_distances.Count / 2);
+
+    /// <summary>Mean of the occluded fractions, where they were determined; null where none was.</summary>
+    public double? MeanOccludedFraction => _occlusionCount == 0 ? null : _occlusionSum / _occlusionCount;
+
+    internal void Add(ObjectLabel label)
+    {
+        _ids.Add(label.Id);
+        _distances.Add(label.DistanceMetres);
+        if (label.OccludedFraction is { } occluded)
+        {
+            _occlusionSum += occluded;
+            _occlusionCount++;
+        }
+    }
+}

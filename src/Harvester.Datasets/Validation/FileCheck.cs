@@ -1,0 +1,65 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Harvester.Capture.Labels;
+using Harvester.Datasets.Images;
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Datasets.Validation;
+
+/// <summary>The files that labels name: they lie in the session, belong to one frame, are whole, and have the size that the label says.</summary>
+internal sealed class FileCheck
+{
+    private const int MaskBitsPerPixel = 16;
+
+    private readonly SessionReader _session;
+    private readonly HashSet<string> _named = new(StringComparer.Ordinal);
+
+    public FileCheck(SessionReader session) => _session = session;
+
+    public IEnumerable<string> Problems(FrameLabel label)
+    {
+        string? image = Problem("image", label.Image, label.Camera, bitsPerPixel: null);
+        string? mask = label.Mask is null ? null : Problem("mask", label.Mask, label.Camera, MaskBitsPerPixel);
+        return new[] { image, mask }.OfType<string>();
+    }
+
+    private string? Problem(string field, string name, CameraLabel camera, int? bitsPerPixel)
+    {
+        if (Path.IsPathRooted(name) || name.Split('/', '\\').Contains("..", StringComparer.Ordinal))
+        {
+            return $"{field} '{name}' points out of the session.";
+        }
+
+        if (!_named.Add(name))
+        {
+            return $"{field} '{name}' belongs to an earlier line already.";
+        }
+
+        string path = _session.PathOf(name);
+        if (!File.Exists(path))
+        {
+            return $"{field} '{name}' is missing.";
+        }
+
+        try
+        {
+            return Problem($"{field} '{name}'", ImageHeader.Read(path), camera, bitsPerPixel);
+        }
+        catch (DatasetFormatException e)
+        {
+            return $"{field} '{name}' cannot be used: {e.Message}";
+        }
+    }
+
+    private static string? Problem(string what, ImageHeader header, CameraLabel camera, int? bitsPerPixel)
+    {
+        if (header.Size.Width != camera.Width || header.Size.Height != camera.Height)
+        {
+            return $"{what} is {header.Size.Width} x {header.Size.Height}, but its label says {camera.Width} x {camera.Height}.";
+        }
+
+        return bitsPerPixel is { } bits && header.BitsPerPixel != bits ? $"{what} has {header.BitsPerPixel} bits a pixel instead of {bits}." : null;
+    }
+}

@@ -1,0 +1,86 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using Harvester.Capture.Labels;
+using Harvester.Geometry;
+
+namespace Harvester.Datasets.Validation;
+
+/// <summary>What must hold for one object of a frame by itself.</summary>
+internal static class ObjectCheck
+{
+    /// <summary>Numbers in files are rounded; a hundredth of a pixel is more than that.</summary>
+    private const double RoundingPixels = 0.01;
+
+    /// <summary>The box of visible pixels runs along pixel borders, so it may stand over the exact box by less than a pixel.</summary>
+    private const double PixelBorder = 1;
+
+    /// <summary>Distances are rounded in files, to centimetres at worst.</summary>
+    private const double RoundingMetres = 0.01;
+
+    private const int GreatestId = ushort.MaxValue;
+
+    public static IEnumerable<string> Problems(ObjectLabel item, CameraLabel camera)
+    {
+        var image = new Box2D(0, 0, camera.Width, camera.Height);
+        if (item.Id is < 1 or > GreatestId)
+        {
+            yield return $"an object has the id {item.Id}; ids are 1 to {GreatestId}.";
+        }
+
+        foreach ((string name, Box2D box) in Boxes(item))
+        {
+            if (!(box.Width > 0 && box.Height > 0))
+            {
+                yield return Of(item, $"{name} {Text(box)} has no area.");
+            }
+        }
+
+        if (!image.Contains(item.Box2D, RoundingPixels))
+        {
+            yield return Of(item, $"box2d {Text(item.Box2D)} does not lie in the image of {camera.Width} x {camera.Height}.");
+        }
+
+        if (!item.Box2DAmodal.Contains(item.Box2D, RoundingPixels))
+        {
+            yield return Of(item, $"box2d {Text(item.Box2D)} does not lie within box2dAmodal {Text(item.Box2DAmodal)}.");
+        }
+
+        if (item.Box2DVisible is { } visible && !item.Box2D.Contains(visible, PixelBorder))
+        {
+            yield return Of(item, $"box2dVisible {Text(visible)} does not lie within box2d {Text(item.Box2D)}.");
+        }
+
+        if (item.TruncatedFraction is < 0 or > 1)
+        {
+            yield return Of(item, FormattableString.Invariant($"truncatedFraction is {item.TruncatedFraction}; it must be 0 to 1."));
+        }
+
+        if (item.OccludedFraction is < 0 or > 1)
+        {
+            yield return Of(item, FormattableString.Invariant($"occludedFraction is {item.OccludedFraction}; it must be 0 to 1."));
+        }
+
+        double distance = (item.Box3D.Centre - camera.Pose.Position).Length;
+        if (Math.Abs(item.DistanceMetres - distance) > RoundingMetres)
+        {
+            yield return Of(item, FormattableString.Invariant(
+                $"distanceMetres is {item.DistanceMetres}, but box3d.centre is {distance:0.###} m from the camera."));
+        }
+    }
+
+    private static IEnumerable<(string Name, Box2D Box)> Boxes(ObjectLabel item)
+    {
+        yield return ("box2d", item.Box2D);
+        yield return ("box2dAmodal", item.Box2DAmodal);
+        if (item.Box2DVisible is { } visible)
+        {
+            yield return ("box2dVisible", visible);
+        }
+    }
+
+    private static string Of(ObjectLabel item, string message) => $"object {item.Id}: {message}";
+
+    private static string Text(Box2D box) =>
+        string.Create(CultureInfo.InvariantCulture, $"[{box.XMin:0.##}, {box.YMin:0.##}, {box.XMax:0.##}, {box.YMax:0.##}]");
+}

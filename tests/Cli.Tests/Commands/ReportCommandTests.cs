@@ -1,0 +1,56 @@
+namespace Harvester.Cli.Tests.Commands;
+
+public sealed class ReportCommandTests
+{
+    private const string Header =
+        """{ "formatVersion": 1, "game": "simulation", "image": { "width": 80, "height": 60 }, "counters": { "captured": 0 } }""";
+
+    [Fact]
+    public void Report_goes_into_the_session_unless_a_file_is_named()
+    {
+        using var folder = new TemporaryFolder();
+        folder.File("session.json", Header);
+        string page = Path.Combine(folder.Path, "report.html");
+        string named = Path.Combine(folder.Path, "named.html");
+
+        CliRun run = CliRun.Of("report", folder.Path);
+        CliRun runNamed = CliRun.Of("report", folder.Path, "--out", named);
+
+        Assert.Equal($"{page}: 0 frames shown\n", run.Out);
+        Assert.Equal($"{named}: 0 frames shown\n", runNamed.Out);
+        Assert.Equal(File.ReadAllText(page), File.ReadAllText(named));
+    }
+
+    [Fact]
+    public void Report_to_a_folder_that_is_not_there_is_an_output_error()
+    {
+        using var folder = new TemporaryFolder();
+        folder.File("session.json", Header);
+
+        CliRun.Of("report", folder.Path, "--out", Path.Combine(folder.Path, "none", "page.html")).AssertFailed(ExitCode.InputOutput, "none");
+    }
+
+    [Fact]
+    public void Report_of_a_malformed_session_names_file_and_field()
+    {
+        using var folder = new TemporaryFolder();
+        folder.File("session.json", """{ "formatVersion": 1, "game": "simulation" }""");
+
+        CliRun.Of("report", folder.Path).AssertFailed(ExitCode.BadData, "session.json: image is missing");
+    }
+
+    [Fact]
+    public void Report_still_of_a_frame_that_is_not_there_is_a_data_error()
+    {
+        using var folder = new TemporaryFolder();
+        folder.File("session.json", Header);
+
+        CliRun.Of("report", folder.Path, "--still", "7").AssertFailed(ExitCode.BadData, "no frame 7");
+    }
+
+    [Theory]
+    [InlineData("0")]
+    [InlineData("many")]
+    public void Report_of_an_impossible_number_of_frames_is_a_usage_error(string frames) =>
+        CliRun.Of("report", "session", "--frames", frames).AssertFailed(ExitCode.Usage, "--frames takes a whole number from 1");
+}

@@ -1,0 +1,62 @@
+using Harvester.Datasets.Images;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Datasets.Tests.Images;
+
+public sealed class ImageHeaderTests : IDisposable
+{
+    private readonly string _path = Path.GetTempFileName();
+
+    public void Dispose() => File.Delete(_path);
+
+    [Theory]
+    [InlineData(8, 2, 24)]
+    [InlineData(16, 0, 16)]
+    [InlineData(8, 6, 32)]
+    public void Read_of_a_png_gives_size_and_depth(byte bitDepth, byte colourType, int bitsPerPixel)
+    {
+        File.WriteAllBytes(_path, TestImages.Png(800, 600, bitDepth, colourType));
+
+        Assert.Equal(new ImageHeader("image/png", new ImageSize(800, 600), bitsPerPixel), ImageHeader.Read(_path));
+    }
+
+    [Theory]
+    [InlineData(600)]
+    [InlineData(-600)]
+    public void Read_of_a_bmp_gives_size_and_depth_whichever_way_its_rows_run(int height)
+    {
+        File.WriteAllBytes(_path, TestImages.Bmp(800, height));
+
+        Assert.Equal(new ImageHeader("image/bmp", new ImageSize(800, 600), 24), ImageHeader.Read(_path));
+    }
+
+    [Fact]
+    public void Read_of_a_bmp_that_is_cut_off_says_so()
+    {
+        File.WriteAllBytes(_path, TestImages.Bmp(800, 600)[..50]);
+
+        Assert.Contains("50 of 54 bytes", Assert.Throws<DatasetFormatException>(() => ImageHeader.Read(_path)).Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(-1)]
+    [InlineData(70000)]
+    public void Read_of_an_impossible_size_says_so(int width)
+    {
+        File.WriteAllBytes(_path, TestImages.Png(width, 600));
+
+        Assert.Contains("impossible size", Assert.Throws<DatasetFormatException>(() => ImageHeader.Read(_path)).Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(8)]
+    [InlineData(32)]
+    public void Read_of_a_few_bytes_says_so(int length)
+    {
+        File.WriteAllBytes(_path, TestImages.Png(800, 600)[..length]);
+
+        Assert.Throws<DatasetFormatException>(() => ImageHeader.Read(_path));
+    }
+}

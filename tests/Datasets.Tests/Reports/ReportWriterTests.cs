@@ -1,0 +1,117 @@
+using System.Text.Json;
+using System.Text.RegularExpressions;
+using Harvester.Datasets.Reports;
+
+namespace Harvester.Datasets.Tests.Reports;
+
+public sealed partial class ReportWriterTests : IDisposable
+{
+    private readonly TestSession _session = new();
+
+    public void Dispose() => _session.Dispose();
+
+    [Fact]
+    public void Write_puts_all_frames_with_their_boxes_and_images_into_one_page()
+    {
+        string page = Write(new ReportLimits());
+
+        JsonElement data = Data(page);
+        Assert.Equal([0, 1, 2], Frames(data));
+        JsonElement car = data.GetProperty("frames")[0].GetProperty("objects")[0];
+        Assert.Equal("car", car.GetProperty("class").GetString());
+        Assert.Equal([37.0, 27, 43, 33], car.GetProperty("box").EnumerateArray().Select(side => side.GetDouble()));
+        Assert.Equal(12, car.GetProperty("edges").GetArrayLength());
+        Assert.Equal(3, Images(page).Count);
+        Assert.All(Images(page), image => Assert.Equal(TestImages.Png(TestSession.Width, TestSession.Height), image));
+        Assert.Equal("All 3 frames of the session are in this page.", data.GetProperty("note").GetString());
+    }
+
+    [Fact]
+    public void Write_refers_to_nothing_outside_the_page()
+    {
+        string page = Write(new ReportLimits());
+
+        // The one address in the page is the name of the SVG namespace, which is never fetched.
+        Assert.Equal(["http://www.w3.org/2000/svg"], Address().Matches(page).Select(match => match.Value).Distinct());
+        Assert.DoesNotContain("src=\"", page, StringComparison.Ordinal);
+        Assert.DoesNotContain("<link", page, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Write_of_more_frames_than_wanted_chooses_evenly_and_says_so()
+    {
+        JsonElement data = Data(Write(new ReportLimits(Frames: 2)));
+
+        Assert.Equal([0, 2], Frames(data));
+        Assert.Contains("2 of the session's 3 frames", data.GetProperty("note").GetString(), StringComparison.Ordinal);
+        Assert.Equal("3", data.GetProperty("facts").GetProperty("Frames").GetString());
+    }
+
+    [Fact]
+    public void Write_of_more_image_bytes_than_wanted_shows_fewer_frames()
+    {
+        long imageBytes = TestImages.Png(TestSession.Width, TestSession.Height).Length;
+
+        Assert.Equal([0, 2], Frames(Data(Write(new ReportLimits(ImageBytes: 2 * imageBytes)))));
+        Assert.Equal([0], Frames(Data(Write(new ReportLimits(ImageBytes: 1)))));
+    }
+
+    [Fact]
+    public void Write_of_a_name_with_markup_cannot_end_the_data()
+    {
+        _session.Car(0)["name"] = "</script><b>";
+
+        JsonElement data = Data(Write(new ReportLimits()));
+
+        Assert.Equal("</script><b>", data.GetProperty("frames")[0].GetProperty("objects")[0].GetProperty("name").GetString());
+    }
+
+    [Fact]
+    public void Write_of_an_empty_session_is_a_page_without_frames()
+    {
+        _session.Lines.Clear();
+
+        Assert.Empty(Frames(Data(Write(new ReportLimits()))));
+    }
+
+    [Fact]
+    public void Write_that_fails_leaves_the_older_report()
+    {
+        Write(new ReportLimits());
+        string report = _session.PathOf("report.html");
+        byte[] before = File.ReadAllBytes(report);
+        File.Delete(_session.PathOf("frames/00000001.png"));
+
+        Assert.Throws<FileNotFoundException>(() => new ReportWriter(_session.Open()).Write(report));
+
+        Assert.Equal(before, File.ReadAllBytes(report));
+        Assert.False(File.Exists(report + ".tmp"));
+    }
+
+    private string Write(ReportLimits limits)
+    {
+        string path = _session.PathOf("report.html");
+        int shown = new ReportWriter(_session.Open(), limits).Write(path);
+        string page = File.ReadAllText(path);
+        Assert.Equal(shown, Images(page).Count);
+        return page;
+    }
+
+    private static IEnumerable<int> Frames(JsonElement data) =>
+        data.GetProperty("frames").EnumerateArray().Select(frame => frame.GetProperty("frame").GetInt32());
+
+    private static JsonElement Data(string page) =>
+        JsonDocument.Parse(DataElement().Match(page).Groups[1].Value).RootElement;
+
+    private static List<byte[]> Images(string page) =>
+        [.. ImageElement().Matches(page).Select(match => Convert.FromBase64String(match.Groups[1].Value))];
+
+    [GeneratedRegex("""id="data">\s*(.*?)</script>""", RegexOptions.Singleline)]
+    private static partial Regex DataElement();
+
+    [GeneratedRegex("""data-type="image/png">(.*?)</script>""")]
+    private static partial Regex ImageElement();
+
+    [GeneratedRegex("""https?://[^"' ]*""")]
+    private static partial Regex Address();
+}

@@ -1,0 +1,50 @@
+using Harvester.Capture.Scenes;
+using Harvester.Datasets.Statistics;
+
+namespace Harvester.Datasets.Tests.Statistics;
+
+public sealed class SessionStatisticsTests : IDisposable
+{
+    private readonly TestSession _session = new();
+
+    public void Dispose() => _session.Dispose();
+
+    [Fact]
+    public void Of_a_session_counts_labels_and_objects_by_class()
+    {
+        _session.Car(2)["id"] = 9;
+        _session.Car(2)["occludedFraction"] = 1.0;
+
+        SessionStatistics statistics = SessionStatistics.Of(_session.Open().ReadLabels());
+
+        Assert.Equal((3, 6, 0.5, 2.5), (statistics.Frames, statistics.Labels, statistics.FirstTimeSeconds, statistics.LastTimeSeconds));
+        Assert.Equal([ObjectClass.Car, ObjectClass.Pedestrian], statistics.Classes.Keys);
+        ClassStatistics cars = statistics.Classes[ObjectClass.Car];
+        Assert.Equal((3, 2, 11.0, 11.0), (cars.Labels, cars.Objects, cars.NearestMetres, cars.MedianDistanceMetres));
+        // Occluded 0.25, 0.25 and 1: the mean is 0.5.
+        Assert.Equal(0.5, cars.MeanOccludedFraction);
+        Assert.Null(statistics.Classes[ObjectClass.Pedestrian].MeanOccludedFraction);
+        Assert.Equal(["clear"], statistics.Weathers);
+    }
+
+    [Fact]
+    public void Of_a_session_bins_distances_and_occlusions()
+    {
+        SessionStatistics statistics = SessionStatistics.Of(_session.Open().ReadLabels());
+
+        // Three pedestrians at 7.8 m, three cars at 11 m; only the cars' occlusion, 0.25, was determined.
+        Assert.Equal([3, 3, 0], statistics.Distances.Counts.Take(3));
+        Assert.Equal([0, 0, 3, 0, 0, 0, 0, 0, 0, 0], statistics.OccludedFractions.Counts);
+    }
+
+    [Fact]
+    public void Histogram_puts_what_lies_above_into_the_last_bin()
+    {
+        var histogram = new Histogram(0.1, 10);
+        histogram.Add(1);
+        histogram.Add(7);
+        histogram.Add(-1);
+
+        Assert.Equal([1, 0, 0, 0, 0, 0, 0, 0, 0, 2], histogram.Counts);
+    }
+}

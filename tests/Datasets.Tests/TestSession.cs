@@ -1,0 +1,95 @@
+using System.Text.Json.Nodes;
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Datasets.Tests;
+
+/// <summary>
+/// A good session of three frames with a car and a pedestrian each, written out by hand as docs/dataset-format.md describes it,
+/// for tests to damage.
+/// </summary>
+internal sealed class TestSession : IDisposable
+{
+    public const int Width = 80;
+    public const int Height = 60;
+
+    public TestSession()
+    {
+        Directory.CreateDirectory(PathOf("frames"));
+        Directory.CreateDirectory(PathOf("masks"));
+        for (int frame = 0; frame < 3; frame++)
+        {
+            Lines.Add(Frame(frame));
+            File.WriteAllBytes(PathOf($"frames/{frame:D8}.png"), TestImages.Png(Width, Height));
+            File.WriteAllBytes(PathOf($"masks/{frame:D8}.png"), TestImages.Png(Width, Height, bitDepth: 16, colourType: 0));
+        }
+
+        Info = JsonNode.Parse(
+            $$"""
+            {
+              "formatVersion": 1, "game": "simulation", "seed": 7, "image": { "width": {{Width}}, "height": {{Height}}, "format": "png" },
+              "state": "complete", "fault": null, "counters": { "captured": 3 }
+            }
+            """)!.AsObject();
+    }
+
+    public string Folder { get; } = Directory.CreateTempSubdirectory("harvester-test-").FullName;
+
+    /// <summary>The content of session.json.</summary>
+    public JsonObject Info { get; }
+
+    /// <summary>The lines of labels.jsonl.</summary>
+    public List<JsonObject> Lines { get; } = [];
+
+    public JsonObject Car(int line) => Lines[line]["objects"]![0]!.AsObject();
+
+    public string PathOf(string name) => Path.Combine(Folder, name);
+
+    /// <summary>Writes the session as it now stands and opens it.</summary>
+    public SessionReader Open()
+    {
+        File.WriteAllText(PathOf("session.json"), Info.ToJsonString());
+        return OpenWithLabels(string.Concat(Lines.Select(line => line.ToJsonString() + "\n")));
+    }
+
+    /// <summary>As <see cref="Open"/>, with other text for the labels.</summary>
+    public SessionReader OpenWithLabels(string labels)
+    {
+        File.WriteAllText(PathOf("session.json"), Info.ToJsonString());
+        File.WriteAllText(PathOf("labels.jsonl"), labels);
+        return new SessionReader(Folder);
+    }
+
+    public void Dispose() => Directory.Delete(Folder, recursive: true);
+
+    // The camera stands at the origin and looks north: fy = 60 / (2 tan 45°) = 30, fx = 80 / (2 tan 45° · 4/3) = 30.
+    private static JsonObject Frame(int frame) => JsonNode.Parse(
+        $$"""
+        {
+          "frame": {{frame}}, "gameFrame": {{100 + frame}}, "timeSeconds": {{frame}}.5, "lagFrames": 0, "lagSeconds": 0,
+          "image": "frames/{{frame:D8}}.png", "mask": "masks/{{frame:D8}}.png",
+          "camera": {
+            "position": [0, 0, 0], "right": [1, 0, 0], "forward": [0, 1, 0], "up": [0, 0, 1], "verticalFovDegrees": 90,
+            "width": 80, "height": 60, "windowAspect": 1.3333333333333333, "nearClip": 0.15, "fx": 30, "fy": 30, "cx": 40, "cy": 30,
+            "distortion": { "focalScale": 1, "k1": 0, "k2": 0 }
+          },
+          "ego": { "position": [0, -2, -1], "headingDegrees": 0, "velocity": [0, 10, 0], "model": "adder" },
+          "environment": { "weather": "clear", "timeOfDay": "13:05:00" },
+          "objects": [
+            {
+              "id": 1, "class": "car", "model": "blista", "name": null,
+              "box2d": [37, 27, 43, 33], "box2dAmodal": [37, 27, 43, 33], "box2dVisible": [38, 28, 43, 33],
+              "truncatedFraction": 0, "occludedFraction": 0.25, "occlusionMethod": "rays",
+              "box3d": { "centre": [0, 11, 0], "halfExtents": [1, 1, 1], "right": [1, 0, 0], "forward": [0, 1, 0], "up": [0, 0, 1] },
+              "distanceMetres": 11, "velocity": [0, 5, 0]
+            },
+            {
+              "id": 2, "class": "pedestrian", "model": "a_m_y_hipster_01", "name": null,
+              "box2d": [70, 24, 80, 36], "box2dAmodal": [70, 24, 82, 36], "box2dVisible": null,
+              "truncatedFraction": 0.2, "occludedFraction": null, "occlusionMethod": "none",
+              "box3d": { "centre": [6, 5, 0], "halfExtents": [1, 0, 1], "right": [1, 0, 0], "forward": [0, 1, 0], "up": [0, 0, 1] },
+              "distanceMetres": 7.810249675906654, "velocity": [0, 0, 0]
+            }
+          ]
+        }
+        """)!.AsObject();
+}
