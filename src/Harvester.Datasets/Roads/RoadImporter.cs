@@ -3,7 +3,11 @@ using System.Collections.Generic;
 using System.IO;
 using System.IO.Compression;
 using System.Linq;
+using Harvester.Capture.Roads;
+using Harvester.Datasets.Roads.Ipl;
 using Harvester.Datasets.Roads.JsonDump;
+using Harvester.Datasets.Roads.Scene;
+using Harvester.Datasets.Roads.Ynd;
 
 namespace Harvester.Datasets.Roads;
 
@@ -48,17 +52,31 @@ public static class RoadImporter
 
     private static RoadImport Import(string path, IReadOnlyList<RoadSource> sources)
     {
+        var cells = new List<RoadSource>();
         foreach (RoadSource source in sources)
         {
             string head = source.Head().TrimStart();
-            if (head.StartsWith('['))
+            if (YndImporter.Understands(head))
             {
-                return JsonDumpImporter.Import(source);
+                cells.Add(source);
+            }
+            else if (cells.Count == 0 && ImporterOf(head) is { } import)
+            {
+                return import(source);
             }
         }
 
-        throw new DatasetFormatException($"{path}: no road data of a known format here.");
+        return cells.Count > 0
+            ? YndImporter.Import(cells)
+            : throw new DatasetFormatException($"{path}: no road data of a known format here; known are *.ynd.xml, paths.ipl, paths.xml, the JSON dump of nodes, and the project's own csv.");
     }
+
+    private static Func<RoadSource, RoadImport>? ImporterOf(string head) =>
+        head.StartsWith('[') ? JsonDumpImporter.Import
+        : head.StartsWith('<') ? SceneImporter.Import
+        : head.StartsWith(RoadCsv.FirstLine, StringComparison.Ordinal) ? CsvImporter.Import
+        : IplImporter.Understands(head) ? IplImporter.Import
+        : null;
 
     private static bool IsZip(string path)
     {

@@ -1,0 +1,60 @@
+using System;
+using System.Globalization;
+using System.IO;
+using Harvester.Capture.Spaces;
+using Harvester.Geometry;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Capture.Roads;
+
+/// <summary>Writes roads in the form of <see cref="RoadCsv"/>: the same network gives the same bytes in every runtime.</summary>
+public static class RoadCsvWriter
+{
+    private const double Scale = 1_000_000;
+
+    /// <summary>Writes a network.</summary>
+    /// <exception cref="IOException">The file cannot be written.</exception>
+    public static void Write(RoadNetwork network, TextWriter text)
+    {
+        if (network is null)
+        {
+            throw new ArgumentNullException(nameof(network));
+        }
+
+        if (text is null)
+        {
+            throw new ArgumentNullException(nameof(text));
+        }
+
+        Line(text, RoadCsv.FirstLine);
+        Line(text, RoadCsv.NodeColumns);
+        foreach (RoadNode node in network.Nodes)
+        {
+            Line(text, "node", Whole(node.Area), Whole(node.Number), Metres(node.Position.X), Metres(node.Position.Y), Metres(node.Position.Z),
+                CsvFields.Quote(node.Street), RoadCsv.NodeFlags.Write((int)node.Flags), node.Speed is { } speed ? RoadCsv.NameOf(speed) : "", node.Density is { } density ? Whole(density) : "");
+        }
+
+        Line(text, RoadCsv.LinkColumns);
+        foreach (RoadLink link in network.Links)
+        {
+            Vector3D along = network.Nodes[link.To].Position - network.Nodes[link.From].Position;
+            Line(text, "link", Whole(link.From), Whole(link.To), Whole(link.LanesForward), Whole(link.LanesBackward),
+                link.MedianWidth is { } median ? Metres(median) : "", RoadCsv.LinkFlags.Write((int)link.Flags), Metres(along.Length));
+        }
+
+        Line(text, "end", Whole(network.Nodes.Count), Whole(network.Links.Count));
+    }
+
+    internal static string Metres(double value)
+    {
+        long millionths = (long)Math.Round(value * Scale, MidpointRounding.AwayFromZero);
+        string digits = Math.Abs(millionths).ToString("0000000", CultureInfo.InvariantCulture);
+        int point = digits.Length - RoadCsv.Decimals;
+        string fraction = digits.Substring(point).TrimEnd('0');
+        return (millionths < 0 ? "-" : "") + digits.Substring(0, point) + (fraction.Length > 0 ? "." + fraction : "");
+    }
+
+    private static string Whole(int number) => number.ToString(CultureInfo.InvariantCulture);
+
+    private static void Line(TextWriter text, params string[] fields) => text.Write(string.Join(",", fields) + "\n");
+}

@@ -1,0 +1,23 @@
+using System;
+using System.IO;
+using System.Text;
+using Harvester.Capture.Roads;
+
+namespace Harvester.Datasets.Roads;
+
+/// <summary>Reads the project's own files of roads.</summary>
+internal static class CsvImporter
+{
+    public static RoadImport Import(RoadSource source)
+    {
+        using var reader = new StreamReader(source.Open(), Encoding.UTF8);
+        try
+        {
+            return new RoadImport(RoadCsvReader.Read(reader), "csv of the harvester", []);
+        }
+        catch (FormatException e)
+        {
+            throw new DatasetFormatException($"{source.Name}, {e.Message}", e);
+        }
+    }
+}

@@ -1,0 +1,28 @@
+using System;
+using System.IO;
+using System.IO.Compression;
+using Harvester.Capture.Roads;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Datasets.Roads;
+
+/// <summary>Writes road networks to files of the project's own form.</summary>
+public static class RoadWriter
+{
+    /// <summary>Writes a network: packed by gzip when the name ends in .gz. The file appears whole or not at all.</summary>
+    /// <exception cref="IOException">The file cannot be written.</exception>
+    public static void Write(RoadNetwork network, string path)
+    {
+        ArgumentNullException.ThrowIfNull(network);
+        ArgumentException.ThrowIfNullOrEmpty(path);
+        string temporary = path + ".tmp";
+        using (FileStream file = File.Create(temporary))
+        using (Stream stream = path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? new GZipStream(file, CompressionLevel.Optimal) : file)
+        using (var writer = new StreamWriter(stream))
+        {
+            RoadCsvWriter.Write(network, writer);
+        }
+
+        File.Move(temporary, path, overwrite: true);
+    }
+}

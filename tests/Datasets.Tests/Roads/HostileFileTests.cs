@@ -1,0 +1,176 @@
+using System.IO.Compression;
+using System.Text;
+using Harvester.Capture.Roads;
+using Harvester.Datasets.Roads;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Datasets.Tests.Roads;
+
+/// <summary>Corrupt, truncated and hostile files end in an error with the place, never in another exception or an endless loop.</summary>
+public sealed class HostileFileTests : IDisposable
+{
+
+    private static readonly RoadNetwork Network = RandomRoads.Make(seed: 11, nodeCount: 6, linkCount: 8);
+
+    private readonly string _file = Path.GetTempFileName();
+
+    public static TheoryData<string> Formats => ["ynd", "ipl", "scene", "dump", "csv"];
+
+    public void Dispose() => File.Delete(_file);
+
+    [Theory]
+    [MemberData(nameof(Formats))]
+    public void Import_mutated_file_reads_it_or_refuses_it_with_a_message(string format) => ImportMutated(format, seed: 1, count: 200);
+
+    [Theory]
+    [MemberData(nameof(Formats))]
+    [Trait("Category", "Heavy")]
+    public void Import_mutated_file_thousands_of_times_reads_it_or_refuses_it_with_a_message(string format) => ImportMutated(format, seed: 2, count: 4_000);
+
+    private void ImportMutated(string format, int seed, int count)
+    {
+        byte[] healthy = Encoding.UTF8.GetBytes(Text(format));
+        var random = new Random(seed);
+        int refused = 0;
+        for (int i = 0; i < count; i++)
+        {
+            File.WriteAllBytes(_file, Mutate(healthy, random));
+            refused += IsRefused() ? 1 : 0;
+        }
+
+        // Both outcomes must occur, or the mutations would prove nothing.
+        Assert.InRange(refused, count / 10, count - 1);
+    }
+
+    [Theory]
+    [MemberData(nameof(Formats))]
+    public void Import_file_cut_off_anywhere_is_refused(string format)
+    {
+        byte[] healthy = Encoding.UTF8.GetBytes(Text(format).TrimEnd());
+        for (int length = 0; length < healthy.Length; length += 29)
+        {
+            File.WriteAllBytes(_file, healthy[..length]);
+            Assert.True(IsRefused(), $"cut off after {length} of {healthy.Length} bytes");
+        }
+    }
+
+    [Theory]
+    [InlineData("ynd", "<VehicleNodeCount value=\"1\"", "<VehicleNodeCount value=\"2\"", "line 2: the file counts 2 nodes but has 1")]
+    [InlineData("ynd", "<Flags0 value=\"", "<Flags0 value=\"9", "Flags0 must have value, a whole number from 0 to 255")]
+    [InlineData("ynd", "<Position x=\"", "<Position x=\"1e999\" w=\"", "Position must have x, a finite number")]
+    [InlineData("scene", "<ref guid=\"{0}\"", "<ref guid=\"{99}\"", "refers to {99}, which is no node")]
+    [InlineData("ipl", "end\nlink\n", "end\nlink\n0, 6, 0, 1, 1, 0\n", "the link runs from node 0 to node 6; there are 6 nodes")]
+    [InlineData("ipl", "vnod\n", "vnod\n1, 2\n", "line 4: 22 values")]
+    [InlineData("csv", "end,6,8", "end,6,9", "line 18: the count of links must be a whole number from 8 to 8, not 9")]
+    [InlineData("csv", "\nlink,", "\nlink,6", "must be a whole number from 0 to 5")]
+    public void Import_file_that_lies_names_the_place(string format, string healthy, string lie, string expected)
+    {
+        string text = Text(format);
+        int at = text.IndexOf(healthy, StringComparison.Ordinal);
+        Assert.True(at >= 0, text);
+        File.WriteAllText(_file, text[..at] + lie + text[(at + healthy.Length)..]);
+
+        Assert.Contains(expected, Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("<NodeDictionary>&lol2;</NodeDictionary>")]
+    [InlineData("<scene><objects><object class=\"vehiclenode\" guid=\"&lol2;\"/></objects></scene>")]
+    public void Import_xml_with_entities_is_refused_before_they_are_expanded(string body)
+    {
+        File.WriteAllText(_file, "<?xml version=\"1.0\"?>\n<!DOCTYPE lolz [<!ENTITY lol \"lol\"><!ENTITY lol2 \"&lol;&lol;&lol;\">]>\n" + body);
+
+        string message = Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message;
+
+        Assert.Contains("before the outermost element", message, StringComparison.Ordinal);
+        Assert.Contains("DTD", message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("<NodeDictionary>", "<Item>")]
+    [InlineData("<scene><objects>", "<object>")]
+    [InlineData("", "[")]
+    [InlineData("[{\"AreaId\": ", "[")]
+    public void Import_file_nested_without_end_is_refused(string start, string again)
+    {
+        const int levels = 100_000;
+        File.WriteAllText(_file, start + string.Concat(Enumerable.Repeat(again, levels)));
+
+        Assert.True(IsRefused());
+    }
+
+    [Fact]
+    [Trait("Category", "Heavy")]
+    public void Import_packed_bomb_is_refused_at_the_limit()
+    {
+        byte[] spaces = new byte[1 << 20];
+        Array.Fill(spaces, (byte)' ');
+        using (var gzip = new GZipStream(File.Create(_file), CompressionLevel.Fastest))
+        {
+            gzip.Write("vnod\n"u8);
+            for (int i = 0; i < 1100; i++)
+            {
+                spaces[^1] = (byte)'\n';
+                gzip.Write(spaces);
+            }
+        }
+
+        Assert.Contains("larger than", Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
+    }
+
+    private static string Text(string format) => format switch
+    {
+        "ynd" => YndText.Cells(Network).First().Text,
+        "ipl" => IplText.Of(Network),
+        "scene" => SceneText.Of(Network),
+        "dump" => DumpText.Of(new RoadNetwork(Network.Nodes, [.. Network.Links.Select(link => link with { MedianWidth = null })])),
+        _ => CsvOf(Network),
+    };
+
+    private static string CsvOf(RoadNetwork network)
+    {
+        using var writer = new StringWriter();
+        RoadCsvWriter.Write(network, writer);
+        return writer.ToString();
+    }
+
+    private static byte[] Mutate(byte[] healthy, Random random)
+    {
+        var bytes = new List<byte>(healthy);
+        for (int changes = random.Next(1, 4); changes > 0; changes--)
+        {
+            int at = random.Next(bytes.Count);
+            switch (random.Next(4))
+            {
+                case 0:
+                    bytes[at] = (byte)random.Next(256);
+                    break;
+                case 1:
+                    bytes.RemoveRange(at, Math.Min(random.Next(1, 40), bytes.Count - at));
+                    break;
+                case 2:
+                    bytes.InsertRange(at, bytes.GetRange(at, Math.Min(random.Next(1, 80), bytes.Count - at)));
+                    break;
+                default:
+                    bytes[at] = "0123456789-.,<>\"{}[]e"u8[random.Next(21)];
+                    break;
+            }
+        }
+
+        return [.. bytes];
+    }
+
+    private bool IsRefused()
+    {
+        try
+        {
+            RoadImporter.Import(_file);
+            return false;
+        }
+        catch (DatasetFormatException e)
+        {
+            Assert.NotEmpty(e.Message);
+            return true;
+        }
+    }
+}
