@@ -1,0 +1,23 @@
+using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
+
+namespace Harvester.Capture.Driving.Bridge;
+
+/// <summary>What goes out with a picture.</summary>
+/// <param name="Frame">Number of the frame, from 0.</param>
+/// <param name="TimeSeconds">The game's time, seconds.</param>
+/// <param name="SpeedMetresPerSecond">The car's speed, m/s.</param>
+/// <param name="Position">The car's origin, metres, world.</param>
+/// <param name="HeadingDegrees">Degrees counter-clockwise from north, in [0, 360).</param>
+/// <param name="Indicators">In metres and radians, on the road as it is.</param>
+/// <param name="TorcsEquivalent">The same as a road of TORCS would give them.</param>
+/// <param name="IsFast">Whether more than 60 m of straight road lie ahead.</param>
+public sealed record BridgeState(
+    long Frame,
+    double TimeSeconds,
+    double SpeedMetresPerSecond,
+    Vector3D Position,
+    double HeadingDegrees,
+    LaneIndicators Indicators,
+    LaneIndicators TorcsEquivalent,
+    bool IsFast);

@@ -1,0 +1,71 @@
+using System;
+using System.Globalization;
+using Harvester.Geometry;
+
+namespace Harvester.Capture.Driving.Bridge;
+
+/// <summary>Reads the header of a peer's message. Fields, units and ranges: docs/bridge.md.</summary>
+public static class PeerMessageParser
+{
+    /// <summary>How many indicators a network gives.</summary>
+    public const int IndicatorCount = 13;
+
+    private const double LongestStepSeconds = 10;
+    private const double LargestCoordinate = 100_000;
+
+    /// <summary>The message of a header.</summary>
+    /// <exception cref="BridgeException">The header is no message; the line says what is wrong.</exception>
+    public static PeerMessage Parse(string header)
+    {
+        JsonFields fields = JsonFields.Parse(header ?? throw new ArgumentNullException(nameof(header)));
+        string type = fields.Text("type");
+        return type switch
+        {
+            "controls" => new ControlsMessage(
+                new DrivingControls(fields.Number("steering"), fields.Number("throttle"), fields.Number("brake")), FrameOf(fields)),
+            "indicators" => new IndicatorsMessage(fields.Numbers("values", IndicatorCount), FrameOf(fields)),
+            "reset" => new ResetMessage(PositionOf(fields), fields.Number("headingDegrees")),
+            "environment" => new EnvironmentMessage(
+                fields.Has("weather") ? fields.Text("weather") : null, fields.Has("timeOfDay") ? TimeOf(fields) : null),
+            "pause" => new PauseMessage(fields.Truth("paused")),
+            "step" => new StepMessage(SecondsOf(fields)),
+            "requestFrame" => new RequestFrameMessage(),
+            _ => throw new BridgeException($"type '{type}' is none of controls, indicators, reset, environment, pause, step, requestFrame."),
+        };
+    }
+
+    private static long? FrameOf(JsonFields fields)
+    {
+        if (!fields.Has("frame"))
+        {
+            return null;
+        }
+
+        const double greatestWhole = 9007199254740992;
+        double frame = fields.Number("frame");
+        return frame >= 0 && frame <= greatestWhole && Math.Floor(frame) == frame
+            ? (long)frame
+            : throw new BridgeException("field frame must be a whole number, 0 or more.");
+    }
+
+    private static Vector3D PositionOf(JsonFields fields)
+    {
+        double[] position = fields.Numbers("position", 3);
+        return Array.TrueForAll(position, coordinate => Math.Abs(coordinate) <= LargestCoordinate)
+            ? new Vector3D(position[0], position[1], position[2])
+            : throw new BridgeException("field position lies outside any world.");
+    }
+
+    private static TimeSpan TimeOf(JsonFields fields) =>
+        TimeSpan.TryParseExact(fields.Text("timeOfDay"), "hh\\:mm", CultureInfo.InvariantCulture, out TimeSpan time)
+            ? time
+            : throw new BridgeException("field timeOfDay must be a time such as 17:30.");
+
+    private static double SecondsOf(JsonFields fields)
+    {
+        double seconds = fields.Number("seconds");
+        return seconds > 0 && seconds <= LongestStepSeconds
+            ? seconds
+            : throw new BridgeException("field seconds must be more than 0 and at most 10.");
+    }
+}

@@ -1,0 +1,16 @@
+using System.Net;
+
+namespace Harvester.Capture.Driving.Bridge;
+
+/// <summary>Where a socket bridge listens, and to whom.</summary>
+/// <param name="Address">Address to listen at. Anything but a loopback address asks for a token.</param>
+/// <param name="Port">1 to 65,535, or 0 for any free one.</param>
+/// <param name="Token">What a peer must show in its first message; null for none.</param>
+public sealed record SocketBridgeOptions(IPAddress Address, int Port, string? Token)
+{
+    /// <summary>The port when none is named.</summary>
+    public const int DefaultPort = 4567;
+
+    /// <summary>The loopback interface, no token.</summary>
+    public static SocketBridgeOptions Loopback { get; } = new(IPAddress.Loopback, DefaultPort, null);
+}

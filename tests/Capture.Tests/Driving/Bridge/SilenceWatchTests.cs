@@ -1,0 +1,43 @@
+using Harvester.Capture.Driving;
+using Harvester.Capture.Driving.Bridge;
+using Harvester.Capture.Ports;
+
+namespace Harvester.Capture.Tests.Driving.Bridge;
+
+public sealed class SilenceWatchTests
+{
+    private static readonly DrivingControls Left = new(0.5, 0.25, 0);
+
+    [Fact]
+    public void Controls_hold_for_half_a_second_and_then_the_brake()
+    {
+        var clock = new HandClock();
+        var watch = new SilenceWatch(clock);
+
+        Assert.Equal(DrivingControls.Stop, watch.Controls);
+        watch.Hear(Left);
+        clock.Milliseconds = 500;
+        Assert.Equal(Left, watch.Controls);
+        clock.Milliseconds = 501;
+        Assert.Equal(DrivingControls.Stop, watch.Controls);
+        Assert.False(watch.IsPeerAlive);
+    }
+
+    [Fact]
+    public void Forget_brakes_until_the_peer_speaks_again()
+    {
+        var watch = new SilenceWatch(new HandClock());
+        watch.Hear(Left);
+
+        watch.Forget();
+
+        Assert.Equal(DrivingControls.Stop, watch.Controls);
+        watch.Hear(Left);
+        Assert.Equal(Left, watch.Controls);
+    }
+
+    private sealed class HandClock : IClock
+    {
+        public double Milliseconds { get; set; }
+    }
+}

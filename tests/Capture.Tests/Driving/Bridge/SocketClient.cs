@@ -1,0 +1,61 @@
+using System.Buffers.Binary;
+using System.Net;
+using System.Net.Sockets;
+using System.Text;
+using System.Text.Json;
+
+namespace Harvester.Capture.Tests.Driving.Bridge;
+
+/// <summary>A peer written from docs/bridge.md alone.</summary>
+internal sealed class SocketClient : IDisposable
+{
+    private readonly TcpClient _client = new();
+
+    public SocketClient(IPEndPoint server)
+    {
+        _client.Connect(server);
+        _client.ReceiveTimeout = 20_000;
+        Stream = _client.GetStream();
+    }
+
+    public NetworkStream Stream { get; }
+
+    public void Send(string header)
+    {
+        byte[] text = Encoding.UTF8.GetBytes(header);
+        byte[] lengths = new byte[8];
+        BinaryPrimitives.WriteInt32BigEndian(lengths, text.Length);
+        Stream.Write(lengths);
+        Stream.Write(text);
+    }
+
+    public (JsonElement Header, byte[] Payload) Receive()
+    {
+        byte[] lengths = new byte[8];
+        Stream.ReadExactly(lengths);
+        byte[] header = new byte[BinaryPrimitives.ReadInt32BigEndian(lengths)];
+        byte[] payload = new byte[BinaryPrimitives.ReadInt32BigEndian(lengths.AsSpan(4))];
+        Stream.ReadExactly(header);
+        Stream.ReadExactly(payload);
+        return (JsonDocument.Parse(header).RootElement, payload);
+    }
+
+    public bool IsCutOff()
+    {
+        try
+        {
+            byte[] rest = new byte[4096];
+            while (Stream.Read(rest) > 0)
+            {
+            }
+
+            return true;
+        }
+        catch (IOException e) when (e.InnerException is SocketException { SocketErrorCode: SocketError.ConnectionReset })
+        {
+            return true;
+        }
+    }
+
+    public void Dispose() => _client.Dispose();
+}
