@@ -1,0 +1,240 @@
+using System;
+using Harvester.Geometry.Lanes;
+
+namespace Harvester.Geometry.Roads;
+
+/// <summary>
+/// Finds the road, direction and lane of a car from its position and heading. Every direction of every link near is weighed by how
+/// far the car is outside its carriageway, how its heading differs, how its height differs (bridges), and whether it is the road
+/// that was followed so far or one that this road leads to. It does not change, so any number of threads may ask it.
+/// </summary>
+public sealed class RoadMatcher
+{
+    /// <summary>Weight of the distance from the middle of a lane, as a fraction of half its width: cars keep to the middle, loosely.</summary>
+    private const double CostOfLaneEdge = 0.5;
+
+    /// <summary>However far beside the lanes: an overtaking car still follows its road, only worse than one in the lanes.</summary>
+    private const double MostCostOfBeside = 14;
+
+    /// <summary>Links along the road within which two explanations are the same road.</summary>
+    private const int LinksOfSameRoad = 3;
+
+    /// <summary>Deviation along the road beyond the end of a link, metres: the next link explains it better.</summary>
+    private const double OvershootDeviation = 0.5;
+
+    private readonly RoadCurves _curves;
+    private readonly RoadNetwork _network;
+    private readonly LaneModel _lanes;
+    private readonly RoadMatcherOptions _options;
+    private readonly RoadIndex _index;
+    private readonly JunctionDistances _junctions;
+    private readonly double _headingDeviation;
+    private readonly double _largestHeadingError;
+
+    /// <summary>Makes a matcher.</summary>
+    /// <param name="curves">The centre lines.</param>
+    /// <param name="lanes">How wide the lanes are.</param>
+    /// <param name="options">What is likely; the defaults when null.</param>
+    public RoadMatcher(RoadCurves curves, LaneModel lanes, RoadMatcherOptions? options = null)
+    {
+        _curves = Guard.NotNull(curves, nameof(curves));
+        _network = curves.Network;
+        _lanes = Guard.NotNull(lanes, nameof(lanes));
+        _options = options ?? new RoadMatcherOptions();
+        _headingDeviation = Angles.ToRadians(_options.HeadingDeviationDegrees);
+        _largestHeadingError = Angles.ToRadians(_options.LargestHeadingErrorDegrees);
+        _junctions = new JunctionDistances(curves, _options.JunctionReach);
+        _index = new RoadIndex(curves, WidestHalf() + _options.LargestDistanceBeside);
+    }
+
+    /// <summary>Matches one sight of a car.</summary>
+    /// <param name="position">Metres, world, about at the height of the road.</param>
+    /// <param name="headingDegrees">The car's heading, degrees counter-clockwise from north.</param>
+    /// <param name="previous">The match of the sight before, whose road is preferred; null when there is none.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The position or heading is not finite.</exception>
+    public RoadMatch Match(Vector3D position, double headingDegrees, RoadMatch? previous = null)
+    {
+        Guard.Finite(position, nameof(position));
+        double heading = Angles.ToRadians(Guard.Finite(headingDegrees, nameof(headingDegrees)));
+        var forward = new Vector2D(-Math.Sin(heading), Math.Cos(heading));
+        RoadCandidate? best = null;
+        RoadCandidate? rival = null;
+        bool isRoadNear = false;
+        ArraySegment<int> near = _index.Near(position);
+        for (int i = near.Offset; i < near.Offset + near.Count; i++)
+        {
+            if (Candidate(near.Array![i], position, forward, previous, ref isRoadNear) is { } candidate)
+            {
+                if (best is null || candidate.Cost < best.Value.Cost)
+                {
+                    rival = Rival(rival, best, candidate);
+                    best = candidate;
+                }
+                else
+                {
+                    rival = Rival(rival, candidate, best.Value);
+                }
+            }
+        }
+
+        return best is { } found && found.Cost < _options.CostOfUnknownRoad
+            ? Result(found, rival)
+            : new RoadMatch { Outcome = isRoadNear ? RoadMatchOutcome.NotAlongAnyRoad : RoadMatchOutcome.NoRoadNear };
+    }
+
+    /// <summary>The better of two candidates that are not the road that won.</summary>
+    private RoadCandidate? Rival(RoadCandidate? rival, RoadCandidate? other, RoadCandidate winner)
+    {
+        RoadCandidate? old = rival is { } r && !IsSameRoad(r.Link, r.IsForward, winner) ? rival : null;
+        return other is { } o && !IsSameRoad(o.Link, o.IsForward, winner) && (old is null || o.Cost < old.Value.Cost) ? other : old;
+    }
+
+    private RoadCandidate? Candidate(int link, Vector3D position, Vector2D forward, RoadMatch? previous, ref bool isRoadNear)
+    {
+        RoadCurve curve = _curves.Of(link);
+        var place = new Vector2D(position.X, position.Y);
+        double parameter = curve.ClosestParameter(place);
+        double height = (position.Z - curve.HeightAt(parameter)) / _options.HeightDeviation;
+        if (Math.Abs(height) * _options.HeightDeviation > _options.LargestHeightDifference)
+        {
+            return null;
+        }
+
+        Vector2D apart = place - curve.GroundAt(parameter);
+        Vector2D along = curve.DirectionAt(parameter);
+        bool isForward = along.Dot(forward) >= 0;
+        along = isForward ? along : along * -1;
+        double headingError = Math.Atan2(forward.Cross(along), forward.Dot(along));
+        double right = -along.Cross(apart);
+        (LaneSection Section, double LeftEdge)? lanes = _lanes.LanesOf(link, isForward);
+        if (lanes is not { } there)
+        {
+            isRoadNear |= Math.Abs(right) < _options.LargestDistanceBeside && Math.Abs(along.Dot(apart)) < OvershootDeviation;
+            return null;
+        }
+
+        double offset = right - there.LeftEdge;
+        double width = there.Section.LaneCount * there.Section.LaneWidth;
+        double outside = Math.Max(0, Math.Max(-offset, offset - width));
+        if (outside > _options.LargestDistanceBeside)
+        {
+            return null;
+        }
+
+        isRoadNear |= Math.Abs(along.Dot(apart)) < OvershootDeviation;
+        if (Math.Abs(headingError) > _largestHeadingError)
+        {
+            return null;
+        }
+
+        double withinLane = offset / there.Section.LaneWidth;
+        double fromMiddle = outside > 0 ? 1 : Math.Abs(withinLane - Math.Floor(withinLane) - 0.5) * 2;
+        double cost = Math.Min(Square(outside / _options.LateralDeviation), MostCostOfBeside)
+            + Square(headingError / _headingDeviation)
+            + Square(height)
+            + Square(along.Dot(apart) / OvershootDeviation)
+            + (CostOfLaneEdge * Square(fromMiddle))
+            + CostOfHistory(link, isForward, previous);
+        return new RoadCandidate(link, isForward, parameter, there.Section, there.LeftEdge, offset, headingError, cost);
+    }
+
+    private double CostOfHistory(int link, bool isForward, RoadMatch? previous)
+    {
+        if (previous is { HasRoad: true } before && IsSameRoad(before.Link, before.IsForward, new RoadCandidate { Link = link, IsForward = isForward }))
+        {
+            return 0;
+        }
+
+        RoadLink road = _network.Links[link];
+        bool isSlipLane = (_network.Nodes[road.From].Flags & _network.Nodes[road.To].Flags & RoadNodeFlags.SlipLane) != 0;
+        double slip = isSlipLane ? _options.CostOfSlipLane : 0;
+        if (previous is not { HasRoad: true } left)
+        {
+            return slip;
+        }
+
+        RoadLink old = _network.Links[left.Link];
+        int way = left.IsForward ? old.To : old.From;
+        bool leadsThere = (isForward ? road.From : road.To) == way;
+        return slip + (leadsThere ? _options.CostOfLeaving / 2 : _options.CostOfLeaving);
+    }
+
+    /// <summary>Whether a link in its direction is another's, or one of the next ones of its road either way.</summary>
+    private bool IsSameRoad(int link, bool isForward, RoadCandidate other)
+    {
+        if (link == other.Link)
+        {
+            return isForward == other.IsForward;
+        }
+
+        return IsAhead(link, isForward, other) || IsAhead(link, !isForward, other with { IsForward = !other.IsForward });
+    }
+
+    private bool IsAhead(int link, bool isForward, RoadCandidate other)
+    {
+        for (int step = 0; step < LinksOfSameRoad; step++)
+        {
+            int node = isForward ? _network.Links[link].To : _network.Links[link].From;
+            link = _curves.Continuations.Of(link, isForward);
+            if (link == RoadContinuations.None)
+            {
+                return false;
+            }
+
+            isForward = _network.Links[link].From == node;
+            if (link == other.Link)
+            {
+                return isForward == other.IsForward;
+            }
+        }
+
+        return false;
+    }
+
+    private RoadMatch Result(RoadCandidate found, RoadCandidate? rival)
+    {
+        double unknown = Math.Exp((found.Cost - _options.CostOfUnknownRoad) / 2);
+        double other = rival is { } second ? Math.Exp((found.Cost - second.Cost) / 2) : 0;
+        double confidence = 1 / (1 + unknown + other);
+        double width = found.Section.LaneCount * found.Section.LaneWidth;
+        double outside = Math.Max(-found.Offset, found.Offset - width);
+        int? lane = outside > _options.EdgeTolerance ? null
+            : Math.Max(0, Math.Min(found.Section.LaneCount - 1, (int)Math.Floor(found.Offset / found.Section.LaneWidth)));
+        RoadCurve curve = _curves.Of(found.Link);
+        return new RoadMatch
+        {
+            Outcome = lane is null ? RoadMatchOutcome.BesideTheLanes
+                : confidence < _options.LeastConfidence ? RoadMatchOutcome.Ambiguous
+                : RoadMatchOutcome.Matched,
+            Link = found.Link,
+            IsForward = found.IsForward,
+            Parameter = found.Parameter,
+            Section = found.Section,
+            LeftEdge = found.LeftEdge,
+            OffsetFromLeftEdge = found.Offset,
+            Lane = lane,
+            HeadingError = found.HeadingError,
+            Confidence = confidence,
+            InJunction = _junctions.From(_network.Links[found.Link], curve.StationAt(found.Parameter), curve.Length) < _options.JunctionReach,
+        };
+    }
+
+    private double WidestHalf()
+    {
+        double widest = 0;
+        for (int i = 0; i < _network.Links.Count; i++)
+        {
+            foreach (bool isForward in new[] { true, false })
+            {
+                if (_lanes.LanesOf(i, isForward) is { } lanes)
+                {
+                    widest = Math.Max(widest, lanes.LeftEdge + (lanes.Section.LaneCount * lanes.Section.LaneWidth));
+                }
+            }
+        }
+
+        return widest;
+    }
+
+    private static double Square(double value) => value * value;
+}
