@@ -29,9 +29,10 @@ internal sealed class FrozenFlow(
             var gate = new StillnessGate(_comparison);
             SceneSnapshot snapshot = reader.Read();
             gate.Observe(snapshot);
+            long firstGameFrame = snapshot.GameFrame;
             for (int ticks = 0; gate.StillTicks < options.MaxPictureLagTicks; ticks++)
             {
-                if (ticks == options.MaxSettleTicks)
+                if (ticks == options.MaxSettleTicks + options.MaxPictureLagTicks)
                 {
                     counters.Discard("neverStill");
                     yield break;
@@ -42,6 +43,7 @@ internal sealed class FrozenFlow(
                 gate.Observe(snapshot);
             }
 
+            counters.Settled((int)(snapshot.GameFrame - gate.StillTicks - firstGameFrame));
             GrabResult grab = game.Screen.Grab(picture);
             if (grab.Refusal is { } refusal)
             {
@@ -56,7 +58,7 @@ internal sealed class FrozenFlow(
             }
 
             FrameLabelling? labelling = null;
-            foreach (FrameLabelling? slice in labeller.Label(snapshot))
+            foreach (FrameLabelling? slice in labeller.Label(snapshot, static () => true))
             {
                 labelling = slice;
                 if (slice is null && budget.IsSpent)

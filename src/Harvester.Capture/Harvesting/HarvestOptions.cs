@@ -55,6 +55,12 @@ public sealed record HarvestOptions
     /// </summary>
     public int MaxPictureLagTicks { get; init => field = OptionCheck.InRange(value, 0, 60, nameof(MaxPictureLagTicks)); } = 4;
 
+    /// <summary>
+    /// Whether the lag of the picture is measured before the first frame, by freezing the moving game. Live mode needs it, unless
+    /// <see cref="LiveLag"/> says it; a frozen harvest is right without it, and by it finds out a lag above <see cref="MaxPictureLagTicks"/>.
+    /// </summary>
+    public bool ProbeLag { get; init; } = true;
+
     /// <summary>Live mode only: the lag of the picture where it is known; null to measure it at the start, for which camera and traffic must move.</summary>
     public PictureLag? LiveLag { get; init; }
 

@@ -36,6 +36,11 @@ public sealed class HarvestSession : IDisposable
         _options = options ?? throw new ArgumentNullException(nameof(options));
         _game = game ?? throw new ArgumentNullException(nameof(game));
         _sink = sink ?? throw new ArgumentNullException(nameof(sink));
+        if (options is { Freeze: false, Masks: true })
+        {
+            throw new ArgumentException("Masks need a game that is frozen for each frame.", nameof(options));
+        }
+
         _budget = new TickBudget(game.Clock, options.TickBudgetMilliseconds);
         _run = Run().GetEnumerator();
     }
@@ -45,6 +50,9 @@ public sealed class HarvestSession : IDisposable
 
     /// <summary>One line that says why the harvest ended; null without a fault.</summary>
     public string? Fault { get; private set; }
+
+    /// <summary>By how much the picture is behind the state; null when it was not measured.</summary>
+    public PictureLag? Lag { get; private set; }
 
     /// <summary>The harvest as it stands.</summary>
     public HarvestStatus Status => new(_phase, Counters.Captured, Counters.Discarded, FramesPerSecond, Fault);
@@ -121,8 +129,25 @@ public sealed class HarvestSession : IDisposable
         var schedule = new FrameSchedule(_options.RateHz);
         var labeller = new FrameLabeller(_options, _game.Rays, new ObjectRegistry(_sink.FirstObjectId), new ExhaustiveInstanceMapper());
         var pool = new PixelBufferPool(_options.Image);
-        var flow = new FrozenFlow(
-            _options, _game, new SceneReader(_game.World, _options.RangeMetres), labeller, pool, _budget, Counters);
+        var reader = new SceneReader(_game.World, _options.RangeMetres);
+        if (!_options.Freeze && _options.LiveLag is { } known)
+        {
+            Lag = known;
+        }
+        else if (_options.ProbeLag)
+        {
+            var probe = new LagProbe(_options, _game, reader, pool);
+            foreach (HarvestPhase phase in probe.Measure(_options.Freeze))
+            {
+                yield return phase;
+            }
+
+            Lag = probe.Lag;
+        }
+
+        ICaptureFlow flow = _options.Freeze
+            ? new FrozenFlow(_options, _game, reader, labeller, pool, _budget, Counters)
+            : new LiveFlow(_game, reader, labeller, pool, _budget, Counters, Lag ?? throw LagUnknown());
         while (true)
         {
             ReadTime();
@@ -159,6 +184,9 @@ public sealed class HarvestSession : IDisposable
             yield return HarvestPhase.Waiting;
         }
     }
+
+    private static HarvestFaultException LagUnknown() =>
+        new("The lag of the picture could not be measured: camera and traffic must move in view while a live harvest starts. Drive on and start again, or freeze the game for each frame.");
 
     private void ReadTime()
     {
@@ -209,7 +237,7 @@ public sealed class HarvestSession : IDisposable
         {
             _opened = false;
             _sink.Close(new SessionEnd(
-                _gameFrame, _timeSeconds, Counters.Captured, [.. Counters.Discards], [.. Counters.SettleTicks], null, Fault));
+                _gameFrame, _timeSeconds, Counters.Captured, [.. Counters.Discards], [.. Counters.SettleTicks], Lag, Fault));
         }
     }
 

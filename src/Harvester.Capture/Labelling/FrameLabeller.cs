@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Harvesting;
@@ -24,14 +25,16 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
     /// Labels a snapshot a slice at a time. Each element is null until the work is done; the last is the result.
     /// The caller may leave off after any slice and go on in a later tick, as long as the game stands still.
     /// </summary>
-    public IEnumerable<FrameLabelling?> Label(SceneSnapshot snapshot)
+    /// <param name="snapshot">The scene.</param>
+    /// <param name="mayCastRays">Asked for each object; objects that get a no have no occlusion.</param>
+    public IEnumerable<FrameLabelling?> Label(SceneSnapshot snapshot, Func<bool> mayCastRays)
     {
         Camera camera = CameraOf(options, snapshot.Camera);
         var objects = new List<ObjectLabel>();
         var numbers = new Dictionary<int, ushort>();
         foreach (EntityState entity in snapshot.Entities)
         {
-            if (LabelOf(camera, snapshot.Ego.Handle, entity) is { } label)
+            if (LabelOf(camera, snapshot.Ego.Handle, entity, mayCastRays) is { } label)
             {
                 objects.Add(label);
                 numbers[entity.Handle] = (ushort)label.Id;
@@ -60,7 +63,7 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
             [.. objects.Select(label => label with { Box2DVisible = bounds[label.Id] })], map);
     }
 
-    private ObjectLabel? LabelOf(Camera camera, int egoHandle, EntityState entity)
+    private ObjectLabel? LabelOf(Camera camera, int egoHandle, EntityState entity, Func<bool> mayCastRays)
     {
         if (options.Classes is { } classes && !classes.Contains(entity.Class))
         {
@@ -75,7 +78,7 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
             return null;
         }
 
-        OcclusionEstimate occlusion = _occlusion.Estimate(camera, cuboid, projection, entity.Handle, egoHandle, rays);
+        OcclusionEstimate occlusion = mayCastRays() ? _occlusion.Estimate(camera, cuboid, projection, entity.Handle, egoHandle, rays) : default;
         bool determined = occlusion.Method != OcclusionMethod.None;
         if (determined && occlusion.OccludedFraction > options.MaxOccludedFraction)
         {

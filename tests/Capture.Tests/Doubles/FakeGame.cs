@@ -1,3 +1,4 @@
+using Harvester.Capture.Harvesting;
 using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
@@ -39,11 +40,20 @@ internal sealed class FakeGame : IWorld, IRayCaster, IScreen, IPause, IClock
     /// <summary>What the screen answers.</summary>
     public GrabResult GrabAnswer { get; set; } = GrabResult.Good;
 
+    /// <summary>Bytes of each picture, besides its number, that movement changes strongly.</summary>
+    public int MovementBytes { get; set; }
+
+    /// <summary>By how much the last byte of a picture changes from tick to tick whatever the world does.</summary>
+    public byte Noise { get; set; }
+
     /// <summary>Milliseconds of the player's time that a ray takes.</summary>
     public double MillisecondsPerRay { get; set; }
 
     /// <summary>Changes what the world reports, entity by entity.</summary>
     public Func<IReadOnlyList<EntityState>, IReadOnlyList<EntityState>> Entities { get; set; } = static entities => entities;
+
+    /// <summary>What rays meet.</summary>
+    public Func<Ray, double, int, RayHit?> Rays { get; set; } = static (_, _, _) => null;
 
     /// <summary>The number of the world's state: it stands still while the world is frozen.</summary>
     public long State { get; private set; }
@@ -60,6 +70,31 @@ internal sealed class FakeGame : IWorld, IRayCaster, IScreen, IPause, IClock
 
     /// <summary>The number of the state that a picture of this game shows.</summary>
     public static long StateOf(PixelBuffer picture) => BitConverter.ToInt64(picture.Bytes, 0);
+
+    /// <summary>The number of the state at the game time of a label.</summary>
+    public static long StateAt(double timeSeconds) => (long)Math.Round(timeSeconds * TicksPerSecond);
+
+    /// <summary>Runs a session until it is over, at most so many ticks; returns the phase after each.</summary>
+    public IReadOnlyList<HarvestPhase> Run(HarvestSession session, int ticks = 10_000)
+    {
+        var phases = new List<HarvestPhase>();
+        for (int tick = 0; tick < ticks && !session.Status.IsOver; tick++)
+        {
+            phases.Add(session.Step().Phase);
+            Tick();
+        }
+
+        return phases;
+    }
+
+    /// <summary>Lets the game run without a harvest.</summary>
+    public void RunAlone(int ticks)
+    {
+        for (int tick = 0; tick < ticks; tick++)
+        {
+            Tick();
+        }
+    }
 
     /// <summary>One tick of the game, after the script's.</summary>
     public void Tick()
@@ -112,13 +147,16 @@ internal sealed class FakeGame : IWorld, IRayCaster, IScreen, IPause, IClock
     {
         OnCall(nameof(Cast));
         Milliseconds += MillisecondsPerRay;
-        return null;
+        return Rays(ray, maxDistance, ignoredEntity);
     }
 
     public GrabResult Grab(PixelBuffer target)
     {
         OnCall(nameof(Grab));
-        BitConverter.GetBytes(StateAgo(PictureLag)).CopyTo(target.Bytes, 0);
+        long state = StateAgo(PictureLag);
+        BitConverter.GetBytes(state).CopyTo(target.Bytes, 0);
+        target.Bytes.AsSpan(8, MovementBytes).Fill((byte)(state * 37));
+        target.Bytes[^1] = (byte)(GameFrame % 2 * Noise);
         return GrabAnswer;
     }
 

@@ -1,5 +1,6 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Tests.Doubles;
+using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Capture.Tests.Harvesting;
@@ -9,16 +10,17 @@ public sealed class FrozenHarvestTests
 {
     private static readonly HarvestOptions Small = new() { Image = new ImageSize(64, 48), MaxFrames = 25, OcclusionSamples = 4 };
 
-    public static TheoryData<int, int> Quirks
+    public static TheoryData<int, int, bool> Quirks
     {
         get
         {
-            var data = new TheoryData<int, int>();
+            var data = new TheoryData<int, int, bool>();
             for (int lag = 0; lag <= 3; lag++)
             {
                 for (int delay = 0; delay <= 3; delay++)
                 {
-                    data.Add(lag, delay);
+                    data.Add(lag, delay, false);
+                    data.Add(lag, delay, true);
                 }
             }
 
@@ -28,21 +30,169 @@ public sealed class FrozenHarvestTests
 
     [Theory]
     [MemberData(nameof(Quirks))]
-    public void Step_with_lagging_picture_keeps_only_frames_whose_picture_is_the_labels(int lag, int delay)
+    public void Step_with_lagging_picture_keeps_only_frames_whose_picture_is_the_labels(int lag, int delay, bool cameraLate)
     {
-        var game = new FakeGame { PictureLag = lag, FreezeDelay = delay };
+        var game = new FakeGame { PictureLag = lag, FreezeDelay = delay, CameraReportedLate = cameraLate };
         var sink = new MemorySink();
         using var session = new HarvestSession(Small, game.Ports, sink);
 
-        for (int tick = 0; tick < 1_000 && !session.Step().IsOver; tick++)
-        {
-            game.Tick();
-        }
+        game.Run(session);
 
         Assert.Null(session.Fault);
         Assert.Equal(25, sink.Frames.Count);
-        Assert.All(sink.Frames, frame =>
-            Assert.Equal(FakeGame.StateOf(frame.Picture), (long)Math.Round(frame.Label.TimeSeconds * FakeGame.TicksPerSecond)));
+        Assert.Equal(0, Mismatches(sink));
         Assert.False(game.WantsFrozen);
+
+        // The camera is still on its way for a tick when it is reported late; otherwise the world stands after the delay.
+        int settle = delay + (cameraLate ? 1 : 0);
+        Assert.Equal([KeyValuePair.Create(settle, 25)], sink.End!.SettleTicks);
+        Assert.Equal(new PictureLag(cameraLate ? lag - 1 : lag, lag), sink.End.Lag);
     }
+
+    [Fact]
+    public void Step_with_a_lag_above_the_limit_is_what_the_judge_would_see()
+    {
+        // The control for the test above: with room for 2 ticks and a lag of 3, pictures and labels must be found to disagree.
+        var game = new FakeGame { PictureLag = 3 };
+        var sink = new MemorySink();
+        using var session = new HarvestSession(Small with { MaxPictureLagTicks = 2, ProbeLag = false }, game.Ports, sink);
+
+        game.RunAlone(10);
+        game.Run(session);
+
+        Assert.Equal(25, Mismatches(sink));
+    }
+
+    [Fact]
+    public void Step_with_a_lag_above_the_limit_is_found_out_by_the_probe()
+    {
+        var game = new FakeGame { PictureLag = 3 };
+        var sink = new MemorySink();
+        using var session = new HarvestSession(Small with { MaxPictureLagTicks = 2 }, game.Ports, sink);
+
+        game.Run(session);
+
+        Assert.Equal(0, session.Counters.Captured);
+        Assert.Equal(
+            "The picture is 3 ticks or more behind the game, and the harvest allows for 2. Raise the limit (MaxPictureLagTicks) and start again.",
+            session.Fault);
+    }
+
+    [Fact]
+    public void Step_in_a_standing_world_harvests_without_a_measured_lag()
+    {
+        var game = new FakeGame { MetresPerTick = 0, PictureLag = 2 };
+        var sink = new MemorySink();
+        using var session = new HarvestSession(Small, game.Ports, sink);
+
+        game.Run(session);
+
+        Assert.Equal(25, sink.Frames.Count);
+        Assert.Null(session.Lag);
+    }
+
+    [Fact]
+    public void Step_in_a_world_that_creeps_though_frozen_discards_every_frame()
+    {
+        // 0.3 mm a tick: no tick differs by the millimetre that counts, but four of them do.
+        var game = new FakeGame();
+        game.Entities = entities =>
+            [.. entities.Select(entity => entity with { Pose = entity.Pose with { Position = entity.Pose.Position + new Vector3D(game.GameFrame * 0.0003, 0, 0) } })];
+        var sink = new MemorySink();
+        using var session = new HarvestSession(Small with { ProbeLag = false, MaxSettleTicks = 10 }, game.Ports, sink);
+
+        game.Run(session, 500);
+
+        Assert.Equal(0, session.Counters.Captured);
+        Assert.True(session.Counters.Discarded > 10);
+        Assert.Equal([KeyValuePair.Create("neverStill", session.Counters.Discarded)], session.Counters.Discards);
+    }
+
+    [Fact]
+    public void Step_with_refused_pictures_counts_them_by_their_reason()
+    {
+        var game = new FakeGame();
+        var sink = new MemorySink();
+        using var session = new HarvestSession(Small with { ProbeLag = false }, game.Ports, sink);
+        game.GrabAnswer = Ports.GrabResult.Refused("minimised");
+        game.Run(session, 200);
+        game.GrabAnswer = Ports.GrabResult.Good;
+        int discarded = session.Counters.Discarded;
+        game.Run(session);
+
+        Assert.True(discarded > 5);
+        Assert.Equal(discarded, session.Counters.Discards["minimised"]);
+        Assert.Equal(discarded, session.Counters.Discarded);
+        Assert.Equal(25, sink.Frames.Count);
+        Assert.Equal(Enumerable.Range(0, 25), sink.Frames.Select(frame => frame.Label.Frame));
+        Assert.Equal(0, Mismatches(sink));
+    }
+
+    [Theory]
+    [InlineData("vanish", "objectsChanged")]
+    [InlineData("model", "objectsChanged")]
+    [InlineData("move", "objectMoved")]
+    public void Step_with_a_world_that_changes_during_the_grab_discards_the_frame(string change, string reason)
+    {
+        var game = new FakeGame();
+        bool grabbed = false;
+        game.OnCall = call => grabbed = call switch { "Grab" => true, "Unfreeze" => false, _ => grabbed };
+        game.Entities = entities => !grabbed ? entities : change switch
+        {
+            "vanish" => [],
+            "model" => [.. entities.Select(entity => entity with { Model = "other" })],
+            _ => [.. entities.Select(entity => entity with { Pose = entity.Pose with { Position = entity.Pose.Position + new Vector3D(0, 0, 0.002) } })],
+        };
+        var sink = new MemorySink();
+        using var session = new HarvestSession(Small with { ProbeLag = false }, game.Ports, sink);
+
+        game.Run(session, 100);
+
+        Assert.Equal(0, session.Counters.Captured);
+        Assert.True(session.Counters.Discards[reason] > 2);
+        Assert.Single(session.Counters.Discards);
+    }
+
+    [Fact]
+    public void Step_with_a_world_that_moves_while_labels_are_made_discards_the_frame()
+    {
+        // Each ray takes 3 ms of the 4 of a tick's budget, so labelling goes over ticks; then the pause is lost.
+        var game = new FakeGame { MillisecondsPerRay = 3 };
+        game.Entities = entities => [.. entities, entities[0] with { Handle = 102 }, entities[0] with { Handle = 103 }];
+        var sink = new MemorySink();
+        using var session = new HarvestSession(Small with { ProbeLag = false }, game.Ports, sink);
+        for (int tick = 0; tick < 100; tick++)
+        {
+            if (session.Step().Phase == HarvestPhase.Labelling)
+            {
+                game.Unfreeze();
+            }
+
+            game.Tick();
+        }
+
+        Assert.Equal(0, session.Counters.Captured);
+        Assert.True(session.Counters.Discards["cameraMoved"] > 2);
+    }
+
+    [Fact]
+    public void Step_with_labelling_over_several_ticks_gives_the_labels_of_one()
+    {
+        var sinks = new List<MemorySink>();
+        foreach (double millisecondsPerRay in new[] { 0.0, 3.0 })
+        {
+            var game = new FakeGame { MillisecondsPerRay = millisecondsPerRay };
+            game.Entities = entities => [.. entities, entities[0] with { Handle = 102 }, entities[0] with { Handle = 103 }];
+            var sink = new MemorySink();
+            using var session = new HarvestSession(Small with { ProbeLag = false }, game.Ports, sink);
+            bool isSliced = game.Run(session).Contains(HarvestPhase.Labelling);
+            Assert.Equal(millisecondsPerRay > 0, isSliced);
+            sinks.Add(sink);
+        }
+
+        Assert.All(sinks[0].Frames.Zip(sinks[1].Frames), pair => Assert.Equal(pair.First.Label.Objects, pair.Second.Label.Objects));
+    }
+
+    private static int Mismatches(MemorySink sink) =>
+        sink.Frames.Count(frame => FakeGame.StateOf(frame.Picture) != FakeGame.StateAt(frame.Label.TimeSeconds));
 }

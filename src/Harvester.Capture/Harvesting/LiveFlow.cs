@@ -1,0 +1,94 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Labelling;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Scenes;
+
+namespace Harvester.Capture.Harvesting;
+
+/// <summary>
+/// Takes frames of a game that runs on. The lag of the picture is known, so the state is read and labelled first, and the picture is
+/// grabbed when it shows that state. Rays are cast in the tick that the state was read in, within its budget, and never later:
+/// objects that the budget does not reach keep their boxes and have no occlusion.
+/// </summary>
+internal sealed class LiveFlow(
+    GamePorts game, SceneReader reader, FrameLabeller labeller, PixelBufferPool pool, TickBudget budget, HarvestCounters counters, PictureLag lag)
+    : ICaptureFlow
+{
+    // The picture of tick g shows the entities of g - EntityTicks and the camera of g - CameraTicks; the earlier of the two is tick 0.
+    private readonly int _entityTick = Math.Max(0, lag.CameraTicks - lag.EntityTicks);
+    private readonly int _cameraTick = Math.Max(0, lag.EntityTicks - lag.CameraTicks);
+
+    public FrameDraft? Draft { get; private set; }
+
+    private int GrabTick => _entityTick + lag.EntityTicks;
+
+    private int ReadTick => Math.Max(_entityTick, _cameraTick);
+
+    public IEnumerable<HarvestPhase> TakeFrame()
+    {
+        Draft = null;
+        PixelBuffer? picture = pool.Rent();
+        try
+        {
+            long firstGameFrame = game.World.GameFrame;
+            double grabSeconds = 0;
+            SceneSnapshot? scene = null;
+            CameraState? camera = null;
+            FrameLabelling? labelling = null;
+            for (int tick = 0; tick <= Math.Max(GrabTick, ReadTick); tick++)
+            {
+                if (tick > 0)
+                {
+                    yield return HarvestPhase.Following;
+                }
+
+                if (game.World.GameFrame - firstGameFrame != tick)
+                {
+                    counters.Discard("tickMissed");
+                    yield break;
+                }
+
+                if (tick == GrabTick)
+                {
+                    grabSeconds = game.World.TimeSeconds;
+                    if (game.Screen.Grab(picture).Refusal is { } refusal)
+                    {
+                        counters.Discard(refusal);
+                        yield break;
+                    }
+                }
+
+                scene = tick == _entityTick ? reader.Read() : scene;
+                camera = tick == _cameraTick ? game.World.ReadCamera() : camera;
+                if (tick == ReadTick)
+                {
+                    scene = scene! with { Camera = camera! };
+                    labelling = LabelNow(scene);
+                }
+            }
+
+            Draft = new FrameDraft(scene!, lag.EntityTicks, grabSeconds - scene!.TimeSeconds, picture, labelling!);
+            picture = null;
+        }
+        finally
+        {
+            if (picture is not null)
+            {
+                pool.Return(picture);
+            }
+        }
+    }
+
+    private FrameLabelling LabelNow(SceneSnapshot scene)
+    {
+        FrameLabelling? labelling = null;
+        foreach (FrameLabelling? slice in labeller.Label(scene, () => !budget.IsSpent))
+        {
+            labelling = slice;
+        }
+
+        return labelling!;
+    }
+}

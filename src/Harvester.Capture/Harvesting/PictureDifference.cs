@@ -1,0 +1,20 @@
+using System;
+using Harvester.Capture.Imaging;
+
+namespace Harvester.Capture.Harvesting;
+
+/// <summary>How much two pictures differ.</summary>
+internal static class PictureDifference
+{
+    /// <summary>The mean difference of their bytes, 0 to 255.</summary>
+    public static double MeanOf(PixelBuffer a, PixelBuffer b)
+    {
+        long sum = 0;
+        for (int i = 0; i < a.Bytes.Length; i++)
+        {
+            sum += Math.Abs(a.Bytes[i] - b.Bytes[i]);
+        }
+
+        return (double)sum / a.Bytes.Length;
+    }
+}

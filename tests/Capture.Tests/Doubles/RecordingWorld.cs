@@ -1,0 +1,25 @@
+using Harvester.Capture.Ports;
+using Harvester.Capture.Scenes;
+using Harvester.Geometry;
+
+namespace Harvester.Capture.Tests.Doubles;
+
+/// <summary>Notes which entities are asked for.</summary>
+internal sealed class RecordingWorld(IWorld world, List<(Vector3D Centre, double Range)> asked) : IWorld
+{
+    public long GameFrame => world.GameFrame;
+
+    public double TimeSeconds => world.TimeSeconds;
+
+    public CameraState ReadCamera() => world.ReadCamera();
+
+    public EgoState ReadEgo() => world.ReadEgo();
+
+    public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range)
+    {
+        asked.Add((centre, range));
+        return world.ReadEntities(centre, range);
+    }
+
+    public EnvironmentState ReadEnvironment() => world.ReadEnvironment();
+}
