@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
@@ -5,8 +6,8 @@ using Harvester.Geometry;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// Whether two readings are of one standing scene: the same camera, ego vehicle and entities, at the same places. The hour and the
-/// count of frames go on in a frozen game and are not compared; nor are velocities, which a frozen game may report as 0.
+/// Whether two readings are of one standing scene: the same time, camera, ego vehicle and entities, at the same places. The hour and
+/// the count of frames go on in a frozen game and are not compared; nor are velocities, which a frozen game may report as 0.
 /// </summary>
 /// <param name="positionTolerance">By how much a position may differ, metres.</param>
 internal sealed class SceneComparison(double positionTolerance)
@@ -14,9 +15,20 @@ internal sealed class SceneComparison(double positionTolerance)
     /// <summary>By how much a component of an axis may differ: less than a tenth of a pixel at a focal length of 1,000 pixels.</summary>
     private const double AxisTolerance = 1e-4;
 
-    /// <summary>Names the first difference for the counters: cameraMoved, egoMoved, objectsChanged or objectMoved; null when there is none.</summary>
+    /// <summary>
+    /// By how much the game's time may creep in a game that stands, seconds: less than a tick at 200 ticks a second, so that traffic
+    /// that waits is not taken for a frozen game.
+    /// </summary>
+    private const double TimeTolerance = 0.005;
+
+    /// <summary>Names the first difference for the counters: timeMoved, cameraMoved, egoMoved, objectsChanged or objectMoved; null when there is none.</summary>
     public string? FirstDifference(SceneSnapshot a, SceneSnapshot b)
     {
+        if (Math.Abs(a.TimeSeconds - b.TimeSeconds) > TimeTolerance)
+        {
+            return "timeMoved";
+        }
+
         if (!CameraStands(a, b))
         {
             return "cameraMoved";

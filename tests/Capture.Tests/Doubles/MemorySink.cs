@@ -7,6 +7,12 @@ internal sealed class MemorySink : IFrameSink
 {
     public List<CapturedFrame> Frames { get; } = [];
 
+    /// <summary>Whether frames are kept; otherwise their buffers go back at once.</summary>
+    public bool KeepsFrames { get; init; } = true;
+
+    /// <summary>Called with each frame.</summary>
+    public Action<CapturedFrame> OnFrame { get; set; } = static _ => { };
+
     public SessionStart? Start { get; private set; }
 
     public SessionEnd? End { get; private set; }
@@ -23,12 +29,22 @@ internal sealed class MemorySink : IFrameSink
 
     public bool TryEnqueue(CapturedFrame frame)
     {
-        if (HasRoom)
+        if (!HasRoom)
+        {
+            return false;
+        }
+
+        OnFrame(frame);
+        if (KeepsFrames)
         {
             Frames.Add(frame);
         }
+        else
+        {
+            frame.Dispose();
+        }
 
-        return HasRoom;
+        return true;
     }
 
     public void Close(SessionEnd end) => End = end;

@@ -172,7 +172,7 @@ public sealed class FrozenHarvestTests
         }
 
         Assert.Equal(0, session.Counters.Captured);
-        Assert.True(session.Counters.Discards["cameraMoved"] > 2);
+        Assert.True(session.Counters.Discards["timeMoved"] > 2);
     }
 
     [Fact]

@@ -1,0 +1,125 @@
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Scenes;
+using Harvester.Capture.Storage;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Capture.Tests.Storage;
+
+public sealed class SessionJsonTests
+{
+    private static readonly SessionRecord Recording = new(
+        new SessionOrigin { Game = "simulation", Tool = "harvester 1.0", Seed = 5, Settings = [new("weather", "rain")] },
+        new SessionStart(
+            new HarvestOptions { Image = new ImageSize(100, 100), Classes = [ObjectClass.Bus, ObjectClass.Car] },
+            7,
+            0.125,
+            new CameraState(new Pose(new Vector3D(1, 2, 3), Axes.Identity), 90, 0.15, 1)),
+        null,
+        0);
+
+    [Fact]
+    public void Text_of_a_finished_session_is_the_documented_one()
+    {
+        SessionRecord finished = Recording with
+        {
+            End = new SessionEnd(99, 1.5, 3, [new("covered", 2), new("neverStill", 1)], [new(0, 3), new(2, 1)], new PictureLag(1, 2), null),
+            FramesWritten = 3,
+        };
+        string version = typeof(SessionJson).Assembly.GetName().Version!.ToString(3);
+
+        Assert.Equal(
+            $$"""
+            {
+              "formatVersion": 1,
+              "tool": "harvester 1.0",
+              "captureVersion": "{{version}}",
+              "game": "simulation",
+              "seed": 5,
+              "settings": {
+                "weather": "rain"
+              },
+              "image": {
+                "width": 100,
+                "height": 100,
+                "format": "png"
+              },
+              "options": {
+                "rateHz": 10,
+                "rangeMetres": 150,
+                "freeze": true,
+                "masks": false,
+                "minBoxAreaPixels": 16,
+                "minBoxSidePixels": 2,
+                "maxOccludedFraction": 0.99,
+                "occlusionSamples": 64,
+                "maxPictureLagTicks": 4,
+                "maxSettleTicks": 60,
+                "stillToleranceMetres": 0.001
+              },
+              "classes": ["car", "bus"],
+              "start": {
+                "gameFrame": 7,
+                "timeSeconds": 0.125,
+                "recordedUtc": null
+              },
+              "camera": {
+                "position": [1, 2, 3],
+                "right": [1, 0, 0],
+                "forward": [0, 1, 0],
+                "up": [0, 0, 1],
+                "verticalFovDegrees": 90,
+                "width": 100,
+                "height": 100,
+                "windowAspect": 1,
+                "nearClip": 0.15,
+                "fx": 50,
+                "fy": 50,
+                "cx": 50,
+                "cy": 50,
+                "distortion": {
+                  "focalScale": 1,
+                  "k1": 0,
+                  "k2": 0
+                }
+              },
+              "state": "complete",
+              "fault": null,
+              "end": {
+                "gameFrame": 99,
+                "timeSeconds": 1.5
+              },
+              "counters": {
+                "captured": 3,
+                "discarded": 3,
+                "discards": {
+                  "covered": 2,
+                  "neverStill": 1
+                },
+                "settleTicks": {
+                  "0": 3,
+                  "2": 1
+                }
+              },
+              "pictureLag": {
+                "cameraTicks": 1,
+                "entityTicks": 2
+              }
+            }
+
+            """.ReplaceLineEndings("\n"),
+            SessionJson.Text(finished));
+    }
+
+    [Fact]
+    public void Text_while_it_is_recorded_ends_with_its_state() =>
+        Assert.EndsWith("},\n  \"state\": \"recording\"\n}\n", SessionJson.Text(Recording), StringComparison.Ordinal);
+
+    [Fact]
+    public void Text_after_a_fault_says_so()
+    {
+        var end = new SessionEnd(99, 1.5, 3, [], [], null, "The disk is full.");
+
+        Assert.Contains("\"state\": \"faulted\",\n  \"fault\": \"The disk is full.\",\n", SessionJson.Text(Recording with { End = end }), StringComparison.Ordinal);
+    }
+}
