@@ -129,11 +129,16 @@ public sealed class SimulatedGame
         const double range = 90;
         const int most = 14;
         const double lampAhead = 2;
+        IEnumerable<LightSource> lamps = _world.Lamps
+            .Where(lamp => (lamp - eye).Length < range)
+            .OrderBy(lamp => (lamp - eye).LengthSquared)
+            .Take(most)
+            .Select(LightSource.StreetLamp);
         IEnumerable<LightSource> headlights = _world.Vehicles
             .Where(vehicle => (vehicle.Pose.Position - eye).Length < range)
             .OrderBy(vehicle => (vehicle.Pose.Position - eye).LengthSquared)
             .Take(most)
             .Select(vehicle => LightSource.Headlights(vehicle.Pose.ToWorld(new Vector3D(0, lampAhead, 0)), vehicle.Pose.Axes.Forward));
-        return [.. headlights];
+        return [.. lamps, .. headlights];
     }
 }

@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
 
@@ -18,6 +20,9 @@ public sealed record SimulationOptions
 
     /// <summary>Roads further from the start than this are not built, metres; the ego does not leave them.</summary>
     public double RadiusMetres { get; init; } = 400;
+
+    /// <summary>Traffic lights and street lamps to set up where they are given, in place of made-up ones; null to make them up.</summary>
+    public IReadOnlyList<PropPlacement>? Props { get; init; }
 
     /// <summary>The game's name of the weather in small letters.</summary>
     public string Weather { get; init; } = "clear";

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Text.Json;
 using Harvester.Datasets.Json;
+using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 
 namespace Harvester.Datasets.Props;

@@ -16,7 +16,11 @@ internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupatio
     private const double RoomBehind = 2;
     private const double FlowingSpeed = 2;
 
+    /// <summary>After this long at the line a driver is let in: who would cross his way is no longer given theirs.</summary>
+    private const double PatienceSeconds = 2;
+
     private readonly int[] _users = new int[lanes.Paths.Count];
+    private readonly Dictionary<Junction, (Vehicle Vehicle, LanePath Way)> _waiting = [];
 
     /// <summary>Metres from the vehicle's origin to the line where it has to stop; infinite when its way is free as far as it needs.</summary>
     public double DistanceToStop(Vehicle vehicle, double timeSeconds)
@@ -56,6 +60,11 @@ internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupatio
 
     public void ReleaseAll(Vehicle vehicle)
     {
+        foreach (Junction junction in vehicle.Route.Select(way => way.Junction).OfType<Junction>())
+        {
+            ReleaseClaim(junction, vehicle);
+        }
+
         while (vehicle.Granted.Count > 0)
         {
             Release(vehicle, vehicle.Granted.Count - 1);
@@ -73,10 +82,33 @@ internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupatio
         LanePath lane = way.Previous[0];
         LanePath exit = way.Next[0];
         RoadArm arm = new(lane.Road!, AtStart: !lane.IsForward);
-        return way.Conflicts.All(other => _users[other.Index] == 0)
-            && signals.ColourFor(way.Junction!, arm, timeSeconds) == SignalState.Green
-            && HasRoom(vehicle, exit);
+        Junction junction = way.Junction!;
+        ReleaseClaim(junction, vehicle);
+
+        if (signals.ColourFor(junction, arm, timeSeconds) != SignalState.Green || !HasRoom(vehicle, exit))
+        {
+            return false;
+        }
+
+        bool isFree = way.Conflicts.All(other => _users[other.Index] == 0) && !IsClaimed(junction, way);
+        if (!isFree && vehicle.StandingSeconds > PatienceSeconds)
+        {
+            _waiting.TryAdd(junction, (vehicle, way));
+        }
+
+        return isFree;
     }
+
+    private void ReleaseClaim(Junction junction, Vehicle vehicle)
+    {
+        if (_waiting.TryGetValue(junction, out (Vehicle Vehicle, LanePath Way) first) && first.Vehicle == vehicle)
+        {
+            _waiting.Remove(junction);
+        }
+    }
+
+    private bool IsClaimed(Junction junction, LanePath way) =>
+        _waiting.TryGetValue(junction, out (Vehicle Vehicle, LanePath Way) first) && way.Conflicts.Contains(first.Way);
 
     private bool HasRoom(Vehicle vehicle, LanePath exit)
     {

@@ -10,9 +10,9 @@ namespace Harvester.Simulation.Traffic;
 /// <summary>Traffic lights: at each signalled junction the roads that cross take turns.</summary>
 internal sealed class Signals
 {
-    private const double GreenSeconds = 9;
-    private const double AmberSeconds = 2.5;
-    private const double PhaseSeconds = GreenSeconds + AmberSeconds + 1.5;
+    private const double GreenSeconds = 7;
+    private const double AmberSeconds = 2;
+    private const double PhaseSeconds = GreenSeconds + AmberSeconds + 1;
     private const double CycleSeconds = 2 * PhaseSeconds;
 
     private readonly Dictionary<Junction, double> _offsets = [];

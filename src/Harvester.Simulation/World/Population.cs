@@ -11,9 +11,10 @@ namespace Harvester.Simulation.World;
 /// <summary>Chooses, from a seed, who and what is on the roads at the beginning.</summary>
 internal sealed class Population
 {
-    private const double VehiclesPerLaneMetre = 1.0 / 55;
+    private const double VehiclesPerLaneMetre = 1.0 / 80;
     private const double ParkingSlot = 7;
     private const double ParkedShare = 0.4;
+    private const double WalkersPerMetre = 1.0 / 45;
     private const double FromKerb = 1.15;
 
     /// <summary>A sports car as the thesis drives, of a model whose sizes are known.</summary>
@@ -87,6 +88,22 @@ internal sealed class Population
         return vehicles;
     }
 
+    public List<Walker> Walk(IReadOnlyList<Walkway> walkways, double density)
+    {
+        List<Walker> walkers = [];
+        foreach (Walkway walkway in walkways)
+        {
+            double expected = walkway.Length * WalkersPerMetre * density;
+            int count = (int)(expected + _random.NextDouble());
+            for (int i = 0; i < count; i++)
+            {
+                walkers.Add(new Walker(_handles.Next(), Pick(_catalogue.Pedestrians), _random.Next(), walkway));
+            }
+        }
+
+        return walkers;
+    }
+
     private void ParkAt(List<Prop> parked, Walkway walkway, double distance, RoadIndex index)
     {
         Road road = walkway.Road;
@@ -104,5 +121,5 @@ internal sealed class Population
         parked.Add(new Prop(_handles.Next(), model, _random.Next(), new Pose(place - (axes.Up * model.Min.Z), axes)));
     }
 
-    private Model Pick(List<Model> models) => models[_random.Next(models.Count)];
+    private Model Pick(IReadOnlyList<Model> models) => models[_random.Next(models.Count)];
 }

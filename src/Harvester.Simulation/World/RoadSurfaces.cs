@@ -82,7 +82,7 @@ internal sealed class RoadSurfaces(RoadPlan plan, RoadIndex index, Terrain terra
             new Rail(edge + (side * bankWidth), height - bankDepth),
             Palette.Grass,
             Surface.Ground,
-            distance => !IsBridge(road, distance) && IsClear(road, distance, edge));
+            distance => !IsBridge(road, distance) && IsClear(road, distance, edge) && IsClear(road, distance, edge + (side * bankWidth / 2)));
         AddParapet(ribbon, road, edge, side);
     }
 

@@ -20,6 +20,7 @@ internal sealed class SimulatedWorld
     private readonly List<Walker> _walkers;
     private readonly TrafficFlow _traffic;
     private readonly WalkerFlow _walking;
+    private readonly SignalProps _signalProps;
 
     public SimulatedWorld(SimulationOptions options)
     {
@@ -35,26 +36,48 @@ internal sealed class SimulatedWorld
         HandleCounter handles = new();
         Population population = new(options.Seed, catalogue, handles);
         Placing placing = new(lanes, options.Seed);
-        _entities = population.Park(walkways, index, options.TrafficDensity);
-        _vehicles = population.Drive(placing, _entities, start, options.TrafficDensity);
-        _walkers = [];
-        _traffic = new TrafficFlow(lanes, signals, _vehicles, _entities.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max)), placing);
+        List<Prop> parked = population.Park(walkways, index, options.TrafficDensity);
+        _vehicles = population.Drive(placing, parked, start, options.TrafficDensity);
+        _walkers = population.Walk(walkways, options.PedestrianDensity);
+        _traffic = new TrafficFlow(lanes, signals, _vehicles, parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max)), placing);
         _walking = new WalkerFlow(_walkers, walkways);
 
         Terrain terrain = new(plan);
+        Scenery scenery = new(options.Seed, index, terrain, catalogue, handles);
+        scenery.AddAlong(walkways);
+        scenery.AddWoods(plan);
+        _signalProps = new SignalProps(signals, handles);
+        if (options.Props is null)
+        {
+            scenery.AddLamps(plan, walkways);
+            _signalProps.AddAtStopLines(index, catalogue);
+            scenery.AddStopSigns(plan, signals.Has);
+        }
+        else
+        {
+            PropPlacement[] props = [.. options.Props.Where(prop => Horizontal.Distance(prop.Position, start) < options.RadiusMetres)];
+            scenery.AddLamps(props.Where(prop => prop.Name.StartsWith("prop_streetlight", StringComparison.Ordinal)));
+            _signalProps.AddGiven(props.Where(prop => prop.Name.StartsWith("prop_traffic", StringComparison.Ordinal)), catalogue);
+        }
+
+        Lamps = scenery.Lamps;
+        _entities = [.. parked, .. scenery.Props.Where(prop => prop.Handle != 0)];
         GroundMesh ground = new();
         terrain.Build(ground);
         new RoadSurfaces(plan, index, terrain, ground).Build();
         new RoadPainter(plan, index, ground).Paint();
         Scene = new RenderScene([
             .. ground.Instances(),
-            .. _entities.Select(prop => new MeshInstance(prop.Model.Variant(prop.Variant), prop.Pose, prop.Handle)),
+            .. parked.Concat(scenery.Props).Select(prop => new MeshInstance(prop.Model.Variant(prop.Variant), prop.Pose, prop.Handle)),
         ]);
     }
 
     public RoadTruth Truth { get; }
 
     public RenderScene Scene { get; }
+
+    /// <summary>Where street lamps shine from.</summary>
+    public IReadOnlyList<Vector3D> Lamps { get; }
 
     /// <summary>Seconds since the beginning.</summary>
     public double TimeSeconds { get; private set; }
@@ -82,7 +105,8 @@ internal sealed class SimulatedWorld
         return _vehicles.Skip(1).Where(vehicle => (vehicle.Pose.Position - place).LengthSquared < squared)
             .Select(vehicle => new MeshInstance(vehicle.Model.Variant(vehicle.Handle), vehicle.Pose, vehicle.Handle))
             .Concat(_walkers.Where(walker => (walker.Pose.Position - place).LengthSquared < squared)
-                .Select(walker => new MeshInstance(walker.Look, walker.Pose, walker.Handle)));
+                .Select(walker => new MeshInstance(walker.Look, walker.Pose, walker.Handle)))
+            .Concat(_signalProps.Instances(TimeSeconds).Where(signal => (signal.Pose.Position - place).LengthSquared < squared));
     }
 
     /// <summary>The entities within a distance of a place, without the ego, in the order of their handles.</summary>
@@ -93,7 +117,7 @@ internal sealed class SimulatedWorld
             new EntityState(vehicle.Handle, vehicle.Model.Class, vehicle.Model.Name, vehicle.Pose, vehicle.Model.Min, vehicle.Model.Max, vehicle.Velocity));
         IEnumerable<EntityState> walkers = _walkers.Select(walker =>
             new EntityState(walker.Handle, walker.Model.Class, walker.Model.Name, walker.Pose, walker.Model.Min, walker.Model.Max, walker.Velocity));
-        return [.. vehicles.Concat(walkers).Concat(_entities.Select(prop => prop.State))
+        return [.. vehicles.Concat(walkers).Concat(_entities.Select(prop => prop.State)).Concat(_signalProps.States)
             .Where(entity => (entity.Pose.Position - place).LengthSquared < squared)
             .OrderBy(entity => entity.Handle)];
     }

@@ -114,8 +114,8 @@ public sealed class TownBuilder
         const double largestBend = 14;
         bool bends = _random.Next(3) == 0;
         double bend = largestBend * ((2 * _random.NextDouble()) - 1);
-        Vector3D start = _nodes[from].Position;
-        Vector3D way = _nodes[to].Position - start;
+        Vector3D start = Level(from);
+        Vector3D way = Level(to) - start;
         Vector3D aside = Horizontal.RightOf(way) * bend;
         Vector3D[] corners = bends ? [start + (way * 0.25), start + (way * 0.42) + aside, start + (way * 0.58) + aside, start + (way * 0.75)] : [];
         AddRoad(from, to, corners, bendRadius, lanes, RoadNodeFlags.None);
@@ -147,7 +147,7 @@ public sealed class TownBuilder
     private void AddRoad(int from, int to, IReadOnlyList<Vector3D> corners, double radius, RoadLanes lanes, RoadNodeFlags flags)
     {
         List<Vector3D> way = RoundedWay.Sample([Level(from), .. corners, Level(to)], radius);
-        bool hasLights = lanes.Forward + lanes.Backward > 2 && (flags & RoadNodeFlags.Highway) == 0;
+        bool hasLights = lanes.Forward + lanes.Backward > 2;
         int previous = from;
         for (int i = 1; i < way.Count; i++)
         {

@@ -1,6 +1,6 @@
 using Harvester.Geometry;
 
-namespace Harvester.Datasets.Props;
+namespace Harvester.Capture.Scenes;
 
 /// <summary>A prop that stands somewhere in the game's world.</summary>
 /// <param name="Name">Name of its model.</param>

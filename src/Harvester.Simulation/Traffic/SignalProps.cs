@@ -1,0 +1,89 @@
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Scenes;
+using Harvester.Geometry;
+using Harvester.Simulation.Models;
+using Harvester.Simulation.Rendering;
+using Harvester.Simulation.World;
+
+namespace Harvester.Simulation.Traffic;
+
+/// <summary>The traffic lights that stand at junctions and show whose turn it is.</summary>
+internal sealed class SignalProps(Signals signals, HandleCounter handles)
+{
+    private readonly List<(Prop Prop, Junction? Junction, RoadArm Arm)> _lights = [];
+
+    public IEnumerable<EntityState> States => _lights.Select(light => light.Prop.State);
+
+    /// <summary>A light at the right of each stop line, and one on an arm behind the junction for wide roads.</summary>
+    public void AddAtStopLines(RoadIndex index, ModelCatalogue catalogue)
+    {
+        foreach (Junction junction in signals.Junctions)
+        {
+            foreach (RoadArm arm in junction.Arms.Where(arm => !arm.Road.IsInner && arm.Road.Layout.Lanes(!arm.AtStart) > 0))
+            {
+                AddAtStopLine(junction, arm, index, catalogue);
+            }
+        }
+    }
+
+    /// <summary>Lights that are given, each joined to the arm of the nearest junction whose traffic it faces.</summary>
+    public void AddGiven(IEnumerable<PropPlacement> placements, ModelCatalogue catalogue)
+    {
+        const double farthest = 45;
+        foreach (PropPlacement placement in placements)
+        {
+            Pose pose = new(placement.Position, Axes.FromEuler(placement.Rotation));
+            Junction? junction = signals.Junctions
+                .Where(junction => (junction.Position - pose.Position).Length < farthest)
+                .MinBy(junction => (junction.Position - pose.Position).Length);
+            RoadArm arm = junction?.Arms.MaxBy(arm => -arm.Outward.Dot(pose.Axes.Forward)) ?? default;
+            Model model = catalogue.TrafficLights.FirstOrDefault(light => light.Name == placement.Name) ?? catalogue["prop_traffic_01b"];
+            Add(model, pose, junction, arm);
+        }
+    }
+
+    /// <summary>The lights as they show at a time.</summary>
+    public IEnumerable<MeshInstance> Instances(double timeSeconds) => _lights.Select(light =>
+    {
+        SignalState state = light.Junction is null ? SignalState.Green : signals.ColourFor(light.Junction, light.Arm, timeSeconds);
+        return new MeshInstance(light.Prop.Model.Variant((int)state), light.Prop.Pose, light.Prop.Handle);
+    });
+
+    private void AddAtStopLine(Junction junction, RoadArm arm, RoadIndex index, ModelCatalogue catalogue)
+    {
+        TryAdd(junction, arm, arm, isDrivingAway: false, index, catalogue["prop_traffic_03a"]);
+        RoadArm opposite = junction.Arms.MinBy(other => other.Outward.Dot(arm.Outward));
+        const double straightOn = -0.8;
+        if (arm.Road.Layout.Lanes(!arm.AtStart) > 1 && opposite.Outward.Dot(arm.Outward) < straightOn)
+        {
+            TryAdd(junction, arm, opposite, isDrivingAway: true, index, catalogue["prop_traffic_01b"]);
+        }
+    }
+
+    /// <summary>Puts a light for an arm's traffic to the right of it, on that arm or behind the junction on another.</summary>
+    private void TryAdd(Junction junction, RoadArm arm, RoadArm on, bool isDrivingAway, RoadIndex index, Model model)
+    {
+        const double besideKerb = 0.8;
+        const double step = 1.5;
+        const int steps = 6;
+        bool drivesAlong = on.AtStart == isDrivingAway;
+        double offset = drivesAlong ? on.Road.RightKerb + besideKerb : on.Road.LeftKerb - besideKerb;
+        for (int i = 0; i < steps && on.Trim + (i * step) < on.Road.Length; i++)
+        {
+            double distance = on.DistanceAt(on.Trim + (i * step));
+            Vector3D place = on.Road.Curve.OffsetAt(distance, offset);
+            if (!index.IsOnAnother(on.Road, place, besideKerb))
+            {
+                Vector3D tangent = on.Road.Curve.TangentAt(distance);
+                Vector3D level = new Vector3D(tangent.X, tangent.Y, 0).Normalized();
+                Vector3D foot = place + (Horizontal.Up * Walkway.KerbHeight);
+                Add(model, new Pose(foot, Horizontal.AxesAlong(drivesAlong ? level : -level)), junction, arm);
+                return;
+            }
+        }
+    }
+
+    private void Add(Model model, Pose pose, Junction? junction, RoadArm arm) =>
+        _lights.Add((new Prop(handles.Next(), model, 0, pose), junction, arm));
+}
