@@ -1,3 +1,4 @@
+using Harvester.Capture.Scenes;
 using Harvester.Datasets.Props;
 using Harvester.Geometry;
 using Harvester.TestSupport;
