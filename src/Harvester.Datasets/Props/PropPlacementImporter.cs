@@ -1,8 +1,8 @@
 using System.Collections.Generic;
 using System.IO;
 using System.Text.Json;
-using Harvester.Datasets.Json;
 using Harvester.Capture.Scenes;
+using Harvester.Datasets.Json;
 using Harvester.Geometry;
 
 namespace Harvester.Datasets.Props;
