@@ -77,6 +77,7 @@ internal static class Application
     private static RootCommand CreateRoot(Terminal terminal)
     {
         var root = new RootCommand(Description);
+        root.Subcommands.Add(HarvestCommand.Create(terminal));
         root.Subcommands.Add(ValidateCommand.Create(terminal));
         root.Subcommands.Add(ReportCommand.Create(terminal));
         root.Subcommands.Add(ProjectCommand.Create(terminal));

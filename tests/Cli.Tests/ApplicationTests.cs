@@ -8,12 +8,16 @@ public sealed class ApplicationTests
         CliRun run = CliRun.Of("--help");
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.Contains("project", run.Out, StringComparison.Ordinal);
-        Assert.Contains("boxes", run.Out, StringComparison.Ordinal);
+        foreach (string command in (string[])["harvest", "validate", "report", "project", "boxes"])
+        {
+            Assert.Contains($"\n  {command} ", run.Out, StringComparison.Ordinal);
+        }
+
         Assert.Contains("130  stopped by Ctrl+C", run.Out, StringComparison.Ordinal);
     }
 
     [Theory]
+    [InlineData("harvest")]
     [InlineData("validate")]
     [InlineData("report")]
     [InlineData("project")]

@@ -61,6 +61,11 @@ internal static class ReportData
         json.WriteString("Length", string.Create(
             CultureInfo.InvariantCulture, $"{statistics.LastTimeSeconds - statistics.FirstTimeSeconds:0.0} s"));
         json.WriteString("Weather", string.Join(", ", statistics.Weathers));
+        if (info.Seed is { } seed)
+        {
+            json.WriteString("Seed", seed.ToString(CultureInfo.InvariantCulture));
+        }
+
         json.WriteEndObject();
     }
 

@@ -125,7 +125,7 @@ function play(on) {
 }
 
 function counts() {
-  const columns = ["Class", "Labels", "Objects", "Nearest", "Median distance", "Mean occlusion"];
+  const columns = ["Class", "Labels", "Objects", "Nearest", "Median", "Occluded"];
   const row = (name, cells) => element("tr", {}, name, ...cells.map(cell => element("td", {}, String(cell))));
   const body = Object.entries(data.classes).map(([name, entry]) => {
     const mark = element("i");

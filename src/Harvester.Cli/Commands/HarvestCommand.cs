@@ -1,0 +1,170 @@
+using System;
+using System.CommandLine;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using System.Threading.Tasks;
+using Harvester.Capture.Scenes;
+using Harvester.Cli.Arguments;
+using Harvester.Cli.Harvesting;
+using Harvester.Datasets.Json;
+using Harvester.Datasets.Reports;
+using Harvester.Datasets.Sessions;
+using Harvester.Datasets.Statistics;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Cli.Commands;
+
+/// <summary>harvester harvest: a labelled session from a simulated game, with a report.</summary>
+internal static class HarvestCommand
+{
+    private const int MostFrames = 1_000_000;
+    private const int SmallestSide = 16;
+    private const int GreatestSide = 8192;
+
+    private const string Notes =
+        "The session is described in docs/dataset-format.md. The same options and seed give the same bytes. Ctrl+C stops after the frame in\n"
+        + "hand and leaves a valid session.\n\n"
+        + "Examples:\n"
+        + "  harvester harvest --out out\n"
+        + "  harvester harvest --out rain --frames 500 --seed 7 --weather rain --time 18:30 --masks\n"
+        + "  harvester harvest --out streets --roads nodes.zip --near 0,-1000";
+
+    private static readonly string[] Weathers =
+    [
+        "clear", "extrasunny", "clouds", "overcast", "rain", "thunder", "clearing", "foggy", "smog", "snow", "blizzard", "snowlight", "xmas",
+    ];
+
+    private static readonly Option<string> Out = new("--out") { Description = "Folder to write the session to", HelpName = "DIR", Required = true };
+    private static readonly Option<bool> Overwrite = new("--overwrite") { Description = "Replace the session that lies in the folder" };
+    private static readonly Option<int> Frames = WithDefault(ValueParsers.Integer("--frames", "N", "Frames to take", 1, MostFrames), 100);
+    private static readonly Option<int> Seed = WithDefault(
+        ValueParsers.Integer("--seed", "N", "Decides everything that is left to chance", 0, int.MaxValue), 1);
+
+    private static readonly Option<ImageSize> Size = WithDefault(CameraOptions.Size(), new ImageSize(800, 600));
+    private static readonly Option<double> Fov = WithDefault(CameraOptions.Fov(), 50);
+    private static readonly Option<double> Hz = WithDefault(
+        ValueParsers.Number(
+            "--hz",
+            "N",
+            "Frames per second of the game's time",
+            value => value is > 0 and <= SimulatedHarvest.TicksPerSecond,
+            "a number greater than 0, 60 at most"),
+        10);
+
+    private static readonly Option<FileInfo?> Roads = new("--roads")
+    {
+        Description = "Drive on the roads of this file or folder instead of a town made from the seed",
+        HelpName = "FILE",
+    };
+
+    private static readonly Option<Vector2D?> Near = ValueParsers.Point("--near", "X,Y", "Where to start, metres [default: the middle of the roads]");
+    private static readonly Option<string> Weather = new("--weather")
+    {
+        Description = "The weather: " + string.Join(", ", Weathers),
+        HelpName = "W",
+        DefaultValueFactory = _ => Weathers[0],
+    };
+
+    private static readonly Option<TimeSpan> Time = WithDefault(
+        ValueParsers.Parsed("--time", "HH:MM", "The hour at the beginning", ParseTime, "an hour as 18:30"), TimeSpan.FromHours(12));
+
+    private static readonly Option<bool> Masks = new("--masks") { Description = "Write instance masks too" };
+    private static readonly Option<double> Range = WithDefault(
+        ValueParsers.Number("--range", "M", "Label objects up to this distance, metres", value => value > 0, "a number greater than 0"), 150);
+
+    private static readonly Option<string?> Classes = new("--classes")
+    {
+        Description = "Label these classes only, with commas between them: " + string.Join(", ", JsonNames.All<ObjectClass>()),
+        HelpName = "A,B",
+    };
+
+    private static readonly Option<bool> NoReport = new("--no-report") { Description = "Write no report" };
+
+    public static Command Create(Terminal terminal)
+    {
+        var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
+        {
+            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Near, Weather, Time, Masks, Range, Classes, NoReport,
+        };
+        HelpWithNotes.AddTo(command, Notes);
+        command.SetAction((parsed, cancellation) =>
+            Task.FromResult(Run(terminal, PlanOf(parsed), !parsed.GetValue(NoReport), cancellation)));
+        return command;
+    }
+
+    private static int Run(Terminal terminal, HarvestPlan plan, bool withReport, CancellationToken cancellation)
+    {
+        OutputFolder.Prepare(plan.Folder, plan.Overwrite);
+        terminal.Out.WriteLine($"Harvesting {plan.Frames} frames of {plan.Image.Width} x {plan.Image.Height}, seed {plan.Seed}, to {plan.Folder}");
+        terminal.Out.Flush();
+        SimulatedHarvest harvest = SimulatedHarvest.Build(plan);
+        HarvestOutcome outcome = new HarvestProgress(terminal, plan.Frames).Run(report => harvest.Run(report, cancellation));
+        if (outcome.Fault is { } fault)
+        {
+            terminal.WriteError(fault);
+            return outcome.ExitCode;
+        }
+
+        var session = new SessionReader(plan.Folder);
+        string? page = withReport && !outcome.IsCancelled ? Path.Combine(plan.Folder, ReportWriter.FileName) : null;
+        if (page is not null)
+        {
+            new ReportWriter(session).Write(page);
+        }
+
+        HarvestSummary.Write(terminal, plan, outcome, SessionStatistics.Of(session.ReadLabels()), page);
+        if (outcome.IsCancelled)
+        {
+            terminal.WriteError($"Stopped after {outcome.Frames} of {plan.Frames} frames; the session is valid.");
+        }
+
+        return outcome.ExitCode;
+    }
+
+    private static HarvestPlan PlanOf(ParseResult parsed)
+    {
+        ImageSize image = parsed.GetValue(Size);
+        if (Math.Min(image.Width, image.Height) < SmallestSide || Math.Max(image.Width, image.Height) > GreatestSide)
+        {
+            throw new UsageException($"--size: the images of a harvest are {SmallestSide} to {GreatestSide} pixels a side.");
+        }
+
+        string weather = parsed.GetRequiredValue(Weather);
+        return new HarvestPlan
+        {
+            Folder = parsed.GetRequiredValue(Out),
+            Overwrite = parsed.GetValue(Overwrite),
+            Frames = parsed.GetValue(Frames),
+            Seed = parsed.GetValue(Seed),
+            Image = image,
+            FovDegrees = parsed.GetValue(Fov),
+            RateHz = parsed.GetValue(Hz),
+            Roads = parsed.GetValue(Roads)?.FullName,
+            Near = parsed.GetValue(Near),
+            Weather = Weathers.Contains(weather, StringComparer.Ordinal)
+                ? weather
+                : throw new UsageException($"--weather takes one of {string.Join(", ", Weathers)}, not '{weather}'."),
+            TimeOfDay = parsed.GetValue(Time),
+            Masks = parsed.GetValue(Masks),
+            RangeMetres = parsed.GetValue(Range),
+            Classes = parsed.GetValue(Classes) is { } classes ? [.. classes.Split(',').Select(ParseClass)] : null,
+        };
+    }
+
+    private static ObjectClass ParseClass(string name) =>
+        JsonNames.TryRead(name.Trim(), out ObjectClass kind)
+            ? kind
+            : throw new UsageException($"--classes takes some of {string.Join(", ", JsonNames.All<ObjectClass>())}, not '{name.Trim()}'.");
+
+    private static TimeSpan? ParseTime(string text) =>
+        TimeSpan.TryParseExact(text, [@"hh\:mm", @"h\:mm"], CultureInfo.InvariantCulture, out TimeSpan time) ? time : null;
+
+    private static Option<T> WithDefault<T>(Option<T> option, T value)
+    {
+        option.DefaultValueFactory = _ => value;
+        return option;
+    }
+}

@@ -1,0 +1,25 @@
+using System;
+
+namespace Harvester.Cli.Harvesting;
+
+/// <summary>How a harvest ended.</summary>
+/// <param name="Frames">Frames on disk.</param>
+/// <param name="Discarded">Frames begun and thrown away.</param>
+/// <param name="Elapsed">Time that it took.</param>
+/// <param name="Fault">Why it ended early; null when it did not.</param>
+/// <param name="IsDiskFault">Whether the fault is that the session could not be written.</param>
+/// <param name="IsCancelled">Whether it was stopped by the user.</param>
+internal sealed record HarvestOutcome(int Frames, int Discarded, TimeSpan Elapsed, string? Fault, bool IsDiskFault, bool IsCancelled)
+{
+    /// <summary>Frames a second of the clock on the wall.</summary>
+    public double FramesPerSecond => Elapsed > TimeSpan.Zero ? Frames / Elapsed.TotalSeconds : 0;
+
+    /// <summary>The exit code that says so.</summary>
+    public int ExitCode => this switch
+    {
+        { IsDiskFault: true } => Cli.ExitCode.InputOutput,
+        { Fault: not null } => Cli.ExitCode.HarvestFault,
+        { IsCancelled: true } => Cli.ExitCode.Cancelled,
+        _ => Cli.ExitCode.Done,
+    };
+}

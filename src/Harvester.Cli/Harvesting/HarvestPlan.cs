@@ -1,0 +1,53 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Capture.Scenes;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Cli.Harvesting;
+
+/// <summary>What the command line asks of a harvest.</summary>
+internal sealed record HarvestPlan
+{
+    /// <summary>Where the session goes.</summary>
+    public required string Folder { get; init; }
+
+    /// <summary>Whether a session that lies there is replaced.</summary>
+    public required bool Overwrite { get; init; }
+
+    /// <summary>Frames to take.</summary>
+    public required int Frames { get; init; }
+
+    /// <summary>Decides everything that is left to chance.</summary>
+    public required int Seed { get; init; }
+
+    /// <summary>Size of the images, pixels.</summary>
+    public required ImageSize Image { get; init; }
+
+    /// <summary>Vertical field of view, degrees.</summary>
+    public required double FovDegrees { get; init; }
+
+    /// <summary>Frames per second of the game's time.</summary>
+    public required double RateHz { get; init; }
+
+    /// <summary>File of the roads to drive on; null for a town made from the seed.</summary>
+    public required string? Roads { get; init; }
+
+    /// <summary>Where to start, metres, world; null for the middle of the roads.</summary>
+    public required Vector2D? Near { get; init; }
+
+    /// <summary>The game's name of the weather.</summary>
+    public required string Weather { get; init; }
+
+    /// <summary>The hour at the beginning.</summary>
+    public required TimeSpan TimeOfDay { get; init; }
+
+    /// <summary>Whether instance masks are made.</summary>
+    public required bool Masks { get; init; }
+
+    /// <summary>How far objects are labelled, metres.</summary>
+    public required double RangeMetres { get; init; }
+
+    /// <summary>The classes to label; null for all.</summary>
+    public required IReadOnlyList<ObjectClass>? Classes { get; init; }
+}

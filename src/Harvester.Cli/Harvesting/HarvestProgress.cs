@@ -1,0 +1,71 @@
+using System;
+using System.Diagnostics;
+using System.Globalization;
+using Spectre.Console;
+
+namespace Harvester.Cli.Harvesting;
+
+/// <summary>Shows how far a harvest is: a moving bar for a person, a line now and then for a file.</summary>
+internal sealed class HarvestProgress
+{
+    private static readonly TimeSpan BetweenPlainLines = TimeSpan.FromSeconds(5);
+
+    private readonly Terminal _terminal;
+    private readonly int _frames;
+    private readonly Stopwatch _clock = new();
+    private TimeSpan _lastLine;
+
+    public HarvestProgress(Terminal terminal, int frames)
+    {
+        _terminal = terminal;
+        _frames = frames;
+    }
+
+    /// <summary>Runs the harvest and shows what it reports.</summary>
+    public HarvestOutcome Run(Func<Action<int>, HarvestOutcome> harvest)
+    {
+        _clock.Start();
+        return _terminal.IsInteractive ? RunInteractive(harvest) : harvest(WriteLine);
+    }
+
+    /// <summary>How far the harvest is: frames, rate, time left.</summary>
+    internal static string Describe(int done, int all, TimeSpan elapsed)
+    {
+        double rate = done / Math.Max(elapsed.TotalSeconds, 1e-3);
+        double left = (all - done) / Math.Max(rate, 1e-3);
+        return string.Create(CultureInfo.InvariantCulture, $"{done} of {all} frames, {rate:0.0} a second, {Duration(left)} left");
+    }
+
+    private static string Duration(double seconds)
+    {
+        TimeSpan time = TimeSpan.FromSeconds(Math.Ceiling(Math.Min(seconds, TimeSpan.MaxValue.TotalSeconds / 2)));
+        return time < TimeSpan.FromMinutes(1)
+            ? string.Create(CultureInfo.InvariantCulture, $"{time.TotalSeconds:0} s")
+            : string.Create(CultureInfo.InvariantCulture, $"{Math.Floor(time.TotalMinutes):0} min {time.Seconds} s");
+    }
+
+    private HarvestOutcome RunInteractive(Func<Action<int>, HarvestOutcome> harvest) =>
+        _terminal.ToAnsiConsole().Progress()
+            .AutoClear(true)
+            .Columns(new ProgressBarColumn(), new PercentageColumn(), new TaskDescriptionColumn())
+            .Start(context =>
+            {
+                ProgressTask task = context.AddTask("starting", maxValue: _frames);
+                return harvest(done =>
+                {
+                    task.Value = done;
+                    task.Description = Describe(done, _frames, _clock.Elapsed);
+                });
+            });
+
+    private void WriteLine(int done)
+    {
+        TimeSpan now = _clock.Elapsed;
+        if (now - _lastLine >= BetweenPlainLines && done < _frames)
+        {
+            _lastLine = now;
+            _terminal.Out.WriteLine(Describe(done, _frames, now));
+            _terminal.Out.Flush();
+        }
+    }
+}

@@ -1,0 +1,79 @@
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+using Harvester.Datasets.Statistics;
+using Spectre.Console;
+
+namespace Harvester.Cli.Harvesting;
+
+/// <summary>What was harvested, where it lies, and what to run next.</summary>
+internal static class HarvestSummary
+{
+    private static readonly string[] Columns = ["class", "labels", "objects", "nearest", "median distance"];
+
+    public static void Write(Terminal terminal, HarvestPlan plan, HarvestOutcome outcome, SessionStatistics statistics, string? report)
+    {
+        List<string[]> rows = [.. statistics.Classes.Select(Row)];
+        if (terminal.IsInteractive)
+        {
+            WriteTable(terminal, rows);
+        }
+        else
+        {
+            WriteLines(terminal, rows);
+        }
+
+        terminal.Out.WriteLine(string.Create(
+            CultureInfo.InvariantCulture,
+            $"{outcome.Frames} frames, {statistics.Labels} labels in {outcome.Elapsed.TotalSeconds:0.0} s ({outcome.FramesPerSecond:0.0} frames a second), {outcome.Discarded} discarded"));
+        terminal.Out.WriteLine($"session  {plan.Folder}");
+        if (report is not null)
+        {
+            terminal.Out.WriteLine($"report   {report}");
+        }
+
+        terminal.Out.WriteLine($"next     {Command()} validate {plan.Folder}");
+    }
+
+    private static string[] Row(KeyValuePair<ObjectClass, ClassStatistics> kind) =>
+    [
+        JsonName.Of(kind.Key),
+        kind.Value.Labels.ToString(CultureInfo.InvariantCulture),
+        kind.Value.Objects.ToString(CultureInfo.InvariantCulture),
+        string.Create(CultureInfo.InvariantCulture, $"{kind.Value.NearestMetres:0.0} m"),
+        string.Create(CultureInfo.InvariantCulture, $"{kind.Value.MedianDistanceMetres:0.0} m"),
+    ];
+
+    private static void WriteTable(Terminal terminal, List<string[]> rows)
+    {
+        Table table = new Table().RoundedBorder();
+        foreach (string column in Columns)
+        {
+            table.AddColumn(column, heading => heading.Alignment(column == Columns[0] ? Justify.Left : Justify.Right));
+        }
+
+        foreach (string[] row in rows)
+        {
+            table.AddRow(row);
+        }
+
+        terminal.ToAnsiConsole().Write(table);
+    }
+
+    private static void WriteLines(Terminal terminal, List<string[]> rows)
+    {
+        foreach (string[] row in rows)
+        {
+            terminal.Out.WriteLine($"{row[0]}: {row[1]} labels, {row[2]} objects, nearest {row[3]}, median distance {row[4]}");
+        }
+    }
+
+    /// <summary>The command as it can be typed where the user stands: in a clone there is no harvester on the path.</summary>
+    private static string Command() =>
+        File.Exists(Path.Combine("src", "Harvester.Cli", "Harvester.Cli.csproj"))
+            ? "dotnet run -c Release --project src/Harvester.Cli --"
+            : "harvester";
+}

@@ -1,0 +1,119 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Globalization;
+using System.IO;
+using System.Threading;
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Storage;
+using Harvester.Datasets.Roads;
+using Harvester.Geometry.Roads;
+using Harvester.Simulation;
+
+namespace Harvester.Cli.Harvesting;
+
+/// <summary>Builds the simulated game that a plan asks for and harvests it, tick by tick.</summary>
+internal sealed class SimulatedHarvest
+{
+    /// <summary>The simulated game runs at the game's usual frame rate.</summary>
+    public const double TicksPerSecond = 60;
+
+    private readonly HarvestPlan _plan;
+    private readonly SimulatedGame _game;
+
+    private SimulatedHarvest(HarvestPlan plan, SimulatedGame game)
+    {
+        _plan = plan;
+        _game = game;
+    }
+
+    /// <summary>Reads the roads, if any are named, and builds the world.</summary>
+    /// <exception cref="UsageException">There is no road where the harvest is to begin.</exception>
+    public static SimulatedHarvest Build(HarvestPlan plan)
+    {
+        RoadNetwork? roads = plan.Roads is null ? null : RoadImporter.Import(plan.Roads).Network;
+        try
+        {
+            return new SimulatedHarvest(plan, new SimulatedGame(new SimulationOptions
+            {
+                Seed = plan.Seed,
+                Roads = roads,
+                Near = plan.Near,
+                Weather = plan.Weather,
+                TimeOfDay = plan.TimeOfDay,
+                VerticalFovDegrees = plan.FovDegrees,
+                WindowAspect = plan.Image.Aspect,
+            }));
+        }
+        catch (ArgumentException e)
+        {
+            throw new UsageException(e.Message);
+        }
+    }
+
+    /// <summary>Harvests to the end, to a fault, or until it is cancelled; the session is opened and closed in every case.</summary>
+    /// <param name="report">Is told the frames taken so far after each.</param>
+    /// <param name="cancellation">Stops between two ticks.</param>
+    /// <exception cref="IOException">The folder cannot be made.</exception>
+    public HarvestOutcome Run(Action<int> report, CancellationToken cancellation)
+    {
+        var clock = Stopwatch.StartNew();
+        using var writer = new SessionWriter(_plan.Folder, Origin());
+        using var session = new HarvestSession(Options(), _game.Ports, writer);
+        do
+        {
+            // The game waits for the disk, not the other way round: otherwise its course would depend on the disk's speed.
+            writer.WaitForRoom();
+            _game.Tick(1 / TicksPerSecond);
+            int before = session.Status.Captured;
+            if (session.Step().Captured != before)
+            {
+                report(session.Status.Captured);
+            }
+        }
+        while (!session.Status.IsOver && !cancellation.IsCancellationRequested);
+
+        session.Stop();
+        writer.Dispose();
+        return new HarvestOutcome(
+            writer.FramesWritten,
+            session.Status.Discarded,
+            clock.Elapsed,
+            session.Fault ?? writer.Fault,
+            writer.Fault is not null,
+            cancellation.IsCancellationRequested && session.Status.Captured < _plan.Frames);
+    }
+
+    private HarvestOptions Options() => new()
+    {
+        Image = _plan.Image,
+        MaxFrames = _plan.Frames,
+        RateHz = _plan.RateHz,
+        RangeMetres = _plan.RangeMetres,
+        Classes = _plan.Classes,
+        Masks = _plan.Masks,
+    };
+
+    private SessionOrigin Origin() => new()
+    {
+        Game = "simulation",
+        Tool = $"harvester {typeof(SimulatedHarvest).Assembly.GetName().Version!.ToString(3)}",
+        Seed = _plan.Seed,
+        Settings = [.. Settings()],
+    };
+
+    private IEnumerable<KeyValuePair<string, string>> Settings()
+    {
+        yield return new("weather", _plan.Weather);
+        yield return new("timeOfDay", _plan.TimeOfDay.ToString(@"hh\:mm", CultureInfo.InvariantCulture));
+        if (_plan.Roads is { } roads)
+        {
+            yield return new("roads", Path.GetFileName(roads));
+        }
+
+        if (_plan.Near is { } near)
+        {
+            yield return new("near", string.Create(CultureInfo.InvariantCulture, $"{near.X},{near.Y}"));
+        }
+    }
+}

@@ -1,0 +1,184 @@
+using System.Text.Json;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Cli.Tests.Commands;
+
+public sealed class HarvestCommandTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    private string Session => _folder.PathOf("session");
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Harvest_gives_a_valid_session_with_a_report_and_says_what_to_run_next()
+    {
+        CliRun run = Harvest(Session, "--frames", "3", "--masks");
+
+        Assert.Equal("", run.Error);
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.Contains("\n3 frames, ", run.Out, StringComparison.Ordinal);
+        Assert.Contains($"\nsession  {Session}\n", run.Out, StringComparison.Ordinal);
+        Assert.Contains($"harvester validate {Session}\n", run.Out, StringComparison.Ordinal);
+        Assert.True(File.Exists(Path.Combine(Session, "report.html")));
+        Assert.Equal(3, Directory.GetFiles(Path.Combine(Session, "frames")).Length);
+        Assert.Equal(3, Directory.GetFiles(Path.Combine(Session, "masks")).Length);
+
+        CliRun validation = CliRun.Of("validate", Session);
+        Assert.Equal(ExitCode.Done, validation.ExitCode);
+        Assert.StartsWith($"{Session}: 3 frames, ", validation.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Harvest_labels_things_in_sight()
+    {
+        Harvest(Session, "--frames", "3");
+
+        Assert.Contains(new SessionReader(Session).ReadLabels(), label => label.Objects.Count > 0);
+    }
+
+    [Fact]
+    public void Harvest_twice_with_the_same_seed_gives_the_same_bytes()
+    {
+        string other = _folder.PathOf("other");
+        Harvest(Session, "--frames", "3", "--masks", "--seed", "5");
+        Harvest(other, "--frames", "3", "--masks", "--seed", "5");
+
+        // The report's title is the folder's name, so it is left out here.
+        Assert.Equal(Files(Session), Files(other));
+        Assert.All(Files(Session), name => Assert.Equal(File.ReadAllBytes(Path.Combine(Session, name)), File.ReadAllBytes(Path.Combine(other, name))));
+    }
+
+    [Fact]
+    public void Harvest_with_another_seed_gives_another_drive()
+    {
+        string other = _folder.PathOf("other");
+        Harvest(Session, "--frames", "2", "--seed", "5");
+        Harvest(other, "--frames", "2", "--seed", "6");
+
+        Assert.NotEqual(File.ReadAllBytes(Path.Combine(Session, "labels.jsonl")), File.ReadAllBytes(Path.Combine(other, "labels.jsonl")));
+    }
+
+    [Fact]
+    public void Harvest_takes_its_options_into_the_session()
+    {
+        Harvest(
+            Session, "--frames", "2", "--seed", "9", "--fov", "60", "--hz", "20", "--weather", "rain", "--time", "18:30", "--range", "40",
+            "--classes", "car,truck");
+
+        FrameLabel[] labels = [.. new SessionReader(Session).ReadLabels()];
+        Assert.All(labels, label => Assert.Equal((160, 120, 60.0), (label.Camera.Width, label.Camera.Height, label.Camera.VerticalFovDegrees)));
+        Assert.All(labels, label => Assert.Equal("rain", label.Environment.Weather));
+        Assert.Equal(18, labels[0].Environment.TimeOfDay.Hours);
+        Assert.All(labels.SelectMany(label => label.Objects), item => Assert.True(item.Class is ObjectClass.Car or ObjectClass.Truck));
+
+        using JsonDocument info = JsonDocument.Parse(File.ReadAllText(Path.Combine(Session, "session.json")));
+        JsonElement options = info.RootElement.GetProperty("options");
+        Assert.Equal(9, info.RootElement.GetProperty("seed").GetInt32());
+        Assert.Equal((20.0, 40.0), (options.GetProperty("rateHz").GetDouble(), options.GetProperty("rangeMetres").GetDouble()));
+    }
+
+    [Fact]
+    public async Task Harvest_that_is_cancelled_leaves_a_valid_session()
+    {
+        using var cancellation = new CancellationTokenSource(TimeSpan.FromSeconds(2));
+
+        CliRun run = await CliRun.StartAsync(
+            "", cancellation.Token, "harvest", "--out", Session, "--size", "160x120", "--frames", "1000000");
+
+        run.AssertFailed(ExitCode.Cancelled, "the session is valid");
+        Assert.Equal(ExitCode.Done, CliRun.Of("validate", Session).ExitCode);
+    }
+
+    [Fact]
+    public void Harvest_into_a_session_asks_for_overwrite_and_then_replaces_it()
+    {
+        Harvest(Session, "--frames", "2");
+
+        Harvest(Session, "--frames", "1").AssertFailed(ExitCode.Usage, "--overwrite");
+        Assert.Equal(2, new SessionReader(Session).ReadLabels().Count());
+
+        Assert.Equal(ExitCode.Done, Harvest(Session, "--frames", "1", "--overwrite").ExitCode);
+        Assert.Single(Directory.GetFiles(Path.Combine(Session, "frames")));
+    }
+
+    [Fact]
+    public void Harvest_never_replaces_what_is_no_session()
+    {
+        _folder.File("precious.txt", "mine");
+
+        Harvest(_folder.Path, "--overwrite").AssertFailed(ExitCode.Usage, "holds no session");
+
+        Assert.True(File.Exists(_folder.PathOf("precious.txt")));
+    }
+
+    [Fact]
+    public void Harvest_to_a_place_that_is_a_file_is_an_output_error()
+    {
+        string file = _folder.File("file", "");
+
+        CliRun run = Harvest(Path.Combine(file, "session"), "--frames", "1");
+
+        Assert.Equal(ExitCode.InputOutput, run.ExitCode);
+        Assert.StartsWith("harvester: ", run.Error, StringComparison.Ordinal);
+        Assert.DoesNotContain("   at ", run.Error, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("--frames", "0")]
+    [InlineData("--frames", "many")]
+    [InlineData("--seed", "-1")]
+    [InlineData("--size", "8x8")]
+    [InlineData("--size", "65535x65535")]
+    [InlineData("--size", "0x600")]
+    [InlineData("--fov", "180")]
+    [InlineData("--hz", "0")]
+    [InlineData("--hz", "61")]
+    [InlineData("--range", "0")]
+    [InlineData("--weather", "sunshine")]
+    [InlineData("--time", "25:00")]
+    [InlineData("--time", "noon")]
+    [InlineData("--near", "1")]
+    [InlineData("--classes", "car,plane")]
+    public void Harvest_with_an_impossible_value_is_a_usage_error_and_writes_nothing(string option, string value)
+    {
+        CliRun.Of("harvest", "--out", Session, option, value).AssertFailed(ExitCode.Usage, option);
+
+        Assert.False(Directory.Exists(Session));
+    }
+
+    [Fact]
+    public void Harvest_without_out_is_a_usage_error() => CliRun.Of("harvest").AssertFailed(ExitCode.Usage, "--out");
+
+    [Fact]
+    public void Harvest_on_roads_that_are_not_there_is_an_input_error()
+    {
+        CliRun run = Harvest(Session, "--roads", "no-such-roads.zip");
+
+        Assert.Equal(ExitCode.InputOutput, run.ExitCode);
+        Assert.Contains("no-such-roads.zip", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Harvest_on_roads_that_are_none_is_a_data_error()
+    {
+        string roads = _folder.File("roads.json", "not roads");
+
+        CliRun run = Harvest(Session, "--roads", roads);
+
+        Assert.Equal(ExitCode.BadData, run.ExitCode);
+        Assert.Contains("roads.json", run.Error, StringComparison.Ordinal);
+    }
+
+    private static CliRun Harvest(string session, params string[] arguments) =>
+        CliRun.Of(["harvest", "--out", session, "--size", "160x120", .. arguments]);
+
+    private static List<string> Files(string session) =>
+        [.. Directory.EnumerateFiles(session, "*", SearchOption.AllDirectories)
+            .Select(path => Path.GetRelativePath(session, path))
+            .Where(name => name != "report.html")
+            .Order(StringComparer.Ordinal)];
+}
