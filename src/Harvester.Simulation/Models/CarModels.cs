@@ -46,8 +46,8 @@ internal static class CarModels
             Surface.Paint);
 
         // Bumpers reach the ends of the box; they are set in at the corners less than the eye sees.
-        builder.AddBox(frame.At(SideInset, 0, Sill * 0.75), frame.At(1 - SideInset, 0.05, 0.33), colour.Scaled(0.8), Surface.Paint);
-        builder.AddBox(frame.At(SideInset, 0.95, Sill * 0.75), frame.At(1 - SideInset, 1, 0.33), colour.Scaled(0.8), Surface.Paint);
+        builder.AddBox(frame.At(SideInset, 0, Sill * 0.45), frame.At(1 - SideInset, 0.05, 0.33), colour.Scaled(0.8), Surface.Paint);
+        builder.AddBox(frame.At(SideInset, 0.95, Sill * 0.45), frame.At(1 - SideInset, 1, 0.33), colour.Scaled(0.8), Surface.Paint);
         builder.AddBox(frame.At(0.06, 0.03, Sill * 0.7), frame.At(0.94, 0.97, Sill), VehiclePaint.DarkPlastic);
         AddGap(builder, frame, 0.42, profile);
         AddGap(builder, frame, 0.62, profile);

@@ -24,25 +24,25 @@ internal static class HeavyModels
                 break;
             case VehicleShape.Tractor:
                 AddChassis(builder, frame, 0.02, [0.14, 0.3, 0.84]);
-                AddCab(builder, frame, 0.5, 1, colour);
-                builder.AddBox(frame.At(0.2, 0.1, 0.24), frame.At(0.8, 0.34, 0.29), VehiclePaint.DarkPlastic);
-                builder.AddCylinder(frame.At(0.1, 0.47, 0.25), frame.At(0.1, 0.47, 0.98), 0.09, 0.09, 10, VehiclePaint.Rim);
+                AddCab(builder, frame, 0.12, 1, colour);
+                builder.AddCylinder(frame.At(0.1, 0.1, 0.25), frame.At(0.1, 0.1, 0.98), 0.09, 0.09, 10, VehiclePaint.Rim);
+                builder.AddCylinder(frame.At(0.9, 0.1, 0.25), frame.At(0.9, 0.1, 0.98), 0.09, 0.09, 10, VehiclePaint.Rim);
                 builder.AddBox(frame.At(0, 0, 0.1), frame.At(1, 0.02, 0.3), VehiclePaint.DarkPlastic);
                 break;
             case VehicleShape.DumpTruck:
                 AddChassis(builder, frame, 0, [0.13, 0.28, 0.82]);
-                AddCab(builder, frame, 0.7, 0.82, colour);
+                AddCab(builder, frame, 0.7, 0.96, colour);
                 builder.AddFrustum(
-                    frame.At(0.05, 0.03, 0.28), frame.At(0.95, 0.66, 1), frame.At(0, 0, 1), frame.At(1, 0.67, 1), colour.Scaled(0.75));
+                    frame.At(0.05, 0.01, 0.28), frame.At(0.95, 0.66, 1), frame.At(0, 0, 1), frame.At(1, 0.67, 1), colour.Scaled(0.75));
                 break;
             case VehicleShape.BoxVan:
                 AddChassis(builder, frame, 0, [0.2, 0.8]);
-                AddCab(builder, frame, 0.74, 0.8, colour);
+                AddCab(builder, frame, 0.74, 0.97, colour);
                 builder.AddBox(frame.At(0, 0, 0.2), frame.At(1, 0.76, 1), colour, Surface.Paint);
                 break;
             default:
                 AddChassis(builder, frame, 0, [0.2, 0.82]);
-                AddCab(builder, frame, 0.72, 0.9, colour);
+                AddCab(builder, frame, 0.68, 0.97, colour);
                 builder.AddBox(frame.At(0.002, 0, 0.18), frame.At(0.998, 0.7, 1), row.Model == "firetruk" ? colour : BoxWhite, Surface.Paint);
                 AddRoofLamps(builder, frame, row.Model);
                 break;
@@ -55,7 +55,7 @@ internal static class HeavyModels
     private static void AddChassis(MeshBuilder builder, ModelFrame frame, double rear, double[] axles)
     {
         builder.AddBox(frame.At(0.12, rear, Chassis * 0.5), frame.At(0.88, 0.98, Chassis * 1.3), VehiclePaint.DarkPlastic);
-        builder.AddBox(frame.At(SideInset, rear, Chassis * 0.35), frame.At(1 - SideInset, rear + 0.012, Chassis), VehiclePaint.DarkPlastic);
+        builder.AddBox(frame.At(SideInset, rear, Chassis * 0.25), frame.At(1 - SideInset, rear + 0.012, Chassis), VehiclePaint.DarkPlastic);
         foreach (double axle in axles)
         {
             VehicleParts.AddAxle(builder, frame, axle, Math.Min(0.52, frame.Height * 0.16), 0.34, SideInset);
@@ -66,12 +66,12 @@ internal static class HeavyModels
     {
         const double belt = 0.5;
         double sill = belt * top;
-        builder.AddBox(frame.At(SideInset, rear, Chassis * 0.5), frame.At(1 - SideInset, 1, sill), colour, Surface.Paint);
+        builder.AddBox(frame.At(SideInset, rear, Chassis * 0.35), frame.At(1 - SideInset, 1, sill), colour, Surface.Paint);
         builder.AddFrustum(
-            frame.At(SideInset, rear, sill), frame.At(1 - SideInset, 0.995, top * 0.86), frame.At(SideInset, rear, 1), frame.At(1 - SideInset, 0.975, 1), VehiclePaint.Window, Surface.Glass);
+            frame.At(SideInset, rear, sill), frame.At(1 - SideInset, 0.995, top * 0.86), frame.At(SideInset, rear, 1), frame.At(1 - SideInset, 0.985, 1), VehiclePaint.Window, Surface.Glass);
         builder.AddFrustum(
-            frame.At(SideInset, rear, top * 0.86), frame.At(1 - SideInset, 0.975, top), frame.At(0.06, rear, 1), frame.At(0.94, 0.96, 1), colour, Surface.Paint);
-        builder.AddBox(frame.At(SideInset / 2, rear, sill), frame.At(1 - (SideInset / 2), rear + ((1 - rear) * 0.35), top * 0.86), colour, Surface.Paint);
+            frame.At(SideInset, rear, top * 0.86), frame.At(1 - SideInset, 0.985, top), frame.At(0.05, rear, 1), frame.At(0.95, 0.975, 1), colour, Surface.Paint);
+        builder.AddBox(frame.At(SideInset / 2, rear, sill), frame.At(1 - (SideInset / 2), Math.Max(rear + ((1 - rear) * 0.35), 0.72), top * 0.86), colour, Surface.Paint);
         builder.AddBox(frame.At(0, 0.955, sill), frame.At(0.03, 0.97, sill + 0.12), VehiclePaint.DarkPlastic);
         builder.AddBox(frame.At(0.97, 0.955, sill), frame.At(1, 0.97, sill + 0.12), VehiclePaint.DarkPlastic);
         VehicleParts.AddLamps(builder, frame, Chassis, Chassis * 0.9, 0.05);

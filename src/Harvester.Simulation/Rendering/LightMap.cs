@@ -102,7 +102,7 @@ internal sealed class LightMap
             float inCone = Math.Clamp((-Vector3.Dot(towards, _direction) - _cone) / (1 - _cone) * 2.5f, 0, 1);
             float facing = 0.25f + (0.75f * Math.Max(0, Vector3.Dot(towards, normal)));
             float fade = 1 - (distance / _range);
-            return _colour * (inCone * facing * fade * fade);
+            return _colour * (1.6f * inCone * facing * fade * fade);
         }
     }
 }

@@ -5,7 +5,7 @@ namespace Harvester.Simulation.Rendering;
 
 /// <summary>
 /// Where in the pinhole's image each pixel of a bent picture has its centre. The lens maps a normalised radius r to
-/// r (1 + k1 r² + k2 r⁴), and goes on straight once the slope has fallen to 0.1; the grid holds the inverse, found by halving.
+/// r (1 + k1 r² + k2 r⁴), and goes on straight once the slope has fallen to 0.1; the grid holds the inverse.
 /// </summary>
 internal sealed class SampleGrid
 {
@@ -75,8 +75,23 @@ internal sealed class SampleGrid
             : double.PositiveInfinity;
     }
 
-    private double RadiusShownAt(double shown) =>
-        Halve(0, Math.Max(LargestRadius, shown / SmallestSlope), radius => radius * FactorAt(radius) > shown);
+    private double RadiusShownAt(double shown)
+    {
+        // Newton's steps are few; where they do not settle, halving does.
+        double radius = Math.Min(shown, _end);
+        for (int step = 0; step < 20; step++)
+        {
+            double next = radius - (((radius * FactorAt(radius)) - shown) / (radius <= _end ? SlopeAt(radius) : SmallestSlope));
+            if (Math.Abs(next - radius) <= 1e-13 * shown)
+            {
+                return next;
+            }
+
+            radius = Math.Max(0, next);
+        }
+
+        return Halve(0, Math.Max(LargestRadius, shown / SmallestSlope), middle => middle * FactorAt(middle) > shown);
+    }
 
     private static double Halve(double low, double high, Func<double, bool> isAbove)
     {
@@ -101,5 +116,5 @@ internal sealed class SampleGrid
 
     private double Polynomial(double radius) => 1 + (radius * radius * (_lens.K1 + (_lens.K2 * radius * radius)));
 
-    private double SlopeAt(double radius) => 1 + (3 * _lens.K1 * radius * radius) + (5 * _lens.K2 * Math.Pow(radius, 4));
+    private double SlopeAt(double radius) => 1 + (3 * _lens.K1 * radius * radius) + (5 * _lens.K2 * radius * radius * radius * radius);
 }

@@ -42,7 +42,7 @@ internal sealed class Sky
     {
         Vector3 colour = GradientAt(direction);
         float towardsSun = Math.Max(0, Vector3.Dot(direction, _sun));
-        float glow = MathF.Pow(towardsSun, 48) * 0.35f;
+        float glow = towardsSun > 0.9f ? MathF.Pow(towardsSun, 48) * 0.35f : 0;
         float disc = towardsSun > 0.9996f ? 1 : 0;
         colour += _sunColour * ((glow + disc) * (1 - (_clouds * 0.9f)));
         if (direction.Z > 0.02f && _clouds > 0)
