@@ -12,14 +12,18 @@ namespace Harvester.Simulation.Rendering;
 public sealed class Renderer
 {
     private const int BandHeight = 16;
-    private const int Nothing = -1;
     private readonly List<TriangleChunk> _chunks = [];
     private readonly List<(int First, int Count)> _instances = [];
     private readonly List<(int First, int Count)> _triangles = [];
     private int _chunkCount;
+    private readonly ScreenTriangles _screen;
+    private byte[] _stepped = [];
     private float[] _nearness = [];
     private int[] _ids = [];
     private (RenderCamera Camera, SampleGrid Grid)? _bentBefore;
+
+    /// <summary>Makes a renderer.</summary>
+    public Renderer() => _screen = new ScreenTriangles(_chunks);
 
     /// <summary>Draws a scene.</summary>
     /// <param name="scene">What there is to see.</param>
@@ -44,6 +48,7 @@ public sealed class Renderer
         {
             _ids = new int[target.Depth.Length];
             _nearness = new float[target.Depth.Length];
+            _stepped = new byte[target.Colour.Length];
         }
 
         var shader = new PixelShader(scene, view);
@@ -54,6 +59,7 @@ public sealed class Renderer
             DrawBand(view, band, top, bottom);
             Resolve(shader, view, target, top, bottom);
         });
+        new EdgeSmoother(view, _screen, _ids, _nearness).Smooth(target, _stepped);
         Precipitation.Draw(scene.Lighting, target);
     }
 
@@ -127,13 +133,13 @@ public sealed class Renderer
         int start = top * view.Camera.Width;
         int length = (bottom - top) * view.Camera.Width;
         Array.Clear(_nearness, start, length);
-        Array.Fill(_ids, Nothing, start, length);
+        Array.Fill(_ids, ScreenTriangles.Nothing, start, length);
         for (int number = 0; number < _chunkCount; number++)
         {
             ReadOnlySpan<ScreenTriangle> triangles = _chunks[number].Triangles;
             foreach (int index in _chunks[number].Band(band))
             {
-                BandRasteriser.Draw(triangles[index], (number << TriangleChunk.IndexBits) | index, view, top, bottom, _nearness, _ids);
+                BandRasteriser.Draw(triangles[index], ScreenTriangles.IdOf(number, index), view, top, bottom, _nearness, _ids);
             }
         }
     }
@@ -146,7 +152,7 @@ public sealed class Renderer
             {
                 int pixel = (row * target.Width) + column;
                 int id = _ids[pixel];
-                if (id == Nothing)
+                if (id == ScreenTriangles.Nothing)
                 {
                     target.Handles[pixel] = 0;
                     target.Depth[pixel] = float.PositiveInfinity;
@@ -154,8 +160,7 @@ public sealed class Renderer
                     continue;
                 }
 
-                ref readonly ScreenTriangle triangle =
-                    ref _chunks[id >> TriangleChunk.IndexBits].Triangles[id & ((1 << TriangleChunk.IndexBits) - 1)];
+                ref readonly ScreenTriangle triangle = ref _screen[id];
                 target.Handles[pixel] = triangle.Handle;
                 target.Depth[pixel] = (float)view.Camera.NearClip / _nearness[pixel];
                 shader.Shade(triangle, column, row, target.Depth[pixel], target.Colour.AsSpan(pixel * 3, 3));
