@@ -58,7 +58,7 @@ public sealed class VehicleBoxTests
         double reach = (Math.Abs(axes.Right.Y) * half.X) + (Math.Abs(axes.Forward.Y) * half.Y);
         Vector3D centre = axes.ToWorld((model.Min + model.Max) * 0.5);
         var pose = new Pose(new Vector3D(-centre.X, distance + reach - centre.Y, -EyeHeight - model.Min.Z), axes);
-        RenderCamera camera = TestScene.Camera with { Width = 400, Height = 300, VerticalFovDegrees = 2 * Math.Atan(5 / distance) * 180 / Math.PI };
+        RenderCamera camera = TestScene.Camera with { Width = 240, Height = 180, VerticalFovDegrees = 2 * Math.Atan(5 / distance) * 180 / Math.PI };
         RenderTarget target = TestScene.Render(camera, new MeshInstance(model.Mesh, pose, 1));
         CuboidProjection projection = CuboidProjector.Project(CuboidBoxTests.Analytic(camera), Cuboid.FromModel(model.Min, model.Max, pose));
         return projection.Box!.Value.IntersectionOverUnion(Silhouette.BoxOf(target, 1)!.Value);

@@ -92,6 +92,8 @@ public sealed class CuboidBoxTests
     {
         RenderCamera camera = TestScene.Camera with
         {
+            Width = 200,
+            Height = 150,
             Pose = new Pose(new Vector3D(1000, -3000, 20), Axes.FromEuler(new EulerAngles((random.NextDouble() * 20) - 10, (random.NextDouble() * 20) - 10, 0))),
             VerticalFovDegrees = 40 + (random.NextDouble() * 40),
             WindowAspect = place == "free" ? 16.0 / 9 : 4.0 / 3,
