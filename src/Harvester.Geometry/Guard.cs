@@ -25,6 +25,11 @@ internal static class Guard
         return value;
     }
 
+    public static int AtLeast(int value, int least, string name) =>
+        value >= least
+            ? value
+            : throw new ArgumentOutOfRangeException(name, value, FormattableString.Invariant($"{name} must be at least {least}."));
+
     public static double InOpenRange(double value, double low, double high, string name)
     {
         if (!(Finite(value, name) > low && value < high))

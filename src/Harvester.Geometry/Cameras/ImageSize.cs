@@ -38,4 +38,7 @@ public readonly record struct ImageSize
 
     /// <summary>The rectangle that the image covers, in pixels.</summary>
     public Box2D Bounds => new(0, 0, Width, Height);
+
+    /// <summary>Whether there is a pixel in a column and row.</summary>
+    public bool Contains(int column, int row) => column >= 0 && row >= 0 && column < Width && row < Height;
 }

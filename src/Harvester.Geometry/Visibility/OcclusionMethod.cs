@@ -11,4 +11,10 @@ public enum OcclusionMethod
 
     /// <summary>Rays to the cuboid: none of them met the object itself, so all of its silhouette counts.</summary>
     CuboidRays,
+
+    /// <summary>The pixel map's visible pixels, and rays that start at the cuboid for the hidden ones.</summary>
+    PixelMap,
+
+    /// <summary>The cuboid's silhouette less what lies nearer, because rays do not meet the object.</summary>
+    Silhouettes,
 }

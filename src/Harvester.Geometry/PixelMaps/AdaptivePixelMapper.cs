@@ -1,0 +1,290 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Visibility;
+
+namespace Harvester.Geometry.PixelMaps;
+
+/// <summary>
+/// Algorithm 4 with few rays: all entities in one pass, within their boxes. A cell's border is followed by bisection, its inside is
+/// taken to show straight outlines between the changes on the border, which rays beside the middle of each outline confirm; a cell
+/// that is not confirmed is divided, the one whose error counts most for an object's visible pixels first. Does not depend on the
+/// order of the targets. It can be stopped after any ray and gives the best map so far. See docs/pixel-maps.md.
+/// </summary>
+public sealed class AdaptivePixelMapper
+{
+    /// <summary>Of a cell that is not understood, about this share of the pixels would be painted wrong.</summary>
+    private const double WrongShare = 0.25;
+
+    private readonly Camera _camera;
+    private readonly PixelMapOptions _options;
+    private readonly int _ignoredEntity;
+    private readonly IRayCaster _rays;
+    private readonly List<MapTarget> _targets;
+    private readonly List<MapTarget> _beyondReach = [];
+    private readonly List<TargetView> _views = [];
+    private readonly PixelSamples _samples;
+    private readonly CellExaminer _examiner;
+    private readonly CellQueue _queue = new();
+    private readonly List<MapCell> _settled = [];
+    private readonly Queue<Place> _firstPlaces = new();
+    private readonly int _openPixels;
+    private MapCell? _current;
+    private MapperPhase _phase = MapperPhase.FirstPlaces;
+    private UnmetTargets? _unmet;
+    private bool _counted;
+
+    /// <summary>Starts a map. No ray is cast before the first <see cref="Step"/>.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="targets">The entities to show, in any order, each with a handle and a number of its own.</param>
+    /// <param name="ignoredEntity">Handle of an entity that rays pass through; <see cref="RayHit.World"/> for none.</param>
+    /// <param name="rays">What rays meet.</param>
+    /// <param name="options">Cost and exactness.</param>
+    /// <exception cref="ArgumentException">Two targets have the same number or handle, or a number is 0.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">An option is out of its range.</exception>
+    public AdaptivePixelMapper(
+        Camera camera, IReadOnlyList<MapTarget> targets, int ignoredEntity, IRayCaster rays, PixelMapOptions options)
+    {
+        _camera = Guard.NotNull(camera, nameof(camera));
+        _options = Guard.NotNull(options, nameof(options)).Checked();
+        _targets = TargetOrder.ByNumber(Guard.NotNull(targets, nameof(targets)));
+        _ignoredEntity = ignoredEntity;
+        _rays = Guard.NotNull(rays, nameof(rays));
+        _samples = new PixelSamples(camera, _targets, ignoredEntity, rays);
+        foreach (MapTarget target in _targets)
+        {
+            if (NearestDistance(target) > _options.RayReachMetres)
+            {
+                _beyondReach.Add(target);
+            }
+            else if (target.Projection.Box is { } box)
+            {
+                _views.Add(new TargetView(target, new SilhouetteSpans(target.Projection.Silhouette, box, camera.Image)));
+            }
+        }
+
+        foreach (TargetView view in _views)
+        {
+            _openPixels += _samples.Open(view.Spans);
+        }
+
+        _examiner = new CellExaminer(_samples, _views, _options);
+        List<MapCell> cells = CellGrid.Cells(camera.Image, _options.CellSize, _views);
+        cells.ForEach(cell => _queue.Add(double.PositiveInfinity, cell));
+        foreach (TargetView view in _views)
+        {
+            foreach (Place place in view.FirstPlaces())
+            {
+                _firstPlaces.Enqueue(place);
+            }
+        }
+
+        foreach (Place place in CellGrid.Corners(cells, _options.CellSize))
+        {
+            _firstPlaces.Enqueue(place);
+        }
+    }
+
+    /// <summary>The number of rays cast so far.</summary>
+    public int RaysCast => _samples.RaysCast + (_unmet?.RaysCast ?? 0);
+
+    /// <summary>Whether the map is as exact as the options ask for.</summary>
+    public bool IsComplete => _phase == MapperPhase.Complete;
+
+    /// <summary>Goes on until the map is complete, the ray budget is spent, or time is up.</summary>
+    /// <param name="isTimeUp">Asked after every ray; null for no limit of time.</param>
+    /// <returns>Whether nothing is left to do: complete, or the ray budget spent.</returns>
+    public bool Run(Func<bool>? isTimeUp = null)
+    {
+        while (Step())
+        {
+            if (isTimeUp is not null && isTimeUp())
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>Casts one ray.</summary>
+    /// <returns>False when none is left to cast: the map is complete or the ray budget is spent.</returns>
+    public bool Step()
+    {
+        if (IsComplete || RaysCast >= _options.RayBudget)
+        {
+            return false;
+        }
+
+        if (_phase != MapperPhase.Probes)
+        {
+            if (NextPlace() is { } place)
+            {
+                _samples.Cast(place);
+                return true;
+            }
+
+            _phase = MapperPhase.Probes;
+            _unmet = new UnmetTargets(_camera, _views, _samples, Paint(), _ignoredEntity, _rays);
+        }
+
+        if (_unmet!.Step())
+        {
+            return true;
+        }
+
+        _phase = MapperPhase.Complete;
+        return false;
+    }
+
+    /// <summary>The best map so far. It may be taken at any time, and the work may go on after it.</summary>
+    public AdaptivePixelMap Finish()
+    {
+        InstanceMap map = Paint();
+        List<MapTarget> drawn = [.. _beyondReach, .. _unmet?.Unmet ?? []];
+        new SilhouetteFallback(_camera, _samples).Draw(map, drawn, _targets);
+        var methods = new Dictionary<ushort, PixelMapMethod>();
+        _targets.ForEach(target => methods[target.Number] = PixelMapMethod.Rays);
+        drawn.ForEach(target => methods[target.Number] = PixelMapMethod.Silhouette);
+        int resolution = 1;
+        foreach ((_, MapCell cell) in Pending())
+        {
+            resolution = Math.Max(resolution, Math.Max(cell.Width, cell.Height));
+        }
+
+        return new AdaptivePixelMap(map, RaysCast, IsComplete, resolution, _openPixels - _samples.PixelsCast, methods);
+    }
+
+    private double NearestDistance(MapTarget target) =>
+        Math.Max(0, SilhouettePainter.DistanceOf(_camera, target) - target.Cuboid.HalfExtents.Length);
+
+    private Place? NextPlace()
+    {
+        if (_phase == MapperPhase.FirstPlaces)
+        {
+            while (_firstPlaces.Count > 0)
+            {
+                Place place = _firstPlaces.Dequeue();
+                if (!_samples.IsKnown(place))
+                {
+                    return place;
+                }
+            }
+
+            _views.ForEach(view => view.EstimateVisible(_samples));
+            _phase = MapperPhase.Cells;
+        }
+
+        while (_current is not null || _queue.Count > 0 || Review())
+        {
+            if (_current is not { } cell)
+            {
+                (double priority, cell) = _queue.Take();
+                if (priority < _options.CellErrorFraction)
+                {
+                    _settled.Add(cell);
+                    continue;
+                }
+
+                _current = cell;
+            }
+
+            CellVerdict verdict = _examiner.Examine(cell);
+            if (verdict.Wanted is { } wanted)
+            {
+                return wanted;
+            }
+
+            _current = null;
+            if (verdict.IsUnderstood)
+            {
+                _settled.Add(cell);
+            }
+            else
+            {
+                Divide(cell, verdict.Weight);
+            }
+        }
+
+        return null;
+    }
+
+    private void Divide(MapCell cell, double weight)
+    {
+        int column = (cell.Left + cell.Right) / 2;
+        int row = (cell.Top + cell.Bottom) / 2;
+        AddPart(new MapCell(cell.Left, cell.Top, column, row), weight);
+        AddPart(new MapCell(column, cell.Top, cell.Right, row), weight);
+        AddPart(new MapCell(cell.Left, row, column, cell.Bottom), weight);
+        AddPart(new MapCell(column, row, cell.Right, cell.Bottom), weight);
+    }
+
+    private void AddPart(MapCell cell, double weight) => _queue.Add(WrongShare * cell.Width * cell.Height * weight, cell);
+
+    // What was settled may not fit what its neighbours have learnt since. The first time, the visible pixels are counted as well.
+    private bool Review()
+    {
+        if (!_counted)
+        {
+            CountVisible();
+            _counted = true;
+        }
+
+        List<MapCell> settled = [.. _settled];
+        _settled.Clear();
+        foreach (MapCell cell in settled)
+        {
+            CellVerdict verdict = _examiner.Examine(cell);
+            double weight = verdict.Wanted is null ? verdict.Weight : _examiner.BorderWeight();
+            double priority = WrongShare * cell.Width * cell.Height * weight;
+            if (verdict.IsUnderstood || priority < _options.CellErrorFraction)
+            {
+                _settled.Add(cell);
+            }
+            else
+            {
+                _queue.Add(priority, cell);
+            }
+        }
+
+        return _queue.Count > 0;
+    }
+
+    private void CountVisible()
+    {
+        var counts = new int[ushort.MaxValue + 1];
+        foreach (ushort number in Paint().Ids)
+        {
+            counts[number]++;
+        }
+
+        _views.ForEach(view => view.SetVisible(counts[view.Target.Number]));
+    }
+
+    private InstanceMap Paint()
+    {
+        var shown = _views.ConvertAll(view => view.Target);
+        var painter = new MapPainter(_camera.Image, _samples, _examiner, SilhouettePainter.Paint(_camera, shown));
+        var untouched = new List<MapCell>();
+        var touched = new List<MapCell>(_settled);
+        foreach ((double priority, MapCell cell) in Pending())
+        {
+            (double.IsInfinity(priority) ? untouched : touched).Add(cell);
+        }
+
+        return painter.Paint(untouched, touched);
+    }
+
+    private IEnumerable<(double Priority, MapCell Cell)> Pending()
+    {
+        if (_current is { } current)
+        {
+            yield return (0, current);
+        }
+
+        foreach ((double Priority, MapCell Cell) entry in _queue.Cells)
+        {
+            yield return entry;
+        }
+    }
+}

@@ -1,0 +1,264 @@
+using System;
+using System.Collections.Generic;
+
+namespace Harvester.Geometry.PixelMaps;
+
+/// <summary>
+/// What is known of a cell's border: the numbers along it and where they change. Between two known pixels of one number the border
+/// is taken to be of that number; between two of different numbers the change is searched by bisection, below the pixel if wanted.
+/// </summary>
+internal sealed class CellBorder
+{
+    private readonly PixelSamples _samples;
+    private readonly IReadOnlyList<SilhouetteSpans> _silhouettes;
+    private readonly List<SilhouetteSpans> _near = [];
+    private int[] _numbers = [];
+    private bool[] _known = [];
+
+    public CellBorder(PixelSamples samples, IReadOnlyList<SilhouetteSpans> silhouettes)
+    {
+        _samples = samples;
+        _silhouettes = silhouettes;
+    }
+
+    public MapCell Cell { get; private set; }
+
+    /// <summary>The runs of one number around the border, clockwise; a single one of no length when nothing changes.</summary>
+    public List<BorderRun> Runs { get; } = [];
+
+    /// <summary>The number taken for a step of the walk around the border.</summary>
+    public int NumberAt(int step) => _numbers[step];
+
+    /// <summary>Reads a cell's border.</summary>
+    public void Read(MapCell cell)
+    {
+        Cell = cell;
+        _near.Clear();
+        foreach (SilhouetteSpans spans in _silhouettes)
+        {
+            if (spans.BoxMeets(cell))
+            {
+                _near.Add(spans);
+            }
+        }
+
+        int length = cell.BorderLength;
+        if (_numbers.Length < length)
+        {
+            _numbers = new int[length];
+            _known = new bool[length];
+        }
+
+        for (int i = 0; i < length; i++)
+        {
+            (int column, int row) = cell.Border(i);
+            _known[i] = _samples.IsKnown(column, row);
+            _numbers[i] = _known[i] ? _samples.Number(column, row) : -1;
+        }
+    }
+
+    /// <summary>The next place that the border asks for: corners first, then changes of number, then silhouettes that cross it unseen.</summary>
+    public Place? Wanted()
+    {
+        int width = Cell.Width;
+        int height = Cell.Height;
+        int[] corners = [0, width, width + height, (2 * width) + height, Cell.BorderLength];
+        for (int i = 0; i < 4; i++)
+        {
+            if (!_known[corners[i]])
+            {
+                return PlaceAt(corners[i]);
+            }
+        }
+
+        for (int i = 0; i < 4; i++)
+        {
+            if ((UndecidedStep(corners[i], corners[i + 1]) ?? UnseenSilhouette(corners[i], corners[i + 1])) is { } step)
+            {
+                return PlaceAt(step);
+            }
+        }
+
+        return null;
+    }
+
+    /// <summary>Fills what is not known from the nearest known pixels of the border and collects the runs.</summary>
+    public void CollectRuns()
+    {
+        int length = Cell.BorderLength;
+        FillUnknown(length);
+        Runs.Clear();
+        int first = 0;
+        while (first < length && _numbers[first] == _numbers[(first + length - 1) % length])
+        {
+            first++;
+        }
+
+        if (first == length)
+        {
+            Runs.Add(new BorderRun(0, length - 1, _numbers[0]));
+            return;
+        }
+
+        int start = first;
+        for (int i = first; i < first + length; i++)
+        {
+            if (_numbers[(i + 1) % length] != _numbers[i % length])
+            {
+                Runs.Add(new BorderRun(start, i, _numbers[i % length]));
+                start = i + 1;
+            }
+        }
+    }
+
+    /// <summary>The next place between the two pixels of a change that narrows it down further.</summary>
+    public Place? WantedBetween(int step, int halvings)
+    {
+        (Place place, int halved) = Narrow(step, halvings);
+        return halved < halvings ? place : null;
+    }
+
+    /// <summary>Where the number changes after a step: in pixels, from the centre of the pixel (0, 0).</summary>
+    public Vector2D Crossing(int step, int halvings)
+    {
+        (Place place, _) = Narrow(step, halvings);
+        return new Vector2D((double)place.FineX / PixelSamples.Fine, (double)place.FineY / PixelSamples.Fine);
+    }
+
+    // The middle of the interval in which the change is known to lie, and how often the pixel's step was halved.
+    private (Place Middle, int Halved) Narrow(int step, int halvings)
+    {
+        int length = Cell.BorderLength;
+        (int column, int row) = Cell.Border(step % length);
+        (int nextColumn, int nextRow) = Cell.Border((step + 1) % length);
+        int number = _numbers[step % length];
+        int low = 0;
+        int high = PixelSamples.Fine;
+        for (int halved = 0; ; halved++)
+        {
+            int middle = (low + high) / 2;
+            var place = new Place(
+                (column * PixelSamples.Fine) + ((nextColumn - column) * middle),
+                (row * PixelSamples.Fine) + ((nextRow - row) * middle));
+            if (halved == halvings || _samples.NumberBetween(place) is not { } there)
+            {
+                return (place, halved);
+            }
+
+            if (there == number)
+            {
+                low = middle;
+            }
+            else
+            {
+                high = middle;
+            }
+        }
+    }
+
+    private int? UndecidedStep(int from, int to)
+    {
+        int known = from;
+        for (int i = from + 1; i <= to; i++)
+        {
+            int step = i % Cell.BorderLength;
+            if (!_known[step])
+            {
+                continue;
+            }
+
+            if (_numbers[step] != _numbers[known] && i - known > 1)
+            {
+                return (known + i) / 2;
+            }
+
+            known = i;
+        }
+
+        return null;
+    }
+
+    // Of the silhouettes that cross a side between known pixels, the first to come is asked for in its middle.
+    private int? UnseenSilhouette(int from, int to)
+    {
+        (int column, int row) = Cell.Border(from);
+        (int endColumn, int endRow) = Cell.Border(to % Cell.BorderLength);
+        bool alongRow = row == endRow;
+        int low = alongRow ? Math.Min(column, endColumn) : Math.Min(row, endRow);
+        int high = alongRow ? Math.Max(column, endColumn) : Math.Max(row, endRow);
+        (int First, int Last)? best = null;
+        foreach (SilhouetteSpans spans in _near)
+        {
+            (int first, int last) = alongRow ? spans.Row(row) : spans.Column(column);
+            first = Math.Max(first, low);
+            last = Math.Min(last, high);
+            bool comesFirst = best is not { } known || first < known.First || (first == known.First && last < known.Last);
+            if (first <= last && comesFirst && !AnyKnown(first, last))
+            {
+                best = (first, last);
+            }
+        }
+
+        return best is { } chosen ? StepOf((chosen.First + chosen.Last) / 2) : null;
+
+        bool AnyKnown(int first, int last)
+        {
+            for (int i = first; i <= last; i++)
+            {
+                if (_samples.IsKnown(alongRow ? i : column, alongRow ? row : i))
+                {
+                    return true;
+                }
+            }
+
+            return false;
+        }
+
+        int StepOf(int along)
+        {
+            int start = alongRow ? column : row;
+            return from + Math.Abs(along - start);
+        }
+    }
+
+    private void FillUnknown(int length)
+    {
+        int start = 0;
+        while (start < length && !_known[start])
+        {
+            start++;
+        }
+
+        if (start == length)
+        {
+            for (int i = 0; i < length; i++)
+            {
+                _numbers[i] = 0;
+            }
+
+            return;
+        }
+
+        int previous = start;
+        for (int i = start + 1; i <= start + length; i++)
+        {
+            if (!_known[i % length])
+            {
+                continue;
+            }
+
+            for (int k = previous + 1; k < i; k++)
+            {
+                _numbers[k % length] = _numbers[(k - previous <= i - k ? previous : i) % length];
+            }
+
+            previous = i;
+        }
+    }
+
+    private Place PlaceAt(int step)
+    {
+        (int column, int row) = Cell.Border(step % Cell.BorderLength);
+        return Place.OfPixel(column, row);
+    }
+}

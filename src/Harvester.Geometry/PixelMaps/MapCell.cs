@@ -1,0 +1,33 @@
+using System;
+
+namespace Harvester.Geometry.PixelMaps;
+
+/// <summary>A rectangle of pixels between four corner pixels, both ends included. Neighbouring cells share the pixels of their common side.</summary>
+internal readonly record struct MapCell(int Left, int Top, int Right, int Bottom)
+{
+    public int Width => Right - Left;
+
+    public int Height => Bottom - Top;
+
+    /// <summary>Whether it has pixels that are not on its border.</summary>
+    public bool HasInterior => Width > 1 && Height > 1;
+
+    /// <summary>The number of pixels on its border when walked around once; a cell of one pixel has that.</summary>
+    public int BorderLength => Math.Max(1, 2 * (Width + Height));
+
+    /// <summary>The pixel at a step of a walk around the border, clockwise on the screen from the upper left corner.</summary>
+    public (int Column, int Row) Border(int step)
+    {
+        if (step <= Width)
+        {
+            return (Left + step, Top);
+        }
+
+        if (step <= Width + Height)
+        {
+            return (Right, Top + step - Width);
+        }
+
+        return step <= (2 * Width) + Height ? (Right - (step - Width - Height), Bottom) : (Left, Bottom - (step - (2 * Width) - Height));
+    }
+}

@@ -1,0 +1,99 @@
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Visibility;
+
+namespace Harvester.Geometry.PixelMaps;
+
+/// <summary>
+/// How much of an object in a pixel map is hidden. What is visible is counted in the map. What would be visible without the things in
+/// front is that and a share of the silhouette's other pixels: the share of a few of them, spread evenly, at which a ray that starts
+/// at the object's cuboid meets the object. So the gaps between an object and its cuboid do not count as hidden.
+/// </summary>
+public sealed class MapOcclusionEstimator
+{
+    private readonly Camera _camera;
+    private readonly InstanceMap _map;
+    private readonly int _ignoredEntity;
+    private readonly IRayCaster _rays;
+    private readonly int _probes;
+
+    /// <summary>Makes an estimator for a map.</summary>
+    /// <param name="camera">The map's camera.</param>
+    /// <param name="map">The map.</param>
+    /// <param name="ignoredEntity">Handle of an entity that rays pass through; <see cref="RayHit.World"/> for none.</param>
+    /// <param name="rays">What rays meet.</param>
+    /// <param name="probes">Rays for each object at most; at least 1.</param>
+    /// <exception cref="System.ArgumentOutOfRangeException">Fewer than 1 probe.</exception>
+    public MapOcclusionEstimator(Camera camera, InstanceMap map, int ignoredEntity, IRayCaster rays, int probes)
+    {
+        _camera = Guard.NotNull(camera, nameof(camera));
+        _map = Guard.NotNull(map, nameof(map));
+        _ignoredEntity = ignoredEntity;
+        _rays = Guard.NotNull(rays, nameof(rays));
+        _probes = Guard.AtLeast(probes, 1, nameof(probes));
+    }
+
+    /// <summary>Estimates how much of a target is hidden.</summary>
+    /// <param name="target">The target.</param>
+    /// <param name="method">How its pixels were come by; one drawn by its silhouette is compared with its silhouette and costs no rays.</param>
+    /// <returns>The estimate; method <see cref="OcclusionMethod.None"/> when it covers no pixel or nothing of it would show.</returns>
+    public OcclusionEstimate Estimate(MapTarget target, PixelMapMethod method)
+    {
+        if (Guard.NotNull(target, nameof(target)).Projection.Box is not { } box)
+        {
+            return new OcclusionEstimate(0, 0, 0, OcclusionMethod.None);
+        }
+
+        var spans = new SilhouetteSpans(target.Projection.Silhouette, box, _camera.Image);
+        int visible = VisiblePixels(target, spans);
+        int others = spans.PixelCount - VisibleInSilhouette(target, spans);
+        double hidden = others;
+        int cast = 0;
+        if (method == PixelMapMethod.Rays && others > 0)
+        {
+            int met = 0;
+            var probe = new EntityProbe(_camera, new TargetView(target, spans), _ignoredEntity, _rays);
+            foreach ((int column, int row) in probe.Spread(_probes, (c, r) => _map[c, r] == target.Number))
+            {
+                cast++;
+                met += probe.Meets(column, row) ? 1 : 0;
+            }
+
+            hidden = cast == 0 ? 0 : (double)others * met / cast;
+        }
+
+        OcclusionMethod named = method == PixelMapMethod.Rays ? OcclusionMethod.PixelMap : OcclusionMethod.Silhouettes;
+        return visible + hidden > 0
+            ? new OcclusionEstimate(hidden / (visible + hidden), visible, cast, named)
+            : new OcclusionEstimate(0, 0, cast, OcclusionMethod.None);
+    }
+
+    // An outline between rays may lie a pixel outside the silhouette, so all of the box is counted.
+    private int VisiblePixels(MapTarget target, SilhouetteSpans spans)
+    {
+        int visible = 0;
+        for (int row = spans.FirstRow; row <= spans.LastRow; row++)
+        {
+            for (int column = spans.FirstColumn; column <= spans.LastColumn; column++)
+            {
+                visible += _map[column, row] == target.Number ? 1 : 0;
+            }
+        }
+
+        return visible;
+    }
+
+    private int VisibleInSilhouette(MapTarget target, SilhouetteSpans spans)
+    {
+        int visible = 0;
+        for (int row = spans.FirstRow; row <= spans.LastRow; row++)
+        {
+            (int first, int last) = spans.Row(row);
+            for (int column = first; column <= last; column++)
+            {
+                visible += _map[column, row] == target.Number ? 1 : 0;
+            }
+        }
+
+        return visible;
+    }
+}

@@ -1,0 +1,91 @@
+using System;
+using System.Collections.Generic;
+
+namespace Harvester.Geometry.PixelMaps;
+
+/// <summary>A target together with the pixels of its cuboid's silhouette and what is known of how much of it shows.</summary>
+internal sealed class TargetView
+{
+    /// <summary>From this many visible pixels on, an error counts by its share of them; smaller objects may be rougher.</summary>
+    private const int SmallPixels = 230;
+
+    /// <summary>How much rougher a small object may be, and the visible pixels below which only being found matters.</summary>
+    private const double SmallAllowance = 3;
+    private const double TinyPixels = 400;
+
+    /// <summary>What part of an object's silhouette at least counts as visible when fragments of it are searched for: hidden objects must not cost more than seen ones.</summary>
+    private const double SearchedShare = 0.35;
+
+    /// <summary>Steps of the R2 sequence, the inverse powers of the plastic number 1.3247...</summary>
+    private const double StepX = 0.5698402909980532;
+    private const double StepY = 0.7548776662466927;
+    private const int Seeds = 4;
+
+    public TargetView(MapTarget target, SilhouetteSpans spans)
+    {
+        Target = target;
+        Spans = spans;
+        Weight = SearchWeight = 1;
+    }
+
+    public MapTarget Target { get; }
+
+    public SilhouetteSpans Spans { get; }
+
+    /// <summary>What one wrong pixel counts: the inverse of the visible pixels.</summary>
+    public double Weight { get; private set; }
+
+    /// <summary>What one pixel of the silhouette counts while it is not known whether the object shows there.</summary>
+    public double SearchWeight { get; private set; }
+
+    /// <summary>The first pixels to ask: the middle of the silhouette and a few spread over it.</summary>
+    public IEnumerable<Place> FirstPlaces()
+    {
+        for (int i = 0; i <= Seeds; i++)
+        {
+            if (SpreadPixel(i) is { } pixel)
+            {
+                yield return Place.OfPixel(pixel.Column, pixel.Row);
+            }
+        }
+    }
+
+    /// <summary>A pixel of the silhouette: number 0 in its middle row, the others spread evenly. Null where the row has none.</summary>
+    public (int Column, int Row)? SpreadPixel(int number)
+    {
+        int row = Spans.FirstRow + (int)((Spans.LastRow - Spans.FirstRow + 1) * Fraction(0.5 + (number * StepY)));
+        (int first, int last) = Spans.Row(row);
+        return first <= last ? (first + (int)((last - first + 1) * Fraction(0.5 + (number * StepX))), row) : null;
+    }
+
+    /// <summary>Estimates the visible pixels from the share of the rays through the silhouette that met the object.</summary>
+    public void EstimateVisible(PixelSamples samples)
+    {
+        int asked = 0;
+        int met = 0;
+        for (int row = Spans.FirstRow; row <= Spans.LastRow; row++)
+        {
+            (int first, int last) = Spans.Row(row);
+            for (int column = first; column <= last; column++)
+            {
+                if (samples.IsCast(column, row))
+                {
+                    asked++;
+                    met += samples.Number(column, row) == Target.Number ? 1 : 0;
+                }
+            }
+        }
+
+        // A third of a ray is added for what no ray happened to meet.
+        SetVisible(Spans.PixelCount * (met + 0.3) / (asked + 1));
+    }
+
+    public void SetVisible(double pixels)
+    {
+        double counted = pixels >= SmallPixels ? pixels : Math.Max(TinyPixels, SmallAllowance * pixels);
+        Weight = 1 / counted;
+        SearchWeight = 1 / Math.Max(counted, SearchedShare * Spans.PixelCount);
+    }
+
+    private static double Fraction(double value) => value - Math.Floor(value);
+}

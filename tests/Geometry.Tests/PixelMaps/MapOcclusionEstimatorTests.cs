@@ -1,0 +1,69 @@
+using Harvester.Geometry.Boxes;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
+using Harvester.Geometry.Tests.Scenes;
+using Harvester.Geometry.Visibility;
+
+namespace Harvester.Geometry.Tests.PixelMaps;
+
+public sealed class MapOcclusionEstimatorTests
+{
+    private const int Car = 7;
+
+    /// <summary>64 probes of the pixels that do not show the object.</summary>
+    private const double SamplingError = 0.03;
+
+    private static readonly Camera Camera = new(
+        new Pose(Vector3D.Zero, Axes.Identity),
+        new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.1, Lens.Ideal));
+
+    private static readonly Cuboid Target = new(new(0, 20, 0), new(2, 2, 2), Axes.Identity);
+
+    /// <summary>From far left to the plane x = 0: exactly the image's left half.</summary>
+    private static readonly (int, Cuboid) WallOnTheLeft = (RayHit.World, new(new(-50, 10, 0), new(50, 0.1, 50), Axes.Identity));
+
+    [Fact]
+    public void Estimate_wall_over_the_left_half_hides_half()
+    {
+        OcclusionEstimate estimate = Estimate([(Car, Target), WallOnTheLeft], PixelMapMethod.Rays);
+
+        Assert.Equal(0.5, estimate.OccludedFraction, SamplingError);
+        Assert.Equal(OcclusionMethod.PixelMap, estimate.Method);
+    }
+
+    [Fact]
+    public void Estimate_gaps_between_cuboid_and_object_do_not_count()
+    {
+        Cuboid rightHalf = new(new(1, 20, 0), new(1, 2, 2), Axes.Identity);
+
+        Assert.Equal(0, Estimate([(Car, rightHalf), WallOnTheLeft], PixelMapMethod.Rays).OccludedFraction, SamplingError);
+    }
+
+    [Fact]
+    public void Estimate_wholly_hidden_is_one()
+    {
+        OcclusionEstimate estimate = Estimate(
+            [(Car, Target), (RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))], PixelMapMethod.Rays);
+
+        Assert.Equal(1, estimate.OccludedFraction);
+        Assert.Equal(0, estimate.SamplesOnObject);
+    }
+
+    [Fact]
+    public void Estimate_object_drawn_by_its_silhouette_costs_no_rays()
+    {
+        OcclusionEstimate estimate = Estimate([(Car, Target), WallOnTheLeft], PixelMapMethod.Silhouette);
+
+        Assert.Equal(0.5, estimate.OccludedFraction, SamplingError);
+        Assert.Equal(OcclusionMethod.Silhouettes, estimate.Method);
+        Assert.Equal(0, estimate.RaysCast);
+    }
+
+    private static OcclusionEstimate Estimate(IReadOnlyList<(int Entity, Cuboid Solid)> solids, PixelMapMethod method)
+    {
+        var world = new CuboidWorld(solids);
+        InstanceMap map = ExhaustivePixelMapper.Map(Camera, Camera.Image.Bounds, entity => entity == Car ? (ushort)1 : (ushort)0, RayHit.World, world);
+        var target = new MapTarget(Car, 1, Target, CuboidProjector.Project(Camera, Target));
+        return new MapOcclusionEstimator(Camera, map, RayHit.World, world, 64).Estimate(target, method);
+    }
+}
