@@ -5,6 +5,7 @@ using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Cli.Commands;
+using Harvester.Cli.Commands.Roads;
 using Harvester.Datasets;
 
 namespace Harvester.Cli;
@@ -82,6 +83,7 @@ internal static class Application
         root.Subcommands.Add(ReportCommand.Create(terminal));
         root.Subcommands.Add(ProjectCommand.Create(terminal));
         root.Subcommands.Add(BoxesCommand.Create(terminal));
+        root.Subcommands.Add(RoadsCommand.Create(terminal));
         HelpWithNotes.AddTo(root, ExitCodes);
         return root;
     }

@@ -1,6 +1,8 @@
 using System;
 using System.Globalization;
 using System.IO;
+using System.Text;
+using Harvester.Capture.Labels;
 using Harvester.Capture.Spaces;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
@@ -10,8 +12,6 @@ namespace Harvester.Capture.Roads;
 /// <summary>Writes roads in the form of <see cref="RoadCsv"/>: the same network gives the same bytes in every runtime.</summary>
 public static class RoadCsvWriter
 {
-    private const double Scale = 1_000_000;
-
     /// <summary>Writes a network.</summary>
     /// <exception cref="IOException">The file cannot be written.</exception>
     public static void Write(RoadNetwork network, TextWriter text)
@@ -45,13 +45,11 @@ public static class RoadCsvWriter
         Line(text, "end", Whole(network.Nodes.Count), Whole(network.Links.Count));
     }
 
-    internal static string Metres(double value)
+    private static string Metres(double value)
     {
-        long millionths = (long)Math.Round(value * Scale, MidpointRounding.AwayFromZero);
-        string digits = Math.Abs(millionths).ToString("0000000", CultureInfo.InvariantCulture);
-        int point = digits.Length - RoadCsv.Decimals;
-        string fraction = digits.Substring(point).TrimEnd('0');
-        return (millionths < 0 ? "-" : "") + digits.Substring(0, point) + (fraction.Length > 0 ? "." + fraction : "");
+        var digits = new StringBuilder();
+        InvariantNumber.Append(digits, value, RoadCsv.Decimals);
+        return digits.ToString();
     }
 
     private static string Whole(int number) => number.ToString(CultureInfo.InvariantCulture);

@@ -15,14 +15,11 @@ public static class RoadWriter
     {
         ArgumentNullException.ThrowIfNull(network);
         ArgumentException.ThrowIfNullOrEmpty(path);
-        string temporary = path + ".tmp";
-        using (FileStream file = File.Create(temporary))
-        using (Stream stream = path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? new GZipStream(file, CompressionLevel.Optimal) : file)
-        using (var writer = new StreamWriter(stream))
+        WholeFile.Write(path, file =>
         {
+            using Stream? packed = path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? new GZipStream(file, CompressionLevel.Optimal, leaveOpen: true) : null;
+            using var writer = new StreamWriter(packed ?? file, leaveOpen: true);
             RoadCsvWriter.Write(network, writer);
-        }
-
-        File.Move(temporary, path, overwrite: true);
+        });
     }
 }

@@ -9,16 +9,17 @@ namespace Harvester.Geometry.Roads;
 /// </summary>
 internal sealed class JunctionDistances
 {
+    private readonly RoadNetwork _network;
     private readonly double[] _distances;
 
     public JunctionDistances(RoadCurves curves, double furthest)
     {
-        RoadNetwork network = curves.Network;
-        _distances = new double[network.Nodes.Count];
+        _network = curves.Network;
+        _distances = new double[_network.Nodes.Count];
         var waiting = new Queue<int>();
         for (int node = 0; node < _distances.Length; node++)
         {
-            bool isJunction = IsJunction(network, node);
+            bool isJunction = IsJunction(node);
             _distances[node] = isJunction ? 0 : double.PositiveInfinity;
             if (isJunction)
             {
@@ -29,12 +30,12 @@ internal sealed class JunctionDistances
         while (waiting.Count > 0)
         {
             int node = waiting.Dequeue();
-            foreach (int link in network.LinksOf(node))
+            foreach (int link in _network.LinksOf(node))
             {
-                RoadLink road = network.Links[link];
+                RoadLink road = _network.Links[link];
                 int other = road.From == node ? road.To : road.From;
                 double distance = _distances[node] + curves.Of(link).Length;
-                if (distance < furthest && distance < _distances[other] && RoadContinuations.IsDrivable(network, road))
+                if (distance < furthest && distance < _distances[other] && RoadContinuations.IsDrivable(_network, road))
                 {
                     _distances[other] = distance;
                     waiting.Enqueue(other);
@@ -47,14 +48,15 @@ internal sealed class JunctionDistances
     public double From(RoadLink link, double station, double length) =>
         Math.Min(_distances[link.From] + station, _distances[link.To] + length - station);
 
-    private static bool IsJunction(RoadNetwork network, int node)
+    /// <summary>Whether a node is a junction.</summary>
+    public bool IsJunction(int node)
     {
         int drivable = 0;
-        foreach (int link in network.LinksOf(node))
+        foreach (int link in _network.LinksOf(node))
         {
-            drivable += RoadContinuations.IsDrivable(network, network.Links[link]) ? 1 : 0;
+            drivable += RoadContinuations.IsDrivable(_network, _network.Links[link]) ? 1 : 0;
         }
 
-        return drivable > 2 || (drivable > 0 && (network.Nodes[node].Flags & RoadNodeFlags.Junction) != 0);
+        return drivable > 2 || (drivable > 0 && (_network.Nodes[node].Flags & RoadNodeFlags.Junction) != 0);
     }
 }

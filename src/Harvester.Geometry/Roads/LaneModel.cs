@@ -54,7 +54,7 @@ public sealed class LaneModel
     /// <returns>Whether it was taken: there are lanes, and they come out between 3 and 8 m wide.</returns>
     public bool Calibrate(int link, bool isForward, double edgeDistance)
     {
-        RoadLink road = Directed(_network.Links[link], isForward);
+        RoadLink road = isForward ? _network.Links[link] : _network.Links[link].Reversed();
         int lanes = road.LanesForward;
         double width = road.LanesBackward > 0
             ? (edgeDistance - ((road.MedianWidth ?? 0) / 2)) / lanes
@@ -81,15 +81,15 @@ public sealed class LaneModel
     /// <returns>The lanes and the offset of their left edge, metres to the right of the line in that direction; null without lanes.</returns>
     public (LaneSection Section, double LeftEdge)? LanesOf(int link, bool isForward)
     {
-        RoadLink road = Directed(_network.Links[link], isForward);
-        if (road.LanesForward == 0)
+        RoadLink road = _network.Links[link];
+        int lanes = isForward ? road.LanesForward : road.LanesBackward;
+        if (lanes == 0)
         {
             return null;
         }
 
         double width = WidthOf(link).Width;
-        return (new LaneSection(road.LanesForward, width), RoadGeometry.MarkingOffset(road, 0, width));
+        int oncomingLanes = isForward ? road.LanesBackward : road.LanesForward;
+        return (new LaneSection(lanes, width), RoadGeometry.LeftEdge(lanes, oncomingLanes, road.MedianWidth, width));
     }
-
-    private static RoadLink Directed(RoadLink link, bool isForward) => isForward ? link : link.Reversed();
 }

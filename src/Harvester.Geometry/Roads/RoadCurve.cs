@@ -14,12 +14,17 @@ public sealed class RoadCurve
     /// <summary>Steps of Newton's method after which the closest point no longer moves by a millimetre on links of the game.</summary>
     private const int NewtonSteps = 5;
 
+    /// <summary>The arc length and the point in its middle are numerical; they are better than this fraction.</summary>
+    private const double ArcTolerance = 0.01;
+
     private readonly Vector2D _start;
     private readonly Vector2D _end;
     private readonly Vector2D _startTangent;
     private readonly Vector2D _endTangent;
     private readonly double _startHeight;
     private readonly double _endHeight;
+    private readonly Vector2D _middle;
+    private readonly double _radius;
     private readonly double[] _stations = new double[Pieces + 1];
 
     /// <summary>Makes the curve between two nodes with unit directions on the ground at both.</summary>
@@ -44,6 +49,10 @@ public sealed class RoadCurve
         {
             _stations[i] = _stations[i - 1] + LengthBetween((i - 1) / (double)Pieces, i / (double)Pieces);
         }
+
+        // No point of the curve is further from its middle along the arc than half its length.
+        _middle = GroundAt(ParameterAt(Length / 2));
+        _radius = Length / 2 * (1 + ArcTolerance);
     }
 
     /// <summary>Arc length on the ground, metres.</summary>
@@ -156,6 +165,14 @@ public sealed class RoadCurve
         Vector2D direction = DirectionAt(parameter);
         Vector3D centre = PointAt(parameter);
         return new Vector3D(centre.X + (direction.Y * offset), centre.Y - (direction.X * offset), centre.Z);
+    }
+
+    /// <summary>Whether every point of the curve is surely further from a place than a distance, by the circle around it.</summary>
+    internal bool IsBeyond(Vector2D place, double distance)
+    {
+        Vector2D apart = place - _middle;
+        double reach = distance + _radius;
+        return apart.Dot(apart) > reach * reach;
     }
 
     internal double HeightAt(double parameter) => _startHeight + ((_endHeight - _startHeight) * parameter);

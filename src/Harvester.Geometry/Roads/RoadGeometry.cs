@@ -32,7 +32,9 @@ public static class RoadGeometry
             throw new ArgumentOutOfRangeException(nameof(marking), marking, "A direction has the markings 0 to its number of lanes.");
         }
 
-        double left = link.LanesBackward > 0 ? (link.MedianWidth ?? 0) / 2 : -link.LanesForward * laneWidth / 2;
-        return left + (marking * laneWidth);
+        return LeftEdge(link.LanesForward, link.LanesBackward, link.MedianWidth, laneWidth) + (marking * laneWidth);
     }
+
+    internal static double LeftEdge(int lanes, int oncomingLanes, double? medianWidth, double laneWidth) =>
+        oncomingLanes > 0 ? (medianWidth ?? 0) / 2 : -lanes * laneWidth / 2;
 }

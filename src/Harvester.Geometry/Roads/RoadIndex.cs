@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
-/// Finds the links near a place without looking at the others: a grid of square cells, each with the links whose curve may come
-/// within the index's reach of a point in it. It does not change once made, so any number of threads may ask it.
+/// Finds the links near a place without looking at the others: a grid of square cells, each with the links that may reach a point
+/// in it. It does not change once made, so any number of threads may ask it.
 /// </summary>
 public sealed class RoadIndex
 {
@@ -25,10 +25,10 @@ public sealed class RoadIndex
 
     /// <summary>Makes the index of all drivable links.</summary>
     /// <param name="curves">The centre lines.</param>
-    /// <param name="reach">How far from a centre line it is found, metres; greater than 0.</param>
-    public RoadIndex(RoadCurves curves, double reach)
+    /// <param name="reachOf">How far from a link's centre line it is found, metres; greater than 0.</param>
+    public RoadIndex(RoadCurves curves, Func<int, double> reachOf)
     {
-        Reach = Guard.Positive(reach, nameof(reach));
+        Guard.NotNull(reachOf, nameof(reachOf));
         RoadNetwork network = Guard.NotNull(curves, nameof(curves)).Network;
         var boxes = new List<(int Link, Box2D Box)>();
         double west = double.PositiveInfinity, south = west, east = -west, north = -west;
@@ -36,7 +36,7 @@ public sealed class RoadIndex
         {
             if (RoadContinuations.IsDrivable(network, network.Links[i]))
             {
-                Box2D box = BoxOf(curves.Of(i), reach);
+                Box2D box = BoxOf(curves.Of(i), Guard.Positive(reachOf(i), nameof(reachOf)));
                 boxes.Add((i, box));
                 west = Math.Min(west, box.XMin);
                 south = Math.Min(south, box.YMin);
@@ -61,10 +61,7 @@ public sealed class RoadIndex
         (_starts, _links) = Fill(boxes);
     }
 
-    /// <summary>How far from a centre line it is found, metres.</summary>
-    public double Reach { get; }
-
-    /// <summary>Every drivable link whose centre line is within the reach of a place, among some that are a little further.</summary>
+    /// <summary>Every drivable link that reaches a place, among some that lie a little further.</summary>
     /// <param name="place">Metres, world; the height does not count.</param>
     public ArraySegment<int> Near(Vector3D place)
     {

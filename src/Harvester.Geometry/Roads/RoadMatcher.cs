@@ -28,12 +28,13 @@ public sealed class RoadMatcher
     private readonly RoadMatcherOptions _options;
     private readonly RoadIndex _index;
     private readonly JunctionDistances _junctions;
+    private readonly double[] _reach;
     private readonly double _headingDeviation;
     private readonly double _largestHeadingError;
 
     /// <summary>Makes a matcher.</summary>
     /// <param name="curves">The centre lines.</param>
-    /// <param name="lanes">How wide the lanes are.</param>
+    /// <param name="lanes">How wide the lanes are; calibrations made later move the lanes, but not how far from a road it is found.</param>
     /// <param name="options">What is likely; the defaults when null.</param>
     public RoadMatcher(RoadCurves curves, LaneModel lanes, RoadMatcherOptions? options = null)
     {
@@ -44,7 +45,13 @@ public sealed class RoadMatcher
         _headingDeviation = Angles.ToRadians(_options.HeadingDeviationDegrees);
         _largestHeadingError = Angles.ToRadians(_options.LargestHeadingErrorDegrees);
         _junctions = new JunctionDistances(curves, _options.JunctionReach);
-        _index = new RoadIndex(curves, WidestHalf() + _options.LargestDistanceBeside);
+        _reach = new double[_network.Links.Count];
+        for (int i = 0; i < _reach.Length; i++)
+        {
+            _reach[i] = Math.Max(RightEdge(i, isForward: true), RightEdge(i, isForward: false)) + _options.LargestDistanceBeside;
+        }
+
+        _index = new RoadIndex(curves, link => _reach[link]);
     }
 
     /// <summary>Matches one sight of a car.</summary>
@@ -93,6 +100,11 @@ public sealed class RoadMatcher
     {
         RoadCurve curve = _curves.Of(link);
         var place = new Vector2D(position.X, position.Y);
+        if (curve.IsBeyond(place, _reach[link]))
+        {
+            return null;
+        }
+
         double parameter = curve.ClosestParameter(place);
         double height = (position.Z - curve.HeightAt(parameter)) / _options.HeightDeviation;
         if (Math.Abs(height) * _options.HeightDeviation > _options.LargestHeightDifference)
@@ -219,22 +231,8 @@ public sealed class RoadMatcher
         };
     }
 
-    private double WidestHalf()
-    {
-        double widest = 0;
-        for (int i = 0; i < _network.Links.Count; i++)
-        {
-            foreach (bool isForward in new[] { true, false })
-            {
-                if (_lanes.LanesOf(i, isForward) is { } lanes)
-                {
-                    widest = Math.Max(widest, lanes.LeftEdge + (lanes.Section.LaneCount * lanes.Section.LaneWidth));
-                }
-            }
-        }
-
-        return widest;
-    }
+    private double RightEdge(int link, bool isForward) =>
+        _lanes.LanesOf(link, isForward) is { } lanes ? lanes.LeftEdge + (lanes.Section.LaneCount * lanes.Section.LaneWidth) : 0;
 
     private static double Square(double value) => value * value;
 }

@@ -1,0 +1,24 @@
+using System.CommandLine;
+using Harvester.Datasets.Roads;
+
+namespace Harvester.Cli.Commands.Roads;
+
+/// <summary>harvester roads import: road data of any known form into the project's own.</summary>
+internal static class RoadsImportCommand
+{
+    public static Command Create(Terminal terminal)
+    {
+        Argument<string> from = RoadSourceArgument.Create();
+        Option<string> output = RoadSourceArgument.Output("File to write; packed by gzip when it ends in .gz");
+        var command = new Command("import", "Convert road data into the project's csv.") { from, output };
+        command.SetAction(parsed =>
+        {
+            RoadImport import = RoadSourceArgument.Import(parsed, from, terminal);
+            string file = parsed.GetRequiredValue(output);
+            RoadWriter.Write(import.Network, file);
+            terminal.Out.WriteLine($"{file}: {import.Network.Nodes.Count} nodes, {import.Network.Links.Count} links, from {import.Format}");
+            return ExitCode.Done;
+        });
+        return command;
+    }
+}

@@ -1,0 +1,28 @@
+using System.CommandLine;
+using Harvester.Datasets.Roads;
+
+namespace Harvester.Cli.Commands.Roads;
+
+/// <summary>harvester roads info: what road data has, in numbers.</summary>
+internal static class RoadsInfoCommand
+{
+    private const int NameColumn = 40;
+
+    public static Command Create(Terminal terminal)
+    {
+        Argument<string> from = RoadSourceArgument.Create();
+        var command = new Command("info", "Count nodes, links, flags and lanes.") { from };
+        command.SetAction(parsed =>
+        {
+            RoadImport import = RoadSourceArgument.Import(parsed, from, terminal);
+            terminal.Out.WriteLine("format".PadRight(NameColumn) + import.Format);
+            foreach ((string name, string value) in RoadSummary.Of(import.Network))
+            {
+                terminal.Out.WriteLine(name.PadRight(NameColumn) + value);
+            }
+
+            return ExitCode.Done;
+        });
+        return command;
+    }
+}

@@ -1,0 +1,64 @@
+using System.CommandLine;
+using System.IO;
+using System.IO.Compression;
+using Harvester.Capture.Imaging;
+using Harvester.Cli.Arguments;
+using Harvester.Datasets.Roads;
+using Harvester.Geometry;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Cli.Commands.Roads;
+
+/// <summary>harvester roads map: a picture of road data.</summary>
+internal static class RoadsMapCommand
+{
+    private const int DefaultSize = 2000;
+    private const int LargestSize = 20_000;
+
+    public static Command Create(Terminal terminal)
+    {
+        Argument<string> from = RoadSourceArgument.Create();
+        Option<string> output = RoadSourceArgument.Output("Picture to write: .png, or .svg for a vector graphic");
+        Option<int> size = ValueParsers.Integer("--size", "PIXELS", $"Pixels of the longer side [default: {DefaultSize}]", 16, LargestSize);
+        size.DefaultValueFactory = _ => DefaultSize;
+        Option<Box2D?> area = ValueParsers.Optional<Box2D>(
+            "--area", "XMIN,YMIN,XMAX,YMAX", "The part of the world to show, metres [default: all]", ParseArea, "west, south, east and north edge, as -500,-1500,1000,0");
+        var command = new Command("map", "Draw road data as a map: highways orange, one-way roads blue, unpaved ways brown.") { from, output, size, area };
+        command.SetAction(parsed =>
+        {
+            string file = parsed.GetRequiredValue(output);
+            string extension = Path.GetExtension(file).ToUpperInvariant();
+            if (extension is not (".PNG" or ".SVG"))
+            {
+                throw new UsageException("--out takes a file that ends in .png or .svg.");
+            }
+
+            RoadNetwork network = RoadSourceArgument.Import(parsed, from, terminal).Network;
+            if (network.Nodes.Count == 0)
+            {
+                throw new UsageException("There are no roads to draw.");
+            }
+
+            var map = new RoadMap(network, parsed.GetValue(area), parsed.GetValue(size));
+            WholeFile.Write(file, stream => Write(map, extension, stream));
+            terminal.Out.WriteLine($"{file}: {map.Size.Width} x {map.Size.Height} pixels");
+            return ExitCode.Done;
+        });
+        return command;
+    }
+
+    private static void Write(RoadMap map, string extension, Stream stream)
+    {
+        if (extension == ".PNG")
+        {
+            new PngEncoder(CompressionLevel.Optimal).Write(map.Draw(), stream);
+            return;
+        }
+
+        using var text = new StreamWriter(stream, leaveOpen: true);
+        map.WriteSvg(text);
+    }
+
+    private static Box2D? ParseArea(string text) =>
+        ValueParsers.Numbers(text, 4) is { } n && n[0] < n[2] && n[1] < n[3] ? new Box2D(n[0], n[1], n[2], n[3]) : null;
+}

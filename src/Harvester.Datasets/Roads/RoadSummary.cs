@@ -1,0 +1,45 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Datasets.Roads;
+
+/// <summary>A network in numbers.</summary>
+public static class RoadSummary
+{
+    /// <summary>The counts and lengths of a network, each with its name, in a fixed order. Flags that no node or link has are left out.</summary>
+    public static IReadOnlyList<(string Name, string Value)> Of(RoadNetwork network)
+    {
+        ArgumentNullException.ThrowIfNull(network);
+        var curves = new RoadCurves(network);
+        double metres = Enumerable.Range(0, network.Links.Count).Sum(link => curves.Of(link).Length);
+        var rows = new List<(string, string)>
+        {
+            ("nodes", Text(network.Nodes.Count)),
+            ("links", Text(network.Links.Count)),
+            ("length", FormattableString.Invariant($"{metres / 1000:0.0} km")),
+            ("cells with nodes", Text(network.Nodes.Select(node => node.Area).Distinct().Count())),
+            ("nodes with a street", Text(network.Nodes.Count(node => node.Street.Length > 0))),
+            ("links driven by cars", Text(network.Links.Count(link => RoadContinuations.IsDrivable(network, link)))),
+            ("one-way links", Text(network.Links.Count(link => link.IsOneWay))),
+            ("links with a known median", Text(network.Links.Count(link => link.MedianWidth is not null))),
+        };
+        rows.AddRange(Counts<RoadNodeFlags>("node", flag => network.Nodes.Count(node => node.Flags.HasFlag(flag))));
+        rows.AddRange(Counts<RoadLinkFlags>("link", flag => network.Links.Count(link => link.Flags.HasFlag(flag))));
+        rows.AddRange(network.Links
+            .GroupBy(link => (Most: Math.Max(link.LanesForward, link.LanesBackward), Least: Math.Min(link.LanesForward, link.LanesBackward)))
+            .OrderBy(lanes => lanes.Key)
+            .Select(lanes => (FormattableString.Invariant($"lanes {lanes.Key.Most} and {lanes.Key.Least}"), Text(lanes.Count()))));
+        return rows;
+    }
+
+    private static IEnumerable<(string, string)> Counts<T>(string kind, Func<T, int> count)
+        where T : struct, Enum =>
+        Enum.GetValues<T>().Where(flag => Convert.ToInt32(flag, null) != 0)
+            .Select(flag => (Name: $"{kind} flag {flag}", Count: count(flag)))
+            .Where(row => row.Count > 0)
+            .Select(row => (row.Name, Text(row.Count)));
+
+    private static string Text(int count) => FormattableString.Invariant($"{count}");
+}

@@ -1,0 +1,81 @@
+namespace Harvester.Cli.Tests.Commands;
+
+public sealed class RoadsCommandTests : IDisposable
+{
+    /// <summary>Three nodes in a line to the north with two links; the first has two lanes north and one south.</summary>
+    private const string Ipl = """
+        vnod
+        0, 0, 10, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
+        0, 20, 10, 0, 0, 0, 1, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
+        0, 40, 10, 0, 0, 0, 1, 15, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
+        end
+        link
+        0, 1, 2, 1, 2, 0
+        1, 2, 0, 0, 1, 1
+        end
+        """;
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Import_then_info_tells_what_the_source_had()
+    {
+        string from = _folder.File("roads.txt", Ipl);
+        string csv = Path.Combine(_folder.Path, "roads.csv.gz");
+
+        CliRun import = CliRun.Of("roads", "import", from, "--out", csv);
+        CliRun info = CliRun.Of("roads", "info", csv);
+
+        Assert.Equal(0, import.ExitCode);
+        Assert.Equal($"{csv}: 3 nodes, 2 links, from paths.ipl\n", import.Out);
+        Assert.Equal(0, info.ExitCode);
+        Assert.Matches(@"node flag Highway +2\n", info.Out);
+        Assert.Matches(@"node flag TrafficLight +1\n", info.Out);
+        Assert.Matches(@"link flag NarrowRoad +1\n", info.Out);
+        Assert.Matches(@"lanes 2 and 1 +1\n", info.Out);
+        Assert.Matches(@"length +0\.0 km\n", info.Out);
+        Assert.False(File.Exists(csv + ".tmp"));
+    }
+
+    [Fact]
+    public void Nodes_writes_the_columns_of_figure_22_first()
+    {
+        string from = _folder.File("roads.txt", Ipl);
+        string csv = Path.Combine(_folder.Path, "nodes.csv");
+
+        CliRun run = CliRun.Of("roads", "nodes", from, "--out", csv, "--lane-width", "5");
+
+        string[] lines = File.ReadAllLines(csv);
+        Assert.Equal(0, run.ExitCode);
+        Assert.StartsWith("nodeId,onMarking,oneWay,leftStart,leftEnd,rightStart,rightEnd,heading,", lines[0], StringComparison.Ordinal);
+        // Node 0 northwards: median 2 m, lanes of 5 m, two right of it and one left of it.
+        Assert.Contains("1,false,false,-1 0 10,-6 0 10,1 0 10,11 0 10,0 1 0,2,1,5,constant,2,0.8,false", lines);
+    }
+
+    [Fact]
+    public void Map_is_a_picture_or_a_vector_graphic_by_its_name()
+    {
+        string from = _folder.File("roads.txt", Ipl);
+        string png = Path.Combine(_folder.Path, "map.png");
+        string svg = Path.Combine(_folder.Path, "map.svg");
+
+        Assert.Equal($"{png}: 20 x 40 pixels\n", CliRun.Of("roads", "map", from, "--out", png, "--area=-10,0,10,40", "--size", "40").Out);
+        Assert.Equal(0, CliRun.Of("roads", "map", from, "--out", svg, "--area=-10,0,10,40", "--size", "40").ExitCode);
+
+        Assert.True(File.ReadAllBytes(png) is [0x89, (byte)'P', (byte)'N', (byte)'G', ..]);
+        // The link between y = 20 and 40 is a highway at both ends, drawn upwards in the middle of the map.
+        Assert.Matches("id=\"highway\"[^/]+d=\"M10 20L10 15L10 10L10 5L10 0\"", File.ReadAllText(svg));
+        CliRun.Of("roads", "map", from, "--out", "map.bmp").AssertFailed(2, "--out takes a file that ends in .png or .svg");
+    }
+
+    [Fact]
+    public void Import_of_a_corrupt_file_fails_with_its_place()
+    {
+        string from = _folder.File("roads.txt", Ipl.Replace("0, 1, 2, 1, 2, 0", "0, 9, 2, 1, 2, 0", StringComparison.Ordinal));
+
+        CliRun.Of("roads", "import", from, "--out", Path.Combine(_folder.Path, "x.csv")).AssertFailed(1, "roads.txt, line 7: the link runs from node 0 to node 9");
+        CliRun.Of("roads", "info", Path.Combine(_folder.Path, "absent")).AssertFailed(3, "absent");
+    }
+}
