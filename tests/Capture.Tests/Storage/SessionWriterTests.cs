@@ -110,6 +110,26 @@ public sealed class SessionWriterTests : IDisposable
     }
 
     [Fact]
+    public void Harvest_onto_a_disk_that_stands_never_waits_and_loses_nothing()
+    {
+        using var files = new SlowFiles(_folder.Session);
+        var game = new FakeGame();
+        var writer = new SessionWriter(_folder.Session, Origin, resume: false, files);
+        var session = new HarvestSession(Options with { MaxFrames = 10, QueueCapacity = 2 }, game.Ports, writer);
+        IReadOnlyList<HarvestPhase> phases = game.Run(session, 300);
+
+        // Two in the queue and none written: the writer's thread waits for the header. 300 ticks went by all the same.
+        Assert.Equal((300, 2, 2, 0), (phases.Count, session.Counters.Captured, writer.Queued, writer.FramesWritten));
+        Assert.Equal(HarvestPhase.WaitingForSink, phases[^1]);
+        Assert.False(game.WantsFrozen);
+
+        files.Release();
+        RunToEnd(session, game, writer);
+        writer.Dispose();
+        Assert.Equal(10, _folder.CheckValid());
+    }
+
+    [Fact]
     public void Harvest_into_a_folder_that_vanishes_ends_with_a_fault()
     {
         var game = new FakeGame();
