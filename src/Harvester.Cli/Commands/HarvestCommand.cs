@@ -60,6 +60,13 @@ internal static class HarvestCommand
         HelpName = "FILE",
     };
 
+    private static readonly Option<FileInfo[]> Props = new("--props")
+    {
+        Description = "Set up the traffic lights and street lamps of this file instead of made-up ones; may be given more than once",
+        HelpName = "FILE",
+        DefaultValueFactory = _ => [],
+    };
+
     private static readonly Option<Vector2D?> Near = ValueParsers.Point("--near", "X,Y", "Where to start, metres [default: the middle of the roads]");
     private static readonly Option<string> Weather = new("--weather")
     {
@@ -87,7 +94,7 @@ internal static class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Near, Weather, Time, Masks, Range, Classes, NoReport,
+            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Near, Weather, Time, Masks, Range, Classes, NoReport,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
@@ -143,6 +150,7 @@ internal static class HarvestCommand
             FovDegrees = parsed.GetValue(Fov),
             RateHz = parsed.GetValue(Hz),
             Roads = parsed.GetValue(Roads)?.FullName,
+            Props = [.. parsed.GetRequiredValue(Props).Select(file => file.FullName)],
             Near = parsed.GetValue(Near),
             Weather = Weathers.Contains(weather, StringComparer.Ordinal)
                 ? weather

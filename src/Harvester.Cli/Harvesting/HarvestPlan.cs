@@ -33,6 +33,9 @@ internal sealed record HarvestPlan
     /// <summary>File of the roads to drive on; null for a town made from the seed.</summary>
     public required string? Roads { get; init; }
 
+    /// <summary>Files of the lights and lamps that stand by the roads; none to make them up.</summary>
+    public required IReadOnlyList<string> Props { get; init; }
+
     /// <summary>Where to start, metres, world; null for the middle of the roads.</summary>
     public required Vector2D? Near { get; init; }
 

@@ -3,9 +3,12 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using System.Threading;
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Scenes;
 using Harvester.Capture.Storage;
+using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry.Roads;
 using Harvester.Simulation;
@@ -27,11 +30,12 @@ internal sealed class SimulatedHarvest
         _game = game;
     }
 
-    /// <summary>Reads the roads, if any are named, and builds the world.</summary>
+    /// <summary>Reads roads and props, if any are named, and builds the world.</summary>
     /// <exception cref="UsageException">There is no road where the harvest is to begin.</exception>
     public static SimulatedHarvest Build(HarvestPlan plan)
     {
         RoadNetwork? roads = plan.Roads is null ? null : RoadImporter.Import(plan.Roads).Network;
+        List<PropPlacement> props = [.. plan.Props.SelectMany(PropPlacementImporter.Import)];
         try
         {
             return new SimulatedHarvest(plan, new SimulatedGame(new SimulationOptions
@@ -39,6 +43,7 @@ internal sealed class SimulatedHarvest
                 Seed = plan.Seed,
                 Roads = roads,
                 Near = plan.Near,
+                Props = plan.Props.Count > 0 ? props : null,
                 Weather = plan.Weather,
                 TimeOfDay = plan.TimeOfDay,
                 VerticalFovDegrees = plan.FovDegrees,
@@ -109,6 +114,11 @@ internal sealed class SimulatedHarvest
         if (_plan.Roads is { } roads)
         {
             yield return new("roads", Path.GetFileName(roads));
+        }
+
+        if (_plan.Props.Count > 0)
+        {
+            yield return new("props", string.Join(", ", _plan.Props.Select(Path.GetFileName)));
         }
 
         if (_plan.Near is { } near)

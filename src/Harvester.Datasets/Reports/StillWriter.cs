@@ -9,7 +9,7 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Reports;
 
-/// <summary>Draws one frame of a session with its 2D and 3D boxes, in the colours of the classes.</summary>
+/// <summary>Draws one frame of a session with its 2D and 3D boxes, in the colours of the classes; the more of an object is hidden, the fainter.</summary>
 public static class StillWriter
 {
     private const int Black = 0;
@@ -18,6 +18,9 @@ public static class StillWriter
     private const double OutlineOpacity = 0.45;
     private const double EdgeWidth = 1;
     private const double EdgeOpacity = 0.6;
+
+    /// <summary>How much fainter a box is when all of its object is hidden.</summary>
+    private const double HiddenFading = 0.7;
 
     /// <summary>Writes the picture as PNG.</summary>
     /// <param name="session">The session.</param>
@@ -37,13 +40,14 @@ public static class StillWriter
         foreach (ObjectLabel item in label.Objects.OrderByDescending(item => item.DistanceMetres))
         {
             int colour = ClassColours.Of(item.Class);
+            double opacity = 1 - (HiddenFading * (item.OccludedFraction ?? 0));
             foreach ((Vector2D start, Vector2D end) in CuboidEdges.Of(camera, item.Box3D))
             {
-                canvas.Line(start, end, EdgeWidth, colour, EdgeOpacity);
+                canvas.Line(start, end, EdgeWidth, colour, EdgeOpacity * opacity);
             }
 
-            canvas.Rectangle(item.Box2D, OutlineWidth, Black, OutlineOpacity);
-            canvas.Rectangle(item.Box2D, BoxWidth, colour, 1);
+            canvas.Rectangle(item.Box2D, OutlineWidth, Black, OutlineOpacity * opacity);
+            canvas.Rectangle(item.Box2D, BoxWidth, colour, opacity);
         }
 
         using FileStream file = File.Create(path);

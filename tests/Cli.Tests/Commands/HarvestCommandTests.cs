@@ -173,6 +173,21 @@ public sealed class HarvestCommandTests : IDisposable
         Assert.Contains("roads.json", run.Error, StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void Harvest_with_props_sets_them_up_and_notes_their_file()
+    {
+        string lamps = _folder.File("lamps.json", """[{ "Name": "prop_streetlight_01", "Position": { "X": 1, "Y": 2, "Z": 3 }, "Rotation": { "X": 0, "Y": 0, "Z": 90 } }]""");
+
+        Assert.Equal(ExitCode.Done, Harvest(Session, "--frames", "1", "--props", lamps).ExitCode);
+
+        using JsonDocument info = JsonDocument.Parse(File.ReadAllText(Path.Combine(Session, "session.json")));
+        Assert.Equal("lamps.json", info.RootElement.GetProperty("settings").GetProperty("props").GetString());
+    }
+
+    [Fact]
+    public void Harvest_with_props_that_are_none_is_a_data_error() =>
+        Harvest(Session, "--props", _folder.File("lamps.json", "{}")).AssertFailed(ExitCode.BadData, "lamps.json");
+
     private static CliRun Harvest(string session, params string[] arguments) =>
         CliRun.Of(["harvest", "--out", session, "--size", "160x120", .. arguments]);
 

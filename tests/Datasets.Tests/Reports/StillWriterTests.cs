@@ -15,11 +15,8 @@ public sealed class StillWriterTests : IDisposable
     [Fact]
     public void Write_draws_the_sides_of_a_box_in_its_classs_colour_and_leaves_the_rest()
     {
-        using (FileStream file = File.Create(_session.PathOf("frames/00000001.png")))
-        {
-            new PngEncoder().Write(new PixelBuffer(new ImageSize(TestSession.Width, TestSession.Height)), file);
-        }
-
+        DrawOnBlack(1);
+        _session.Car(1)["occludedFraction"] = 0.0;
         string path = _session.PathOf("still.png");
 
         StillWriter.Write(_session.Open(), 1, path);
@@ -33,11 +30,31 @@ public sealed class StillWriterTests : IDisposable
     }
 
     [Fact]
+    public void Write_draws_a_hidden_object_fainter()
+    {
+        DrawOnBlack(1);
+        _session.Car(1)["occludedFraction"] = 1.0;
+        string path = _session.PathOf("still.png");
+
+        StillWriter.Write(_session.Open(), 1, path);
+
+        // All is drawn with 0.3 of its opacity, over black. Blue, 255: the 3D edge covers half of the pixel at 0.6, 0.5 * 0.6 * 0.3 * 255 = 23;
+        // the dark outline takes 0.45 * 0.3 of that, 20 are left; the box adds 0.3 * (255 - 20), which makes 90.5.
+        Assert.InRange(Colour(PngDecoder.ReadRgb(path), 36, 30) & 0xFF, 90, 92);
+    }
+
+    [Fact]
     public void Write_of_a_frame_that_is_not_there_says_so() =>
         Assert.Contains(
             "no frame 7",
             Assert.Throws<DatasetFormatException>(() => StillWriter.Write(_session.Open(), 7, _session.PathOf("still.png"))).Message,
             StringComparison.Ordinal);
+
+    private void DrawOnBlack(int frame)
+    {
+        using FileStream file = File.Create(_session.PathOf($"frames/{frame:D8}.png"));
+        new PngEncoder().Write(new PixelBuffer(new ImageSize(TestSession.Width, TestSession.Height)), file);
+    }
 
     private static int Colour(PixelBuffer picture, int column, int row)
     {

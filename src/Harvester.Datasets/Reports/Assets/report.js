@@ -4,6 +4,7 @@ const data = JSON.parse(document.getElementById("data").textContent);
 const byId = id => document.getElementById(id);
 const svgNamespace = "http://www.w3.org/2000/svg";
 const framesPerSecond = 8;
+const hiddenFading = 0.7; // The more of an object is hidden, the fainter its box.
 const kinds = [["box", "in the image"], ["amodal", "whole"], ["edges", "3D"]];
 const state = { index: 0, shown: new Set(["box"]), hidden: new Set(), chosen: null, timer: null };
 const pictures = new Map();
@@ -76,7 +77,7 @@ function draw() {
 function drawObject(object) {
   const drawn = [];
   const rectangle = (box, attributes) =>
-    shape("rect", { x: box[0], y: box[1], width: box[2] - box[0], height: box[3] - box[1], stroke: colour(object), ...attributes });
+    shape("rect", { x: box[0], y: box[1], width: box[2] - box[0], height: box[3] - box[1], stroke: colour(object), "stroke-opacity": 1 - hiddenFading * (object.occluded ?? 0), ...attributes });
   if (state.shown.has("amodal")) drawn.push(rectangle(object.amodal, { class: "amodal" }));
   if (state.shown.has("edges")) {
     const path = object.edges.map(edge => `M${edge[0]} ${edge[1]}L${edge[2]} ${edge[3]}`).join("");
