@@ -1,8 +1,12 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Threading;
 using System.Windows.Forms;
 using GTA;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Screen;
+using Harvester.Capture.Spaces;
 
 namespace Harvester.Mod;
 
@@ -10,39 +14,91 @@ namespace Harvester.Mod;
 /// The script that the game's loader starts: it binds the keys to the features and lets no exception of theirs out. A feature that
 /// fails is stopped with a message; the others go on.
 /// </summary>
+#pragma warning disable CA1001 // The loader ends a script by Aborted, which disposes the harvest.
 public sealed class HarvesterScript : Script
+#pragma warning restore CA1001
 {
     private readonly Messages _messages;
-    private readonly ModSettings _settings;
+    private readonly List<string> _complaints = [];
     private readonly Dictionary<Keys, (IFeature Feature, Action Press)> _keys = [];
     private readonly TestCar _car;
+    private readonly CameraMount _mount;
+    private readonly Harvest _harvest;
     private readonly IFeature[] _features;
     private bool _greeted;
     private int _aborted;
 
     /// <summary>Reads the settings; the game is not asked for anything yet.</summary>
     public HarvesterScript()
+        : this(GameWindowScreen.OfThisProcess(), new PlayerClock())
     {
-        _messages = new Messages(BaseDirectory);
-        _settings = ModSettings.Load(GetRelativePath("GtaDataHarvester.ini"), _messages);
-        _car = new TestCar(_settings, _messages);
-        var mount = new CameraMount(_settings, _messages);
-        _features = [_car, mount];
-        Bind(_settings.SpawnKey, _car, _car.Spawn);
-        Bind(_settings.MountKey, mount, mount.Mount);
-        Bind(_settings.RestoreKey, mount, mount.Stop);
+    }
+
+    internal HarvesterScript(IScreen screen, IClock clock)
+    {
+        string folder = BaseDirectory;
+        _messages = new Messages(folder);
+        ModSettings settings = Read(() => ModSettings.Load(folder), () => ModSettings.Default(folder), ModSettings.FileName);
+        _complaints.AddRange(settings.Complaints);
+        SpaceTable spaces = ReadSpaces(folder);
+        _car = new TestCar(settings, _messages, clock);
+        _mount = new CameraMount(settings, _messages);
+        var pause = new GamePause();
+        var rays = new GameRays();
+        var world = new GameWorld(_mount, pause, rays, spaces);
+        _harvest = new Harvest(settings, _messages, _mount, new GamePorts(world, rays, screen, pause, clock));
+        var overlay = new Overlay(settings, world, spaces, _harvest);
+        _features = [_car, _mount, _harvest, new Hud(_harvest, settings.Folder, clock), overlay];
+        Bind(settings.SpawnKey, _car, _car.Spawn);
+        Bind(settings.MountKey, _mount, _mount.Mount);
+        Bind(settings.RestoreKey, _mount, _mount.Stop);
+        Bind(settings.HarvestKey, _harvest, _harvest.Toggle);
+        Bind(settings.FrameKey, _harvest, _harvest.TakeOne);
+        Bind(settings.OverlayKey, overlay, overlay.Toggle);
         Tick += OnTick;
         KeyUp += OnKeyUp;
         Aborted += OnAborted;
     }
 
-    private string GetRelativePath(string file) => System.IO.Path.Combine(BaseDirectory, file);
+    /// <summary>Whether an ended harvest is still being written.</summary>
+    internal bool IsWriting => _harvest.IsWriting;
+
+    private SpaceTable ReadSpaces(string folder)
+    {
+        const string file = "spaces_of_interest.csv";
+        SpaceTableContent content = Read(Load, () => new SpaceTableContent(SpaceTable.Empty, []), file);
+        foreach (SpaceTableProblem problem in content.Problems)
+        {
+            _complaints.Add($"{file}: {problem}");
+        }
+
+        return content.Table;
+
+        SpaceTableContent Load()
+        {
+            using var reader = new StreamReader(Path.Combine(folder, file));
+            return SpaceTableReader.Read(reader);
+        }
+    }
+
+    private T Read<T>(Func<T> read, Func<T> fallback, string file)
+    {
+        try
+        {
+            return read();
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            _complaints.Add($"{file} cannot be read: {exception.Message}");
+            return fallback();
+        }
+    }
 
     private void Bind(Keys key, IFeature feature, Action press)
     {
         if (_keys.ContainsKey(key))
         {
-            _messages.Log($"The key {key} has two uses in GtaDataHarvester.ini; the first is kept.");
+            _complaints.Add($"{ModSettings.FileName}: the key {key} has two uses; the first is kept.");
             return;
         }
 
@@ -76,17 +132,12 @@ public sealed class HarvesterScript : Script
     // which that thread might hold for ever, but a flag that only one caller finds unset.
     private void OnAborted(object? sender, EventArgs e)
     {
-        if (Interlocked.Exchange(ref _aborted, 1) != 0)
+        if (Interlocked.Exchange(ref _aborted, 1) == 0)
         {
-            return;
+            Try(_harvest, _harvest.Dispose);
+            Try(_mount, _mount.Stop);
+            Try(_car, _car.Remove);
         }
-
-        foreach (IFeature feature in _features)
-        {
-            Try(feature, feature.Stop);
-        }
-
-        Try(_car, _car.Remove);
     }
 
     private void Greet()
@@ -97,11 +148,11 @@ public sealed class HarvesterScript : Script
         }
 
         _greeted = true;
-        Try(_car, () => _messages.Log(
+        Try(_mount, () => _messages.Log(
             $"GtaDataHarvester {typeof(HarvesterScript).Assembly.GetName().Version}, API {typeof(Script).Assembly.GetName().Version}, game build {Game.Version}."));
-        foreach (string complaint in _settings.Complaints)
+        foreach (string complaint in _complaints)
         {
-            _messages.Tell("GtaDataHarvester.ini: " + complaint);
+            _messages.Tell(complaint);
         }
     }
 

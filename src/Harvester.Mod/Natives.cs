@@ -167,6 +167,9 @@ internal static class Natives
 
     public static void HideHudAndRadar() => Call(Hash.HIDE_HUD_AND_RADAR_THIS_FRAME);
 
+    /// <summary>Hides the messages above the map this frame.</summary>
+    public static void HideFeed() => Call(Hash.THEFEED_HIDE_THIS_FRAME);
+
     /// <summary>Draws a filled rectangle this frame; its centre and size are fractions of the window.</summary>
     public static void DrawRectangle(double centreX, double centreY, double width, double height, Colour colour) =>
         Call(

@@ -1,4 +1,4 @@
-using System.Diagnostics;
+using Harvester.Capture.Ports;
 using Harvester.Capture.Spaces;
 
 namespace Harvester.Mod;
@@ -6,18 +6,20 @@ namespace Harvester.Mod;
 /// <summary>The test car of the thesis: spawned beside the player, and one at a time.</summary>
 internal sealed class TestCar : IFeature
 {
-    private const long LoadMilliseconds = 10_000;
+    private const double LoadMilliseconds = 10_000;
     private const float MetresBesidePlayer = 4;
     private const int MetallicBlack = 0;
     private const int MetallicOrange = 38;
     private readonly ModSettings _settings;
     private readonly Messages _messages;
-    private readonly Stopwatch _sinceRequest = new();
+    private readonly IClock _clock;
+    private double _requestedAt;
     private int _requestedModel;
     private int _car;
 
-    public TestCar(ModSettings settings, Messages messages)
+    public TestCar(ModSettings settings, Messages messages, IClock clock)
     {
+        _clock = clock;
         _settings = settings;
         _messages = messages;
     }
@@ -36,7 +38,7 @@ internal sealed class TestCar : IFeature
         }
 
         _requestedModel = model;
-        _sinceRequest.Restart();
+        _requestedAt = _clock.Milliseconds;
         Natives.RequestModel(model);
     }
 
@@ -55,7 +57,7 @@ internal sealed class TestCar : IFeature
             Replace(model);
             Natives.ReleaseModel(model);
         }
-        else if (_sinceRequest.ElapsedMilliseconds > LoadMilliseconds)
+        else if (_clock.Milliseconds - _requestedAt > LoadMilliseconds)
         {
             Stop();
             _messages.Tell($"The game did not load the vehicle '{_settings.CarModel}'. Try again in a moment.");

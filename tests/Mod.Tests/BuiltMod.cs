@@ -5,6 +5,10 @@ namespace Harvester.Mod.Tests;
 /// <summary>The dll that the build made for the game.</summary>
 internal static class BuiltMod
 {
+    public static string RepositoryRoot { get; } = FindRoot(AppContext.BaseDirectory);
+
+    public static string Configuration { get; } = new DirectoryInfo(AppContext.BaseDirectory).Parent!.Name;
+
     public static string Path { get; } = Find();
 
     /// <summary>The members and types of the game's API that the dll refers to, as signatures.</summary>
@@ -20,18 +24,13 @@ internal static class BuiltMod
 
     private static bool IsGameApi(TypeReference type) => type.GetElementType().Scope.Name == "ScriptHookVDotNet3";
 
+    private static string FindRoot(string folder) => File.Exists(System.IO.Path.Combine(folder, "GtaDataHarvester.sln"))
+        ? folder
+        : FindRoot(System.IO.Path.GetDirectoryName(folder) ?? throw new DirectoryNotFoundException("GtaDataHarvester.sln is in no folder above the tests."));
+
     private static string Find()
     {
-        string configuration = new DirectoryInfo(AppContext.BaseDirectory).Parent!.Name;
-        for (DirectoryInfo? folder = new(AppContext.BaseDirectory); folder is not null; folder = folder.Parent)
-        {
-            if (File.Exists(System.IO.Path.Combine(folder.FullName, "GtaDataHarvester.sln")))
-            {
-                string bin = System.IO.Path.Combine(folder.FullName, "src", "Harvester.Mod", "bin", configuration);
-                return Directory.EnumerateFiles(bin, "GtaDataHarvester.dll", SearchOption.AllDirectories).First(path => path.Contains("net4", StringComparison.Ordinal));
-            }
-        }
-
-        throw new DirectoryNotFoundException("GtaDataHarvester.sln is in no folder above the tests.");
+        string bin = System.IO.Path.Combine(RepositoryRoot, "src", "Harvester.Mod", "bin", Configuration);
+        return Directory.EnumerateFiles(bin, "GtaDataHarvester.dll", SearchOption.AllDirectories).First();
     }
 }

@@ -26,7 +26,7 @@ public sealed class CameraMountTests
         driver.Press(Keys.I);
 
         // The car's origin is (100, 200, 5): 2 m ahead is 2 m north, and 0.4 m up.
-        (Pose pose, float fov) = driver.Game.RenderedCamera;
+        (Pose pose, double fov, _, _) = driver.Game.RenderedCamera;
         Assert.Equal(50, fov);
         AssertNear(new Vector3D(100, 202, 5.4), pose.Position);
     }
@@ -41,7 +41,7 @@ public sealed class CameraMountTests
         car.Pose = new Pose(new Vector3D(-7, 8, 9), turned);
         driver.Tick();
 
-        (Pose pose, _) = driver.Game.RenderedCamera;
+        Pose pose = driver.Game.RenderedCamera.Pose;
         AssertNear(turned.Forward, pose.Axes.Forward);
         AssertNear(turned.Up, pose.Axes.Up);
         AssertNear(new Vector3D(-7, 8, 9) + (turned.Forward * 2) + (turned.Up * 0.4), pose.Position);
@@ -54,7 +54,7 @@ public sealed class CameraMountTests
         SitInCar(driver.Game, Axes.Identity);
         driver.Press(Keys.I);
 
-        (Pose pose, float fov) = driver.Game.RenderedCamera;
+        (Pose pose, double fov, _, _) = driver.Game.RenderedCamera;
         Assert.Equal(72.5f, fov);
         AssertNear(new Vector3D(99.7, 200.25, 6), pose.Position);
     }
@@ -81,7 +81,7 @@ public sealed class CameraMountTests
         GameEntity car = SitInCar(driver.Game, Axes.Identity);
         driver.Press(Keys.I);
         const int others = 9_000;
-        driver.Game.Cameras[others] = new GameCamera { VerticalFovDegrees = 40, IsActive = true, AttachedTo = HandleOf(driver.Game, car) };
+        driver.Game.Cameras[others] = new GameCamera { VerticalFovDegrees = 40, IsActive = true, AttachedTo = driver.Game.HandleOf(car) };
         driver.Game.RenderingCamera = others;
         driver.Press(Keys.O);
 
@@ -107,7 +107,7 @@ public sealed class CameraMountTests
         using var driver = new ScriptDriver();
         GameEntity car = SitInCar(driver.Game, Axes.Identity);
         driver.Press(Keys.I);
-        driver.Game.Entities.Remove(HandleOf(driver.Game, car));
+        driver.Game.Entities.Remove(driver.Game.HandleOf(car));
         driver.Tick();
 
         Assert.Equal(-1, driver.Game.RenderingCamera);
@@ -141,12 +141,10 @@ public sealed class CameraMountTests
 
     private static GameEntity SitInCar(TestGame game, Axes axes)
     {
-        var car = new GameEntity { Pool = PoolKind.Vehicles, Model = 7, Pose = new Pose(new Vector3D(100, 200, 5), axes) };
+        var car = new GameEntity { Pool = PoolKind.Vehicles, Name = "asea", Pose = new Pose(new Vector3D(100, 200, 5), axes) };
         game.PlayersVehicle = game.Add(car);
         return car;
     }
-
-    private static int HandleOf(TestGame game, GameEntity wanted) => game.Entities.Single(entity => entity.Value == wanted).Key;
 
     private static void AssertNear(Vector3D expected, Vector3D actual)
     {

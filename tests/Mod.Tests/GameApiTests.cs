@@ -35,8 +35,7 @@ public sealed class GameApiTests
     {
         string[] allowed =
         [
-            "mscorlib", "System", "System.Core", "System.Drawing", "System.Windows.Forms", "ScriptHookVDotNet3", "Harvester.Capture",
-            "Harvester.Geometry", "netstandard",
+            "mscorlib", "System", "System.Core", "System.Drawing", "System.Windows.Forms", "ScriptHookVDotNet3",
         ];
         using ModuleDefinition module = ModuleDefinition.ReadModule(BuiltMod.Path);
 

@@ -1,5 +1,6 @@
 using System.Windows.Forms;
 using GTA.Hosting;
+using Harvester.Capture.Ports;
 using Harvester.Mod.Tests.Games;
 
 namespace Harvester.Mod.Tests;
@@ -11,21 +12,42 @@ namespace Harvester.Mod.Tests;
 internal sealed class ScriptDriver : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
+    private readonly IScreen _screen;
+    private readonly IClock _clock;
 
-    public ScriptDriver(string ini = "", Action<TestGame>? prepare = null)
+    public ScriptDriver(
+        string ini = "", Action<TestGame>? prepare = null, IScreen? screen = null, IClock? clock = null, string? spaces = "# none\n")
     {
-        File.WriteAllText(Path.Combine(_folder.Path, "GtaDataHarvester.ini"), ini);
+        File.WriteAllText(Path.Combine(_folder.Path, "GtaDataHarvester.ini"), ini + "\n[Harvest]\nFolder = out\nProbeLag = Off\n");
+        if (spaces is not null)
+        {
+            File.WriteAllText(Path.Combine(_folder.Path, "spaces_of_interest.csv"), spaces);
+        }
+
         Game = new TestGame(_folder.Path);
         prepare?.Invoke(Game);
         GameHost.Current = Game;
-        Script = new HarvesterScript();
+        Screen = new TestScreen(Game);
+        _screen = screen ?? Screen;
+        _clock = clock ?? Clock;
+        Script = Load();
     }
 
     public TestGame Game { get; }
 
+    public TestClock Clock { get; } = new();
+
+    public TestScreen Screen { get; }
+
+    /// <summary>The folder that sessions go to.</summary>
+    public string Output => Path.Combine(_folder.Path, "out");
+
     public HarvesterScript Script { get; private set; }
 
     public string Log => File.ReadAllText(Path.Combine(_folder.Path, "GtaDataHarvester.log"));
+
+    /// <summary>The label lines of the one session in the output.</summary>
+    public string[] Labels() => File.ReadAllLines(Path.Combine(Assert.Single(Directory.GetDirectories(Output)), "labels.jsonl"));
 
     public void Tick(int count = 1)
     {
@@ -48,8 +70,23 @@ internal sealed class ScriptDriver : IDisposable
     public void Reload()
     {
         Script.RaiseAborted();
-        Script = new HarvesterScript();
+        Script = Load();
     }
 
-    public void Dispose() => _folder.Dispose();
+    /// <summary>Lets ticks go by until what was harvested is written.</summary>
+    public void WaitForDisk()
+    {
+        while (Script.IsWriting)
+        {
+            Thread.Sleep(1);
+        }
+    }
+
+    public void Dispose()
+    {
+        Script.RaiseAborted();
+        _folder.Dispose();
+    }
+
+    private HarvesterScript Load() => new(_screen, _clock);
 }

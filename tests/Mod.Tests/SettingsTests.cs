@@ -40,4 +40,43 @@ public sealed class SettingsTests
 
         Assert.Matches(@"^\d{4}-\d\d-\d\d \d\d:\d\d:\d\d GtaDataHarvester \d+(\.\d+){3}, API 3\.6\.0\.0, game build 86\.\s*$", driver.Log);
     }
+
+    [Fact]
+    public void Shipped_file_has_no_complaint_and_says_the_defaults()
+    {
+        using var folder = new TemporaryFolder();
+        ModSettings defaults = ModSettings.Default(folder.Path);
+        File.Copy(Path.Combine(BuiltMod.RepositoryRoot, "src", "Harvester.Mod", ModSettings.FileName), Path.Combine(folder.Path, ModSettings.FileName));
+        ModSettings shipped = ModSettings.Load(folder.Path);
+
+        Assert.Empty(shipped.Complaints);
+        foreach (System.Reflection.PropertyInfo property in typeof(ModSettings).GetProperties())
+        {
+            Assert.Equal(property.GetValue(defaults), property.GetValue(shipped));
+        }
+    }
+
+    [Fact]
+    public void Missing_table_of_signs_is_told_and_the_rest_works()
+    {
+        using var driver = new ScriptDriver(spaces: null);
+        driver.Tick();
+
+        Assert.StartsWith("GtaDataHarvester: spaces_of_interest.csv cannot be read", Assert.Single(driver.Game.Notifications), StringComparison.Ordinal);
+        driver.Press(Keys.NumPad0);
+        driver.Tick(10);
+        Assert.Single(driver.Game.Vehicles);
+    }
+
+    [Fact]
+    public void Key_with_two_uses_is_told_and_the_first_kept()
+    {
+        using var driver = new ScriptDriver("[Keys]\nMountCamera = NumPad0\n");
+        driver.Tick();
+
+        Assert.Contains("the key NumPad0 has two uses", Assert.Single(driver.Game.Notifications), StringComparison.Ordinal);
+        driver.Press(Keys.NumPad0);
+        driver.Tick(10);
+        Assert.Single(driver.Game.Vehicles);
+    }
 }

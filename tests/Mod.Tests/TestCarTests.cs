@@ -17,7 +17,7 @@ public sealed class TestCarTests
         driver.Tick(EnoughTicksToLoad);
 
         GameEntity car = Assert.Single(driver.Game.Vehicles);
-        Assert.Equal(TestGame.Adder, car.Model);
+        Assert.Equal(TestGame.AdderHash, car.Model);
         Assert.False(car.TyresCanBurst || car.WheelsCanBreak || car.IsDamagedVisibly);
         Assert.Equal((0, 38), car.Colours);
         Assert.Equal("HARVEST", car.Plate);
@@ -118,7 +118,7 @@ public sealed class TestCarTests
         using var driver = new ScriptDriver();
         driver.Press(Keys.NumPad0);
         driver.Tick(EnoughTicksToLoad);
-        driver.Game.Entities.Remove(driver.Game.Entities.Single(entity => entity.Value.Model == TestGame.Adder).Key);
+        driver.Game.Entities.Remove(driver.Game.Entities.Single(entity => entity.Value.Name == TestGame.Adder).Key);
         driver.Reload();
         driver.Tick();
 

@@ -1,4 +1,5 @@
 using GTA.Hosting;
+using Harvester.Capture.Spaces;
 using Harvester.Geometry;
 
 namespace Harvester.Mod.Tests.Games;
@@ -8,7 +9,13 @@ internal sealed class GameEntity
 {
     public required PoolKind Pool { get; init; }
 
-    public required int Model { get; init; }
+    /// <summary>The model's name in small letters.</summary>
+    public required string Name { get; init; }
+
+    /// <summary>The model's hash where the name does not give it.</summary>
+    public int? Hash { get; init; }
+
+    public int Model => Hash ?? ModelHash.Of(Name);
 
     public required Pose Pose { get; set; }
 
@@ -18,7 +25,8 @@ internal sealed class GameEntity
 
     public Vector3D ModelMax { get; init; } = new(1, 2, 1);
 
-    public int VehicleClass { get; init; }
+    /// <summary>Number of the game's class of vehicles; 1 is sedans.</summary>
+    public int VehicleClass { get; init; } = 1;
 
     public bool TyresCanBurst { get; set; } = true;
 

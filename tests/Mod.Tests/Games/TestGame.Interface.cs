@@ -1,17 +1,64 @@
 using GTA.Native;
+using Harvester.Capture.Scenes;
+using Harvester.Capture.Spaces;
+using Harvester.Geometry;
 
 namespace Harvester.Mod.Tests.Games;
 
-/// <summary>The natives about what is drawn, and about time.</summary>
+/// <summary>The natives about what is drawn, about time and about the weather.</summary>
 internal sealed partial class TestGame
 {
+    /// <summary>What this frame draws, as fractions of the window: left, top, width, height.</summary>
+    public List<Box2D> Rectangles { get; } = [];
+
+    public List<string> Texts { get; } = [];
+
+    public bool IsHudHidden { get; private set; }
+
+    public bool IsFeedHidden { get; private set; }
+
+    public EnvironmentState Environment { get; set; } = new("clear", new TimeSpan(12, 0, 0));
+
+    /// <summary>Whether the picture of the frame before shows something of the game's display or of the mod's.</summary>
+    public bool ShowedDisplay { get; private set; } = true;
+
+    private void ClearDrawings()
+    {
+        ShowedDisplay = !IsHudHidden || !IsFeedHidden || Rectangles.Count > 0 || Texts.Count > 0;
+        Rectangles.Clear();
+        Texts.Clear();
+        IsHudHidden = false;
+        IsFeedHidden = false;
+    }
+
     private void AddInterfaceNatives()
     {
-        _natives[Hash.SET_GAME_PAUSED] = a =>
+        Do(Hash.SET_GAME_PAUSED, a =>
         {
             IsPaused = (bool)a[0];
-            return null;
-        };
+            PauseChanged(IsPaused);
+        });
         _natives[Hash.GET_FRAME_COUNT] = _ => Frame;
+        _natives[Hash.GET_GAME_TIMER] = _ => TimerMilliseconds;
+        _natives[Hash.GET_CLOCK_HOURS] = _ => Environment.TimeOfDay.Hours;
+        _natives[Hash.GET_CLOCK_MINUTES] = _ => Environment.TimeOfDay.Minutes;
+        _natives[Hash.GET_CLOCK_SECONDS] = _ => Environment.TimeOfDay.Seconds;
+        _natives[Hash.GET_PREV_WEATHER_TYPE_HASH_NAME] = _ => ModelHash.Of(Environment.Weather);
+        Do(Hash.HIDE_HUD_AND_RADAR_THIS_FRAME, _ => IsHudHidden = true);
+        Do(Hash.THEFEED_HIDE_THIS_FRAME, _ => IsFeedHidden = true);
+        Do(Hash.DRAW_RECT, a =>
+        {
+            float x = (float)a[0], y = (float)a[1], width = (float)a[2], height = (float)a[3];
+            Rectangles.Add(new Box2D(x - (width / 2), y - (height / 2), x + (width / 2), y + (height / 2)));
+        });
+        Do(Hash.ADD_TEXT_COMPONENT_SUBSTRING_PLAYER_NAME, a => Texts.Add((string)a[0]));
+        foreach (Hash style in new[]
+        {
+            Hash.SET_TEXT_FONT, Hash.SET_TEXT_SCALE, Hash.SET_TEXT_COLOUR, Hash.SET_TEXT_OUTLINE, Hash.BEGIN_TEXT_COMMAND_DISPLAY_TEXT,
+            Hash.END_TEXT_COMMAND_DISPLAY_TEXT,
+        })
+        {
+            Do(style, _ => { });
+        }
     }
 }

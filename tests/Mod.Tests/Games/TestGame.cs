@@ -6,24 +6,25 @@ using Harvester.Geometry;
 namespace Harvester.Mod.Tests.Games;
 
 /// <summary>
-/// A small game behind the stand-in: a player, entities, scripted cameras and models that load after some ticks. It answers the
-/// natives as their names promise, refuses those it does not know, and fails where a test tells it to.
+/// A game behind the stand-in: a player, entities, scripted cameras and models that load after some ticks. It answers the natives as
+/// their names promise, refuses those it does not know, and fails where a test tells it to.
 /// </summary>
 internal sealed partial class TestGame : IGameHost
 {
-    public const int Player = 1;
-    private const int FirstEntity = 100;
+    public const int Player = 999_999;
+    private const int MillisecondsOfAFrame = 50;
     private readonly Dictionary<Hash, Func<object[], object?>> _natives = [];
     private readonly Dictionary<int, int> _ticksUntilLoaded = [];
-    private int _lastHandle = FirstEntity;
+    private int _lastHandle = 1_000_000;
 
     public TestGame(string folder)
     {
         ScriptFile = Path.Combine(folder, "GtaDataHarvester.dll");
-        Entities[Player] = new GameEntity { Pool = PoolKind.Peds, Model = 1, Pose = new Pose(new Vector3D(10, 20, 30), Axes.FromHeading(90)) };
+        Entities[Player] = new GameEntity { Pool = PoolKind.Peds, Name = "player_zero", Pose = new Pose(new Vector3D(10, 20, 30), Axes.FromHeading(90)) };
         AddEntityNatives();
         AddVehicleNatives();
         AddCameraNatives();
+        AddRayNatives();
         AddInterfaceNatives();
     }
 
@@ -33,19 +34,13 @@ internal sealed partial class TestGame : IGameHost
 
     public Dictionary<int, GameEntity> Entities { get; } = [];
 
-    public Dictionary<int, GameCamera> Cameras { get; } = [];
-
     public int PlayersVehicle { get; set; }
-
-    public int RenderingCamera { get; set; } = -1;
 
     public bool IsPaused { get; private set; }
 
-    public bool ModelsLoad { get; set; } = true;
+    public int Frame { get; set; }
 
-    public bool VehiclePoolIsFull { get; set; }
-
-    public int Frame { get; private set; }
+    public int TimerMilliseconds { get; set; }
 
     public List<string> Notifications { get; } = [];
 
@@ -54,7 +49,18 @@ internal sealed partial class TestGame : IGameHost
     /// <summary>What to throw instead of answering a native; null to answer.</summary>
     public Func<Hash, Exception?> Fault { get; set; } = _ => null;
 
-    /// <summary>The test cars are the vehicles that the script made.</summary>
+    /// <summary>What happens after the handles of what is near were listed, before they are read.</summary>
+    public Action AfterListing { get; set; } = () => { };
+
+    /// <summary>A list of handles needs free places in the pool of script handles.</summary>
+    public bool ScriptHandlePoolIsFull { get; set; }
+
+    /// <summary>What a frame brings, paused or not; null for a world in which only time passes.</summary>
+    public Action? PassFrame { get; set; }
+
+    /// <summary>Who must know when the world is stopped or goes on.</summary>
+    public Action<bool> PauseChanged { get; set; } = _ => { };
+
     public IEnumerable<GameEntity> Vehicles => Entities.Values.Where(entity => entity.Pool == PoolKind.Vehicles);
 
     public int Add(GameEntity entity)
@@ -63,6 +69,8 @@ internal sealed partial class TestGame : IGameHost
         return _lastHandle;
     }
 
+    public int HandleOf(GameEntity wanted) => Entities.Single(entity => entity.Value == wanted).Key;
+
     public void NextFrame()
     {
         Frame++;
@@ -70,6 +78,10 @@ internal sealed partial class TestGame : IGameHost
         {
             _ticksUntilLoaded[model]--;
         }
+
+        TimerMilliseconds += IsPaused ? 0 : MillisecondsOfAFrame;
+        PassFrame?.Invoke();
+        ClearDrawings();
     }
 
     public object? Call(Hash native, object[] arguments)
@@ -85,15 +97,33 @@ internal sealed partial class TestGame : IGameHost
             : throw new NotSupportedException($"The test game has no native {native}.");
     }
 
-    public int[] HandlesNear(PoolKind pool, Vector3 position, float radius, int[] models) => Entities
-        .Where(entity => entity.Value.Pool == pool && (models.Length == 0 || models.Contains(entity.Value.Model)))
-        .Where(entity => (entity.Value.Pose.Position - new Vector3D(position.X, position.Y, position.Z)).Length <= radius)
-        .Select(entity => entity.Key)
-        .ToArray();
+    public int[] HandlesNear(PoolKind pool, Vector3 position, float radius, int[] models)
+    {
+        if (ScriptHandlePoolIsFull)
+        {
+            throw new InvalidOperationException("The fwScriptGuid pool is full.");
+        }
+
+        int[] near = Entities
+            .Where(entity => entity.Value.Pool == pool && (models.Length == 0 || models.Contains(entity.Value.Model)))
+            .Where(entity => (entity.Value.Pose.Position - new Vector3D(position.X, position.Y, position.Z)).Length < radius)
+            .Select(entity => entity.Key)
+            .ToArray();
+        AfterListing();
+        return near;
+    }
 
     public void Notify(string message) => Notifications.Add(message);
 
     private static Vector3 ToGame(Vector3D vector) => new((float)vector.X, (float)vector.Y, (float)vector.Z);
 
     private static Vector3D ToWorld(object x, object y, object z) => new((float)x, (float)y, (float)z);
+
+    private static void Write(object place, object value) => ((OutputArgument)place).Value = value;
+
+    private void Do(Hash native, Action<object[]> act) => _natives[native] = a =>
+    {
+        act(a);
+        return null;
+    };
 }

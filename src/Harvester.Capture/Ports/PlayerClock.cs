@@ -1,0 +1,12 @@
+using System.Diagnostics;
+
+namespace Harvester.Capture.Ports;
+
+/// <summary>The player's time, from the computer's own clock.</summary>
+public sealed class PlayerClock : IClock
+{
+    private readonly Stopwatch _watch = Stopwatch.StartNew();
+
+    /// <inheritdoc/>
+    public double Milliseconds => _watch.Elapsed.TotalMilliseconds;
+}

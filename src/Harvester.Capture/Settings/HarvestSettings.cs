@@ -1,0 +1,56 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Scenes;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Capture.Settings;
+
+/// <summary>The sections [Harvest] and [Lens] of a settings file.</summary>
+public static class HarvestSettings
+{
+    private const string Harvest = "Harvest";
+    private const string Lens = "Lens";
+
+    /// <summary>The options that a file asks for; what it does not name, or names badly, has its default.</summary>
+    /// <exception cref="ArgumentNullException">No file is given.</exception>
+    public static HarvestOptions Read(IniFile ini)
+    {
+        if (ini is null)
+        {
+            throw new ArgumentNullException(nameof(ini));
+        }
+
+        var fallback = new HarvestOptions();
+        IReadOnlyList<ObjectClass> classes = ini.Choices<ObjectClass>(
+            Harvest, "Classes", [], "a list of " + string.Join(", ", typeof(ObjectClass).GetEnumNames()));
+        return fallback with
+        {
+            Image = new ImageSize(
+                ini.Whole(Harvest, "Width", fallback.Image.Width, 16, 7680), ini.Whole(Harvest, "Height", fallback.Image.Height, 16, 4320)),
+            Format = ini.Choice(Harvest, "Format", fallback.Format, "PNG or BMP"),
+            RateHz = ini.Number(Harvest, "Rate", fallback.RateHz, 0.01, 60),
+            RangeMetres = ini.Number(Harvest, "Range", fallback.RangeMetres, 1, 1000),
+            Classes = classes.Count > 0 ? classes : null,
+            Freeze = ini.Choice(Harvest, "Mode", CaptureMode.Freeze, "Freeze or Live") == CaptureMode.Freeze,
+            Masks = ini.Choice(Harvest, "Masks", Switch.Off, "On or Off") == Switch.On,
+            OcclusionSamples = ini.Whole(Harvest, "OcclusionRays", fallback.OcclusionSamples, 1, 10_000),
+            ProbeLag = ini.Choice(Harvest, "ProbeLag", Switch.On, "On or Off") == Switch.On,
+            MaxPictureLagTicks = ini.Whole(Harvest, "MaxPictureLagTicks", fallback.MaxPictureLagTicks, 1, 60),
+            TickBudgetMilliseconds = ini.Number(Harvest, "TickBudget", fallback.TickBudgetMilliseconds, 0.1, 1000),
+            QueueCapacity = ini.Whole(Harvest, "Queue", fallback.QueueCapacity, 1, 1000),
+            Lens = LensOf(ini),
+        };
+    }
+
+    private static Lens LensOf(IniFile ini)
+    {
+        const double furthestShift = 0.5;
+        return new Lens(
+            ini.Number(Lens, "FocalScale", 1, 0.5, 2),
+            ini.Number(Lens, "CentreOffsetX", 0, -furthestShift, furthestShift),
+            ini.Number(Lens, "CentreOffsetY", 0, -furthestShift, furthestShift),
+            ini.Number(Lens, "K1", 0, -1, 1),
+            ini.Number(Lens, "K2", 0, -1, 1));
+    }
+}

@@ -1,0 +1,105 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using GTA;
+using GTA.Math;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Scenes;
+using Harvester.Capture.Spaces;
+using Harvester.Geometry;
+
+namespace Harvester.Mod;
+
+/// <summary>What the harvest reads of the game. Only the lists of what is near come from the API's memory; all else is natives.</summary>
+internal sealed class GameWorld : IWorld
+{
+    private readonly CameraMount _mount;
+    private readonly GamePause _pause;
+    private readonly GameRays _rays;
+    private readonly GameModels _models;
+    private readonly Model[] _props;
+
+    /// <summary>Reads the game around a camera.</summary>
+    /// <param name="mount">The camera and the vehicle that carries it.</param>
+    /// <param name="pause">The game's time.</param>
+    /// <param name="rays">Where the entities are made known.</param>
+    /// <param name="spaces">The models of signs and traffic lights: the only props that are read.</param>
+    public GameWorld(CameraMount mount, GamePause pause, GameRays rays, SpaceTable spaces)
+    {
+        _mount = mount;
+        _pause = pause;
+        _rays = rays;
+        _models = new GameModels(spaces);
+        _props = spaces.Spaces.Select(space => space.Hash).Distinct().Select(hash => new Model(hash)).ToArray();
+    }
+
+    /// <inheritdoc/>
+    public long GameFrame => Natives.FrameCount();
+
+    /// <inheritdoc/>
+    public double TimeSeconds => _pause.TimeSeconds;
+
+    /// <inheritdoc/>
+    public CameraState ReadCamera() => new(
+        new Pose(Natives.RenderedCameraPosition(), Axes.FromEuler(Natives.RenderedCameraRotation())),
+        Natives.RenderedVerticalFovDegrees(),
+        Natives.RenderedNearClip(),
+        Natives.WindowAspect());
+
+    /// <inheritdoc/>
+    public EgoState ReadEgo()
+    {
+        int vehicle = _mount.Vehicle;
+        ModelInfo model = _models.OfVehicle(vehicle, Natives.EntityModel(vehicle));
+        return new EgoState(vehicle, model.Name, Natives.EntityPose(vehicle), Natives.EntityVelocity(vehicle));
+    }
+
+    /// <inheritdoc/>
+    public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range)
+    {
+        var place = new Vector3((float)centre.X, (float)centre.Y, (float)centre.Z);
+        float radius = (float)range;
+        var entities = new List<EntityState>();
+        Add(World.GetNearbyVehicles(place, radius).Select(vehicle => vehicle.Handle).Where(vehicle => vehicle != _mount.Vehicle), _models.OfVehicle);
+        Add(World.GetNearbyPeds(place, radius).Select(ped => ped.Handle).Where(IsOnFoot), (_, hash) => _models.OfPed(hash));
+        if (_props.Length > 0)
+        {
+            Add(World.GetNearbyProps(place, radius, _props).Select(prop => prop.Handle), (_, hash) => _models.OfProp(hash));
+        }
+
+        return entities;
+
+        void Add(IEnumerable<int> handles, Func<int, int, ModelInfo> describe) =>
+            entities.AddRange(handles.Select(handle => Read(handle, describe)).OfType<EntityState>());
+    }
+
+    /// <inheritdoc/>
+    public EnvironmentState ReadEnvironment() => new(WeatherNames.Of(Natives.WeatherHash()), Natives.TimeOfDay());
+
+    private static bool IsOnFoot(int ped) =>
+        Natives.EntityExists(ped) && ped != Natives.PlayerPed() && Natives.IsHuman(ped) && Natives.VehicleOf(ped) == 0;
+
+    /// <summary>An entity as it is now; null when it is gone, be it in the middle of reading.</summary>
+    private EntityState? Read(int handle, Func<int, int, ModelInfo> describe)
+    {
+        if (!Natives.EntityExists(handle))
+        {
+            return null;
+        }
+
+        try
+        {
+            ModelInfo model = describe(handle, Natives.EntityModel(handle));
+            var state = new EntityState(
+                handle, model.Class, model.Name, Natives.EntityPose(handle), model.Min, model.Max, Natives.EntityVelocity(handle));
+            _rays.Know(handle);
+            return state;
+        }
+        catch (Exception exception) when (exception is not ThreadAbortException && !Natives.EntityExists(handle))
+        {
+            // A matrix of zeros, for one.
+            return null;
+        }
+    }
+}

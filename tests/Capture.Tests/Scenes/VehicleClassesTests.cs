@@ -1,0 +1,36 @@
+using Harvester.Capture.Scenes;
+using Harvester.Capture.Spaces;
+
+namespace Harvester.Capture.Tests.Scenes;
+
+public sealed class VehicleClassesTests
+{
+    // The game's classes: 1 sedans, 8 motorcycles, 10 industrial, 11 utility, 12 vans, 13 cycles, 14 boats, 17 service, 18 emergency, 20 commercial.
+    [Theory]
+    [InlineData("adder", 7, ObjectClass.Car)]
+    [InlineData("taxi", 17, ObjectClass.Car)]
+    [InlineData("bus", 17, ObjectClass.Bus)]
+    [InlineData("pbus", 18, ObjectClass.Bus)]
+    [InlineData("firetruk", 18, ObjectClass.Truck)]
+    [InlineData("police3", 18, ObjectClass.Car)]
+    [InlineData("policeb", 18, ObjectClass.Motorcycle)]
+    [InlineData("akuma", 8, ObjectClass.Motorcycle)]
+    [InlineData("bmx", 13, ObjectClass.Bicycle)]
+    [InlineData("hauler", 20, ObjectClass.Truck)]
+    [InlineData("biff", 10, ObjectClass.Truck)]
+    [InlineData("trailers", 11, ObjectClass.Trailer)]
+    [InlineData("dinghy", 14, ObjectClass.Other)]
+    public void Kind_follows_the_model_and_then_the_games_class(string model, int gameClass, ObjectClass expected)
+    {
+        Assert.Equal(expected, VehicleClasses.Of(ModelHash.Of(model), gameClass));
+    }
+
+    [Theory]
+    [InlineData("EXTRASUNNY", "extrasunny")]
+    [InlineData("RAIN", "rain")]
+    [InlineData("someModsWeather", "unknown")]
+    public void Weather_is_named_by_its_hash(string name, string expected)
+    {
+        Assert.Equal(expected, WeatherNames.Of(ModelHash.Of(name)));
+    }
+}

@@ -1,0 +1,76 @@
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Scenes;
+using Harvester.Capture.Settings;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Capture.Tests.Settings;
+
+public sealed class HarvestSettingsTests
+{
+    [Fact]
+    public void Empty_file_gives_the_defaults()
+    {
+        Assert.Equal(new HarvestOptions(), HarvestSettings.Read(IniFile.Read(TextReader.Null)));
+    }
+
+    [Fact]
+    public void Every_setting_reaches_its_option()
+    {
+        IniFile ini = Read("""
+            [Harvest]
+            Width = 280
+            Height = 210
+            Format = bmp
+            Rate = 2.5
+            Range = 70
+            Classes = car, bus
+            Mode = Live
+            Masks = On
+            OcclusionRays = 9
+            ProbeLag = Off
+            MaxPictureLagTicks = 7
+            TickBudget = 1.5
+            Queue = 3
+            [Lens]
+            FocalScale = 1.008
+            CentreOffsetX = 0.01
+            CentreOffsetY = -0.02
+            K1 = -0.1
+            K2 = 0.03
+            """);
+        HarvestOptions options = HarvestSettings.Read(ini);
+
+        Assert.Empty(ini.Complaints);
+        Assert.Equal([ObjectClass.Car, ObjectClass.Bus], options.Classes);
+        var expected = new HarvestOptions
+        {
+            Image = new ImageSize(280, 210),
+            Format = ImageFormat.Bmp,
+            RateHz = 2.5,
+            RangeMetres = 70,
+            Classes = options.Classes,
+            Freeze = false,
+            Masks = true,
+            OcclusionSamples = 9,
+            ProbeLag = false,
+            MaxPictureLagTicks = 7,
+            TickBudgetMilliseconds = 1.5,
+            QueueCapacity = 3,
+            Lens = new Lens(1.008, 0.01, -0.02, -0.1, 0.03),
+        };
+        Assert.Equal(expected, options);
+    }
+
+    [Fact]
+    public void Bad_setting_names_its_line_and_what_is_expected()
+    {
+        IniFile ini = Read("[Harvest]\nMode = Freezing\nClasses = car, lorry\n");
+        Assert.Equal(new HarvestOptions(), HarvestSettings.Read(ini));
+
+        Assert.Equal("Line 2: Mode = Freezing is not Freeze or Live; the default is used.", ini.Complaints[0]);
+        Assert.StartsWith("Line 3: Classes = car, lorry is not a list of Car, Truck, Bus", ini.Complaints[1], StringComparison.Ordinal);
+    }
+
+    private static IniFile Read(string text) => IniFile.Read(new StringReader(text));
+}

@@ -1,0 +1,263 @@
+using System.Windows.Forms;
+using GTA.Hosting;
+using GTA.Native;
+using Harvester.Geometry;
+using Harvester.Mod.Tests.Games;
+
+namespace Harvester.Mod.Tests;
+
+/// <summary>After every fault the script lives, the game runs, and the player was told in words.</summary>
+public sealed class FaultTests
+{
+    public static TheoryData<Hash> EveryNativeThatTheModCalls => [.. PlayedNatives()];
+
+    [Theory]
+    [MemberData(nameof(EveryNativeThatTheModCalls))]
+    public void Native_that_throws_is_told_and_all_works_again_when_it_does(Hash native)
+    {
+        using var driver = new ScriptDriver();
+        driver.Game.Fault = called => called == native ? new InvalidOperationException("The native is broken.") : null;
+        Play(driver);
+        Assert.Contains(driver.Game.Notifications, message => message.Contains("The native is broken.", StringComparison.Ordinal));
+        Assert.All(driver.Game.Notifications, message => Assert.StartsWith("GtaDataHarvester: ", message, StringComparison.Ordinal));
+
+        driver.Game.Fault = _ => null;
+        driver.Press(Keys.O);
+        driver.WaitForDisk();
+        driver.Game.Notifications.Clear();
+        int before = driver.Screen.Grabs;
+        driver.Tick();
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.J);
+        driver.Tick(30);
+        Assert.InRange(driver.Screen.Grabs, before + 1, before + 30);
+        driver.Press(Keys.J);
+        Assert.False(driver.Game.IsPaused);
+        Assert.DoesNotContain(driver.Game.Notifications, message => message.Contains("failed", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void Every_native_of_the_mod_is_called_by_the_play_that_breaks_them()
+    {
+        Assert.Empty(Enum.GetValues<Hash>().Except(PlayedNatives()));
+    }
+
+    [Fact]
+    public void Entity_that_vanishes_between_listing_and_reading_is_left_out()
+    {
+        using var driver = new ScriptDriver();
+        HarvestTests.Street(driver.Game);
+        int doomed = driver.Game.HandleOf(driver.Game.Vehicles.Single(vehicle => vehicle.Name == "premier"));
+        driver.Game.AfterListing = () => driver.Game.Entities.Remove(doomed);
+        driver.Press(Keys.K);
+        driver.Tick(20);
+        driver.WaitForDisk();
+
+        string label = Assert.Single(driver.Labels());
+        Assert.DoesNotContain("premier", label, StringComparison.Ordinal);
+        Assert.Contains("pedestrian", label, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Entity_that_vanishes_in_the_middle_of_reading_is_left_out()
+    {
+        using var driver = new ScriptDriver();
+        HarvestTests.Street(driver.Game);
+        int doomed = driver.Game.HandleOf(driver.Game.Vehicles.Single(vehicle => vehicle.Name == "premier"));
+        driver.Game.Fault = native =>
+        {
+            if (native == Hash.GET_ENTITY_MATRIX && driver.Game.IsPaused)
+            {
+                driver.Game.Entities.Remove(doomed);
+            }
+
+            return null;
+        };
+        driver.Press(Keys.K);
+        driver.Tick(30);
+        driver.WaitForDisk();
+
+        Assert.DoesNotContain("premier", Assert.Single(driver.Labels()), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Full_pool_of_script_handles_ends_the_harvest_with_a_message()
+    {
+        using var driver = new ScriptDriver();
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.J);
+        driver.Game.ScriptHandlePoolIsFull = true;
+        driver.Tick(20);
+
+        Assert.Contains("The harvest stopped: The fwScriptGuid pool is full.", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.False(driver.Game.IsPaused);
+    }
+
+    [Fact]
+    public void Aborted_twice_in_the_middle_of_a_harvest_from_another_thread_gives_all_back_and_closes_the_session()
+    {
+        using var driver = new ScriptDriver();
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.NumPad0);
+        driver.Tick(10);
+        driver.Press(Keys.J);
+        for (int tick = 0; tick < 100 && !driver.Game.IsPaused; tick++)
+        {
+            driver.Tick();
+        }
+
+        Assert.True(driver.Game.IsPaused);
+        var other = new Thread(() =>
+        {
+            driver.Script.RaiseAborted();
+            driver.Script.RaiseAborted();
+        });
+        other.Start();
+        other.Join();
+
+        Assert.False(driver.Game.IsPaused);
+        Assert.Equal(-1, driver.Game.RenderingCamera);
+        Assert.Empty(driver.Game.Cameras);
+        Assert.DoesNotContain(driver.Game.Vehicles, vehicle => vehicle.Name == TestGame.Adder);
+        string session = Assert.Single(Directory.GetDirectories(driver.Output));
+        Assert.Contains("\"state\": \"complete\"", File.ReadAllText(Path.Combine(session, "session.json")), StringComparison.Ordinal);
+
+        int calls = driver.Game.Calls.Count;
+        driver.Tick(3);
+        driver.Press(Keys.J);
+        Assert.Equal(calls, driver.Game.Calls.Count);
+    }
+
+    [Fact]
+    public void Keys_held_down_do_nothing_until_they_go_up()
+    {
+        using var driver = new ScriptDriver();
+        HarvestTests.Street(driver.Game);
+        driver.Tick();
+        int before = driver.Game.Calls.Count;
+        for (int repeat = 0; repeat < 30; repeat++)
+        {
+            foreach (Keys key in new[] { Keys.NumPad0, Keys.I, Keys.O, Keys.J, Keys.K, Keys.L })
+            {
+                driver.Script.RaiseKeyDown(key);
+            }
+        }
+
+        Assert.Equal(before, driver.Game.Calls.Count);
+    }
+
+    [Fact]
+    public void Pause_menu_in_the_middle_of_a_frame_only_delays_it()
+    {
+        using var driver = new ScriptDriver();
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.K);
+        driver.Tick();
+
+        // The menu stops all scripts: frames go by without a tick of ours.
+        for (int frame = 0; frame < 100; frame++)
+        {
+            driver.Game.NextFrame();
+        }
+
+        driver.Tick(20);
+        driver.WaitForDisk();
+        Assert.Single(driver.Labels());
+        Assert.False(driver.Game.IsPaused);
+    }
+
+    [Fact]
+    public void Saved_game_loaded_in_the_middle_of_a_harvest_closes_it_and_the_new_script_works()
+    {
+        using var driver = new ScriptDriver();
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.J);
+        driver.Tick(15);
+
+        // The game sweeps its world away and the loader ends the scripts, in this order.
+        driver.Game.Entities.Clear();
+        driver.Game.Cameras.Clear();
+        driver.Game.RenderingCamera = -1;
+        driver.Reload();
+        driver.Game.Entities[TestGame.Player] = new GameEntity { Pool = PoolKind.Peds, Name = "player_one", Pose = new Pose(default, Axes.Identity) };
+        HarvestTests.Street(driver.Game);
+        driver.Tick(3);
+        Assert.False(driver.Game.IsPaused);
+        driver.Press(Keys.I);
+        Assert.Single(driver.Game.Cameras);
+    }
+
+    [Fact]
+    public void Saved_game_whose_loader_does_not_end_the_script_ends_the_harvest_with_a_message()
+    {
+        using var driver = new ScriptDriver();
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.J);
+        driver.Tick(15);
+        driver.Game.Entities.Remove(driver.Game.PlayersVehicle);
+        driver.Game.PlayersVehicle = 0;
+        driver.Tick(2);
+
+        Assert.Contains(driver.Game.Notifications, message => message.Contains("vehicle with the camera is gone", StringComparison.Ordinal));
+        Assert.Contains("The harvest ended", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.False(driver.Game.IsPaused);
+    }
+
+    [Fact]
+    public void Model_that_never_loads_is_told_after_a_while()
+    {
+        using var driver = new ScriptDriver();
+        driver.Game.ModelsLoad = false;
+        driver.Press(Keys.NumPad0);
+        driver.Tick(50);
+        Assert.Empty(driver.Game.Notifications);
+        driver.Clock.Milliseconds += 11_000;
+        driver.Tick(2);
+
+        Assert.Contains("did not load the vehicle 'adder'", Assert.Single(driver.Game.Notifications), StringComparison.Ordinal);
+        driver.Game.ModelsLoad = true;
+        driver.Press(Keys.NumPad0);
+        driver.Tick(10);
+        Assert.Single(driver.Game.Vehicles);
+    }
+
+    [Fact]
+    public void Folder_that_cannot_be_made_is_told_and_the_script_lives()
+    {
+        using var driver = new ScriptDriver();
+        HarvestTests.Street(driver.Game);
+        File.WriteAllText(driver.Output, "a file where the folder should be");
+        driver.Press(Keys.J);
+
+        Assert.Contains("The harvest failed", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        File.Delete(driver.Output);
+        driver.Press(Keys.J);
+        driver.Tick(20);
+        Assert.True(Directory.Exists(driver.Output));
+    }
+
+    private static Hash[] PlayedNatives()
+    {
+        using var driver = new ScriptDriver();
+        Play(driver);
+        return driver.Game.Calls.Distinct().Order().ToArray();
+    }
+
+    /// <summary>Everything that a player can do, once.</summary>
+    private static void Play(ScriptDriver driver)
+    {
+        driver.Press(Keys.NumPad0);
+        driver.Tick(8);
+        driver.Press(Keys.NumPad0);
+        driver.Tick(8);
+        HarvestTests.Street(driver.Game);
+        HarvestTests.SunkenCar(driver.Game);
+        driver.Press(Keys.L);
+        driver.Press(Keys.I);
+        driver.Press(Keys.J);
+        driver.Tick(25);
+        driver.Press(Keys.J);
+        driver.WaitForDisk();
+        driver.Press(Keys.O);
+    }
+}

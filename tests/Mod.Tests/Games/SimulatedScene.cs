@@ -1,0 +1,92 @@
+using GTA.Hosting;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Scenes;
+using Harvester.Capture.Spaces;
+using Harvester.Simulation;
+
+namespace Harvester.Mod.Tests.Games;
+
+/// <summary>A simulated town behind the test game: its entities, camera and rays are what the natives answer.</summary>
+internal sealed class SimulatedScene
+{
+    private const double SecondsOfAFrame = 0.05;
+    private readonly SimulatedGame _simulation;
+    private readonly SinglePrecisionWorld _world;
+    private readonly HashSet<int> _handles = [];
+
+    public SimulatedScene(SimulationOptions options, SpaceTable spaces)
+    {
+        _simulation = new SimulatedGame(options);
+        _world = new SinglePrecisionWorld(_simulation.Ports.World, spaces);
+        Ports = _simulation.Ports with { World = _world, Rays = new SinglePrecisionRays(_simulation.Ports.Rays) };
+    }
+
+    /// <summary>The scene without the mod between.</summary>
+    public GamePorts Ports { get; }
+
+    public void NextFrame() => _simulation.Tick(SecondsOfAFrame);
+
+    /// <summary>Makes this the world of a test game, with the player at the wheel.</summary>
+    public void PlayIn(TestGame game)
+    {
+        game.SceneCamera = _simulation.Ports.World.ReadCamera;
+        game.SceneRays = _simulation.Ports.Rays;
+        game.PassFrame = () =>
+        {
+            NextFrame();
+            Show(game);
+        };
+        game.PauseChanged = paused => (paused ? (Action)_simulation.Ports.Pause.Freeze : _simulation.Ports.Pause.Unfreeze)();
+        Show(game);
+    }
+
+    private void Show(TestGame game)
+    {
+        foreach (int handle in _handles)
+        {
+            game.Entities.Remove(handle);
+        }
+
+        _handles.Clear();
+        EgoState ego = _simulation.Ports.World.ReadEgo();
+        Put(game, new EntityState(ego.Handle, ObjectClass.Car, ego.Model, ego.Pose, default, default, ego.Velocity));
+        foreach (EntityState entity in _world.Unrounded())
+        {
+            Put(game, entity);
+        }
+
+        game.PlayersVehicle = ego.Handle;
+        game.Frame = (int)_world.GameFrame;
+        game.TimerMilliseconds = _world.Milliseconds;
+        game.Environment = _world.ReadEnvironment();
+    }
+
+    private void Put(TestGame game, EntityState entity)
+    {
+        _handles.Add(entity.Handle);
+        game.Entities[entity.Handle] = new GameEntity
+        {
+            Pool = entity.Class switch
+            {
+                ObjectClass.Pedestrian => PoolKind.Peds,
+                ObjectClass.Sign or ObjectClass.TrafficLight or ObjectClass.Other => PoolKind.Props,
+                _ => PoolKind.Vehicles,
+            },
+            Name = entity.Model,
+            Hash = ModelHash.TryParse(entity.Model, out int hash) ? hash : ModelHash.Of(entity.Model),
+            VehicleClass = entity.Class switch
+            {
+                ObjectClass.Motorcycle => 8,
+                ObjectClass.Trailer => 11,
+                ObjectClass.Bicycle => 13,
+                ObjectClass.Bus => 17,
+                ObjectClass.Truck => 20,
+                _ => 1,
+            },
+            Pose = entity.Pose,
+            ModelMin = entity.ModelMin,
+            ModelMax = entity.ModelMax,
+            Velocity = entity.Velocity,
+        };
+    }
+}

@@ -1,0 +1,68 @@
+using Harvester.Capture.Ports;
+using Harvester.Capture.Scenes;
+using Harvester.Capture.Spaces;
+using Harvester.Geometry;
+
+namespace Harvester.Mod.Tests.Games;
+
+/// <summary>
+/// A world as far as the game's API lets one see it: poses, dimensions and velocities in single precision, the camera's orientation as
+/// angles, time in whole milliseconds, and no names of people. Both sides of a comparison look at this same world, so that
+/// what is compared is the mod and not the precision of the API.
+/// </summary>
+internal sealed class SinglePrecisionWorld(IWorld world, SpaceTable spaces) : IWorld
+{
+    private const double BeyondAll = 1e6;
+
+    public long GameFrame => world.GameFrame;
+
+    public double TimeSeconds => Milliseconds * 0.001;
+
+    public int Milliseconds => (int)Math.Round(world.TimeSeconds * 1000);
+
+    public CameraState ReadCamera()
+    {
+        CameraState camera = world.ReadCamera();
+        EulerAngles angles = camera.Pose.Axes.ToEuler();
+        var rounded = new EulerAngles((float)angles.PitchDegrees, (float)angles.RollDegrees, (float)angles.YawDegrees);
+        return new CameraState(
+            new Pose(Round(camera.Pose.Position), Axes.FromEuler(rounded)),
+            (float)camera.VerticalFovDegrees,
+            (float)camera.NearClip,
+            (float)camera.WindowAspect);
+    }
+
+    public EgoState ReadEgo()
+    {
+        EgoState ego = world.ReadEgo();
+        return ego with { Pose = Round(ego.Pose), Velocity = Round(ego.Velocity) };
+    }
+
+    public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range) =>
+        Unrounded()
+            .Select(entity => entity with
+            {
+                Pose = Round(entity.Pose),
+                ModelMin = Round(entity.ModelMin),
+                ModelMax = Round(entity.ModelMax),
+                Velocity = Round(entity.Velocity),
+            })
+            .Where(entity => (entity.Pose.Position - centre).Length < range)
+            .ToArray();
+
+    public EnvironmentState ReadEnvironment()
+    {
+        EnvironmentState environment = world.ReadEnvironment();
+        return environment with { TimeOfDay = TimeSpan.FromSeconds(Math.Floor(environment.TimeOfDay.TotalSeconds)) };
+    }
+
+    /// <summary>Everything that the mod reads, before it is rounded: vehicles, people, and the props of the table.</summary>
+    public IEnumerable<EntityState> Unrounded() => world.ReadEntities(default, BeyondAll)
+        .Where(entity => entity.Class < ObjectClass.Sign || spaces.Of(entity.Model).Count > 0)
+        .Select(entity => entity.Class == ObjectClass.Pedestrian ? entity with { Model = $"0x{ModelHash.Of(entity.Model):X8}" } : entity);
+
+    public static Vector3D Round(Vector3D vector) => new((float)vector.X, (float)vector.Y, (float)vector.Z);
+
+    private static Pose Round(Pose pose) => new(
+        Round(pose.Position), Axes.FromVectors(Round(pose.Axes.Right), Round(pose.Axes.Forward), Round(pose.Axes.Up)));
+}

@@ -1,0 +1,65 @@
+using GTA.Native;
+using Harvester.Geometry;
+using Harvester.Geometry.Boxes;
+using Harvester.Geometry.Visibility;
+
+namespace Harvester.Mod.Tests.Games;
+
+/// <summary>The natives about rays. The world under z = 0 is a building, for which each ray makes a script handle.</summary>
+internal sealed partial class TestGame
+{
+    private const int Building = 2_000_000;
+    private (RayHit? Hit, Ray Ray) _probe;
+    private int _lastBuildingHandle = Building;
+
+    /// <summary>What rays meet in a scene; null for the entities of this game and its ground.</summary>
+    public IRayCaster? SceneRays { get; set; }
+
+    public HashSet<int> LeakedScriptHandles { get; } = [];
+
+    private void AddRayNatives()
+    {
+        _natives[Hash.START_EXPENSIVE_SYNCHRONOUS_SHAPE_TEST_LOS_PROBE] = a =>
+        {
+            Vector3D start = ToWorld(a[0], a[1], a[2]);
+            Vector3D way = ToWorld(a[3], a[4], a[5]) - start;
+            Assert.IsType<int>(a[6]);
+            Assert.Equal(7, Assert.IsType<int>(a[8]));
+            var ray = new Ray(start, way);
+            _probe = (SceneRays is { } scene ? scene.Cast(ray, way.Length, (int)a[7]) : Cast(ray, way.Length, (int)a[7]), ray);
+            return 1;
+        };
+        _natives[Hash.GET_SHAPE_TEST_RESULT] = a =>
+        {
+            Write(a[1], _probe.Hit is not null);
+            Write(a[2], ToGame(_probe.Hit is { } hit ? _probe.Ray.At(hit.Distance) : default));
+            Write(a[3], ToGame(default));
+            Write(a[4], _probe.Hit is { } met ? ScriptHandleOf(met.Entity) : 0);
+            return 2;
+        };
+        Do(Hash.RELEASE_SCRIPT_GUID_FROM_ENTITY, a => LeakedScriptHandles.Remove((int)a[0]));
+    }
+
+    private RayHit? Cast(Ray ray, double maxDistance, int ignored)
+    {
+        IEnumerable<RayHit> hits = Entities
+            .Where(entity => entity.Key != ignored && entity.Key != Player)
+            .Select(entity => (entity.Key, Span: Cuboid.FromModel(entity.Value.ModelMin, entity.Value.ModelMax, entity.Value.Pose).Intersect(ray)))
+            .Where(hit => hit.Span is not null)
+            .Select(hit => new RayHit(hit.Span!.Value.Entry, hit.Key));
+        double toGround = ray.Direction.Z < 0 ? -ray.Origin.Z / ray.Direction.Z : double.PositiveInfinity;
+        RayHit first = hits.Append(new RayHit(toGround, RayHit.World)).MinBy(hit => hit.Distance);
+        return first.Distance <= maxDistance ? first : null;
+    }
+
+    private int ScriptHandleOf(int entity)
+    {
+        if (entity != RayHit.World)
+        {
+            return entity;
+        }
+
+        LeakedScriptHandles.Add(++_lastBuildingHandle);
+        return _lastBuildingHandle;
+    }
+}

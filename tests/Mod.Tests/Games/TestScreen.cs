@@ -1,0 +1,25 @@
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Ports;
+
+namespace Harvester.Mod.Tests.Games;
+
+/// <summary>A screen that shows the number of the frame, and tells what else was to be seen when it was grabbed.</summary>
+internal sealed class TestScreen(TestGame game) : IScreen
+{
+    public string? Refusal { get; set; }
+
+    /// <summary>Grabs with anything of the game's display or the mod's in the picture.</summary>
+    public int SpoiltPictures { get; private set; }
+
+    public int Grabs { get; private set; }
+
+    public GrabResult Grab(PixelBuffer target)
+    {
+        Grabs++;
+
+        // The picture grabbed in a tick is the one that the frame before drew.
+        SpoiltPictures += game.ShowedDisplay ? 1 : 0;
+        Array.Fill(target.Bytes, (byte)(1 + (game.Frame % 255)));
+        return Refusal is null ? GrabResult.Good : GrabResult.Refused(Refusal);
+    }
+}

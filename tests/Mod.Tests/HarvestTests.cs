@@ -1,0 +1,169 @@
+using System.Text.Json;
+using System.Windows.Forms;
+using GTA.Hosting;
+using GTA.Native;
+using Harvester.Geometry;
+using Harvester.Mod.Tests.Games;
+
+namespace Harvester.Mod.Tests;
+
+public sealed class HarvestTests
+{
+    // A frozen frame needs one tick to freeze and four still ones; with waiting in between, ten ticks hold one.
+    private const int TicksOfAFrame = 10;
+
+    [Fact]
+    public void Key_on_foot_tells_to_enter_a_vehicle_and_harvests_nothing()
+    {
+        using var driver = new ScriptDriver();
+        driver.Press(Keys.J);
+
+        Assert.Contains("Enter a vehicle first", Assert.Single(driver.Game.Notifications), StringComparison.Ordinal);
+        Assert.False(Directory.Exists(driver.Output));
+    }
+
+    [Fact]
+    public void Key_in_a_vehicle_mounts_the_camera_and_harvests_until_the_key_again()
+    {
+        using var driver = new ScriptDriver();
+        Street(driver.Game);
+        driver.Press(Keys.J);
+        driver.Tick(5 * TicksOfAFrame);
+        driver.Press(Keys.J);
+        driver.WaitForDisk();
+
+        Assert.Single(driver.Game.Cameras);
+        Assert.False(driver.Game.IsPaused);
+        string session = Assert.Single(Directory.GetDirectories(driver.Output));
+        string[] labels = File.ReadAllLines(Path.Combine(session, "labels.jsonl"));
+        Assert.InRange(labels.Length, 4, 50);
+        Assert.Equal(labels.Length, Directory.GetFiles(Path.Combine(session, "frames"), "*.png").Length);
+        Assert.Contains($"The harvest ended: {labels.Length} frames", driver.Game.Notifications[^1], StringComparison.Ordinal);
+
+        JsonElement objects = JsonDocument.Parse(labels[0]).RootElement.GetProperty("objects");
+        Assert.Equal(["car", "pedestrian"], objects.EnumerateArray().Select(label => label.GetProperty("class").GetString()).Order());
+    }
+
+    [Fact]
+    public void Pictures_show_neither_the_games_display_nor_ours()
+    {
+        using var driver = new ScriptDriver();
+        Street(driver.Game);
+        driver.Press(Keys.L);
+        driver.Press(Keys.J);
+        bool wasDrawn = false;
+        for (int tick = 0; tick < 5 * TicksOfAFrame; tick++)
+        {
+            driver.Tick();
+            wasDrawn |= driver.Game.Texts.Count > 0 && driver.Game.Rectangles.Count > 0;
+        }
+
+        Assert.True(wasDrawn);
+        Assert.InRange(driver.Screen.Grabs, 4, 50);
+        Assert.Equal(0, driver.Screen.SpoiltPictures);
+    }
+
+    [Fact]
+    public void Display_tells_frames_rate_queue_and_free_disk()
+    {
+        using var driver = new ScriptDriver();
+        Street(driver.Game);
+        driver.Press(Keys.J);
+        var lines = new List<string>();
+        for (int tick = 0; tick < 3 * TicksOfAFrame; tick++)
+        {
+            driver.Clock.Milliseconds += 50;
+            driver.Tick();
+            lines.AddRange(driver.Game.Texts);
+        }
+
+        Assert.Matches(@"^REC  \d+ frames  \d+\.\d/s  0 discarded  queue \d+  \d+\.\d GB free$", lines[^1]);
+        Assert.All(lines, line => Assert.InRange(line.Length, 1, 99));
+    }
+
+    [Fact]
+    public void Frame_key_harvests_one_frame_and_again_adds_to_the_same_session()
+    {
+        using var driver = new ScriptDriver();
+        Street(driver.Game);
+        for (int press = 0; press < 3; press++)
+        {
+            driver.Press(Keys.K);
+            driver.Tick(2 * TicksOfAFrame);
+            driver.WaitForDisk();
+        }
+
+        string session = Assert.Single(Directory.GetDirectories(driver.Output));
+        Assert.Equal(3, File.ReadLines(Path.Combine(session, "labels.jsonl")).Count());
+    }
+
+    [Fact]
+    public void Overlay_outlines_what_would_be_labelled_and_goes_with_the_key()
+    {
+        using var driver = new ScriptDriver();
+        Street(driver.Game);
+        driver.Press(Keys.I);
+        driver.Press(Keys.L);
+
+        // Two objects, four sides each. The car ahead is right in front of the camera: its box holds the middle of the window.
+        Assert.Equal(8, driver.Game.Rectangles.Count);
+        Box2D car = driver.Game.Rectangles.Take(4).Aggregate((all, side) => all.Union(side));
+        Assert.True(car.Contains(new Vector2D(0.5, 0.5)));
+        driver.Press(Keys.L);
+        Assert.Empty(driver.Game.Rectangles);
+    }
+
+    [Fact]
+    public void Giving_the_view_back_ends_the_harvest()
+    {
+        using var driver = new ScriptDriver();
+        Street(driver.Game);
+        driver.Press(Keys.J);
+        driver.Tick(TicksOfAFrame);
+        driver.Press(Keys.O);
+        driver.Tick(2);
+
+        Assert.Contains("The harvest ended", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.False(driver.Game.IsPaused);
+    }
+
+    [Fact]
+    public void Refused_pictures_are_counted_and_told_by_their_reason()
+    {
+        using var driver = new ScriptDriver();
+        Street(driver.Game);
+        driver.Screen.Refusal = "covered";
+        driver.Press(Keys.J);
+        driver.Tick(3 * TicksOfAFrame);
+        driver.Press(Keys.J);
+
+        Assert.Matches(@"The harvest ended: 0 frames, discarded: \d+ covered", driver.Game.Notifications[^1]);
+    }
+
+    [Fact]
+    public void Rays_leave_no_script_handles_behind()
+    {
+        using var driver = new ScriptDriver();
+        Street(driver.Game);
+        SunkenCar(driver.Game);
+        driver.Press(Keys.K);
+        driver.Tick(2 * TicksOfAFrame);
+
+        Assert.Contains(Hash.RELEASE_SCRIPT_GUID_FROM_ENTITY, driver.Game.Calls);
+        Assert.Empty(driver.Game.LeakedScriptHandles);
+    }
+
+    /// <summary>A car with the player in it, another one ahead and someone on the pavement, all on the ground, looking north.</summary>
+    internal static void Street(TestGame game)
+    {
+        game.PlayersVehicle = game.Add(Standing(PoolKind.Vehicles, "asea", new Vector3D(100, 200, 0.6)));
+        game.Add(Standing(PoolKind.Vehicles, "premier", new Vector3D(100, 220, 0.6)));
+        game.Add(Standing(PoolKind.Peds, "a_m_y_hipster_01", new Vector3D(104, 225, 1)));
+    }
+
+    /// <summary>A car whose lower half is under the ground, which is no entity: rays to it meet that.</summary>
+    internal static void SunkenCar(TestGame game) => game.Add(Standing(PoolKind.Vehicles, "stanier", new Vector3D(96, 220, -0.25)));
+
+    private static GameEntity Standing(PoolKind pool, string name, Vector3D place) =>
+        new() { Pool = pool, Name = name, Pose = new Pose(place, Axes.Identity) };
+}

@@ -1,0 +1,29 @@
+namespace Harvester.Mod.Tests;
+
+/// <summary>The folder that the build makes is what the player copies.</summary>
+public sealed class ScriptsFolderTests
+{
+    private static readonly string Folder = Path.Combine(BuiltMod.RepositoryRoot, "artifacts", BuiltMod.Configuration, "scripts");
+
+    [Fact]
+    public void Build_makes_a_folder_with_exactly_what_belongs_into_scripts()
+    {
+        Assert.Equal(
+            ["GtaDataHarvester.dll", "GtaDataHarvester.ini", "INSTALL.txt", "spaces_of_interest.csv"],
+            Directory.EnumerateFileSystemEntries(Folder).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+    }
+
+    [Fact]
+    public void Dll_in_the_folder_is_the_one_that_was_built()
+    {
+        Assert.Equal(File.ReadAllBytes(BuiltMod.Path), File.ReadAllBytes(Path.Combine(Folder, "GtaDataHarvester.dll")));
+    }
+
+    [Fact]
+    public void Install_names_every_file_of_the_folder()
+    {
+        string install = File.ReadAllText(Path.Combine(Folder, "INSTALL.txt"));
+
+        Assert.All(Directory.EnumerateFiles(Folder), file => Assert.Contains(Path.GetFileName(file), install, StringComparison.Ordinal));
+    }
+}

@@ -1,0 +1,71 @@
+using System.Windows.Forms;
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Spaces;
+using Harvester.Capture.Storage;
+using Harvester.Geometry.Cameras;
+using Harvester.Mod.Tests.Games;
+using Harvester.Simulation;
+
+namespace Harvester.Mod.Tests;
+
+/// <summary>The mod is nothing but an adapter: what it harvests is what is harvested from the same scene without it.</summary>
+public sealed class SessionComparisonTests
+{
+    private const int Ticks = 24;
+    private const string Ini = "[Harvest]\nWidth = 64\nHeight = 48\nRate = 5\nMasks = On\nOcclusionRays = 16\n";
+
+    [Fact]
+    public void Session_by_the_mod_equals_the_session_without_it()
+    {
+        SpaceTable spaces = ReadSpaces(out string table);
+        using var folder = new TemporaryFolder();
+        string direct = Path.Combine(folder.Path, "direct");
+        HarvestDirectly(new SimulatedScene(Options(), spaces), direct);
+
+        var scene = new SimulatedScene(Options(), spaces);
+        using var driver = new ScriptDriver(Ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock, table);
+        driver.Script.RaiseKeyUp(Keys.J);
+        driver.Tick(Ticks);
+        driver.Script.RaiseKeyUp(Keys.J);
+        driver.WaitForDisk();
+        string byMod = Assert.Single(Directory.GetDirectories(driver.Output));
+
+        string[] labels = File.ReadAllLines(Path.Combine(direct, "labels.jsonl"));
+        Assert.InRange(labels.Length, 3, Ticks);
+        Assert.Contains(labels, line => line.Contains("\"class\":\"car\"", StringComparison.Ordinal));
+        Assert.Equal(labels, File.ReadAllLines(Path.Combine(byMod, "labels.jsonl")));
+        foreach (string file in Files(direct, "frames").Concat(Files(direct, "masks")))
+        {
+            Assert.Equal(File.ReadAllBytes(Path.Combine(direct, file)), File.ReadAllBytes(Path.Combine(byMod, file)));
+        }
+
+        Assert.Equal(Files(direct, "frames"), Files(byMod, "frames"));
+    }
+
+    private static SimulationOptions Options() => new() { Seed = 5, TrafficDensity = 2, PedestrianDensity = 2 };
+
+    private static void HarvestDirectly(SimulatedScene scene, string directory)
+    {
+        var options = new HarvestOptions { Image = new ImageSize(64, 48), RateHz = 5, Masks = true, OcclusionSamples = 16, ProbeLag = false };
+        using var writer = new SessionWriter(directory, new SessionOrigin { Game = "test", Tool = "test" });
+        using var session = new HarvestSession(options, scene.Ports, writer);
+        for (int tick = 0; tick < Ticks; tick++)
+        {
+            scene.NextFrame();
+            Assert.Null(session.Step().Fault);
+            writer.WaitForRoom();
+        }
+    }
+
+    private static IEnumerable<string> Files(string session, string kind) => Directory
+        .GetFiles(Path.Combine(session, kind))
+        .Select(path => Path.GetRelativePath(session, path))
+        .Order(StringComparer.Ordinal);
+
+    private static SpaceTable ReadSpaces(out string text)
+    {
+        text = File.ReadAllText(Path.Combine(BuiltMod.RepositoryRoot, "data", "spaces_of_interest.csv"));
+        using var reader = new StringReader(text);
+        return SpaceTableReader.Read(reader).Table;
+    }
+}
