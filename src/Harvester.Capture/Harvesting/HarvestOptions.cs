@@ -31,6 +31,12 @@ public sealed record HarvestOptions
     /// <summary>Whether instance masks are made.</summary>
     public bool Masks { get; init; }
 
+    /// <summary>Rays that a frame's mask may take at most, 0 to 10,000,000. When they are used up the mask is finished from what is known.</summary>
+    public int MaskRayBudget { get; init => field = OptionCheck.InRange(value, 0, 10_000_000, nameof(MaskRayBudget)); } = 50_000;
+
+    /// <summary>Distance beyond which the game's rays are known not to meet entities, metres; greater than 0. Masks show those by their cuboids.</summary>
+    public double RayReachMetres { get; init => field = OptionCheck.Positive(value, nameof(RayReachMetres)); } = 1_000;
+
     /// <summary>What separates the game's picture from a pinhole's, as calibration found it.</summary>
     public Lens Lens { get; init; } = Lens.Ideal;
 

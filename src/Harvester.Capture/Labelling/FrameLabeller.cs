@@ -13,9 +13,10 @@ using Harvester.Geometry.Visibility;
 namespace Harvester.Capture.Labelling;
 
 /// <summary>Makes the labels of the objects of one snapshot: boxes by geometry, occlusion and masks by rays.</summary>
-internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, ObjectRegistry registry, IInstanceMapper mapper)
+internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, ObjectRegistry registry)
 {
     private readonly OcclusionEstimator _occlusion = new(options.OcclusionSamples);
+    private readonly PixelMapOptions _mapOptions = new() { RayBudget = options.MaskRayBudget, RayReachMetres = options.RayReachMetres };
 
     /// <summary>The camera of the saved image.</summary>
     public static Camera CameraOf(HarvestOptions options, CameraState state) =>
@@ -26,44 +27,78 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
     /// The caller may leave off after any slice and go on in a later tick, as long as the game stands still.
     /// </summary>
     /// <param name="snapshot">The scene.</param>
-    /// <param name="mayCastRays">Asked for each object; objects that get a no have no occlusion.</param>
+    /// <param name="mayCastRays">Asked for each object and each ray of a mask; objects that get a no have no occlusion, and a mask ends there.</param>
     public IEnumerable<FrameLabelling?> Label(SceneSnapshot snapshot, Func<bool> mayCastRays)
     {
         Camera camera = CameraOf(options, snapshot.Camera);
+        List<LabelCandidate> candidates = [.. snapshot.Entities.Select(entity => CandidateOf(camera, entity)).OfType<LabelCandidate>()];
+        return options.Masks
+            ? LabelByMap(camera, snapshot.Ego.Handle, candidates, mayCastRays)
+            : LabelByRays(camera, snapshot.Ego.Handle, candidates, mayCastRays);
+    }
+
+    private IEnumerable<FrameLabelling?> LabelByRays(
+        Camera camera, int egoHandle, List<LabelCandidate> candidates, Func<bool> mayCastRays)
+    {
         var objects = new List<ObjectLabel>();
-        var numbers = new Dictionary<int, ushort>();
-        foreach (EntityState entity in snapshot.Entities)
+        foreach (LabelCandidate candidate in candidates)
         {
-            if (LabelOf(camera, snapshot.Ego.Handle, entity, mayCastRays) is { } label)
+            OcclusionEstimate occlusion = mayCastRays()
+                ? _occlusion.Estimate(camera, candidate.Cuboid, candidate.Projection, candidate.Entity.Handle, egoHandle, rays)
+                : default;
+            if (LabelOf(camera, candidate, occlusion) is { } label)
             {
                 objects.Add(label);
-                numbers[entity.Handle] = (ushort)label.Id;
             }
 
             yield return null;
         }
 
         objects.Sort(static (a, b) => a.Id.CompareTo(b.Id));
-        if (!options.Masks)
-        {
-            yield return new FrameLabelling(objects, null);
-            yield break;
-        }
+        yield return new FrameLabelling(objects, null);
+    }
 
-        var map = new InstanceMap(options.Image);
-        Box2D[] boxes = [.. objects.Select(label => label.Box2D)];
-        ushort NumberOf(int handle) => numbers.TryGetValue(handle, out ushort id) ? id : (ushort)0;
-        foreach (bool _ in mapper.Fill(camera, boxes, NumberOf, snapshot.Ego.Handle, rays, map))
+    // Which objects are kept, and so have a number, is known only after the map: until then they are numbered through.
+    private IEnumerable<FrameLabelling?> LabelByMap(
+        Camera camera, int egoHandle, List<LabelCandidate> candidates, Func<bool> mayCastRays)
+    {
+        MapTarget[] targets = [.. candidates.Select((candidate, index) =>
+            new MapTarget(candidate.Entity.Handle, (ushort)(index + 1), candidate.Cuboid, candidate.Projection))];
+        var mapper = new AdaptivePixelMapper(camera, targets, egoHandle, rays, _mapOptions);
+        while (mayCastRays() && mapper.Step())
         {
             yield return null;
         }
 
-        Box2D?[] bounds = InstanceBounds.Of(map);
-        yield return new FrameLabelling(
-            [.. objects.Select(label => label with { Box2DVisible = bounds[label.Id] })], map);
+        AdaptivePixelMap map = mapper.Finish();
+        yield return null;
+
+        var estimator = new MapOcclusionEstimator(camera, map.Map, egoHandle, rays, options.OcclusionSamples);
+        var objects = new List<ObjectLabel>();
+        var numbers = new ushort[targets.Length + 1];
+        for (int i = 0; i < targets.Length; i++)
+        {
+            OcclusionEstimate occlusion = mayCastRays() ? estimator.Estimate(targets[i], map.Methods[targets[i].Number]) : default;
+            if (LabelOf(camera, candidates[i], occlusion) is { } label)
+            {
+                objects.Add(label);
+                numbers[targets[i].Number] = (ushort)label.Id;
+            }
+
+            yield return null;
+        }
+
+        for (int i = 0; i < map.Map.Ids.Length; i++)
+        {
+            map.Map.Ids[i] = numbers[map.Map.Ids[i]];
+        }
+
+        Box2D?[] bounds = InstanceBounds.Of(map.Map);
+        objects.Sort(static (a, b) => a.Id.CompareTo(b.Id));
+        yield return new FrameLabelling([.. objects.Select(label => label with { Box2DVisible = bounds[label.Id] })], map.Map);
     }
 
-    private ObjectLabel? LabelOf(Camera camera, int egoHandle, EntityState entity, Func<bool> mayCastRays)
+    private LabelCandidate? CandidateOf(Camera camera, EntityState entity)
     {
         if (options.Classes is { } classes && !classes.Contains(entity.Class))
         {
@@ -72,31 +107,33 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
 
         Cuboid cuboid = Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose);
         CuboidProjection projection = CuboidProjector.Project(camera, cuboid);
-        if (projection is not { Box: { } box, AmodalBox: { } amodal }
-            || box.Area < options.MinBoxAreaPixels || box.Width < options.MinBoxSidePixels || box.Height < options.MinBoxSidePixels)
-        {
-            return null;
-        }
+        return projection is { Box: { } box, AmodalBox: { } amodal }
+            && box.Area >= options.MinBoxAreaPixels && box.Width >= options.MinBoxSidePixels && box.Height >= options.MinBoxSidePixels
+            ? new LabelCandidate(entity, cuboid, projection, box, amodal)
+            : null;
+    }
 
-        OcclusionEstimate occlusion = mayCastRays() ? _occlusion.Estimate(camera, cuboid, projection, entity.Handle, egoHandle, rays) : default;
+    private ObjectLabel? LabelOf(Camera camera, LabelCandidate candidate, OcclusionEstimate occlusion)
+    {
         bool determined = occlusion.Method != OcclusionMethod.None;
         if (determined && occlusion.OccludedFraction > options.MaxOccludedFraction)
         {
             return null;
         }
 
+        EntityState entity = candidate.Entity;
         return new ObjectLabel
         {
             Id = registry.IdOf(entity),
             Class = entity.Class,
             Model = entity.Model,
-            Box2D = box,
-            Box2DAmodal = amodal,
-            TruncatedFraction = projection.TruncatedFraction,
+            Box2D = candidate.Box,
+            Box2DAmodal = candidate.AmodalBox,
+            TruncatedFraction = candidate.Projection.TruncatedFraction,
             OccludedFraction = determined ? occlusion.OccludedFraction : null,
             OcclusionMethod = occlusion.Method,
-            Box3D = cuboid,
-            DistanceMetres = (cuboid.Centre - camera.Pose.Position).Length,
+            Box3D = candidate.Cuboid,
+            DistanceMetres = (candidate.Cuboid.Centre - camera.Pose.Position).Length,
             Velocity = entity.Velocity,
         };
     }
