@@ -60,6 +60,20 @@ public static class PathBits
         _ => RoadNodeFlags.None,
     };
 
+    /// <summary>What the bits mean that the game's GET_VEHICLE_NODE_PROPERTIES returns.</summary>
+    public static RoadNodeFlags FlagsOfProperties(int properties) =>
+        When(properties, 1, RoadNodeFlags.OffRoad)
+        | When(properties, 4, RoadNodeFlags.NoBigVehicles)
+        | When(properties, 8, RoadNodeFlags.SwitchedOff)
+        | When(properties, 16, RoadNodeFlags.Tunnel)
+        | When(properties, 32, RoadNodeFlags.DeadEnd)
+        | When(properties, 64, RoadNodeFlags.Highway)
+        | When(properties, 128, RoadNodeFlags.Junction)
+        | When(properties, 256, RoadNodeFlags.TrafficLight)
+        | When(properties, 512, RoadNodeFlags.GiveWay)
+        | When(properties, 1024, RoadNodeFlags.Water)
+        | When(properties, 2048, RoadNodeFlags.NoGps);
+
     /// <summary>The link that the bits of one stored at its first node describe.</summary>
     /// <param name="from">Index of the node that stores it.</param>
     /// <param name="to">Index of the node where it leads.</param>
