@@ -11,7 +11,8 @@ internal static class ValidateCommand
 {
     private const string Notes =
         "Checked are: every line can be read; images and masks are there, whole, and of the size in their label; boxes lie in the image and\n"
-        + "within their amodal boxes; fractions are 0 to 1; distances agree with cuboids; an id means one object; frame numbers rise.\n"
+        + "within their amodal boxes; fractions are 0 to 1; distances agree with cuboids and focal lengths with fields\n"
+        + "of view; an id means one object; frame numbers rise.\n"
         + "All problems are listed, one a line; the exit code is 1 if there is any.\n\n"
         + "Example:\n"
         + "  harvester validate out";

@@ -1,3 +1,4 @@
+using System;
 using Harvester.Capture.Labels;
 using Harvester.Geometry.Cameras;
 
@@ -7,8 +8,20 @@ namespace Harvester.Datasets.Sessions;
 public static class LabelCamera
 {
     /// <summary>The camera that a label describes.</summary>
-    /// <exception cref="System.ArgumentOutOfRangeException">A value is outside its range.</exception>
+    /// <exception cref="DatasetFormatException">A value is outside its range; the message names it.</exception>
     public static Camera Of(CameraLabel label)
+    {
+        try
+        {
+            return Make(label);
+        }
+        catch (ArgumentException e)
+        {
+            throw new DatasetFormatException($"camera: {e.Message}", e);
+        }
+    }
+
+    private static Camera Make(CameraLabel label)
     {
         DistortionLabel distortion = label.Distortion;
         var lens = new Lens(

@@ -31,6 +31,7 @@ public static class SessionValidator
                 found =
                 [
                     .. SizeProblems(label, info),
+                    .. CameraCheck.Problems(label.Camera),
                     .. sequence.Problems(label),
                     .. files.Problems(label),
                     .. label.Objects.SelectMany(item => ObjectCheck.Problems(item, label.Camera)),

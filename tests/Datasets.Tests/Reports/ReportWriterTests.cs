@@ -75,6 +75,15 @@ public sealed partial class ReportWriterTests : IDisposable
     }
 
     [Fact]
+    public void Write_of_a_camera_that_cannot_be_says_so()
+    {
+        _session.Lines[1]["camera"]!["nearClip"] = -1;
+
+        Assert.Contains(
+            "camera: nearClip", Assert.Throws<DatasetFormatException>(() => Write(new ReportLimits())).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Write_that_fails_leaves_the_older_report()
     {
         Write(new ReportLimits());

@@ -172,6 +172,18 @@ public sealed class SessionValidatorTests : IDisposable
     }
 
     [Theory]
+    [InlineData("verticalFovDegrees", 180, "camera: verticalFovDegrees")]
+    [InlineData("nearClip", 0, "camera: nearClip")]
+    [InlineData("windowAspect", -1, "camera: windowAspect")]
+    [InlineData("fy", 31, "camera: fx and fy are 30 and 31, but the other fields make them 30 and 30.")]
+    public void Validate_finds_a_camera_that_cannot_be(string field, double value, string message)
+    {
+        _session.Lines[1]["camera"]![field] = value;
+
+        AssertProblem(2, message);
+    }
+
+    [Theory]
     [InlineData("[-1, 27, 43, 33]", "does not lie in the image")]
     [InlineData("[37, 27, 81, 33]", "does not lie in the image")]
     [InlineData("[37, 27, 43, 34]", "does not lie within box2dAmodal")]
