@@ -1,5 +1,3 @@
-using GTA;
-
 namespace Harvester.Mod;
 
 /// <summary>
@@ -27,9 +25,9 @@ internal sealed class CameraMount : IFeature
     /// <summary>Mounts the rendering camera on the vehicle that the player sits in.</summary>
     public void Mount()
     {
-        if (Game.Version is >= 0 and < GameVersion.v1_0_2189_0_Steam)
+        if (GameBuild.MountProblem is { } problem)
         {
-            _messages.Tell("This build of the game is older than 1.0.2189 and cannot attach a camera rigidly. Update the game.");
+            _messages.Tell(problem);
             return;
         }
 

@@ -119,6 +119,12 @@ internal sealed class Harvest : IFeature, IDisposable
             return;
         }
 
+        if (GameBuild.ListProblem is { } problem)
+        {
+            _messages.Tell(problem);
+            return;
+        }
+
         if (_mount.Vehicle == 0)
         {
             _mount.Mount();

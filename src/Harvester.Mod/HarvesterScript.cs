@@ -47,7 +47,7 @@ public sealed class HarvesterScript : Script
         var rays = new GameRays();
         var world = new GameWorld(_mount, pause, rays, spaces);
         _harvest = new Harvest(settings, _messages, _mount, new GamePorts(world, rays, screen, pause, clock));
-        var overlay = new Overlay(settings, world, spaces, _harvest);
+        var overlay = new Overlay(settings, _messages, world, spaces, _harvest);
         _features = [_car, _mount, _harvest, new Hud(_harvest, settings.Folder, clock), overlay];
         Bind(settings.SpawnKey, _car, _car.Spawn);
         Bind(settings.MountKey, _mount, _mount.Mount);
@@ -87,7 +87,7 @@ public sealed class HarvesterScript : Script
         {
             return read();
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        catch (Exception exception) when (exception is not ThreadAbortException)
         {
             _complaints.Add($"{file} cannot be read: {exception.Message}");
             return fallback();

@@ -16,6 +16,7 @@ internal sealed class Hud : IFeature
     private readonly IClock _clock;
     private double _diskAskedAt = double.NegativeInfinity;
     private string _disk = string.Empty;
+    private bool _isOff;
 
     public Hud(Harvest harvest, string folder, IClock clock)
     {
@@ -30,7 +31,13 @@ internal sealed class Hud : IFeature
     /// <inheritdoc/>
     public void Tick()
     {
-        if (_harvest.Status is not { } status || _harvest.IsPictureNear)
+        if (_harvest.Status is not { } status)
+        {
+            _isOff = false;
+            return;
+        }
+
+        if (_isOff || _harvest.IsPictureNear)
         {
             return;
         }
@@ -43,7 +50,7 @@ internal sealed class Hud : IFeature
     }
 
     /// <inheritdoc/>
-    public void Stop() => _disk = string.Empty;
+    public void Stop() => _isOff = true;
 
     private void AskDisk()
     {

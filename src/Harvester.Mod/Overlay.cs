@@ -21,14 +21,16 @@ internal sealed class Overlay : IFeature
     private static readonly Colour People = new(255, 170, 60, 255);
     private static readonly Colour Signs = new(90, 170, 255, 255);
     private readonly ModSettings _settings;
+    private readonly Messages _messages;
     private readonly IWorld _world;
     private readonly SpaceTable _spaces;
     private readonly Harvest _harvest;
     private bool _isOn;
 
-    public Overlay(ModSettings settings, IWorld world, SpaceTable spaces, Harvest harvest)
+    public Overlay(ModSettings settings, Messages messages, IWorld world, SpaceTable spaces, Harvest harvest)
     {
         _settings = settings;
+        _messages = messages;
         _world = world;
         _spaces = spaces;
         _harvest = harvest;
@@ -38,7 +40,15 @@ internal sealed class Overlay : IFeature
     public string Name => "The overlay";
 
     /// <summary>Switches it on or off.</summary>
-    public void Toggle() => _isOn = !_isOn;
+    public void Toggle()
+    {
+        string? problem = GameBuild.ListProblem;
+        _isOn = !_isOn && problem is null;
+        if (problem is not null)
+        {
+            _messages.Tell(problem);
+        }
+    }
 
     /// <inheritdoc/>
     public void Tick()

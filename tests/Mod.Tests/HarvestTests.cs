@@ -98,6 +98,34 @@ public sealed class HarvestTests
     }
 
     [Fact]
+    public void Display_that_fails_is_told_once_and_the_harvest_goes_on()
+    {
+        using var driver = new ScriptDriver();
+        Street(driver.Game);
+        driver.Game.Fault = native => native == Hash.SET_TEXT_FONT ? new InvalidOperationException("No font.") : null;
+        driver.Press(Keys.J);
+        driver.Tick(5 * TicksOfAFrame);
+
+        Assert.Equal(1, driver.Game.Calls.Count(native => native == Hash.SET_TEXT_FONT));
+        Assert.Equal("GtaDataHarvester: The display failed: No font. More in GtaDataHarvester.log.", driver.Game.Notifications[^1]);
+        Assert.InRange(driver.Screen.Grabs, 4, 50);
+    }
+
+    [Fact]
+    public void Build_that_the_api_does_not_know_gets_a_message_and_nothing_is_listed()
+    {
+        using var driver = new ScriptDriver(prepare: game => game.GameVersion = 87);
+        Street(driver.Game);
+        driver.Game.AfterListing = () => Assert.Fail("The API was asked to list what is near.");
+        driver.Press(Keys.J);
+        driver.Press(Keys.L);
+        driver.Press(Keys.K);
+
+        Assert.Contains("Install the latest nightly", Assert.Single(driver.Game.Notifications), StringComparison.Ordinal);
+        Assert.False(Directory.Exists(driver.Output));
+    }
+
+    [Fact]
     public void Overlay_outlines_what_would_be_labelled_and_goes_with_the_key()
     {
         using var driver = new ScriptDriver();

@@ -79,4 +79,15 @@ public sealed class SettingsTests
         driver.Tick(10);
         Assert.Single(driver.Game.Vehicles);
     }
+
+    [Fact]
+    public void Script_can_be_made_as_the_loader_makes_it_where_there_is_no_window()
+    {
+        using var driver = new ScriptDriver();
+        var script = new HarvesterScript();
+        script.RaiseTick();
+        script.RaiseAborted();
+
+        Assert.DoesNotContain(driver.Game.Notifications, message => message.Contains("failed", StringComparison.Ordinal));
+    }
 }
