@@ -32,11 +32,14 @@ public sealed class SimulatedGame
     private long _sceneState = -1;
 
     /// <summary>Builds the world.</summary>
-    /// <exception cref="ArgumentException">No road lies near the start.</exception>
+    /// <exception cref="ArgumentException">No road lies near the start, or the weather is none of the game's.</exception>
     public SimulatedGame(SimulationOptions options)
     {
         ArgumentNullException.ThrowIfNull(options);
         _options = options;
+
+        // A wrong name is found before a world is built in vain.
+        _ = Weather.LightingOf(options.Weather, options.TimeOfDay);
         _world = new SimulatedWorld(options);
         Ports = new GamePorts(new WorldPort(this), new RayPort(this), new ScreenPort(this), new PausePort(this), new ClockPort(this));
     }

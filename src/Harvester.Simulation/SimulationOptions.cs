@@ -24,7 +24,7 @@ public sealed record SimulationOptions
     /// <summary>Traffic lights and street lamps to set up where they are given, in place of made-up ones; null to make them up.</summary>
     public IReadOnlyList<PropPlacement>? Props { get; init; }
 
-    /// <summary>The game's name of the weather in small letters.</summary>
+    /// <summary>The weather, one of <see cref="Rendering.Weather.Names"/>.</summary>
     public string Weather { get; init; } = "clear";
 
     /// <summary>The hour at the beginning.</summary>

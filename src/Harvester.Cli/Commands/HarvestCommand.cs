@@ -14,6 +14,7 @@ using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Simulation.Rendering;
 
 namespace Harvester.Cli.Commands;
 
@@ -31,11 +32,6 @@ internal static class HarvestCommand
         + "  harvester harvest --out out\n"
         + "  harvester harvest --out rain --frames 500 --seed 7 --weather rain --time 18:30 --masks\n"
         + "  harvester harvest --out streets --roads nodes.zip --near 0,-1000";
-
-    private static readonly string[] Weathers =
-    [
-        "clear", "extrasunny", "clouds", "overcast", "rain", "thunder", "clearing", "foggy", "smog", "snow", "blizzard", "snowlight", "xmas",
-    ];
 
     private static readonly Option<string> Out = new("--out") { Description = "Folder to write the session to", HelpName = "DIR", Required = true };
     private static readonly Option<bool> Overwrite = new("--overwrite") { Description = "Replace the session that lies in the folder" };
@@ -68,11 +64,11 @@ internal static class HarvestCommand
     };
 
     private static readonly Option<Vector2D?> Near = ValueParsers.Point("--near", "X,Y", "Where to start, metres [default: the middle of the roads]");
-    private static readonly Option<string> Weather = new("--weather")
+    private static readonly Option<string> WeatherName = new("--weather")
     {
-        Description = "The weather: " + string.Join(", ", Weathers),
+        Description = "The weather: " + string.Join(", ", Weather.Names),
         HelpName = "W",
-        DefaultValueFactory = _ => Weathers[0],
+        DefaultValueFactory = _ => "clear",
     };
 
     private static readonly Option<TimeSpan> Time = WithDefault(
@@ -94,7 +90,7 @@ internal static class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Near, Weather, Time, Masks, Range, Classes, NoReport,
+            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Near, WeatherName, Time, Masks, Range, Classes, NoReport,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
@@ -139,7 +135,7 @@ internal static class HarvestCommand
             throw new UsageException($"--size: the images of a harvest are {SmallestSide} to {GreatestSide} pixels a side.");
         }
 
-        string weather = parsed.GetRequiredValue(Weather);
+        string weather = parsed.GetRequiredValue(WeatherName);
         return new HarvestPlan
         {
             Folder = parsed.GetRequiredValue(Out),
@@ -152,9 +148,9 @@ internal static class HarvestCommand
             Roads = parsed.GetValue(Roads)?.FullName,
             Props = [.. parsed.GetRequiredValue(Props).Select(file => file.FullName)],
             Near = parsed.GetValue(Near),
-            Weather = Weathers.Contains(weather, StringComparer.Ordinal)
+            Weather = Weather.Names.Contains(weather)
                 ? weather
-                : throw new UsageException($"--weather takes one of {string.Join(", ", Weathers)}, not '{weather}'."),
+                : throw new UsageException($"--weather takes one of {string.Join(", ", Weather.Names)}, not '{weather}'."),
             TimeOfDay = parsed.GetValue(Time),
             Masks = parsed.GetValue(Masks),
             RangeMetres = parsed.GetValue(Range),

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
@@ -8,26 +9,38 @@ public static class Weather
 {
     private static readonly Rgb Grey = new(150, 154, 160);
 
-    /// <summary>The light of a weather at an hour. A weather that is not known looks like a clear day.</summary>
-    /// <param name="weather">The game's name of the weather in small letters: clear, extrasunny, clouds, overcast, rain, thunder, clearing, foggy, smog, snow, blizzard, snowlight, xmas.</param>
+    /// <summary>What makes a weather: clouds, fog (share of the view lost each metre), rain and snow.</summary>
+    private static readonly Dictionary<string, (double Clouds, double Fog, double Rain, double Snow)> Airs = new(StringComparer.Ordinal)
+    {
+        ["clear"] = (0.15, 0.0006, 0, 0),
+        ["extrasunny"] = (0, 0.0003, 0, 0),
+        ["clouds"] = (0.55, 0.0008, 0, 0),
+        ["neutral"] = (0.35, 0.0011, 0, 0),
+        ["overcast"] = (0.95, 0.0014, 0, 0),
+        ["smog"] = (0.5, 0.008, 0, 0),
+        ["foggy"] = (0.9, 0.022, 0, 0),
+        ["clearing"] = (0.7, 0.002, 0.3, 0),
+        ["rain"] = (1, 0.0045, 0.8, 0),
+        ["thunder"] = (1, 0.006, 1, 0),
+        ["snowlight"] = (0.8, 0.004, 0, 0.4),
+        ["snow"] = (0.95, 0.007, 0, 0.8),
+        ["xmas"] = (0.6, 0.003, 0, 0.7),
+        ["blizzard"] = (1, 0.018, 0, 1),
+        ["halloween"] = (0.9, 0.012, 0.15, 0),
+    };
+
+    /// <summary>The game's names of all weathers, in small letters.</summary>
+    public static IReadOnlyCollection<string> Names => Airs.Keys;
+
+    /// <summary>The light of a weather at an hour.</summary>
+    /// <param name="weather">One of <see cref="Names"/>.</param>
     /// <param name="timeOfDay">Time since midnight.</param>
+    /// <exception cref="ArgumentException">The game has no such weather.</exception>
     public static Lighting LightingOf(string weather, TimeSpan timeOfDay)
     {
-        (double clouds, double fog, double rain, double snow) = weather switch
-        {
-            "extrasunny" => (0.0, 0.0003, 0.0, 0.0),
-            "clouds" => (0.55, 0.0008, 0.0, 0.0),
-            "overcast" => (0.95, 0.0014, 0.0, 0.0),
-            "clearing" => (0.7, 0.002, 0.3, 0.0),
-            "rain" => (1.0, 0.0045, 0.8, 0.0),
-            "thunder" => (1.0, 0.006, 1.0, 0.0),
-            "foggy" => (0.9, 0.022, 0.0, 0.0),
-            "smog" => (0.5, 0.008, 0.0, 0.0),
-            "snowlight" => (0.8, 0.004, 0.0, 0.4),
-            "snow" or "xmas" => (0.95, 0.007, 0.0, 0.8),
-            "blizzard" => (1.0, 0.018, 0.0, 1.0),
-            _ => (0.15, 0.0006, 0.0, 0.0),
-        };
+        (double clouds, double fog, double rain, double snow) = Airs.TryGetValue(weather, out var air)
+            ? air
+            : throw new ArgumentException($"The weather is one of {string.Join(", ", Names)}, not '{weather}'.");
 
         // The sun rises at six in the east, stands highest at noon in the south, and sets at eighteen in the west.
         double hourAngle = (timeOfDay.TotalHours - 12) * Math.PI / 12;
