@@ -1,0 +1,42 @@
+using Harvester.Simulation.Rendering;
+
+namespace Harvester.Simulation.Tests.Rendering;
+
+public class WeatherTests
+{
+    /// <summary>The least mean difference of two weathers' pictures, of 255: what is seen when one is laid on the other.</summary>
+    private const double Visible = 0.5;
+
+    [Fact]
+    public void LightingOf_each_name_gives_a_picture_of_its_own()
+    {
+        List<(string Name, byte[] Colour)> pictures = [.. Weather.Names.Select(name => (name, PictureOf(name)))];
+
+        // The names of the game's fifteen weathers.
+        Assert.Equal(15, pictures.Count);
+        for (int i = 0; i < pictures.Count; i++)
+        {
+            for (int j = 0; j < i; j++)
+            {
+                double difference = pictures[i].Colour.Zip(pictures[j].Colour, (a, b) => Math.Abs(a - b)).Average();
+                Assert.True(difference > Visible, $"{pictures[i].Name} looks like {pictures[j].Name}: they differ by {difference:F2}.");
+            }
+        }
+    }
+
+    [Fact]
+    public void LightingOf_unknown_name_is_refused_with_the_names()
+    {
+        ArgumentException error = Assert.Throws<ArgumentException>(() => new SimulatedGame(new SimulationOptions { Weather = "sunny" }));
+
+        Assert.Contains("'sunny'", error.Message, StringComparison.Ordinal);
+        Assert.All(Weather.Names, name => Assert.Contains(name, error.Message, StringComparison.Ordinal));
+    }
+
+    private static byte[] PictureOf(string weather)
+    {
+        RenderScene scene = TestScene.Seeded(4);
+        scene.Lighting = Weather.LightingOf(weather, TimeSpan.FromHours(12));
+        return TestScene.Render(scene, TestScene.Camera).Colour;
+    }
+}
