@@ -1,0 +1,14 @@
+namespace Harvester.Geometry.Calibration;
+
+/// <summary>How the fit of a lens ended.</summary>
+public enum LensFitOutcome
+{
+    /// <summary>The lens is found.</summary>
+    Fitted,
+
+    /// <summary>Fewer sightings agree than <see cref="LensFitter.FewestSightings"/>, or fewer than half of those given.</summary>
+    TooFewSightings,
+
+    /// <summary>The sightings do not determine the lens: they lie in one place or on a circle about the image's middle, say.</summary>
+    Undetermined,
+}

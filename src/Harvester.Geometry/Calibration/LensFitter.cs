@@ -1,0 +1,143 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Geometry.Calibration;
+
+/// <summary>
+/// Fits a <see cref="Lens"/> to sightings so that it puts the points where they are seen. The model is linear in its parameters
+/// (<see cref="LensEquations"/>), so there is one optimum and no start value. Wrong sightings are tolerated as long as most are
+/// right: least squares are solved again and again with weights, first Huber's (which find the right neighbourhood from anywhere),
+/// then Tukey's biweight (which takes sightings that are far off out of the result); the scale of the noise is taken from the median
+/// distance each time (Huber and Ronchetti, Robust Statistics, chapter 7).
+/// </summary>
+public static class LensFitter
+{
+    /// <summary>The fewest sightings that must agree for a result: five parameters, two equations each, and something to check them by.</summary>
+    public const int FewestSightings = 10;
+
+    // The median distance of noise that is normal in both axes, in standard deviations of one axis: √(2 ln 2).
+    private const double MedianOfRayleigh = 1.1774100225154747;
+
+    // Huber's usual bound, in standard deviations.
+    private const double HuberBound = 1.345;
+
+    // Noise reaches this many standard deviations with a probability of exp(-18), so only what is wrong is left out.
+    private const double BiweightBound = 6;
+
+    // Markers cannot be located better than this, pixels; sightings without noise then do not reject each other for rounding.
+    private const double SmallestNoise = 0.01;
+    private const int Rounds = 30;
+
+    /// <summary>Fits a lens.</summary>
+    /// <param name="camera">Field of view, image size and aspect; its own lens is not used.</param>
+    /// <param name="sightings">Points and where they are seen, in front of the camera.</param>
+    /// <exception cref="ArgumentException">A point lies nearer than the near plane.</exception>
+    public static LensFit Fit(CameraIntrinsics camera, IReadOnlyList<Sighting> sightings)
+    {
+        Guard.NotNull(camera, nameof(camera));
+        Guard.NotNull(sightings, nameof(sightings));
+        CameraIntrinsics ideal = WithLens(camera, Lens.Ideal);
+        double[] distances = DistancesOf(ideal, sightings);
+        if (sightings.Count < FewestSightings)
+        {
+            return Without(LensFitOutcome.TooFewSightings);
+        }
+
+        var equations = new LensEquations(ideal);
+        double[] weights = [.. Enumerable.Repeat(1.0, sightings.Count)];
+        for (int round = 0; round < 2 * Rounds; round++)
+        {
+            if (Solve(equations, sightings, weights) is not { } lens)
+            {
+                return Without(LensFitOutcome.Undetermined);
+            }
+
+            distances = DistancesOf(WithLens(camera, lens), sightings);
+            double noise = Math.Max(SmallestNoise, Median(distances) / MedianOfRayleigh);
+            Func<double, double> weight = round < Rounds ? HuberWeight : BiweightWeight;
+            weights = [.. distances.Select(distance => weight(distance / noise))];
+        }
+
+        return Result(camera, equations, sightings, weights);
+    }
+
+    private static LensFit Result(CameraIntrinsics camera, LensEquations equations, IReadOnlyList<Sighting> sightings, double[] weights)
+    {
+        List<Sighting> used = [.. sightings.Where((_, i) => weights[i] > 0)];
+        if (used.Count < FewestSightings || 2 * used.Count < sightings.Count)
+        {
+            return Without(LensFitOutcome.TooFewSightings);
+        }
+
+        var system = SystemOf(equations, sightings, weights);
+        if (LensOf(system) is not { } lens)
+        {
+            return Without(LensFitOutcome.Undetermined);
+        }
+
+        var error = ReprojectionError.Of(WithLens(camera, lens), used);
+        double variance = error.RmsPixels * error.RmsPixels * used.Count / ((2 * used.Count) - LensEquations.ParameterCount);
+        double corner = Math.Sqrt(variance * CornerVariance(camera, equations, system));
+        return new LensFit(LensFitOutcome.Fitted, lens, error, sightings.Count - used.Count, corner);
+    }
+
+    private static double CornerVariance(CameraIntrinsics camera, LensEquations equations, WeightedLeastSquares system)
+    {
+        double tangent = Math.Tan(Angles.ToRadians(camera.VerticalFovDegrees) / 2);
+        double largest = 0;
+        foreach (int side in new[] { -1, 1 })
+        {
+            foreach (int end in new[] { -1, 1 })
+            {
+                var corner = new Vector2D(side * tangent * camera.WindowAspect, end * tangent);
+                largest = Math.Max(largest, system.VarianceOf(equations.RowU(corner)) + system.VarianceOf(equations.RowV(corner)));
+            }
+        }
+
+        return largest;
+    }
+
+    private static Lens? Solve(LensEquations equations, IReadOnlyList<Sighting> sightings, double[] weights) =>
+        LensOf(SystemOf(equations, sightings, weights));
+
+    private static Lens? LensOf(WeightedLeastSquares system) =>
+        system.Solve() is { } parameters && parameters[0] > 0 ? LensEquations.LensOf(parameters) : null;
+
+    private static WeightedLeastSquares SystemOf(LensEquations equations, IReadOnlyList<Sighting> sightings, double[] weights)
+    {
+        var system = new WeightedLeastSquares(LensEquations.ParameterCount);
+        for (int i = 0; i < sightings.Count; i++)
+        {
+            Vector2D point = LensEquations.PointOf(sightings[i]);
+            system.Add(equations.RowU(point), equations.TargetU(sightings[i].Pixel), weights[i]);
+            system.Add(equations.RowV(point), equations.TargetV(sightings[i].Pixel), weights[i]);
+        }
+
+        return system;
+    }
+
+    private static double[] DistancesOf(CameraIntrinsics camera, IReadOnlyList<Sighting> sightings) =>
+        [.. sightings.Select(sighting => ReprojectionError.Distance(camera, sighting))];
+
+    private static double HuberWeight(double distance) => distance <= HuberBound ? 1 : HuberBound / distance;
+
+    private static double BiweightWeight(double distance)
+    {
+        double rest = 1 - (distance * distance / (BiweightBound * BiweightBound));
+        return rest > 0 ? rest * rest : 0;
+    }
+
+    private static double Median(double[] values)
+    {
+        double[] sorted = [.. values];
+        Array.Sort(sorted);
+        return (sorted[(sorted.Length - 1) / 2] + sorted[sorted.Length / 2]) / 2;
+    }
+
+    private static CameraIntrinsics WithLens(CameraIntrinsics camera, Lens lens) =>
+        new(camera.VerticalFovDegrees, camera.Image, camera.WindowAspect, camera.NearClip, lens);
+
+    private static LensFit Without(LensFitOutcome outcome) => new(outcome, Lens.Ideal, default, 0, 0);
+}

@@ -1,0 +1,134 @@
+using System;
+
+namespace Harvester.Geometry.Calibration;
+
+/// <summary>
+/// A small linear least squares problem, row by row: finds p that minimises Σ w (row · p - target)². Solved by Cholesky's
+/// factorisation of the normal equations after the columns are scaled to unit length (Golub and Van Loan, Matrix Computations, 5.3).
+/// </summary>
+internal sealed class WeightedLeastSquares
+{
+    // With unit columns a pivot is the squared sine of a column's angle to the ones before; below this, noise of 1e-16 decides.
+    private const double SmallestPivot = 1e-10;
+    private readonly int _count;
+    private readonly double[,] _normal;
+    private readonly double[] _right;
+    private readonly double[] _scale;
+    private readonly double[,] _factor;
+
+    public WeightedLeastSquares(int parameterCount)
+    {
+        _count = parameterCount;
+        _normal = new double[parameterCount, parameterCount];
+        _factor = new double[parameterCount, parameterCount];
+        _right = new double[parameterCount];
+        _scale = new double[parameterCount];
+    }
+
+    public void Add(double[] row, double target, double weight)
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            _right[i] += weight * row[i] * target;
+            for (int j = 0; j <= i; j++)
+            {
+                _normal[i, j] += weight * row[i] * row[j];
+            }
+        }
+    }
+
+    /// <summary>The solution; null when the rows leave some combination of the parameters open.</summary>
+    public double[]? Solve()
+    {
+        if (!Factorise())
+        {
+            return null;
+        }
+
+        var scaled = new double[_count];
+        for (int i = 0; i < _count; i++)
+        {
+            scaled[i] = _right[i] * _scale[i];
+        }
+
+        SolveLower(scaled);
+        for (int i = _count - 1; i >= 0; i--)
+        {
+            for (int j = i + 1; j < _count; j++)
+            {
+                scaled[i] -= _factor[j, i] * scaled[j];
+            }
+
+            scaled[i] /= _factor[i, i];
+        }
+
+        for (int i = 0; i < _count; i++)
+        {
+            scaled[i] *= _scale[i];
+        }
+
+        return scaled;
+    }
+
+    /// <summary>After <see cref="Solve"/>: the variance of row · p when each target has variance 1.</summary>
+    public double VarianceOf(double[] row)
+    {
+        var scaled = new double[_count];
+        for (int i = 0; i < _count; i++)
+        {
+            scaled[i] = row[i] * _scale[i];
+        }
+
+        SolveLower(scaled);
+        double sum = 0;
+        foreach (double value in scaled)
+        {
+            sum += value * value;
+        }
+
+        return sum;
+    }
+
+    private bool Factorise()
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            if (!(_normal[i, i] > 0))
+            {
+                return false;
+            }
+
+            _scale[i] = 1 / Math.Sqrt(_normal[i, i]);
+            for (int j = 0; j <= i; j++)
+            {
+                double rest = _normal[i, j] * _scale[i] * _scale[j];
+                for (int k = 0; k < j; k++)
+                {
+                    rest -= _factor[i, k] * _factor[j, k];
+                }
+
+                if (i == j && rest < SmallestPivot)
+                {
+                    return false;
+                }
+
+                _factor[i, j] = i == j ? Math.Sqrt(rest) : rest / _factor[j, j];
+            }
+        }
+
+        return true;
+    }
+
+    private void SolveLower(double[] values)
+    {
+        for (int i = 0; i < _count; i++)
+        {
+            for (int j = 0; j < i; j++)
+            {
+                values[i] -= _factor[i, j] * values[j];
+            }
+
+            values[i] /= _factor[i, i];
+        }
+    }
+}
