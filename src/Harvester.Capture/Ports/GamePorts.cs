@@ -8,4 +8,5 @@ namespace Harvester.Capture.Ports;
 /// <param name="Screen">The picture shown.</param>
 /// <param name="Pause">Stops the world.</param>
 /// <param name="Clock">The player's time.</param>
-public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IPause Pause, IClock Clock);
+/// <param name="Markers">Draws markers for calibration; null where the game cannot.</param>
+public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IPause Pause, IClock Clock, IMarkers? Markers = null);

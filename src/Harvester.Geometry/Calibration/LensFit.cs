@@ -6,10 +6,11 @@ namespace Harvester.Geometry.Calibration;
 /// <param name="Outcome">Whether there is a result; without one the lens is ideal and every number 0.</param>
 /// <param name="Lens">The lens.</param>
 /// <param name="Error">What is left between the sightings that were used and where the lens puts them.</param>
+/// <param name="ErrorWithout">What a pinhole would leave of the same sightings.</param>
 /// <param name="OutlierCount">Sightings that were left out because they disagree with all others.</param>
 /// <param name="CornerUncertaintyPixels">
 /// Standard deviation of the position that the lens gives for the worst corner of the image, pixels: what the noise of the sightings
 /// leaves open. It is large where the sightings do not reach toward the corners.
 /// </param>
 public readonly record struct LensFit(
-    LensFitOutcome Outcome, Lens Lens, ReprojectionError Error, int OutlierCount, double CornerUncertaintyPixels);
+    LensFitOutcome Outcome, Lens Lens, ReprojectionError Error, ReprojectionError ErrorWithout, int OutlierCount, double CornerUncertaintyPixels);

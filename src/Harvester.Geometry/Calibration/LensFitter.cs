@@ -80,7 +80,7 @@ public static class LensFitter
         var error = ReprojectionError.Of(WithLens(camera, lens), used);
         double variance = error.RmsPixels * error.RmsPixels * used.Count / ((2 * used.Count) - LensEquations.ParameterCount);
         double corner = Math.Sqrt(variance * CornerVariance(camera, equations, system));
-        return new LensFit(LensFitOutcome.Fitted, lens, error, sightings.Count - used.Count, corner);
+        return new LensFit(LensFitOutcome.Fitted, lens, error, ReprojectionError.Of(WithLens(camera, Lens.Ideal), used), sightings.Count - used.Count, corner);
     }
 
     private static double CornerVariance(CameraIntrinsics camera, LensEquations equations, WeightedLeastSquares system)
@@ -139,5 +139,5 @@ public static class LensFitter
     private static CameraIntrinsics WithLens(CameraIntrinsics camera, Lens lens) =>
         new(camera.VerticalFovDegrees, camera.Image, camera.WindowAspect, camera.NearClip, lens);
 
-    private static LensFit Without(LensFitOutcome outcome) => new(outcome, Lens.Ideal, default, 0, 0);
+    private static LensFit Without(LensFitOutcome outcome) => new(outcome, Lens.Ideal, default, default, 0, 0);
 }

@@ -47,11 +47,12 @@ public sealed class LensFitterTests
 
         LensFit fit = LensFitter.Fit(before, Sightings(truth, new Random(2), noisePixels, wrongFraction));
 
-        (double rmsBefore, double maxBefore) = ErrorOverImage(truth, before);
+        (_, double maxBefore) = ErrorOverImage(truth, before);
         (double rms, double max) = ErrorOverImage(truth, Intrinsics(width, height, fov, fit.Lens));
 
         // At 50 degrees and 4:3 the two defects work against each other; there they leave 2.2 px in the corners, elsewhere 10 and more.
         Assert.True(maxBefore > (width == 800 && fov == 50 ? 2 : 10), $"the lens hardly matters before: {rmsBefore:F2} px RMS, {maxBefore:F2} px at most");
+        Assert.True(fit.ErrorWithout.MaxPixels > maxBefore / 2, $"told to be {fit.ErrorWithout.MaxPixels:F2} px before");
         Assert.True(rms <= LargestRms, $"{rms:F3} px RMS after");
         Assert.True(max <= LargestError, $"{max:F3} px at most after");
     }
@@ -130,7 +131,7 @@ public sealed class LensFitterTests
         CameraIntrinsics truth = Intrinsics(800, 600, 60, Injected);
         List<Sighting> nine = [.. Sightings(truth, new Random(7), 0, 0).Take(LensFitter.FewestSightings - 1)];
 
-        Assert.Equal(new LensFit(LensFitOutcome.TooFewSightings, Lens.Ideal, default, 0, 0), LensFitter.Fit(truth, nine));
+        Assert.Equal(new LensFit(LensFitOutcome.TooFewSightings, Lens.Ideal, default, default, 0, 0), LensFitter.Fit(truth, nine));
         Assert.Equal(LensFitOutcome.TooFewSightings, LensFitter.Fit(truth, []).Outcome);
     }
 

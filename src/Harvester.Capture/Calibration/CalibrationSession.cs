@@ -1,0 +1,145 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Capture.Ports;
+using Harvester.Geometry.Calibration;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Capture.Calibration;
+
+/// <summary>
+/// Calibrates the game's camera: call <see cref="Step"/> once in every tick, from the game's own thread, until it is over. A coarse
+/// grid of markers first, as a lens may show them far from where a pinhole would; then a fine one that reaches into the corners of
+/// the picture as the coarse result has it. Nothing is thrown to the caller after construction; the game is left running and no
+/// marker is left standing, whatever happens.
+/// </summary>
+public sealed class CalibrationSession : IDisposable
+{
+    private const int CoarseColumns = 7;
+    private const int CoarseRows = 5;
+    private const int FineColumns = 15;
+    private const int FineRows = 11;
+    private readonly CalibrationOptions _options;
+    private readonly GamePorts _game;
+    private readonly IMarkers _markers;
+    private readonly MarkerSurvey _survey;
+    private readonly IEnumerator<CalibrationPhase> _run;
+
+    /// <summary>Makes a session; nothing is asked of the game before the first step.</summary>
+    /// <param name="options">How to calibrate.</param>
+    /// <param name="game">The game, with <see cref="GamePorts.Markers"/>.</param>
+    /// <exception cref="ArgumentException">The game cannot draw markers.</exception>
+    public CalibrationSession(CalibrationOptions options, GamePorts game)
+    {
+        _options = options ?? throw new ArgumentNullException(nameof(options));
+        _game = game ?? throw new ArgumentNullException(nameof(game));
+        _markers = game.Markers ?? throw new ArgumentException("This game cannot draw markers.", nameof(game));
+        _survey = new MarkerSurvey(options, game, _markers);
+        _run = Run().GetEnumerator();
+    }
+
+    /// <summary>What the session is doing.</summary>
+    public CalibrationPhase Phase { get; private set; } = CalibrationPhase.Settling;
+
+    /// <summary>What was found; null before the end and after a failure.</summary>
+    public CalibrationResult? Result { get; private set; }
+
+    /// <summary>One line that says why there is no result; null without a failure.</summary>
+    public string? Fault { get; private set; }
+
+    /// <summary>Does one tick's share. After the end it does nothing.</summary>
+    public CalibrationPhase Step()
+    {
+        if (Phase != CalibrationPhase.Settling)
+        {
+            return Phase;
+        }
+
+        try
+        {
+            if (!_run.MoveNext())
+            {
+                End(CalibrationPhase.Done);
+            }
+        }
+#pragma warning disable CA1031 // The game's script loop must not see an exception of ours, whatever its type.
+        catch (Exception exception)
+#pragma warning restore CA1031
+        {
+            Fault = exception is CalibrationException ? exception.Message : $"The calibration stopped: {exception.Message}";
+            End(CalibrationPhase.Failed);
+        }
+
+        return Phase;
+    }
+
+    /// <summary>Gives the game back; a calibration that is not over has no result.</summary>
+    public void Dispose()
+    {
+        if (Phase == CalibrationPhase.Settling)
+        {
+            Fault = "The calibration was stopped.";
+            End(CalibrationPhase.Failed);
+        }
+    }
+
+    private IEnumerable<CalibrationPhase> Run()
+    {
+        _game.Pause.Freeze();
+        foreach (CalibrationPhase phase in _survey.Take(CoarseColumns, CoarseRows, Lens.Ideal))
+        {
+            yield return phase;
+        }
+
+        IReadOnlyList<Sighting> coarse = _survey.Sightings;
+        Lens about = Fit(coarse, _survey.Shown).Lens;
+        int shown = _survey.Shown;
+        foreach (CalibrationPhase phase in _survey.Take(FineColumns, FineRows, about))
+        {
+            yield return phase;
+        }
+
+        shown += _survey.Shown;
+        Result = ResultOf([.. coarse, .. _survey.Sightings], shown);
+    }
+
+    private CalibrationResult ResultOf(IReadOnlyList<Sighting> sightings, int shown)
+    {
+        LensFit fit = Fit(sightings, shown);
+        double worst = Math.Max(fit.Error.RmsPixels, fit.CornerUncertaintyPixels);
+        if (worst > _options.ThresholdPixels)
+        {
+            throw new CalibrationException(FormattableString.Invariant(
+                $"The markers leave {worst:0.00} px open, more than the {_options.ThresholdPixels:0.00} px allowed: calibrate in clear weather, standing still."));
+        }
+
+        return new CalibrationResult(fit.Lens, fit.ErrorWithout, fit.Error, fit.CornerUncertaintyPixels, shown, fit.OutlierCount);
+    }
+
+    private LensFit Fit(IReadOnlyList<Sighting> sightings, int shown)
+    {
+        LensFit fit = LensFitter.Fit(_survey.Camera!, sightings);
+        return fit.Outcome == LensFitOutcome.Fitted
+            ? fit
+            : throw new CalibrationException(
+                $"Of {shown} markers {sightings.Count} were seen, which does not determine the lens: give the camera a free view and calibrate again.");
+    }
+
+    private void End(CalibrationPhase phase)
+    {
+        Phase = phase;
+        foreach (Action release in new Action[] { _run.Dispose, _markers.Clear, _game.Pause.Unfreeze })
+        {
+            try
+            {
+                release();
+            }
+#pragma warning disable CA1031 // The rest must be released too, and the first fault is the one to tell.
+            catch (Exception exception)
+#pragma warning restore CA1031
+            {
+                Fault ??= $"The calibration stopped: {exception.Message}";
+                Phase = CalibrationPhase.Failed;
+            }
+        }
+    }
+}
