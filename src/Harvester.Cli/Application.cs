@@ -81,6 +81,7 @@ internal static class Application
         root.Subcommands.Add(HarvestCommand.Create(terminal));
         root.Subcommands.Add(ValidateCommand.Create(terminal));
         root.Subcommands.Add(ReportCommand.Create(terminal));
+        root.Subcommands.Add(CalibrateCommand.Create(terminal));
         root.Subcommands.Add(ProjectCommand.Create(terminal));
         root.Subcommands.Add(BoxesCommand.Create(terminal));
         root.Subcommands.Add(RoadsCommand.Create(terminal));

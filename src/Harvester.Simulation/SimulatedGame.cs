@@ -4,7 +4,9 @@ using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
+using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
+using Harvester.Simulation.Models;
 using Harvester.Simulation.Ports;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.World;
@@ -41,7 +43,7 @@ public sealed class SimulatedGame
         // A wrong name is found before a world is built in vain.
         _ = Weather.LightingOf(options.Weather, options.TimeOfDay);
         _world = new SimulatedWorld(options);
-        Ports = new GamePorts(new WorldPort(this), new RayPort(this), new ScreenPort(this), new PausePort(this), new ClockPort(this));
+        Ports = new GamePorts(new WorldPort(this), new RayPort(this), new ScreenPort(this), new PausePort(this), new ClockPort(this), new MarkersPort(this));
     }
 
     /// <summary>The game as the harvest sees it.</summary>
@@ -54,6 +56,18 @@ public sealed class SimulatedGame
     public bool IsFrozen { get; internal set; }
 
     internal SimulatedWorld World => _world;
+
+    /// <summary>Balls that are shown beside what the world holds.</summary>
+    internal IReadOnlyList<PlannedMarker> Markers
+    {
+        get;
+        set
+        {
+            field = value;
+            _sceneState = -1;
+            _pictureState = -1;
+        }
+    } = [];
 
     internal long GameFrame { get; private set; }
 
@@ -108,7 +122,7 @@ public sealed class SimulatedGame
         if (_pictureState != _state)
         {
             CameraState camera = Camera;
-            _renderer.Render(Scene, new RenderCamera(camera.Pose, camera.VerticalFovDegrees, camera.WindowAspect, camera.NearClip, size.Width, size.Height), _picture);
+            _renderer.Render(Scene, new RenderCamera(camera.Pose, camera.VerticalFovDegrees, camera.WindowAspect, camera.NearClip, size.Width, size.Height) { Lens = _options.Lens }, _picture);
             _pictureState = _state;
         }
 
@@ -120,7 +134,7 @@ public sealed class SimulatedGame
         if (_sceneState != _state)
         {
             Vector3D eye = Camera.Pose.Position;
-            _world.Scene.SetDynamic(_world.MovingNear(eye, SightRange));
+            _world.Scene.SetDynamic([.. _world.MovingNear(eye, SightRange), .. Markers.Select(MarkerModel.Of)]);
             _world.Scene.Lighting = Weather.LightingOf(_options.Weather, TimeOfDay) with { PrecipitationSeed = (int)_state };
             _world.Scene.Lights = LightsNear(eye);
             _sceneState = _state;

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation;
 
@@ -38,6 +39,9 @@ public sealed record SimulationOptions
 
     /// <summary>Width divided by height of the window.</summary>
     public double WindowAspect { get; init; } = 4.0 / 3;
+
+    /// <summary>What the game's camera does to its picture beyond a pinhole, of which it reports nothing.</summary>
+    public RenderLens Lens { get; init; } = RenderLens.None;
 
     /// <summary>Distance of the near plane, metres.</summary>
     public double NearClip { get; init; } = 0.15;

@@ -17,7 +17,7 @@ public sealed record CalibrationOptions
     /// <summary>By how many ticks the picture may at most be behind the state, 0 to 60; as long is waited before each picture.</summary>
     public int MaxPictureLagTicks { get; init => field = OptionCheck.InRange(value, 0, 60, nameof(MaxPictureLagTicks)); } = 4;
 
-    /// <summary>Ticks in which everything must have come to stand still, 1 to 10,000; otherwise the calibration fails.</summary>
+    /// <summary>Ticks in which the camera must have come to stand still, 1 to 10,000; otherwise the calibration fails.</summary>
     public int MaxSettleTicks { get; init => field = OptionCheck.InRange(value, 1, 10_000, nameof(MaxSettleTicks)); } = 300;
 
     /// <summary>How large a marker looks, pixels, greater than 0; larger ones are found more exactly and hidden more often.</summary>
@@ -25,7 +25,4 @@ public sealed record CalibrationOptions
 
     /// <summary>Depths of the markers, metres. Near ones are hidden by nothing, and lie above the ground.</summary>
     public IReadOnlyList<double> MarkerDepths { get; init; } = [0.9, 1.2, 1.6];
-
-    /// <summary>The objects within this distance must stand still, metres, greater than 0.</summary>
-    public double StillRangeMetres { get; init => field = OptionCheck.Positive(value, nameof(StillRangeMetres)); } = 50;
 }

@@ -3,7 +3,7 @@ namespace Harvester.Capture.Calibration;
 /// <summary>What a calibration is doing between two game ticks.</summary>
 public enum CalibrationPhase
 {
-    /// <summary>Waiting until everything stands still and the picture shows it.</summary>
+    /// <summary>Waiting until the camera stands still and the picture shows it.</summary>
     Settling,
 
     /// <summary>Done; there is a result.</summary>

@@ -109,7 +109,7 @@ public sealed class CalibrationSession : IDisposable
         if (worst > _options.ThresholdPixels)
         {
             throw new CalibrationException(FormattableString.Invariant(
-                $"The markers leave {worst:0.00} px open, more than the {_options.ThresholdPixels:0.00} px allowed: calibrate in clear weather, standing still."));
+                $"The markers leave {worst:0.###} px open, more than the {_options.ThresholdPixels:0.###} px allowed: calibrate in clear weather, standing still."));
         }
 
         return new CalibrationResult(fit.Lens, fit.ErrorWithout, fit.Error, fit.CornerUncertaintyPixels, shown, fit.OutlierCount);
@@ -117,7 +117,7 @@ public sealed class CalibrationSession : IDisposable
 
     private LensFit Fit(IReadOnlyList<Sighting> sightings, int shown)
     {
-        LensFit fit = LensFitter.Fit(_survey.Camera!, sightings);
+        LensFit fit = LensFitter.Fit(_survey.CameraWith(Lens.Ideal), sightings);
         return fit.Outcome == LensFitOutcome.Fitted
             ? fit
             : throw new CalibrationException(

@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using Harvester.Capture.Harvesting;
 using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
@@ -14,15 +13,13 @@ namespace Harvester.Capture.Calibration;
 /// </summary>
 internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, IMarkers markers)
 {
-    private const double StillToleranceMetres = 0.0005;
+    // A tenth of a pixel at the nearest marker's 0.9 m and a focal length of 900 pixels, and along the axes the same in radians.
+    private const double StillToleranceMetres = 1e-4;
+    private const double StillToleranceOfAxes = 1e-4;
     private const int GrabAttempts = 20;
-    private readonly SceneReader _reader = new(game.World, options.StillRangeMetres);
-    private readonly SceneComparison _comparison = new(StillToleranceMetres);
     private readonly PixelBuffer _without = new(options.Image);
     private readonly PixelBuffer _with = new(options.Image);
-
-    /// <summary>The camera without a lens, as it stood in the last survey.</summary>
-    public CameraIntrinsics? Camera { get; private set; }
+    private CameraState? _camera;
 
     /// <summary>The markers that were seen in the last survey.</summary>
     public IReadOnlyList<Sighting> Sightings { get; private set; } = [];
@@ -44,9 +41,9 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
             yield return phase;
         }
 
-        SceneSnapshot before = _reader.Read();
-        Camera = IntrinsicsOf(before.Camera, Lens.Ideal);
-        var camera = new Camera(before.Camera.Pose, IntrinsicsOf(before.Camera, lens));
+        CameraState state = game.World.ReadCamera();
+        _camera = state;
+        var camera = new Camera(state.Pose, CameraWith(lens));
         MarkerPlan plan = MarkerPlan.Across(camera, columns, rows, options.MarkerRadiusPixels, options.MarkerDepths);
         Shown = plan.Markers.Count;
         try
@@ -62,32 +59,32 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
             markers.Clear();
         }
 
-        if (_comparison.FirstDifference(before, _reader.Read()) is { } difference)
+        if (!Stands(state, game.World.ReadCamera()))
         {
-            throw new CalibrationException($"The world moved while the markers were shown ({difference}): stop the car and calibrate again.");
+            throw new CalibrationException("The camera moved while the markers were shown: stop the car and try again.");
         }
 
         Sightings = MarkerMatcher.Match(plan, camera.Pose, MarkerDetector.Find(_without, _with, options.MarkerRadiusPixels));
     }
+
+    /// <summary>The camera of the last survey with a lens.</summary>
+    public CameraIntrinsics CameraWith(Lens lens) =>
+        new(_camera!.VerticalFovDegrees, options.Image, _camera.WindowAspect, _camera.NearClip, lens);
+
+    private static bool Stands(CameraState a, CameraState b) =>
+        (a.Pose.Position - b.Pose.Position).Length <= StillToleranceMetres
+        && (a.Pose.Axes.Right - b.Pose.Axes.Right).Length <= StillToleranceOfAxes
+        && (a.Pose.Axes.Forward - b.Pose.Axes.Forward).Length <= StillToleranceOfAxes
+        && a with { Pose = b.Pose } == b;
 
     private IEnumerable<CalibrationPhase> Picture(PixelBuffer target)
     {
         string? refusal = null;
         for (int attempt = 0; attempt < GrabAttempts; attempt++)
         {
-            // What is shown from this tick on is in the state of the next one.
-            yield return CalibrationPhase.Settling;
-            var gate = new StillnessGate(_comparison);
-            gate.Observe(_reader.Read());
-            for (int ticks = 0; gate.StillTicks < options.MaxPictureLagTicks; ticks++)
+            foreach (CalibrationPhase phase in Standstill())
             {
-                if (ticks == options.MaxSettleTicks)
-                {
-                    throw new CalibrationException("The world does not come to stand still: stop the car and calibrate again.");
-                }
-
-                yield return CalibrationPhase.Settling;
-                gate.Observe(_reader.Read());
+                yield return phase;
             }
 
             refusal = game.Screen.Grab(target).Refusal;
@@ -100,6 +97,27 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
         throw new CalibrationException($"No picture of the game can be grabbed ({refusal}).");
     }
 
-    private CameraIntrinsics IntrinsicsOf(CameraState camera, Lens lens) =>
-        new(camera.VerticalFovDegrees, options.Image, camera.WindowAspect, camera.NearClip, lens);
+    /// <summary>Waits until the camera has stood still for as many game frames as the picture may be late.</summary>
+    private IEnumerable<CalibrationPhase> Standstill()
+    {
+        // What is shown from this tick on is in the state of the next one.
+        yield return CalibrationPhase.Settling;
+        CameraState first = game.World.ReadCamera();
+        long since = game.World.GameFrame;
+        for (int ticks = 0; game.World.GameFrame - since < options.MaxPictureLagTicks; ticks++)
+        {
+            if (ticks == options.MaxSettleTicks)
+            {
+                throw new CalibrationException("The camera does not come to stand still: stop the car and try again.");
+            }
+
+            yield return CalibrationPhase.Settling;
+            CameraState now = game.World.ReadCamera();
+            if (!Stands(first, now))
+            {
+                first = now;
+                since = game.World.GameFrame;
+            }
+        }
+    }
 }

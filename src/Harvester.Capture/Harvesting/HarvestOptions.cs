@@ -40,6 +40,12 @@ public sealed record HarvestOptions
     /// <summary>What separates the game's picture from a pinhole's, as calibration found it.</summary>
     public Lens Lens { get; init; } = Lens.Ideal;
 
+    /// <summary>
+    /// The largest error that the camera model may have over a handful of markers, pixels, greater than 0: with more the harvest refuses to
+    /// start. Null to leave the check out; a game that draws no markers is not checked.
+    /// </summary>
+    public double? MaxCalibrationErrorPixels { get; init => field = value is { } error ? OptionCheck.Positive(error, nameof(MaxCalibrationErrorPixels)) : null; } = 1;
+
     /// <summary>Objects whose box in the image is smaller are not labelled, square pixels; 0 or more.</summary>
     public double MinBoxAreaPixels { get; init => field = OptionCheck.AtLeast(value, 0, nameof(MinBoxAreaPixels)); } = 16;
 

@@ -3,6 +3,9 @@ namespace Harvester.Capture.Harvesting;
 /// <summary>What a harvest is doing between two game ticks.</summary>
 public enum HarvestPhase
 {
+    /// <summary>Markers are shown and the camera model is held against them, once at the start.</summary>
+    CheckingCalibration,
+
     /// <summary>No frame is due yet; the game runs.</summary>
     Waiting,
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Harvester.Capture.Calibration;
 using Harvester.Capture.Imaging;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Labels;
@@ -122,6 +123,11 @@ public sealed class HarvestSession : IDisposable
 
     private IEnumerable<HarvestPhase> Run()
     {
+        foreach (HarvestPhase phase in new CalibrationCheck(_options, _game).Run())
+        {
+            yield return phase;
+        }
+
         ReadTime();
         _startMilliseconds = _game.Clock.Milliseconds;
         _sink.Open(new SessionStart(_options, _gameFrame, _timeSeconds, _game.World.ReadCamera()));
@@ -196,7 +202,7 @@ public sealed class HarvestSession : IDisposable
 
     private void Fail(Exception exception)
     {
-        Fault = exception is HarvestFaultException ? exception.Message : $"The harvest stopped: {OneLine(exception.Message)}";
+        Fault = exception is HarvestFaultException or CalibrationException ? exception.Message : $"The harvest stopped: {OneLine(exception.Message)}";
         try
         {
             End(HarvestPhase.Faulted);

@@ -92,7 +92,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     }
 
     [Theory]
-    [InlineData(0.01, null, "cameraMoved|stand still")]
+    [InlineData(0.01, null, "camera moved|stand still")]
     [InlineData(0, "covered", "covered")]
     public void Step_without_a_still_and_open_view_fails_with_a_message(double creep, string? refusal, string message)
     {

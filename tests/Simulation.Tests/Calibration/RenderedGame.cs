@@ -59,6 +59,9 @@ internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock
     /// <summary>Metres that the camera creeps to the right in a tick.</summary>
     public double Creep { get; init; }
 
+    /// <summary>Whether something hides every marker.</summary>
+    public bool HidesMarkers { get; init; }
+
     public string? Refusal { get; set; }
 
     public bool IsFrozen { get; private set; }
@@ -106,7 +109,7 @@ internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock
             _scene.Lighting = _scene.Lighting with { PrecipitationSeed = (int)GameFrame };
         }
 
-        _scene.SetDynamic(_history[Math.Max(0, _history.Count - 1 - PictureLag)].Select(MarkerModel.Of));
+        _scene.SetDynamic(_history[Math.Max(0, _history.Count - 1 - PictureLag)].Where(_ => !HidesMarkers).Select(MarkerModel.Of));
         var camera = new RenderCamera(ReadCamera().Pose, VerticalFovDegrees, WindowAspect, 0.1, target.Size.Width, target.Size.Height) { Lens = Lens };
         var picture = new RenderTarget(target.Size.Width, target.Size.Height);
         _renderer.Render(_scene, camera, picture);

@@ -1,0 +1,74 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Calibration;
+using Harvester.Capture.Ports;
+using Harvester.Geometry.Calibration;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Capture.Harvesting;
+
+/// <summary>
+/// Holds the camera model of a harvest against a handful of markers before anything is recorded. Games that draw no markers are not
+/// checked.
+/// </summary>
+internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
+{
+    private const int Columns = 5;
+    private const int Rows = 4;
+
+    // One marker in ten may be mistaken for something else; the four in the corners, where a wrong lens shows first, are more than that.
+    private const double JudgedFraction = 0.9;
+
+    // Markers as large as a calibration's in an image of 600 rows, and smaller in smaller ones, so that they always fit.
+    private const double RowsPerRadius = 100;
+
+    /// <summary>Runs the check over some ticks; the game is frozen meanwhile.</summary>
+    /// <exception cref="HarvestFaultException">The model is off by more than the options allow, or it cannot be checked.</exception>
+    public IEnumerable<HarvestPhase> Run()
+    {
+        if (options.MaxCalibrationErrorPixels is not { } allowed || game.Markers is not { } markers)
+        {
+            yield break;
+        }
+
+        var settings = new CalibrationOptions
+        {
+            Image = options.Image,
+            MaxPictureLagTicks = options.MaxPictureLagTicks,
+            MarkerRadiusPixels = options.Image.Height / RowsPerRadius,
+        };
+        var survey = new MarkerSurvey(settings, game, markers);
+        game.Pause.Freeze();
+        try
+        {
+            foreach (CalibrationPhase phase in survey.Take(Columns, Rows, options.Lens))
+            {
+                yield return HarvestPhase.CheckingCalibration;
+            }
+        }
+        finally
+        {
+            game.Pause.Unfreeze();
+        }
+
+        Judge(survey.CameraWith(options.Lens), survey.Sightings, allowed);
+    }
+
+    private static void Judge(CameraIntrinsics camera, IReadOnlyList<Sighting> sightings, double allowed)
+    {
+        if (2 * sightings.Count < Columns * Rows)
+        {
+            throw new HarvestFaultException(
+                $"The camera model cannot be checked, as only {sightings.Count} of {Columns * Rows} markers are seen: give the camera a free view, or switch the check off.");
+        }
+
+        double[] errors = [.. sightings.Select(sighting => ReprojectionError.Of(camera, [sighting]).MaxPixels).OrderBy(error => error)];
+        double error = errors[(int)Math.Ceiling(JudgedFraction * errors.Length) - 1];
+        if (error > allowed)
+        {
+            throw new HarvestFaultException(FormattableString.Invariant(
+                $"The camera model is off by {error:0.0} px, more than the {allowed:0.0} px allowed: calibrate the camera first."));
+        }
+    }
+}

@@ -1,0 +1,95 @@
+using System;
+using System.CommandLine;
+using System.IO;
+using Harvester.Capture.Calibration;
+using Harvester.Cli.Arguments;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+using Harvester.Simulation;
+using Harvester.Simulation.Rendering;
+
+namespace Harvester.Cli.Commands;
+
+/// <summary>harvester calibrate: the calibration of the mod, run on the simulated game.</summary>
+internal static class CalibrateCommand
+{
+    private const double SecondsPerTick = 1 / 30.0;
+    private const int MostTicks = 10_000;
+
+    private const string Notes =
+        "The simulated game's camera gets the lens that the options describe; the calibration sees nothing but its pictures, in which it\n"
+        + "puts markers at known places. Written are the lens found, as lines for the mod's ini file, and the errors before and after.\n\n"
+        + "Example:\n"
+        + "  harvester calibrate --focal-scale 1.008 --k1 -0.02 --size 1920x1080 --fov 90";
+
+    public static Command Create(Terminal terminal)
+    {
+        Option<int> seed = ValueParsers.Integer("--seed", "N", "Decides the simulated town", 0, int.MaxValue);
+        Option<double> fov = CameraOptions.Fov();
+        fov.DefaultValueFactory = _ => new SimulationOptions().VerticalFovDegrees;
+        Option<ImageSize> size = CameraOptions.Size();
+        size.DefaultValueFactory = _ => new CalibrationOptions().Image;
+        Option<double> focalScale = Coefficient("--focal-scale", "Factor on the game's focal length", value => value > 0, "a number greater than 0");
+        focalScale.DefaultValueFactory = _ => 1;
+        Option<Vector2D?> centre = ValueParsers.Point("--centre-offset", "X,Y", "Shift of the game's principal point, fractions of width and height");
+        Option<double> k1 = Coefficient("--k1", "Coefficient of the squared radius in the game's lens", _ => true, "a number");
+        Option<double> k2 = Coefficient("--k2", "Coefficient of its fourth power", _ => true, "a number");
+        Option<double> threshold = Coefficient("--threshold", "Largest error allowed, pixels", value => value > 0, "a number greater than 0");
+        threshold.DefaultValueFactory = _ => new CalibrationOptions().ThresholdPixels;
+        var command = new Command("calibrate", "Calibrate the camera of a simulated game by markers in its pictures.")
+        {
+            seed, fov, size, focalScale, centre, k1, k2, threshold,
+        };
+        HelpWithNotes.AddTo(command, Notes);
+        command.SetAction(parsed =>
+        {
+            ImageSize image = parsed.GetValue(size);
+            Vector2D shift = parsed.GetValue(centre) ?? default;
+            var game = new SimulatedGame(new SimulationOptions
+            {
+                Seed = parsed.GetValue(seed),
+                VerticalFovDegrees = parsed.GetValue(fov),
+                WindowAspect = image.Aspect,
+                Lens = new RenderLens(parsed.GetValue(focalScale), shift.X, shift.Y, parsed.GetValue(k1), parsed.GetValue(k2)),
+            });
+            return Run(game, new CalibrationOptions { Image = image, ThresholdPixels = parsed.GetValue(threshold) }, terminal);
+        });
+        return command;
+    }
+
+    private static int Run(SimulatedGame game, CalibrationOptions options, Terminal terminal)
+    {
+        using var session = new CalibrationSession(options, game.Ports);
+        for (int tick = 0; tick < MostTicks && session.Step() == CalibrationPhase.Settling; tick++)
+        {
+            game.Tick(SecondsPerTick);
+        }
+
+        if (session.Result is not { } result)
+        {
+            terminal.WriteError(session.Fault ?? "The calibration did not come to an end.");
+            return ExitCode.HarvestFault;
+        }
+
+        Write(result, terminal.Out);
+        return ExitCode.Done;
+    }
+
+    private static void Write(CalibrationResult result, TextWriter output)
+    {
+        Lens lens = result.Lens;
+        output.WriteLine(FormattableString.Invariant($"; {result.After.Count} of {result.Shown} markers used, {result.Outliers} left out"));
+        output.WriteLine(FormattableString.Invariant($"; before: {result.Before.RmsPixels:0.000} px RMS, {result.Before.MaxPixels:0.000} px at most"));
+        output.WriteLine(FormattableString.Invariant($"; after:  {result.After.RmsPixels:0.000} px RMS, {result.After.MaxPixels:0.000} px at most; corners sure to {result.CornerUncertaintyPixels:0.000} px"));
+        output.WriteLine(FormattableString.Invariant($"FocalScale = {lens.FocalScale:0.000000}"));
+        output.WriteLine(FormattableString.Invariant($"CentreOffsetX = {WithoutMinusZero(lens.CentreOffsetX):0.000000}"));
+        output.WriteLine(FormattableString.Invariant($"CentreOffsetY = {WithoutMinusZero(lens.CentreOffsetY):0.000000}"));
+        output.WriteLine(FormattableString.Invariant($"K1 = {WithoutMinusZero(lens.K1):0.000000}"));
+        output.WriteLine(FormattableString.Invariant($"K2 = {WithoutMinusZero(lens.K2):0.000000}"));
+    }
+
+    private static double WithoutMinusZero(double value) => Math.Round(value, 6) + 0.0;
+
+    private static Option<double> Coefficient(string name, string description, Predicate<double> isAllowed, string allowed) =>
+        ValueParsers.Number(name, "N", description, value => isAllowed(value), allowed);
+}

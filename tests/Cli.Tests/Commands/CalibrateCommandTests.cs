@@ -1,0 +1,35 @@
+using System.Globalization;
+
+namespace Harvester.Cli.Tests.Commands;
+
+public sealed class CalibrateCommandTests
+{
+    [Fact]
+    public void Calibrate_finds_the_lens_of_the_simulated_game()
+    {
+        // In 400 x 300 pixels a marker is located to some 0.1 px of 240 px to the upper edge.
+        const double tolerance = 0.002;
+
+        CliRun run = CliRun.Of("calibrate", "--focal-scale", "1.02", "--centre-offset", "0.01,-0.005", "--size", "400x300", "--fov", "60", "--seed", "3");
+
+        Assert.Equal(0, run.ExitCode);
+        Assert.Equal(1.02, Value(run, "FocalScale"), tolerance);
+        Assert.Equal(0.01, Value(run, "CentreOffsetX"), tolerance);
+        Assert.Equal(-0.005, Value(run, "CentreOffsetY"), tolerance);
+    }
+
+    [Fact]
+    public void Calibrate_that_cannot_hold_the_threshold_fails_with_a_message()
+    {
+        CliRun run = CliRun.Of("calibrate", "--size", "400x300", "--threshold", "0.001");
+
+        run.AssertFailed(4, "more than the 0.001 px allowed");
+    }
+
+    [Fact]
+    public void Calibrate_with_a_focal_scale_of_nothing_is_refused() =>
+        CliRun.Of("calibrate", "--focal-scale", "0").AssertFailed(2, "--focal-scale takes a number greater than 0");
+
+    private static double Value(CliRun run, string key) =>
+        double.Parse(run.Out.Split('\n').Single(line => line.StartsWith(key + " = ", StringComparison.Ordinal))[(key.Length + 3)..], CultureInfo.InvariantCulture);
+}
