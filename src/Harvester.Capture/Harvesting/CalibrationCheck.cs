@@ -20,8 +20,10 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
     // One marker in ten may be mistaken for something else; the four in the corners, where a wrong lens shows first, are more than that.
     private const double JudgedFraction = 0.9;
 
-    // Markers as large as a calibration's in an image of 600 rows, and smaller in smaller ones, so that they always fit.
+    // Markers as large as a calibration's in an image of 600 rows, and smaller in smaller ones, so that they fit; below 1.5 pixels
+    // a picture hardly shows them.
     private const double RowsPerRadius = 100;
+    private const double SmallestRadiusPixels = 1.5;
 
     /// <summary>Runs the check over some ticks; the game is frozen meanwhile.</summary>
     /// <exception cref="HarvestFaultException">The model is off by more than the options allow, or it cannot be checked.</exception>
@@ -36,7 +38,7 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
         {
             Image = options.Image,
             MaxPictureLagTicks = options.MaxPictureLagTicks,
-            MarkerRadiusPixels = options.Image.Height / RowsPerRadius,
+            MarkerRadiusPixels = Math.Max(SmallestRadiusPixels, options.Image.Height / RowsPerRadius),
         };
         var survey = new MarkerSurvey(settings, game, markers);
         game.Pause.Freeze();

@@ -7,7 +7,7 @@ namespace Harvester.Simulation.Tests.Calibration;
 /// <summary>A harvest holds its camera model against markers before it records anything.</summary>
 public sealed class CalibrationCheckTests
 {
-    private static readonly HarvestOptions Options = new() { Image = new ImageSize(800, 600), MaxFrames = 1 };
+    private static readonly HarvestOptions Options = new() { Image = new ImageSize(800, 600), MaxFrames = 1, ProbeLag = false };
     private static readonly Lens Right = new(1.008, 0, 0, -0.02, 0);
 
     [Fact]
@@ -38,13 +38,16 @@ public sealed class CalibrationCheckTests
     [Fact]
     public void Step_without_the_lens_records_when_the_user_allows_the_error()
     {
-        Assert.Equal(1, Harvest(Game(), Options with { MaxCalibrationErrorPixels = 50 }, []).Frames);
-        Assert.Equal(1, Harvest(Game(), Options with { MaxCalibrationErrorPixels = null }, []).Frames);
+        Assert.Equal(new HarvestOutcome(true, 1, null), Harvest(Game(), Options with { MaxCalibrationErrorPixels = 50 }, []));
+        Assert.Equal(new HarvestOutcome(true, 1, null), Harvest(Game(), Options with { MaxCalibrationErrorPixels = null }, []));
     }
 
-    [Fact]
-    public void Step_in_small_images_checks_too() =>
-        Assert.Equal(1, Harvest(Game(), Options with { Image = new ImageSize(160, 120), Lens = Right }, []).Frames);
+    [Theory]
+    [InlineData(64, 48)]
+    [InlineData(160, 120)]
+    [InlineData(1280, 720)]
+    public void Step_in_images_of_other_sizes_checks_too(int width, int height) =>
+        Assert.Equal(new HarvestOutcome(true, 1, null), Harvest(Game(), Options with { Image = new ImageSize(width, height), Lens = Right }, []));
 
     [Fact]
     public void Step_with_the_view_blocked_refuses()

@@ -12,6 +12,7 @@ namespace Harvester.Simulation.Tests.Calibration;
 /// <summary>A standing camera in a yard of boxes, rendered with a lens of its own; the picture shown may be some ticks old.</summary>
 internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock, IMarkers
 {
+    private const double TickSeconds = 1 / 60.0;
     private static readonly Pose CameraPose = new(new Vector3D(1200, -340, 31.3), Axes.FromEuler(new EulerAngles(-2, 1, 77)));
     private readonly Renderer _renderer = new();
     private readonly RenderScene _scene;
@@ -70,13 +71,14 @@ internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock
 
     public long GameFrame { get; private set; }
 
-    public double TimeSeconds => GameFrame / 60.0;
+    public double TimeSeconds { get; private set; }
 
-    public double Milliseconds => 1000 * TimeSeconds;
+    public double Milliseconds => 1000 * GameFrame * TickSeconds;
 
     public void Tick()
     {
         GameFrame++;
+        TimeSeconds += IsFrozen ? 0 : TickSeconds;
         _history.Add(_markers);
     }
 
