@@ -14,7 +14,7 @@ public sealed class HostileFileTests : IDisposable
 
     private readonly string _file = Path.GetTempFileName();
 
-    public static TheoryData<string> Formats => ["ynd", "ipl", "scene", "dump", "csv"];
+    public static TheoryData<string> Formats => ["ynd", "ipl", "scene", "dump", "csv", "gzip", "zip"];
 
     public void Dispose() => File.Delete(_file);
 
@@ -29,7 +29,7 @@ public sealed class HostileFileTests : IDisposable
 
     private void ImportMutated(string format, int seed, int count)
     {
-        byte[] healthy = Encoding.UTF8.GetBytes(Text(format));
+        byte[] healthy = Bytes(format);
         var random = new Random(seed);
         int refused = 0;
         for (int i = 0; i < count; i++)
@@ -46,7 +46,7 @@ public sealed class HostileFileTests : IDisposable
     [MemberData(nameof(Formats))]
     public void Import_file_cut_off_anywhere_is_refused(string format)
     {
-        byte[] healthy = Encoding.UTF8.GetBytes(Text(format).TrimEnd());
+        byte[] healthy = Bytes(format);
         for (int length = 0; length < healthy.Length; length += 29)
         {
             File.WriteAllBytes(_file, healthy[..length]);
@@ -126,6 +126,30 @@ public sealed class HostileFileTests : IDisposable
         "dump" => DumpText.Of(new RoadNetwork(Network.Nodes, [.. Network.Links.Select(link => link with { MedianWidth = null })])),
         _ => CsvOf(Network),
     };
+
+    /// <summary>A file without a line feed at its end, whose loss would be no harm.</summary>
+    private static byte[] Bytes(string format)
+    {
+        if (format is not ("gzip" or "zip"))
+        {
+            return Encoding.UTF8.GetBytes(Text(format).TrimEnd());
+        }
+
+        using var packed = new MemoryStream();
+        if (format == "gzip")
+        {
+            using var gzip = new GZipStream(packed, CompressionLevel.Optimal, leaveOpen: true);
+            gzip.Write(Bytes("csv"));
+        }
+        else
+        {
+            using var zip = new ZipArchive(packed, ZipArchiveMode.Create, leaveOpen: true);
+            using Stream entry = zip.CreateEntry("roads").Open();
+            entry.Write(Bytes("ynd"));
+        }
+
+        return packed.ToArray();
+    }
 
     private static string CsvOf(RoadNetwork network)
     {

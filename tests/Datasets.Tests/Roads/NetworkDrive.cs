@@ -6,12 +6,14 @@ namespace Harvester.Datasets.Tests.Roads;
 /// <summary>
 /// A random drive over a network: at each node on to another link that is driven that way, from a dead end to a new place. The car
 /// follows centripetal Catmull-Rom splines through the nodes of its way, evaluated by Barry and Goldman's pyramid, beside the line
-/// by the rule of the lanes (5.4 m wide, right of the line on two-way roads, centred on one-way roads), and wanders by up to half a metre.
+/// by the rule of the lanes (5.4 m wide, 4 m on narrow roads, right of the line and half the median on two-way roads, centred on
+/// one-way roads), and wanders by up to half a metre.
 /// </summary>
 internal sealed class NetworkDrive(RoadNetwork network, int seed)
 {
     private const double SampleStep = 2;
     private const double LaneWidth = 5.4;
+    private const double NarrowLaneWidth = 4;
     private const double Wander = 0.5;
     private const double WanderLength = 40;
     private const double JunctionRadius = 15;
@@ -108,7 +110,8 @@ internal sealed class NetworkDrive(RoadNetwork network, int seed)
         RoadLink road = network.Links[lane.Link];
         int mine = lane.IsForward ? road.LanesForward : road.LanesBackward;
         int oncoming = lane.IsForward ? road.LanesBackward : road.LanesForward;
-        return (lane.Lane + 0.5 - (oncoming > 0 ? 0 : mine / 2.0)) * LaneWidth;
+        double width = (road.Flags & RoadLinkFlags.NarrowRoad) != 0 ? NarrowLaneWidth : LaneWidth;
+        return oncoming > 0 ? ((road.MedianWidth ?? 0) / 2) + ((lane.Lane + 0.5) * width) : (lane.Lane + 0.5 - (mine / 2.0)) * width;
     }
 
     private Vector3D Start((int Link, bool IsForward) driven) =>
