@@ -1,0 +1,8 @@
+namespace Harvester.Geometry.Lanes;
+
+/// <summary>A point of a marking in an image.</summary>
+/// <param name="World">Metres, world.</param>
+/// <param name="InCamera">Metres in the camera's frame: x right, y forward, z up.</param>
+/// <param name="Pixel">Continuous pixels, within the image.</param>
+/// <param name="IsHidden">Whether something nearer hides it, as far as rays tell.</param>
+public readonly record struct LaneLinePoint(Vector3D World, Vector3D InCamera, Vector2D Pixel, bool IsHidden);

@@ -1,0 +1,9 @@
+using System.Collections.Generic;
+
+namespace Harvester.Geometry.Lanes;
+
+/// <summary>An unbroken run of a marking within an image.</summary>
+/// <param name="Index">The marking's number; see <see cref="LaneLine.Index"/>.</param>
+/// <param name="IsLeftOfCar">Whether it lies to the left of the car.</param>
+/// <param name="Points">At least two points, nearest first; the ends lie on the image's border where the marking leaves it.</param>
+public sealed record LaneLineView(int Index, bool IsLeftOfCar, IReadOnlyList<LaneLinePoint> Points);

@@ -1,0 +1,181 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Geometry.Lanes;
+
+/// <summary>
+/// Tells the lanes around a car. The car's place across the road is measured from the road's curved line, so that in a bend it is
+/// not mistaken for leaving the lane; the direction of the road, its lanes and their width are those at the look-ahead point. In
+/// junctions and off the road nothing is invented.
+/// </summary>
+public sealed class LaneObserver
+{
+    private const double StraightMetres = 60;
+    private const double BehindMetres = 10;
+    private const double SampleMetres = 5;
+
+    /// <summary>A road that turns by less than this over 60 m is straight, radians.</summary>
+    private const double StraightTurn = 0.05;
+
+    private readonly RoadCurves _curves;
+    private readonly LaneModel _lanes;
+    private readonly RoadMatcher _matcher;
+    private readonly LookAhead _lookAhead;
+
+    /// <summary>Makes an observer of a road network.</summary>
+    /// <param name="curves">The centre lines.</param>
+    /// <param name="lanes">How wide the lanes are.</param>
+    /// <param name="lookAhead">Where to measure; the thesis's ten metres when null.</param>
+    public LaneObserver(RoadCurves curves, LaneModel lanes, LookAhead? lookAhead = null)
+    {
+        _curves = Guard.NotNull(curves, nameof(curves));
+        _lanes = Guard.NotNull(lanes, nameof(lanes));
+        _matcher = new RoadMatcher(curves, lanes);
+        _lookAhead = lookAhead ?? LookAhead.Thesis;
+    }
+
+    /// <summary>Observes the lanes around a car.</summary>
+    /// <param name="position">Centre of the car, metres, world, about at the height of the road.</param>
+    /// <param name="headingDegrees">Degrees counter-clockwise from north.</param>
+    /// <param name="speed">Metres per second; for a look-ahead in seconds.</param>
+    /// <param name="length">The car's length, metres; for distances bumper to bumper.</param>
+    /// <param name="vehicles">Vehicles around; those not ahead on the same road are passed over.</param>
+    /// <param name="previous">The match of the moment before, whose road is preferred; null when there is none.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The position or heading is not finite.</exception>
+    public LaneObservation Observe(
+        Vector3D position, double headingDegrees, double speed, double length, IReadOnlyList<TrafficVehicle> vehicles, RoadMatch? previous)
+    {
+        Guard.NotNull(vehicles, nameof(vehicles));
+        RoadMatch match = _matcher.Match(position, headingDegrees, previous);
+        LaneStatus status = StatusOf(match);
+        if (!match.HasRoad)
+        {
+            return new LaneObservation { Status = status, Match = match };
+        }
+
+        RoadStretch stretch = RoadStretch.Follow(_curves, _lanes, match, BehindMetres, IndicatorCalculator.VehicleRange);
+        var observation = new LaneObservation
+        {
+            Status = status,
+            Match = match,
+            Stretch = stretch,
+            WidthSource = _lanes.WidthOf(match.Link).Source,
+        };
+        return status == LaneStatus.Known ? Measured(observation, stretch, match, headingDegrees, speed, length, vehicles) : observation;
+    }
+
+    private static LaneStatus StatusOf(RoadMatch match) => match.Outcome switch
+    {
+        RoadMatchOutcome.NoRoadNear => LaneStatus.OffRoad,
+        RoadMatchOutcome.NotAlongAnyRoad => LaneStatus.NotAlongRoad,
+        _ when match.InJunction => LaneStatus.InJunction,
+        RoadMatchOutcome.BesideTheLanes => LaneStatus.BesideLanes,
+        RoadMatchOutcome.Ambiguous => LaneStatus.Ambiguous,
+        _ => LaneStatus.Known,
+    };
+
+    private LaneObservation Measured(
+        LaneObservation observation, RoadStretch stretch, RoadMatch match, double headingDegrees, double speed, double length,
+        IReadOnlyList<TrafficVehicle> vehicles)
+    {
+        double offset = match.LeftEdge + match.OffsetFromLeftEdge;
+        double lookAhead = Math.Min(_lookAhead.DistanceAt(speed), stretch.EndStation);
+        StretchPiece here = stretch.PieceAt(0)!;
+        StretchPiece there = stretch.PieceAt(lookAhead)!;
+        double parameter = there.ParameterAt(lookAhead);
+        IReadOnlyList<VehicleInLane> inLanes = VehiclesAhead(stretch, length, vehicles);
+        List<VehicleAhead> own = OwnDirection(inLanes);
+        return observation with
+        {
+            LookAheadMetres = lookAhead,
+            Section = there.Section,
+            Indicators = IndicatorCalculator.Compute(
+                AngleOf(there.DirectionAt(parameter), headingDegrees), offset - there.LeftEdge, there.Section, own),
+            SectionAtCar = here.Section,
+            IndicatorsAtCar = IndicatorCalculator.Compute(match.HeadingError, match.OffsetFromLeftEdge, here.Section, own),
+            CurvaturePerMetre = there.CurvatureAt(parameter),
+            IsFast = IsStraightAhead(stretch),
+            Vehicles = inLanes,
+        };
+    }
+
+    private static double AngleOf(Vector2D road, double headingDegrees)
+    {
+        double roadHeading = Angles.HeadingDegrees(new Vector3D(road.X, road.Y, 0));
+        return Angles.WrapRadians(Angles.ToRadians(roadHeading - headingDegrees));
+    }
+
+    private static bool IsStraightAhead(RoadStretch stretch)
+    {
+        if (stretch.EndStation < StraightMetres)
+        {
+            return false;
+        }
+
+        Vector2D here = DirectionAt(stretch, 0);
+        for (double station = SampleMetres; station <= StraightMetres; station += SampleMetres)
+        {
+            Vector2D there = DirectionAt(stretch, station);
+            if (Math.Abs(Math.Atan2(here.Cross(there), here.Dot(there))) > StraightTurn)
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    private static Vector2D DirectionAt(RoadStretch stretch, double station)
+    {
+        StretchPiece piece = stretch.PieceAt(station)!;
+        return piece.DirectionAt(piece.ParameterAt(station));
+    }
+
+    private static List<VehicleInLane> VehiclesAhead(RoadStretch stretch, double length, IReadOnlyList<TrafficVehicle> vehicles)
+    {
+        var found = new List<VehicleInLane>();
+        foreach (TrafficVehicle vehicle in vehicles)
+        {
+            if (stretch.Locate(vehicle.Position) is { Station: > 0 and <= IndicatorCalculator.VehicleRange } place
+                && LaneOf(place, vehicle.HeadingDegrees) is { } lane)
+            {
+                found.Add(new VehicleInLane(
+                    vehicle.Id, lane.Lane, lane.IsOncoming, place.Station, place.Station - ((length + vehicle.Length) / 2)));
+            }
+        }
+
+        found.Sort(static (a, b) => a.DistanceMetres.CompareTo(b.DistanceMetres));
+        return found;
+    }
+
+    private static (int Lane, bool IsOncoming)? LaneOf(StretchPlace place, double headingDegrees)
+    {
+        StretchPiece piece = place.Piece;
+        Vector2D road = piece.DirectionAt(piece.ParameterAt(place.Station));
+        bool drivesAlong = Math.Abs(AngleOf(road, headingDegrees)) < Math.PI / 2;
+        if (drivesAlong)
+        {
+            return piece.Section.LaneAt(place.OffsetFromLeftEdge) is { } lane ? (lane, false) : null;
+        }
+
+        // The other direction's offsets run the other way from the same line.
+        return piece.Oncoming is { } oncoming && oncoming.Section.LaneAt(-place.Offset - oncoming.LeftEdge) is { } opposite
+            ? (opposite, true)
+            : null;
+    }
+
+    private static List<VehicleAhead> OwnDirection(IReadOnlyList<VehicleInLane> vehicles)
+    {
+        var own = new List<VehicleAhead>();
+        foreach (VehicleInLane vehicle in vehicles)
+        {
+            if (!vehicle.IsOncoming)
+            {
+                own.Add(new VehicleAhead(vehicle.Lane, vehicle.DistanceMetres));
+            }
+        }
+
+        return own;
+    }
+}

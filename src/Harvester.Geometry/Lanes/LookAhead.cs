@@ -1,0 +1,36 @@
+using System;
+
+namespace Harvester.Geometry.Lanes;
+
+/// <summary>How far ahead of the car the road is looked at: people look about one second ahead.</summary>
+public readonly record struct LookAhead
+{
+    private readonly double _metres;
+    private readonly double _seconds;
+
+    private LookAhead(double metres, double seconds)
+    {
+        _metres = metres;
+        _seconds = seconds;
+    }
+
+    /// <summary>At the car itself.</summary>
+    public static LookAhead AtCar => default;
+
+    /// <summary>Ten metres, as in the thesis.</summary>
+    public static LookAhead Thesis { get; } = OfMetres(10);
+
+    /// <summary>A fixed distance.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not finite or negative.</exception>
+    public static LookAhead OfMetres(double metres) => new(NotNegative(metres, nameof(metres)), 0);
+
+    /// <summary>The way of so many seconds at the car's speed.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not finite or negative.</exception>
+    public static LookAhead OfSeconds(double seconds) => new(0, NotNegative(seconds, nameof(seconds)));
+
+    /// <summary>The distance at a speed in metres per second.</summary>
+    public double DistanceAt(double speed) => _metres + (_seconds * Math.Abs(speed));
+
+    private static double NotNegative(double value, string name) =>
+        Guard.Finite(value, name) >= 0 ? value : throw new ArgumentOutOfRangeException(name, value, $"{name} must be 0 or more.");
+}

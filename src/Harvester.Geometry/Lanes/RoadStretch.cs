@@ -1,0 +1,124 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Geometry.Lanes;
+
+/// <summary>
+/// The road that a car follows, unrolled: the links behind, under and ahead of it, in the direction in which it drives, with
+/// stations counted along the centre line from the car. It ends where no link goes on with the road, or the lanes end.
+/// </summary>
+public sealed class RoadStretch
+{
+    /// <summary>A point further above or below the road than this is on another road, metres.</summary>
+    private const double LargestHeightDifference = 4;
+
+    /// <summary>A point this far beyond an end of a link is not beside it, metres: room for the bend between two links.</summary>
+    private const double OvershootTolerance = 0.5;
+
+    private readonly List<StretchPiece> _pieces;
+
+    private RoadStretch(List<StretchPiece> pieces) => _pieces = pieces;
+
+    /// <summary>The links, in the order in which they are driven.</summary>
+    public IReadOnlyList<StretchPiece> Pieces => _pieces;
+
+    /// <summary>Where the stretch begins, metres along the road from the car; 0 or less.</summary>
+    public double StartStation => _pieces[0].StartStation;
+
+    /// <summary>Where the stretch ends, metres along the road from the car; 0 or more.</summary>
+    public double EndStation => _pieces[_pieces.Count - 1].EndStation;
+
+    /// <summary>Unrolls the road from where a car is on it.</summary>
+    /// <param name="curves">The centre lines.</param>
+    /// <param name="lanes">How wide the lanes are.</param>
+    /// <param name="match">Where the car is; it has a road.</param>
+    /// <param name="behind">How far back, metres; 0 or more.</param>
+    /// <param name="ahead">How far ahead, metres; 0 or more.</param>
+    /// <exception cref="ArgumentException">The match has no road.</exception>
+    public static RoadStretch Follow(RoadCurves curves, LaneModel lanes, RoadMatch match, double behind, double ahead)
+    {
+        Guard.NotNull(curves, nameof(curves));
+        Guard.NotNull(lanes, nameof(lanes));
+        if (!match.HasRoad || PieceOf(curves, lanes, match.Link, match.IsForward, 0) is not { } own)
+        {
+            throw new ArgumentException("The car is on no road.", nameof(match));
+        }
+
+        own = own with { StartStation = -own.StationAt(match.Parameter) };
+        var pieces = new List<StretchPiece> { own };
+        var visited = new HashSet<int> { own.Link };
+        while (pieces[pieces.Count - 1] is var last && last.EndStation < ahead
+            && Beyond(curves, lanes, last, atEnd: true) is { } next && visited.Add(next.Link))
+        {
+            pieces.Add(next with { StartStation = last.EndStation });
+        }
+
+        while (pieces[0] is var first && first.StartStation > -behind
+            && Beyond(curves, lanes, first, atEnd: false) is { } previous && visited.Add(previous.Link))
+        {
+            pieces.Insert(0, previous with { StartStation = first.StartStation - previous.Curve.Length });
+        }
+
+        return new RoadStretch(pieces);
+    }
+
+    /// <summary>The link at a station, or null beyond the stretch's ends.</summary>
+    public StretchPiece? PieceAt(double station)
+    {
+        foreach (StretchPiece piece in _pieces)
+        {
+            if (station >= piece.StartStation && station <= piece.EndStation)
+            {
+                return piece;
+            }
+        }
+
+        return null;
+    }
+
+    /// <summary>Where a point of the world is on the road: beside the link that it is nearest to.</summary>
+    /// <returns>Null when it is beside none of the stretch's links, or too far above or below them.</returns>
+    public StretchPlace? Locate(Vector3D world)
+    {
+        var place = new Vector2D(world.X, world.Y);
+        StretchPlace? found = null;
+        double nearest = double.PositiveInfinity;
+        foreach (StretchPiece piece in _pieces)
+        {
+            double parameter = piece.Curve.ClosestParameter(place);
+            Vector3D onLine = piece.Curve.PointAt(parameter);
+            Vector2D direction = piece.DirectionAt(parameter);
+            Vector2D apart = place - new Vector2D(onLine.X, onLine.Y);
+            if (Math.Abs(world.Z - onLine.Z) <= LargestHeightDifference
+                && Math.Abs(apart.Dot(direction)) <= OvershootTolerance
+                && apart.Length < nearest)
+            {
+                nearest = apart.Length;
+                found = new StretchPlace(piece, piece.StationAt(parameter), -direction.Cross(apart));
+            }
+        }
+
+        return found;
+    }
+
+    private static StretchPiece? Beyond(RoadCurves curves, LaneModel lanes, StretchPiece piece, bool atEnd)
+    {
+        RoadLink link = curves.Network.Links[piece.Link];
+        int node = piece.IsForward == atEnd ? link.To : link.From;
+        int next = curves.Continuations.Of(piece.Link, beyondEnd: piece.IsForward == atEnd);
+        if (next == RoadContinuations.None)
+        {
+            return null;
+        }
+
+        // Leaving through the end of this piece means entering the next at the same node.
+        bool startsHere = curves.Network.Links[next].From == node;
+        return PieceOf(curves, lanes, next, isForward: startsHere == atEnd, 0);
+    }
+
+    private static StretchPiece? PieceOf(RoadCurves curves, LaneModel lanes, int link, bool isForward, double startStation) =>
+        lanes.LanesOf(link, isForward) is { } own
+            ? new StretchPiece(link, isForward, curves.Of(link), startStation, own.Section, own.LeftEdge, lanes.LanesOf(link, !isForward))
+            : null;
+}

@@ -1,0 +1,48 @@
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Geometry.Lanes;
+
+/// <summary>One link of a stretch of road, in the direction in which it is driven.</summary>
+/// <param name="Link">Index of the link.</param>
+/// <param name="IsForward">Whether it is driven from its start to its end.</param>
+/// <param name="Curve">Its centre line, from its start to its end.</param>
+/// <param name="StartStation">Where the stretch enters it, metres along the road from the car; negative behind the car.</param>
+/// <param name="Section">The lanes of the driven direction.</param>
+/// <param name="LeftEdge">Where the leftmost of them begins, metres to the right of the centre line in the driven direction.</param>
+/// <param name="Oncoming">The lanes of the other direction and where their leftmost (nearest the median, seen that way) begins; null for a one-way road.</param>
+public sealed record StretchPiece(
+    int Link,
+    bool IsForward,
+    RoadCurve Curve,
+    double StartStation,
+    LaneSection Section,
+    double LeftEdge,
+    (LaneSection Section, double LeftEdge)? Oncoming)
+{
+    /// <summary>Where the stretch leaves it, metres along the road from the car.</summary>
+    public double EndStation => StartStation + Curve.Length;
+
+    /// <summary>The curve's parameter at a station of the stretch.</summary>
+    public double ParameterAt(double station) =>
+        Curve.ParameterAt(IsForward ? station - StartStation : EndStation - station);
+
+    /// <summary>The station of the stretch at a parameter of the curve.</summary>
+    public double StationAt(double parameter)
+    {
+        double along = Curve.StationAt(parameter);
+        return IsForward ? StartStation + along : EndStation - along;
+    }
+
+    /// <summary>Unit vector of the driven direction on the ground.</summary>
+    public Vector2D DirectionAt(double parameter)
+    {
+        Vector2D direction = Curve.DirectionAt(parameter);
+        return IsForward ? direction : direction * -1;
+    }
+
+    /// <summary>Curvature, 1/metres; positive where the road turns left as it is driven.</summary>
+    public double CurvatureAt(double parameter) => IsForward ? Curve.CurvatureAt(parameter) : -Curve.CurvatureAt(parameter);
+
+    /// <summary>The point at an offset to the right of the centre line as it is driven, metres, world.</summary>
+    public Vector3D PointBeside(double parameter, double offset) => Curve.PointBeside(parameter, IsForward ? offset : -offset);
+}

@@ -1,0 +1,11 @@
+namespace Harvester.Geometry.Lanes;
+
+/// <summary>A place on a stretch of road.</summary>
+/// <param name="Piece">The link.</param>
+/// <param name="Station">Metres along the road from the car; negative behind it.</param>
+/// <param name="Offset">Metres to the right of the centre line as it is driven.</param>
+public readonly record struct StretchPlace(StretchPiece Piece, double Station, double Offset)
+{
+    /// <summary>Metres to the right of the left edge of the leftmost lane.</summary>
+    public double OffsetFromLeftEdge => Offset - Piece.LeftEdge;
+}
