@@ -6,6 +6,7 @@ using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Roads;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Ports;
 using Harvester.Simulation.Rendering;
@@ -48,6 +49,9 @@ public sealed class SimulatedGame
 
     /// <summary>The game as the harvest sees it.</summary>
     public GamePorts Ports { get; }
+
+    /// <summary>The roads that the world was built on.</summary>
+    public RoadNetwork Roads => _world.Roads;
 
     /// <summary>The lanes that the world was built with.</summary>
     public RoadTruth Truth => _world.Truth;

@@ -133,7 +133,11 @@ public sealed class HarvestSession : IDisposable
         _sink.Open(new SessionStart(_options, _gameFrame, _timeSeconds, _game.World.ReadCamera()));
         _opened = true;
         var schedule = new FrameSchedule(_options.RateHz);
-        var labeller = new FrameLabeller(_options, _game.Rays, new ObjectRegistry(_sink.FirstObjectId));
+        var registry = new ObjectRegistry(_sink.FirstObjectId);
+        var labeller = new FrameLabeller(_options, _game.Rays, registry)
+        {
+            Lanes = _game.Roads is { } roads ? new LaneLabeller(roads, _game.Rays, registry) : null,
+        };
         var pool = new PixelBufferPool(_options.Image);
         var reader = new SceneReader(_game.World, _options.RangeMetres);
         if (!_options.Freeze && _options.LiveLag is { } known)

@@ -18,6 +18,9 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
     private readonly OcclusionEstimator _occlusion = new(options.OcclusionSamples);
     private readonly PixelMapOptions _mapOptions = new() { RayBudget = options.MaskRayBudget, RayReachMetres = options.RayReachMetres };
 
+    /// <summary>Labels the lanes; null for labels without.</summary>
+    public LaneLabeller? Lanes { get; init; }
+
     /// <summary>The camera of the saved image.</summary>
     public static Camera CameraOf(HarvestOptions options, CameraState state) =>
         new(state.Pose, new CameraIntrinsics(state.VerticalFovDegrees, options.Image, state.WindowAspect, state.NearClip, options.Lens));
@@ -32,9 +35,23 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
     {
         Camera camera = CameraOf(options, snapshot.Camera);
         List<LabelCandidate> candidates = [.. snapshot.Entities.Select(entity => CandidateOf(camera, entity)).OfType<LabelCandidate>()];
-        return options.Masks
+        FrameLabelling? objects = null;
+        foreach (FrameLabelling? slice in options.Masks
             ? LabelByMap(camera, snapshot.Ego.Handle, candidates, mayCastRays)
-            : LabelByRays(camera, snapshot.Ego.Handle, candidates, mayCastRays);
+            : LabelByRays(camera, snapshot.Ego.Handle, candidates, mayCastRays))
+        {
+            objects = slice;
+            yield return null;
+        }
+
+        LanesLabel? lanes = null;
+        foreach (LanesLabel? slice in Lanes?.Label(snapshot, camera, mayCastRays) ?? [])
+        {
+            lanes = slice;
+            yield return null;
+        }
+
+        yield return objects! with { Lanes = lanes };
     }
 
     private IEnumerable<FrameLabelling?> LabelByRays(

@@ -24,7 +24,10 @@ internal static class FrameLabels
             Of(camera),
             new EgoLabel(scene.Ego.Pose.Position, Angles.HeadingDegrees(scene.Ego.Pose.Axes.Forward), scene.Ego.Velocity, scene.Ego.Model),
             scene.Environment,
-            draft.Labelling.Objects);
+            draft.Labelling.Objects)
+        {
+            Lanes = draft.Labelling.Lanes,
+        };
     }
 
     /// <summary>The camera as labels have it.</summary>

@@ -26,4 +26,8 @@ public sealed record FrameLabel(
     CameraLabel Camera,
     EgoLabel Ego,
     EnvironmentState Environment,
-    IReadOnlyList<ObjectLabel> Objects);
+    IReadOnlyList<ObjectLabel> Objects)
+{
+    /// <summary>The lanes; null when no roads are known.</summary>
+    public LanesLabel? Lanes { get; init; }
+}

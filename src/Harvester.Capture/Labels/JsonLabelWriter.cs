@@ -36,7 +36,13 @@ public static class JsonLabelWriter
             Append(json, label);
         }
 
-        return json.EndArray().EndObject().ToString();
+        json.EndArray();
+        if (frame.Lanes is { } lanes)
+        {
+            LanesJson.Append(json.Key("lanes"), lanes);
+        }
+
+        return json.EndObject().ToString();
     }
 
     internal static void Append(JsonText json, CameraLabel camera)

@@ -9,4 +9,8 @@ namespace Harvester.Capture.Ports;
 /// <param name="Pause">Stops the world.</param>
 /// <param name="Clock">The player's time.</param>
 /// <param name="Markers">Draws markers for calibration; null where the game cannot.</param>
-public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IPause Pause, IClock Clock, IMarkers? Markers = null);
+public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IPause Pause, IClock Clock, IMarkers? Markers = null)
+{
+    /// <summary>What is known of the roads; null for a harvest without lanes.</summary>
+    public IRoads? Roads { get; init; }
+}

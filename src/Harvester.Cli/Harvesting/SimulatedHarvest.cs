@@ -7,6 +7,7 @@ using System.Linq;
 using System.Threading;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Scenes;
+using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
@@ -64,7 +65,7 @@ internal sealed class SimulatedHarvest
     {
         var clock = Stopwatch.StartNew();
         using var writer = new SessionWriter(_plan.Folder, Origin());
-        using var session = new HarvestSession(Options(), _game.Ports, writer);
+        using var session = new HarvestSession(Options(), Ports(), writer);
         do
         {
             // The game waits for the disk, not the other way round: otherwise its course would depend on the disk's speed.
@@ -88,6 +89,9 @@ internal sealed class SimulatedHarvest
             writer.Fault is not null,
             cancellation.IsCancellationRequested && session.Status.Captured < _plan.Frames);
     }
+
+    private GamePorts Ports() =>
+        _game.Ports with { Roads = new FixedRoads(_game.Roads, _plan.Roads is null ? "simulation" : "roadFile") };
 
     private HarvestOptions Options() => new()
     {

@@ -87,6 +87,27 @@ public readonly struct JsonFields
         return [.. field.EnumerateArray().Select((item, index) => NumberOf(item, $"{path}[{index}]"))];
     }
 
+    /// <summary>Either true or false.</summary>
+    public bool Truth(string name) => TruthOf(Field(name), Path(name));
+
+    /// <summary>A list of true and false.</summary>
+    public bool[] Truths(string name)
+    {
+        string path = Path(name);
+        return [.. Items(name, "a list of true and false").Select((item, index) => TruthOf(item, $"{path}[{index}]"))];
+    }
+
+    /// <summary>A list of lists of so many finite numbers each.</summary>
+    public double[][] Rows(string name, int count)
+    {
+        string path = Path(name);
+        string expected = $"a list of lists of {count} numbers";
+        return [.. Items(name, expected).Select((row, index) =>
+            row.ValueKind == JsonValueKind.Array && row.GetArrayLength() == count
+                ? row.EnumerateArray().Select(item => NumberOf(item, $"{path}[{index}]")).ToArray()
+                : throw Wrong($"{path}[{index}]", $"a list of {count} numbers", row))];
+    }
+
     /// <summary>A list of three numbers as a vector.</summary>
     public Vector3D Vector(string name)
     {
@@ -144,6 +165,15 @@ public readonly struct JsonFields
         field.ValueKind == JsonValueKind.Number && field.TryGetDouble(out double value) && double.IsFinite(value)
             ? value
             : throw Wrong(path, "a finite number", field);
+
+    private static bool TruthOf(JsonElement field, string path) =>
+        field.ValueKind is JsonValueKind.True or JsonValueKind.False ? field.GetBoolean() : throw Wrong(path, "true or false", field);
+
+    private JsonElement.ArrayEnumerator Items(string name, string expected)
+    {
+        JsonElement field = Field(name);
+        return field.ValueKind == JsonValueKind.Array ? field.EnumerateArray() : throw Wrong(Path(name), expected, field);
+    }
 
     private static DatasetFormatException Wrong(string path, string expected, JsonElement found)
     {

@@ -40,7 +40,10 @@ public static class FrameLabelParser
             ReadCamera(frame.Fields("camera")),
             ReadEgo(frame.Fields("ego")),
             ReadEnvironment(frame.Fields("environment")),
-            [.. frame.List("objects").Select(ReadObject)]);
+            [.. frame.List("objects").Select(ReadObject)])
+        {
+            Lanes = frame.Has("lanes") ? LanesParser.Parse(frame.Fields("lanes")) : null,
+        };
 
     private static CameraLabel ReadCamera(JsonFields camera)
     {

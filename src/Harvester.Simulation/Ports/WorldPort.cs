@@ -18,7 +18,7 @@ internal sealed class WorldPort(SimulatedGame game) : IWorld
     public EgoState ReadEgo()
     {
         Vehicle ego = game.World.Ego;
-        return new EgoState(ego.Handle, ego.Model.Name, ego.Pose, ego.Velocity);
+        return new EgoState(ego.Handle, ego.Model.Name, ego.Pose, ego.Velocity) { ModelMin = ego.Model.Min, ModelMax = ego.Model.Max };
     }
 
     public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range) => game.World.EntitiesNear(centre, range);

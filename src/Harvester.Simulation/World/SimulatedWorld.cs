@@ -28,6 +28,7 @@ internal sealed class SimulatedWorld
         Vector3D start = options.Near is { } near ? new Vector3D(near.X, near.Y, 0) : options.Roads is null ? Vector3D.Zero : Middle(network);
         RoadPlan plan = RoadPlan.Build(network, start, options.Roads is null ? double.PositiveInfinity : options.RadiusMetres);
         RoadIndex index = new(plan.Roads);
+        Roads = network;
         Truth = new RoadTruth(index);
         List<Walkway> walkways = Walkway.Find(plan, index);
         LaneGraph lanes = new(plan);
@@ -71,6 +72,8 @@ internal sealed class SimulatedWorld
             .. parked.Concat(scenery.Props).Select(prop => new MeshInstance(prop.Model.Variant(prop.Variant), prop.Pose, prop.Handle)),
         ]);
     }
+
+    public RoadNetwork Roads { get; }
 
     public RoadTruth Truth { get; }
 

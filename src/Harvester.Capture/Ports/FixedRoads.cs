@@ -1,0 +1,31 @@
+using System;
+using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Capture.Ports;
+
+/// <summary>Roads that are all known from the start: those of a file, or of the simulated town.</summary>
+public sealed class FixedRoads : IRoads
+{
+    private readonly KnownRoads _roads;
+
+    /// <summary>Prepares a road network; a large one takes a moment.</summary>
+    /// <param name="network">The roads.</param>
+    /// <param name="source">Where they are from, as a short camelCase word for the labels.</param>
+    /// <param name="lookAhead">Where the indicators are measured; the thesis's ten metres when null.</param>
+    /// <param name="laneWidth">Width of the lanes of an ordinary road, metres.</param>
+    public FixedRoads(RoadNetwork network, string source, LookAhead? lookAhead = null, double laneWidth = RoadGeometry.LaneWidth)
+    {
+        if (network is null)
+        {
+            throw new ArgumentNullException(nameof(network));
+        }
+
+        var observer = new LaneObserver(new RoadCurves(network), new LaneModel(network, laneWidth), lookAhead);
+        _roads = new KnownRoads(observer, source);
+    }
+
+    /// <inheritdoc/>
+    public KnownRoads? Near(Vector3D position) => _roads;
+}

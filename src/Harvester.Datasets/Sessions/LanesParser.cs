@@ -1,0 +1,66 @@
+using System.Linq;
+using Harvester.Capture.Labels;
+using Harvester.Datasets.Json;
+using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Datasets.Sessions;
+
+/// <summary>Reads the lanes of a label line.</summary>
+internal static class LanesParser
+{
+    public static LanesLabel Parse(JsonFields lanes) => new()
+    {
+        Status = lanes.Name<LaneStatus>("status"),
+        Source = lanes.Text("source"),
+        Confidence = lanes.Number("confidence"),
+        InJunction = lanes.Truth("inJunction"),
+        LaneCount = lanes.Has("laneCount") ? lanes.WholeNumber("laneCount") : null,
+        Lane = lanes.Has("lane") ? lanes.WholeNumber("lane") : null,
+        LaneWidthMetres = lanes.OptionalNumber("laneWidthMetres"),
+        LaneWidthSource = lanes.Has("laneWidthSource") ? lanes.Name<LaneWidthSource>("laneWidthSource") : null,
+        OffsetFromLaneCentreMetres = lanes.OptionalNumber("offsetFromLaneCentreMetres"),
+        LookAheadMetres = lanes.Number("lookAheadMetres"),
+        CurvaturePerMetre = lanes.Number("curvaturePerMetre"),
+        IsFast = lanes.Truth("fast"),
+        Indicators = ReadIndicators(lanes.Fields("indicators"), lanes.Fields("valid")),
+        TorcsEquivalent = ReadIndicators(lanes.Fields("torcsEquivalent"), lanes.Fields("valid")),
+        IndicatorsAtCar = ReadIndicators(lanes.Fields("atCar").Fields("indicators"), lanes.Fields("atCar").Fields("valid")),
+        Vehicles = [.. lanes.List("vehicles").Select(ReadVehicle)],
+        Markings = [.. lanes.List("markings").Select(ReadMarking)],
+    };
+
+    private static LaneIndicators ReadIndicators(JsonFields values, JsonFields valid) =>
+        NamedIndicators.From(name => new Indicator(values.Number(name), valid.Truth(name)));
+
+    private static VehicleInLane ReadVehicle(JsonFields vehicle) =>
+        new(
+            vehicle.WholeNumber("id"),
+            vehicle.WholeNumber("lane"),
+            vehicle.Truth("oncoming"),
+            vehicle.Number("distanceMetres"),
+            vehicle.Number("bumperDistanceMetres"));
+
+    private static LaneLineView ReadMarking(JsonFields marking)
+    {
+        double[][] points = marking.Rows("points", 3);
+        double[][] inCamera = marking.Rows("inCamera", 3);
+        double[][] pixels = marking.Rows("pixels", 2);
+        bool[] hidden = marking.Truths("hidden");
+        if (inCamera.Length != points.Length || pixels.Length != points.Length || hidden.Length != points.Length)
+        {
+            throw new DatasetFormatException("points, inCamera, pixels and hidden of a marking must be of one length.");
+        }
+
+        return new LaneLineView(
+            marking.WholeNumber("index"),
+            marking.Text("side") == "left",
+            [
+                .. points.Select((point, i) => new LaneLinePoint(
+                    Vector(point), Vector(inCamera[i]), new Vector2D(pixels[i][0], pixels[i][1]), hidden[i])),
+            ]);
+    }
+
+    private static Vector3D Vector(double[] numbers) => new(numbers[0], numbers[1], numbers[2]);
+}
