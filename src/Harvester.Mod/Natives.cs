@@ -165,6 +165,24 @@ internal static class Natives
     /// <summary>Gives back the script handle that a ray has made for something; thousands of them would fill the game's pool.</summary>
     public static void ReleaseScriptHandle(int entity) => Call(Hash.RELEASE_SCRIPT_GUID_FROM_ENTITY, entity);
 
+    /// <summary>The piece of road closest to a point; null when there is none.</summary>
+    public static ClosestRoad? ClosestRoad(Vector3D place)
+    {
+        const float shortestMetres = 1;
+        const int fewestLanes = 1;
+        using var start = new OutputArgument();
+        using var end = new OutputArgument();
+        using var forward = new OutputArgument();
+        using var backward = new OutputArgument();
+        using var median = new OutputArgument();
+        bool found = Call<bool>(
+            Hash.GET_CLOSEST_ROAD,
+            (float)place.X, (float)place.Y, (float)place.Z, shortestMetres, fewestLanes, start, end, forward, backward, median, false);
+        return found
+            ? new ClosestRoad(Vector(start), Vector(end), forward.GetResult<int>(), backward.GetResult<int>(), median.GetResult<float>())
+            : null;
+    }
+
     public static void HideHudAndRadar() => Call(Hash.HIDE_HUD_AND_RADAR_THIS_FRAME);
 
     /// <summary>Hides the messages above the map this frame.</summary>

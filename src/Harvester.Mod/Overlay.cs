@@ -10,7 +10,7 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Mod;
 
-/// <summary>Draws the boxes of the objects that would be labelled now, and the faces of signs, over the game.</summary>
+/// <summary>Draws the boxes of the objects that would be labelled now, the faces of signs, and the lane lines over the game.</summary>
 internal sealed class Overlay : IFeature
 {
     private const double LineFraction = 0.0015;
@@ -20,6 +20,7 @@ internal sealed class Overlay : IFeature
     private static readonly Colour Vehicles = new(80, 220, 120, 255);
     private static readonly Colour People = new(255, 170, 60, 255);
     private static readonly Colour Signs = new(90, 170, 255, 255);
+    private static readonly Colour Lanes = new(255, 255, 120, 255);
     private readonly ModSettings _settings;
     private readonly Messages _messages;
     private readonly IWorld _world;
@@ -67,6 +68,14 @@ internal sealed class Overlay : IFeature
             if (options.Classes?.Contains(entity.Class) ?? true)
             {
                 Draw(camera, entity);
+            }
+        }
+
+        if (GameRoad.ClosestTo(state.Pose.Position) is { } road)
+        {
+            foreach (Projection point in LaneLines.Of(road, camera))
+            {
+                Natives.DrawRectangle(point.U / Canvas.Width, point.V / Canvas.Height, 2 * LineFraction, 2 * LineFraction, Lanes);
             }
         }
     }

@@ -18,10 +18,10 @@ internal sealed class SimulatedScene
     {
         _simulation = new SimulatedGame(options);
         _world = new SinglePrecisionWorld(_simulation.Ports.World, spaces);
-        Ports = _simulation.Ports with { World = _world, Rays = new SinglePrecisionRays(_simulation.Ports.Rays) };
+        Ports = _simulation.Ports with { World = _world, Rays = new SinglePrecisionRays(_simulation.Ports.Rays), Markers = null };
     }
 
-    /// <summary>The scene without the mod between.</summary>
+    /// <summary>The scene without the mod between; as in the mod there are no markers to calibrate by.</summary>
     public GamePorts Ports { get; }
 
     public void NextFrame() => _simulation.Tick(SecondsOfAFrame);

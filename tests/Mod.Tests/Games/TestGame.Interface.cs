@@ -17,6 +17,9 @@ internal sealed partial class TestGame
 
     public bool IsFeedHidden { get; private set; }
 
+    /// <summary>The road near; null for none.</summary>
+    public ClosestRoad? Road { get; set; }
+
     public EnvironmentState Environment { get; set; } = new("clear", new TimeSpan(12, 0, 0));
 
     /// <summary>Whether the picture of the frame before shows something of the game's display or of the mod's.</summary>
@@ -44,6 +47,19 @@ internal sealed partial class TestGame
         _natives[Hash.GET_CLOCK_MINUTES] = _ => Environment.TimeOfDay.Minutes;
         _natives[Hash.GET_CLOCK_SECONDS] = _ => Environment.TimeOfDay.Seconds;
         _natives[Hash.GET_PREV_WEATHER_TYPE_HASH_NAME] = _ => ModelHash.Of(Environment.Weather);
+        _natives[Hash.GET_CLOSEST_ROAD] = a =>
+        {
+            if (Road is { } road)
+            {
+                Write(a[5], ToGame(road.Start));
+                Write(a[6], ToGame(road.End));
+                Write(a[7], road.LanesForward);
+                Write(a[8], road.LanesBackward);
+                Write(a[9], (float)road.MedianWidth);
+            }
+
+            return Road is not null;
+        };
         Do(Hash.HIDE_HUD_AND_RADAR_THIS_FRAME, _ => IsHudHidden = true);
         Do(Hash.THEFEED_HIDE_THIS_FRAME, _ => IsFeedHidden = true);
         Do(Hash.DRAW_RECT, a =>
