@@ -20,11 +20,11 @@ public sealed class AdaptivePixelMapperTests
         foreach (int number in (int[])[3, 22, 31])
         {
             TownScene scene = TownScene.Numbered(number, Size);
-            AdaptivePixelMapper mapper = Mapper(scene, MapScores.Targets(scene), new PixelMapOptions());
+            AdaptivePixelMapper mapper = Mapper(scene, scene.Targets(), new PixelMapOptions());
             Assert.True(mapper.Run());
             AdaptivePixelMap map = mapper.Finish();
             Assert.True(map.IsComplete);
-            scores.Add(MapScores.Exhaustive(scene), map.Map, map.RaysCast);
+            scores.Add(scene.ExhaustiveMap(), map.Map, map.RaysCast);
         }
 
         AssertAsDemanded(scores, 0.01);
@@ -40,10 +40,10 @@ public sealed class AdaptivePixelMapperTests
         for (int number = 0; number < 50; number++)
         {
             TownScene scene = TownScene.Numbered(number, new ImageSize(width, height));
-            AdaptivePixelMapper mapper = Mapper(scene, MapScores.Targets(scene), new PixelMapOptions());
+            AdaptivePixelMapper mapper = Mapper(scene, scene.Targets(), new PixelMapOptions());
             mapper.Run();
             AdaptivePixelMap map = mapper.Finish();
-            scores.Add(MapScores.Exhaustive(scene), map.Map, map.RaysCast);
+            scores.Add(scene.ExhaustiveMap(), map.Map, map.RaysCast);
         }
 
         AssertAsDemanded(scores, greatestRayFraction);
@@ -53,7 +53,7 @@ public sealed class AdaptivePixelMapperTests
     public void Run_order_of_the_targets_changes_nothing()
     {
         TownScene scene = TownScene.Numbered(17, Size);
-        List<MapTarget> targets = MapScores.Targets(scene);
+        List<MapTarget> targets = scene.Targets();
         AdaptivePixelMap before = Complete(scene, targets);
         MapTarget[] shuffled = [.. targets];
         new Random(1).Shuffle(shuffled);
@@ -68,7 +68,7 @@ public sealed class AdaptivePixelMapperTests
     public void Run_numbers_of_the_targets_change_only_the_numbers()
     {
         TownScene scene = TownScene.Numbered(17, Size);
-        List<MapTarget> targets = MapScores.Targets(scene);
+        List<MapTarget> targets = scene.Targets();
         AdaptivePixelMap before = Complete(scene, targets);
 
         AdaptivePixelMap after = Complete(scene, [.. targets.Select(t => t with { Number = (ushort)(1000 - t.Number) })]);
@@ -80,7 +80,7 @@ public sealed class AdaptivePixelMapperTests
     public void Step_by_step_with_maps_taken_between_gives_the_same_map()
     {
         TownScene scene = TownScene.Numbered(6, Size);
-        List<MapTarget> targets = MapScores.Targets(scene);
+        List<MapTarget> targets = scene.Targets();
         AdaptivePixelMap whole = Complete(scene, targets);
         AdaptivePixelMapper mapper = Mapper(scene, targets, new PixelMapOptions());
 
@@ -99,8 +99,8 @@ public sealed class AdaptivePixelMapperTests
     public void Run_more_rays_give_better_maps_and_say_how_good()
     {
         TownScene scene = TownScene.Numbered(20, Size);
-        List<MapTarget> targets = MapScores.Targets(scene);
-        InstanceMap exact = MapScores.Exhaustive(scene);
+        List<MapTarget> targets = scene.Targets();
+        InstanceMap exact = scene.ExhaustiveMap();
         double before = -1;
         int resolutionBefore = int.MaxValue;
         foreach (int budget in (int[])[0, 500, 1500, 5000])
@@ -126,7 +126,7 @@ public sealed class AdaptivePixelMapperTests
     public void Run_without_rays_is_the_painters_map()
     {
         TownScene scene = TownScene.Numbered(9, Size);
-        List<MapTarget> targets = MapScores.Targets(scene);
+        List<MapTarget> targets = scene.Targets();
         AdaptivePixelMapper mapper = Mapper(scene, targets, new PixelMapOptions { RayBudget = 0 });
 
         mapper.Run();
@@ -141,7 +141,7 @@ public sealed class AdaptivePixelMapperTests
     public void Run_time_up_stops_after_a_ray_and_goes_on_later()
     {
         TownScene scene = TownScene.Numbered(2, Size);
-        AdaptivePixelMapper mapper = Mapper(scene, MapScores.Targets(scene), new PixelMapOptions());
+        AdaptivePixelMapper mapper = Mapper(scene, scene.Targets(), new PixelMapOptions());
 
         Assert.False(mapper.Run(() => true));
         Assert.Equal(1, mapper.RaysCast);

@@ -1,7 +1,5 @@
-using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
-using Harvester.Geometry.Visibility;
 
 namespace Harvester.Geometry.Tests.Scenes;
 
@@ -23,13 +21,6 @@ internal sealed class MapScores
 
     /// <summary>The greatest share of the rays allowed in a scene, 1.5 times its boundary pixels plus 1,000, that was used.</summary>
     public double GreatestShareOfAllowedRays { get; private set; }
-
-    public static List<MapTarget> Targets(TownScene scene) =>
-        [.. scene.Entities.Select(thing => new MapTarget(
-            thing.Entity, (ushort)thing.Entity, thing.Bounds, CuboidProjector.Project(scene.Camera, thing.Bounds)))];
-
-    public static InstanceMap Exhaustive(TownScene scene) =>
-        ExhaustivePixelMapper.Map(scene.Camera, scene.Camera.Image.Bounds, entity => (ushort)entity, RayHit.World, scene);
 
     public void Add(InstanceMap exact, InstanceMap map, int raysCast)
     {

@@ -1,5 +1,6 @@
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
 
 namespace Harvester.Geometry.Tests.Scenes;
@@ -32,10 +33,19 @@ internal sealed class TownScene : IRayCaster
 
     public Camera Camera { get; }
 
-    public IEnumerable<SolidThing> Entities => _things.Where(thing => thing.Entity != RayHit.World);
+    private IEnumerable<SolidThing> Entities => _things.Where(thing => thing.Entity != RayHit.World);
 
     /// <summary>The scenes that issue and documentation speak of: 5 to 80 objects.</summary>
-    public static TownScene Numbered(int number, ImageSize image) => new(1000 + number, 5 + (number * 75 / 49), image);
+    public static TownScene Numbered(int number, ImageSize image) => new(1000 + number, ObjectsOf(number), image);
+
+    /// <summary>How many objects a numbered scene has: 5 in scene 0, 80 in scene 49.</summary>
+    public static int ObjectsOf(int number) => 5 + (number * 75 / 49);
+
+    public List<MapTarget> Targets() =>
+        [.. Entities.Select(thing => new MapTarget(thing.Entity, (ushort)thing.Entity, thing.Bounds, CuboidProjector.Project(Camera, thing.Bounds)))];
+
+    public InstanceMap ExhaustiveMap() =>
+        ExhaustivePixelMapper.Map(Camera, Camera.Image.Bounds, entity => (ushort)entity, RayHit.World, this);
 
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
     {

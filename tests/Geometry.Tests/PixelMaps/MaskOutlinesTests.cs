@@ -1,0 +1,67 @@
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
+
+namespace Harvester.Geometry.Tests.PixelMaps;
+
+public sealed class MaskOutlinesTests
+{
+    internal static InstanceMap Draw(Random random)
+    {
+        var map = new InstanceMap(new ImageSize(9, 7));
+        for (int i = 0; i < map.Ids.Length; i++)
+        {
+            map.Ids[i] = (ushort)random.Next(3);
+        }
+
+        return map;
+    }
+
+    [Fact]
+    public void Of_block_of_pixels_is_a_rectangle()
+    {
+        var map = new InstanceMap(new ImageSize(6, 5));
+        map[2, 1] = map[3, 1] = map[4, 1] = map[2, 2] = map[3, 2] = map[4, 2] = 7;
+
+        IReadOnlyList<Vector2D> outline = Assert.Single(MaskOutlines.Of(map, 7));
+
+        Assert.Equal([new(5, 1), new(5, 3), new(2, 3), new(2, 1)], outline);
+        Assert.Empty(MaskOutlines.Of(map, 6));
+    }
+
+    [Fact]
+    public void Of_ring_has_a_hole_of_the_other_sense()
+    {
+        var map = new InstanceMap(new ImageSize(3, 3));
+        Array.Fill(map.Ids, (ushort)1);
+        map[1, 1] = 0;
+
+        IReadOnlyList<IReadOnlyList<Vector2D>> outlines = MaskOutlines.Of(map, 1);
+
+        Assert.Equal([9.0, -1.0], outlines.Select(SignedArea));
+    }
+
+    [Fact]
+    public void Of_pixels_that_touch_at_a_corner_are_apart()
+    {
+        var map = new InstanceMap(new ImageSize(2, 2));
+        map[0, 0] = map[1, 1] = 1;
+
+        Assert.Equal([1.0, 1.0], MaskOutlines.Of(map, 1).Select(SignedArea));
+    }
+
+    [Fact]
+    public void Of_random_masks_enclose_as_much_as_they_have_pixels()
+    {
+        var random = new Random(2);
+        for (int i = 0; i < 200; i++)
+        {
+            InstanceMap map = Draw(random);
+
+            Assert.Equal(map.MapOf(1).Count, MaskOutlines.Of(map, 1).Sum(SignedArea), 1e-9);
+        }
+    }
+
+    // Clockwise on the screen, where y points down, is positive.
+    private static double SignedArea(IReadOnlyList<Vector2D> polygon) =>
+        polygon.Select((corner, i) => corner.Cross(polygon[(i + 1) % polygon.Count])).Sum() / 2;
+}

@@ -1,0 +1,46 @@
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
+
+namespace Harvester.Geometry.Tests.PixelMaps;
+
+public sealed class MaskRunsTests
+{
+    [Fact]
+    public void Encode_goes_down_the_columns()
+    {
+        // Columns of a 3 x 2 image: (0, 1), (1, 1), (0, 0): 1 outside, 3 inside, 2 outside.
+        var map = new InstanceMap(new ImageSize(3, 2));
+        map[0, 1] = map[1, 0] = map[1, 1] = 5;
+
+        Assert.Equal([1, 3, 2], MaskRuns.Encode(map, 5));
+        Assert.Equal([6], MaskRuns.Encode(map, 4));
+        map[0, 0] = 5;
+        Assert.Equal([0, 4, 2], MaskRuns.Encode(map, 5));
+    }
+
+    [Fact]
+    public void Decode_inverts_Encode()
+    {
+        var random = new Random(1);
+        for (int i = 0; i < 50; i++)
+        {
+            InstanceMap map = MaskOutlinesTests.Draw(random);
+
+            PixelMap back = MaskRuns.Decode(MaskRuns.Encode(map, 1), map.Image);
+
+            for (int pixel = 0; pixel < map.Image.PixelCount; pixel++)
+            {
+                Assert.Equal(map.Ids[pixel] == 1, back[pixel % map.Image.Width, pixel / map.Image.Width]);
+            }
+        }
+    }
+
+    [Fact]
+    public void Decode_counts_that_do_not_add_up_are_refused()
+    {
+        var size = new ImageSize(3, 2);
+        Assert.Throws<ArgumentException>(() => MaskRuns.Decode([1, 3], size));
+        Assert.Throws<ArgumentException>(() => MaskRuns.Decode([1, 6], size));
+        Assert.Throws<ArgumentException>(() => MaskRuns.Decode([7, -1], size));
+    }
+}
