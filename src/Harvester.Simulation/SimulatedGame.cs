@@ -9,6 +9,7 @@ using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Roads;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Ports;
+using Harvester.Simulation.Quirks;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.World;
 
@@ -23,16 +24,21 @@ public sealed class SimulatedGame
     private const double RealSecondsPerGameMinute = 2;
     private const double SightRange = 350;
 
-    /// <summary>The camera's place on the car: 2 m ahead of its origin and 0.4 m above it.</summary>
-    private static readonly Pose CameraMount = new(new Vector3D(0, 2, 0.4), Axes.Identity);
-
     private readonly SimulationOptions _options;
     private readonly SimulatedWorld _world;
     private readonly Renderer _renderer = new();
+    private readonly Vanishing _vanishing;
+    private readonly RayShapes? _rayShapes;
+    private readonly Queue<Moment> _toBeShown = [];
     private RenderTarget? _picture;
+    private Moment? _present;
+    private Pose _mount = new(new Vector3D(0, 2, 0.4), Axes.Identity);
+    private CameraState _cameraBefore;
     private long _state;
+    private int _precipitation;
     private long _pictureState = -1;
     private long _sceneState = -1;
+    private long _rayState = -1;
 
     /// <summary>Builds the world.</summary>
     /// <exception cref="ArgumentException">No road lies near the start, or the weather is none of the game's.</exception>
@@ -44,6 +50,11 @@ public sealed class SimulatedGame
         // A wrong name is found before a world is built in vain.
         _ = Weather.LightingOf(options.Weather, options.TimeOfDay);
         _world = new SimulatedWorld(options);
+        Freezing = new Freezing(options.Seed, options.Quirks.CreepTicks);
+        _vanishing = new Vanishing(options.Seed, options.Quirks.VanishingFraction);
+        _rayShapes = RayShapes.AreNeededFor(options.Quirks) ? new RayShapes(options.Quirks, options.Seed, _world.Scene) : null;
+        CameraMount = _mount;
+        _cameraBefore = Camera;
         Ports = new GamePorts(new WorldPort(this), new RayPort(this), new ScreenPort(this), new PausePort(this), new ClockPort(this), new MarkersPort(this));
     }
 
@@ -57,7 +68,15 @@ public sealed class SimulatedGame
     public RoadTruth Truth => _world.Truth;
 
     /// <summary>Whether the world stands still.</summary>
-    public bool IsFrozen { get; internal set; }
+    public bool IsFrozen => Freezing.IsStanding;
+
+    /// <summary>The camera's place on the car: 2 m ahead of its origin and 0.4 m above it, unless it is moved. A change takes in the next tick.</summary>
+    public Pose CameraMount { get; set; }
+
+    /// <summary>What the picture shown at present shows, whatever the ports report: the true camera, ego, entities in sight and the tick.</summary>
+    public SceneSnapshot Shown => MomentShown.Truth;
+
+    internal Freezing Freezing { get; }
 
     internal SimulatedWorld World => _world;
 
@@ -68,8 +87,7 @@ public sealed class SimulatedGame
         set
         {
             field = value;
-            _sceneState = -1;
-            _pictureState = -1;
+            _state++;
         }
     } = [];
 
@@ -79,17 +97,30 @@ public sealed class SimulatedGame
 
     internal EnvironmentState Environment => new(_options.Weather, TimeOfDay);
 
-    internal CameraState Camera =>
-        new(_world.Ego.Pose.Compose(CameraMount), _options.VerticalFovDegrees, _options.NearClip, _options.WindowAspect);
+    internal CameraState ReportedCamera => _options.Quirks.IsCameraReportedLate ? _cameraBefore : Camera;
 
-    internal RenderScene Scene
+    internal RenderScene ShapesForRays
     {
         get
         {
-            RefreshScene();
-            return _world.Scene;
+            if (_rayShapes is null)
+            {
+                Load(Present);
+                return _world.Scene;
+            }
+
+            if (_rayState != _state)
+            {
+                _rayShapes.Show(Present.Moving, Camera.Pose.Position, IsVehicle, _state);
+                _rayState = _state;
+            }
+
+            return _rayShapes.Scene;
         }
     }
+
+    private CameraState Camera =>
+        new(_world.Ego.Pose.Compose(_mount), _options.VerticalFovDegrees, _options.NearClip, _options.WindowAspect);
 
     private TimeSpan TimeOfDay
     {
@@ -100,21 +131,70 @@ public sealed class SimulatedGame
         }
     }
 
+    private Moment Present
+    {
+        get
+        {
+            if (_present?.State != _state)
+            {
+                Vector3D eye = Camera.Pose.Position;
+                _present = new Moment(
+                    _state,
+                    new SceneSnapshot(GameFrame, _world.TimeSeconds, Camera, _world.EgoState, _world.EntitiesNear(eye, SightRange), Environment),
+                    [.. _world.MovingNear(eye, SightRange), .. Markers.Select(MarkerModel.Of)],
+                    Weather.LightingOf(_options.Weather, TimeOfDay) with { PrecipitationSeed = _precipitation },
+                    _world.LightsNear(eye));
+            }
+
+            if (_present.Truth.GameFrame != GameFrame)
+            {
+                _present = _present with { Truth = _present.Truth with { GameFrame = GameFrame } };
+            }
+
+            return _present;
+        }
+    }
+
+    private Moment MomentShown => _toBeShown.TryPeek(out Moment? oldest) ? oldest : Present;
+
     /// <summary>One frame of the game: the world goes on, unless it is frozen, and the frame is counted.</summary>
     /// <param name="seconds">Time that passes for the player; greater than 0.</param>
     public void Tick(double seconds)
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(seconds);
+        _cameraBefore = Camera;
         GameFrame++;
         ElapsedSeconds += seconds;
-        if (!IsFrozen)
+        double worldSeconds = seconds * Freezing.TakeTick();
+        if (worldSeconds > 0)
         {
-            _world.Advance(seconds);
+            _world.Advance(worldSeconds);
+            _precipitation++;
             _state++;
+        }
+
+        if (CameraMount != _mount && !(Freezing.IsAsked && _options.Quirks.HoldsCameraWhileFrozen))
+        {
+            _mount = CameraMount;
+            _state++;
+        }
+
+        if (_vanishing.Tick(GameFrame))
+        {
+            Hide();
+        }
+
+        if (_options.Quirks.PictureLagTicks > 0)
+        {
+            _toBeShown.Enqueue(Present);
+            if (_toBeShown.Count > _options.Quirks.PictureLagTicks + 1)
+            {
+                _toBeShown.Dequeue();
+            }
         }
     }
 
-    /// <summary>The picture of the present state with the true handle and depth of each pixel; it is overwritten by the next one.</summary>
+    /// <summary>The picture that is shown, with the true handle and depth of each pixel; it is overwritten by the next one.</summary>
     public RenderTarget Render(ImageSize size)
     {
         if (_picture is null || _picture.Width != size.Width || _picture.Height != size.Height)
@@ -123,43 +203,50 @@ public sealed class SimulatedGame
             _pictureState = -1;
         }
 
-        if (_pictureState != _state)
+        Moment shown = MomentShown;
+        if (_pictureState != shown.State)
         {
-            CameraState camera = Camera;
-            _renderer.Render(Scene, new RenderCamera(camera.Pose, camera.VerticalFovDegrees, camera.WindowAspect, camera.NearClip, size.Width, size.Height) { Lens = _options.Lens }, _picture);
-            _pictureState = _state;
+            Load(shown);
+            CameraState camera = shown.Truth.Camera;
+            RenderCamera eye = new(camera.Pose, camera.VerticalFovDegrees, camera.WindowAspect, camera.NearClip, size.Width, size.Height)
+            {
+                Lens = _options.Lens,
+            };
+            _renderer.Render(_world.Scene, eye, _picture);
+            _pictureState = shown.State;
         }
 
         return _picture;
     }
 
-    private void RefreshScene()
+    internal IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range)
     {
-        if (_sceneState != _state)
+        List<EntityState> entities = _world.EntitiesNear(centre, range);
+        if (_options.Quirks.VanishingFraction > 0
+            && _vanishing.AfterReading([.. entities.Where(entity => IsVehicle(entity.Handle)).Select(entity => entity.Handle)], GameFrame))
         {
-            Vector3D eye = Camera.Pose.Position;
-            _world.Scene.SetDynamic([.. _world.MovingNear(eye, SightRange), .. Markers.Select(MarkerModel.Of)]);
-            _world.Scene.Lighting = Weather.LightingOf(_options.Weather, TimeOfDay) with { PrecipitationSeed = (int)_state };
-            _world.Scene.Lights = LightsNear(eye);
-            _sceneState = _state;
+            Hide();
         }
+
+        return entities;
     }
 
-    private List<LightSource> LightsNear(Vector3D eye)
+    private bool IsVehicle(int handle) => handle >= _world.Vehicles[0].Handle && handle <= _world.Vehicles[^1].Handle;
+
+    private void Hide()
     {
-        const double range = 90;
-        const int most = 14;
-        const double lampAhead = 2;
-        IEnumerable<LightSource> lamps = _world.Lamps
-            .Where(lamp => (lamp - eye).Length < range)
-            .OrderBy(lamp => (lamp - eye).LengthSquared)
-            .Take(most)
-            .Select(LightSource.StreetLamp);
-        IEnumerable<LightSource> headlights = _world.Vehicles
-            .Where(vehicle => (vehicle.Pose.Position - eye).Length < range)
-            .OrderBy(vehicle => (vehicle.Pose.Position - eye).LengthSquared)
-            .Take(most)
-            .Select(vehicle => LightSource.Headlights(vehicle.Pose.ToWorld(new Vector3D(0, lampAhead, 0)), vehicle.Pose.Axes.Forward));
-        return [.. lamps, .. headlights];
+        _world.HiddenHandle = _vanishing.Handle;
+        _state++;
+    }
+
+    private void Load(Moment moment)
+    {
+        if (_sceneState != moment.State)
+        {
+            _world.Scene.SetDynamic(moment.Moving);
+            _world.Scene.Lighting = moment.Lighting;
+            _world.Scene.Lights = moment.Lights;
+            _sceneState = moment.State;
+        }
     }
 }

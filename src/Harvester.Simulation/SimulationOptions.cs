@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Simulation.Quirks;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation;
@@ -51,4 +52,7 @@ public sealed record SimulationOptions
 
     /// <summary>Factor on the number of people on foot.</summary>
     public double PedestrianDensity { get; init; } = 1;
+
+    /// <summary>In what the game misbehaves; nothing by default.</summary>
+    public GameQuirks Quirks { get; init; } = new();
 }

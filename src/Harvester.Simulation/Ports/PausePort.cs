@@ -5,7 +5,7 @@ namespace Harvester.Simulation.Ports;
 /// <summary>Stops the simulated world.</summary>
 internal sealed class PausePort(SimulatedGame game) : IPause
 {
-    public void Freeze() => game.IsFrozen = true;
+    public void Freeze() => game.Freezing.Freeze();
 
-    public void Unfreeze() => game.IsFrozen = false;
+    public void Unfreeze() => game.Freezing.Unfreeze();
 }

@@ -11,8 +11,8 @@ internal sealed class RayPort(SimulatedGame game) : IRayCaster
 
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
     {
-        RenderScene scene = game.Scene;
-        _caster ??= new SceneRayCaster(scene);
+        RenderScene shapes = game.ShapesForRays;
+        _caster ??= new SceneRayCaster(shapes);
         return _caster.Cast(ray, maxDistance, ignoredEntity);
     }
 }

@@ -2,7 +2,6 @@ using System.Collections.Generic;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
-using Harvester.Simulation.Traffic;
 
 namespace Harvester.Simulation.Ports;
 
@@ -13,15 +12,11 @@ internal sealed class WorldPort(SimulatedGame game) : IWorld
 
     public double TimeSeconds => game.World.TimeSeconds;
 
-    public CameraState ReadCamera() => game.Camera;
+    public CameraState ReadCamera() => game.ReportedCamera;
 
-    public EgoState ReadEgo()
-    {
-        Vehicle ego = game.World.Ego;
-        return new EgoState(ego.Handle, ego.Model.Name, ego.Pose, ego.Velocity) { ModelMin = ego.Model.Min, ModelMax = ego.Model.Max };
-    }
+    public EgoState ReadEgo() => game.World.EgoState;
 
-    public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range) => game.World.EntitiesNear(centre, range);
+    public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range) => game.ReadEntities(centre, range);
 
     public EnvironmentState ReadEnvironment() => game.Environment;
 }

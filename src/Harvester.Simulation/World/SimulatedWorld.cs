@@ -21,6 +21,7 @@ internal sealed class SimulatedWorld
     private readonly TrafficFlow _traffic;
     private readonly WalkerFlow _walking;
     private readonly SignalProps _signalProps;
+    private readonly IReadOnlyList<Vector3D> _lamps;
 
     public SimulatedWorld(SimulationOptions options)
     {
@@ -61,7 +62,7 @@ internal sealed class SimulatedWorld
             _signalProps.AddGiven(props.Where(prop => prop.Name.StartsWith("prop_traffic", StringComparison.Ordinal)), catalogue);
         }
 
-        Lamps = scenery.Lamps;
+        _lamps = scenery.Lamps;
         _entities = [.. parked, .. scenery.Props.Where(prop => prop.Handle != 0)];
         GroundMesh ground = new();
         terrain.Build(ground);
@@ -79,15 +80,17 @@ internal sealed class SimulatedWorld
 
     public RenderScene Scene { get; }
 
-    /// <summary>Where street lamps shine from.</summary>
-    public IReadOnlyList<Vector3D> Lamps { get; }
-
     /// <summary>Seconds since the beginning.</summary>
     public double TimeSeconds { get; private set; }
 
     public Vehicle Ego => _vehicles[0];
 
+    public EgoState EgoState => new(Ego.Handle, Ego.Model.Name, Ego.Pose, Ego.Velocity) { ModelMin = Ego.Model.Min, ModelMax = Ego.Model.Max };
+
     public IReadOnlyList<Vehicle> Vehicles => _vehicles;
+
+    /// <summary>A moving entity that is neither seen nor read; 0 for none.</summary>
+    public int HiddenHandle { get; set; }
 
     public void Advance(double seconds)
     {
@@ -105,7 +108,7 @@ internal sealed class SimulatedWorld
     public IEnumerable<MeshInstance> MovingNear(Vector3D place, double range)
     {
         double squared = range * range;
-        return _vehicles.Skip(1).Where(vehicle => (vehicle.Pose.Position - place).LengthSquared < squared)
+        return _vehicles.Skip(1).Where(vehicle => vehicle.Handle != HiddenHandle && (vehicle.Pose.Position - place).LengthSquared < squared)
             .Select(vehicle => new MeshInstance(vehicle.Model.Variant(vehicle.Handle), vehicle.Pose, vehicle.Handle))
             .Concat(_walkers.Where(walker => (walker.Pose.Position - place).LengthSquared < squared)
                 .Select(walker => new MeshInstance(walker.Look, walker.Pose, walker.Handle)))
@@ -121,8 +124,27 @@ internal sealed class SimulatedWorld
         IEnumerable<EntityState> walkers = _walkers.Select(walker =>
             new EntityState(walker.Handle, walker.Model.Class, walker.Model.Name, walker.Pose, walker.Model.Min, walker.Model.Max, walker.Velocity));
         return [.. vehicles.Concat(walkers).Concat(_entities.Select(prop => prop.State)).Concat(_signalProps.States)
-            .Where(entity => (entity.Pose.Position - place).LengthSquared < squared)
+            .Where(entity => entity.Handle != HiddenHandle && (entity.Pose.Position - place).LengthSquared < squared)
             .OrderBy(entity => entity.Handle)];
+    }
+
+    /// <summary>The nearest street lamps and headlights, which light what is seen at night.</summary>
+    public List<LightSource> LightsNear(Vector3D eye)
+    {
+        const double range = 90;
+        const int most = 14;
+        const double lampAhead = 2;
+        IEnumerable<LightSource> lamps = _lamps
+            .Where(lamp => (lamp - eye).Length < range)
+            .OrderBy(lamp => (lamp - eye).LengthSquared)
+            .Take(most)
+            .Select(LightSource.StreetLamp);
+        IEnumerable<LightSource> headlights = Vehicles
+            .Where(vehicle => (vehicle.Pose.Position - eye).Length < range)
+            .OrderBy(vehicle => (vehicle.Pose.Position - eye).LengthSquared)
+            .Take(most)
+            .Select(vehicle => LightSource.Headlights(vehicle.Pose.ToWorld(new Vector3D(0, lampAhead, 0)), vehicle.Pose.Axes.Forward));
+        return [.. lamps, .. headlights];
     }
 
     private static Vector3D Middle(RoadNetwork network) =>
