@@ -14,7 +14,7 @@ namespace Harvester.Cli;
 internal static class Application
 {
     private const string Description =
-        "Harvests labelled driving images from a simulated game, and checks and shows what was harvested.";
+        "Harvests labelled driving images from a simulated game, checks and shows what was harvested, and exports it to dataset formats.";
 
     private const string ExitCodes =
         "Exit codes:\n"
@@ -82,6 +82,8 @@ internal static class Application
         root.Subcommands.Add(ValidateCommand.Create(terminal));
         root.Subcommands.Add(ReportCommand.Create(terminal));
         root.Subcommands.Add(CalibrateCommand.Create(terminal));
+        root.Subcommands.Add(ExportCommand.Create(terminal));
+        root.Subcommands.Add(MergeCommand.Create(terminal));
         root.Subcommands.Add(ProjectCommand.Create(terminal));
         root.Subcommands.Add(BoxesCommand.Create(terminal));
         root.Subcommands.Add(RoadsCommand.Create(terminal));

@@ -5,10 +5,8 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
-using Harvester.Capture.Scenes;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Harvesting;
-using Harvester.Datasets.Json;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
@@ -78,11 +76,7 @@ internal static class HarvestCommand
     private static readonly Option<double> Range = WithDefault(
         ValueParsers.Number("--range", "M", "Label objects up to this distance, metres", value => value > 0, "a number greater than 0"), 150);
 
-    private static readonly Option<string?> Classes = new("--classes")
-    {
-        Description = "Label these classes only, with commas between them: " + string.Join(", ", JsonNames.All<ObjectClass>()),
-        HelpName = "A,B",
-    };
+    private static readonly Option<string?> Classes = ClassList.Option("Label");
 
     private static readonly Option<bool> NoReport = new("--no-report") { Description = "Write no report" };
 
@@ -104,7 +98,7 @@ internal static class HarvestCommand
         terminal.Out.WriteLine($"Harvesting {plan.Frames} frames of {plan.Image.Width} x {plan.Image.Height}, seed {plan.Seed}, to {plan.Folder}");
         terminal.Out.Flush();
         SimulatedHarvest harvest = SimulatedHarvest.Build(plan);
-        HarvestOutcome outcome = new HarvestProgress(terminal, plan.Frames).Run(report => harvest.Run(report, cancellation));
+        HarvestOutcome outcome = new FrameProgress(terminal, plan.Frames).Run(report => harvest.Run(report, cancellation));
         if (outcome.Fault is { } fault)
         {
             terminal.WriteError(fault);
@@ -154,14 +148,9 @@ internal static class HarvestCommand
             TimeOfDay = parsed.GetValue(Time),
             Masks = parsed.GetValue(Masks),
             RangeMetres = parsed.GetValue(Range),
-            Classes = parsed.GetValue(Classes) is { } classes ? [.. classes.Split(',').Select(ParseClass)] : null,
+            Classes = ClassList.Parse(parsed.GetValue(Classes)),
         };
     }
-
-    private static ObjectClass ParseClass(string name) =>
-        JsonNames.TryRead(name.Trim(), out ObjectClass kind)
-            ? kind
-            : throw new UsageException($"--classes takes some of {string.Join(", ", JsonNames.All<ObjectClass>())}, not '{name.Trim()}'.");
 
     private static TimeSpan? ParseTime(string text) =>
         TimeSpan.TryParseExact(text, [@"hh\:mm", @"h\:mm"], CultureInfo.InvariantCulture, out TimeSpan time) ? time : null;

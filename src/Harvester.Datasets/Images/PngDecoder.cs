@@ -4,15 +4,18 @@ using System.IO;
 using System.IO.Compression;
 using Harvester.Capture.Imaging;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Images;
 
-/// <summary>Reads PNG pictures (ISO/IEC 15948) of the kind that sessions have: 8-bit red, green, blue, not interlaced.</summary>
+/// <summary>Reads PNG pictures (ISO/IEC 15948) of the kinds that sessions have, not interlaced: 8-bit red, green, blue, and 16-bit grey.</summary>
 public static class PngDecoder
 {
     private const int SignatureLength = 8;
     private const int ChunkFrameLength = 12;
+    private const byte ColourTypeGrey = 0;
     private const byte ColourTypeRgb = 2;
+    private const int BytesPerGreyPixel = 2;
 
     /// <summary>Reads a picture. Checksums are not looked at: the compressed data has its own.</summary>
     /// <exception cref="DatasetFormatException">It is not such a picture, or damaged; the message speaks of the file as "it".</exception>
@@ -20,25 +23,46 @@ public static class PngDecoder
     public static PixelBuffer ReadRgb(string path)
     {
         ImageSize size = ImageHeader.Read(path).Size;
-        byte[] file = File.ReadAllBytes(path);
-        const int bitDepthAt = 24;
-        if (file[bitDepthAt] != 8 || file[bitDepthAt + 1] != ColourTypeRgb || file[bitDepthAt + 4] != 0)
+        var picture = new PixelBuffer(size);
+        Read(path, 8, ColourTypeRgb, "an 8-bit colour", size, PixelBuffer.BytesPerPixel, picture.Bytes);
+        return picture;
+    }
+
+    /// <summary>Reads an instance mask.</summary>
+    /// <exception cref="DatasetFormatException">It is not such a picture, or damaged; the message speaks of the file as "it".</exception>
+    /// <exception cref="IOException">It cannot be read.</exception>
+    public static InstanceMap ReadInstanceMap(string path)
+    {
+        ImageSize size = ImageHeader.Read(path).Size;
+        byte[] bytes = new byte[size.PixelCount * BytesPerGreyPixel];
+        Read(path, 16, ColourTypeGrey, "a 16-bit grey", size, BytesPerGreyPixel, bytes);
+        var map = new InstanceMap(size);
+        for (int i = 0; i < map.Ids.Length; i++)
         {
-            throw new DatasetFormatException("it is not an 8-bit colour PNG without interlace.");
+            map.Ids[i] = BinaryPrimitives.ReadUInt16BigEndian(bytes.AsSpan(i * BytesPerGreyPixel));
         }
 
-        var picture = new PixelBuffer(size);
+        return map;
+    }
+
+    private static void Read(string path, byte bitDepth, byte colourType, string kind, ImageSize size, int bytesPerPixel, byte[] pixels)
+    {
+        byte[] file = File.ReadAllBytes(path);
+        const int bitDepthAt = 24;
+        if (file[bitDepthAt] != bitDepth || file[bitDepthAt + 1] != colourType || file[bitDepthAt + 4] != 0)
+        {
+            throw new DatasetFormatException($"it is not {kind} PNG without interlace.");
+        }
+
         try
         {
             using var rows = new ZLibStream(CompressedData(file), CompressionMode.Decompress);
-            ReadRows(rows, picture.Bytes, size);
+            ReadRows(rows, pixels, size, bytesPerPixel);
         }
         catch (Exception e) when (e is InvalidDataException or EndOfStreamException or ArgumentOutOfRangeException)
         {
             throw new DatasetFormatException("its pixels are damaged.", e);
         }
-
-        return picture;
     }
 
     private static MemoryStream CompressedData(byte[] file)
@@ -59,23 +83,22 @@ public static class PngDecoder
         return data;
     }
 
-    private static void ReadRows(ZLibStream rows, byte[] pixels, ImageSize size)
+    private static void ReadRows(ZLibStream rows, byte[] pixels, ImageSize size, int bytesPerPixel)
     {
-        int stride = size.Width * PixelBuffer.BytesPerPixel;
+        int stride = size.Width * bytesPerPixel;
         byte[] above = new byte[stride];
         for (int row = 0; row < size.Height; row++)
         {
             int filter = rows.ReadByte();
             Span<byte> current = pixels.AsSpan(row * stride, stride);
             rows.ReadExactly(current);
-            Unfilter(filter, current, above);
+            Unfilter(filter, current, above, bytesPerPixel);
             current.CopyTo(above);
         }
     }
 
-    private static void Unfilter(int filter, Span<byte> current, ReadOnlySpan<byte> above)
+    private static void Unfilter(int filter, Span<byte> current, ReadOnlySpan<byte> above, int pixel)
     {
-        const int pixel = PixelBuffer.BytesPerPixel;
         for (int i = 0; i < current.Length; i++)
         {
             int left = i >= pixel ? current[i - pixel] : 0;

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
@@ -30,6 +31,9 @@ public sealed class SessionReader
 
     /// <summary>The session's folder, as it was given.</summary>
     public string Folder { get; }
+
+    /// <summary>Whether a name that a label gives for a file stays within the session.</summary>
+    public static bool IsWithin(string name) => !Path.IsPathRooted(name) && !name.Split('/', '\\').Contains("..", StringComparer.Ordinal);
 
     /// <summary>Where a file of the session lies.</summary>
     /// <param name="name">Its path within the session, with forward slashes.</param>
@@ -64,6 +68,13 @@ public sealed class SessionReader
     {
         string path = PathOf(LabelsFile);
         return File.Exists(path) ? File.ReadLines(path).Select((line, index) => ReadLine(index + 1, line)) : [];
+    }
+
+    /// <summary>How many lines of labels there are, good or not.</summary>
+    public int CountLines()
+    {
+        string path = PathOf(LabelsFile);
+        return File.Exists(path) ? File.ReadLines(path).Count() : 0;
     }
 
     private static LabelLine ReadLine(int number, string line)

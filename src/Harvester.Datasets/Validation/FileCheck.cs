@@ -27,7 +27,7 @@ internal sealed class FileCheck
 
     private string? Problem(string field, string name, CameraLabel camera, int? bitsPerPixel)
     {
-        if (Path.IsPathRooted(name) || name.Split('/', '\\').Contains("..", StringComparer.Ordinal))
+        if (!SessionReader.IsWithin(name))
         {
             return $"{field} '{name}' points out of the session.";
         }

@@ -3,10 +3,10 @@ using System.Diagnostics;
 using System.Globalization;
 using Spectre.Console;
 
-namespace Harvester.Cli.Harvesting;
+namespace Harvester.Cli;
 
-/// <summary>Shows how far a harvest is: a moving bar for a person, a line now and then for a file.</summary>
-internal sealed class HarvestProgress
+/// <summary>Shows how far a job over frames is: a moving bar for a person, a line now and then for a file.</summary>
+internal sealed class FrameProgress
 {
     private static readonly TimeSpan BetweenPlainLines = TimeSpan.FromSeconds(5);
 
@@ -15,20 +15,20 @@ internal sealed class HarvestProgress
     private readonly Stopwatch _clock = new();
     private TimeSpan _lastLine;
 
-    public HarvestProgress(Terminal terminal, int frames)
+    public FrameProgress(Terminal terminal, int frames)
     {
         _terminal = terminal;
         _frames = frames;
     }
 
-    /// <summary>Runs the harvest and shows what it reports.</summary>
-    public HarvestOutcome Run(Func<Action<int>, HarvestOutcome> harvest)
+    /// <summary>Runs the job and shows what it reports.</summary>
+    public T Run<T>(Func<Action<int>, T> job)
     {
         _clock.Start();
-        return _terminal.IsInteractive ? RunInteractive(harvest) : harvest(WriteLine);
+        return _terminal.IsInteractive ? RunInteractive(job) : job(WriteLine);
     }
 
-    /// <summary>How far the harvest is: frames, rate, time left.</summary>
+    /// <summary>How far the job is: frames, rate, time left.</summary>
     internal static string Describe(int done, int all, TimeSpan elapsed)
     {
         double rate = done / Math.Max(elapsed.TotalSeconds, 1e-3);
@@ -44,14 +44,14 @@ internal sealed class HarvestProgress
             : string.Create(CultureInfo.InvariantCulture, $"{Math.Floor(time.TotalMinutes):0} min {time.Seconds} s");
     }
 
-    private HarvestOutcome RunInteractive(Func<Action<int>, HarvestOutcome> harvest) =>
+    private T RunInteractive<T>(Func<Action<int>, T> job) =>
         _terminal.ToAnsiConsole().Progress()
             .AutoClear(true)
             .Columns(new ProgressBarColumn(), new PercentageColumn(), new TaskDescriptionColumn())
             .Start(context =>
             {
                 ProgressTask task = context.AddTask("starting", maxValue: _frames);
-                return harvest(done =>
+                return job(done =>
                 {
                     task.Value = done;
                     task.Description = Describe(done, _frames, _clock.Elapsed);

@@ -1,0 +1,125 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Globalization;
+using System.Linq;
+using System.Threading;
+using System.Threading.Tasks;
+using Harvester.Cli.Arguments;
+using Harvester.Datasets.Exports;
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Cli.Commands;
+
+/// <summary>harvester export: sessions become a dataset that training code reads as it is.</summary>
+internal static class ExportCommand
+{
+    private static readonly string Notes =
+        "Formats (docs/exports has a page on each):\n"
+        + string.Concat(DatasetFormats.All.Select(format => $"  {format.Name,-16}{format.Description}\n"))
+        + "\nAn export that was stopped goes on when the same command is given again. Shards of one export may be written to one folder or to\n"
+        + "several; harvester merge makes the dataset of them. The same sessions and options give the same bytes.\n\n"
+        + "Examples:\n"
+        + "  harvester export out --format kitti --out kitti\n"
+        + "  harvester export day night --format coco --out coco --split train:0.8,val:0.2 --seed 3 --min-visible 0.2\n"
+        + "  harvester export out --format yolo --out yolo --shard 2/8";
+
+    private static readonly Argument<string[]> Sessions = new("SESSION")
+    {
+        Description = "Folders of sessions, as harvest writes them",
+        Arity = ArgumentArity.OneOrMore,
+    };
+
+    private static readonly Option<string> Format = new("--format")
+    {
+        Description = "The format: " + string.Join(", ", DatasetFormats.All.Select(format => format.Name)),
+        HelpName = "F",
+        Required = true,
+    };
+
+    private static readonly Option<string> Out = new("--out") { Description = "Folder to write the dataset to", HelpName = "DIR", Required = true };
+    private static readonly Option<string> Splits = new("--split")
+    {
+        Description = "Splits and their shares, as train:0.8,val:0.2",
+        HelpName = "NAME:SHARE,...",
+        DefaultValueFactory = _ => "train:1",
+    };
+
+    private static readonly Option<int> Seed = ValueParsers.Integer("--seed", "N", "Decides which frame goes into which split", 0, int.MaxValue);
+    private static readonly Option<int> Block = ValueParsers.Integer(
+        "--split-block", "N", "Frames in a row that stay in one split: neighbours look alike", 1, int.MaxValue);
+
+    private static readonly Option<string?> Classes = ClassList.Option("Export");
+    private static readonly Option<double> MinVisible = ValueParsers.Number(
+        "--min-visible", "S", "Export objects of which at least this share is seen, 0 to 1", value => value is >= 0 and <= 1, "a number from 0 to 1");
+
+    private static readonly Option<SegmentationKind> Segmentation = new("--segmentation") { Description = "How coco describes pixels" };
+    private static readonly Option<ImageTransfer> Images = new("--images") { Description = "Whether images are hard links, where that can be done, or copies" };
+    private static readonly Option<Shard> ShardOf = ShardOption.Create();
+
+    public static Command Create(Terminal terminal)
+    {
+        Block.DefaultValueFactory = _ => 1;
+        var command = new Command("export", "Export sessions to a dataset format.")
+        {
+            Sessions, Format, Out, Splits, Seed, Block, Classes, MinVisible, Segmentation, Images, ShardOf,
+        };
+        HelpWithNotes.AddTo(command, Notes);
+        command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
+        return command;
+    }
+
+    private static int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
+    {
+        ExportPlan plan = PlanOf(parsed);
+        string folder = parsed.GetRequiredValue(Out);
+        Shard shard = parsed.GetValue(ShardOf);
+        int frames = plan.Sessions.Sum(session => session.CountLines()) / shard.Count;
+        var exporter = new DatasetExporter(plan, folder, shard);
+        ExportResult result = new FrameProgress(terminal, frames).Run(report => exporter.Run(report, cancellation));
+        terminal.Out.WriteLine(result.IsFinished
+            ? $"{folder}: {plan.Format.Name}, {result.Frames} frames, {result.Objects} objects"
+            : $"{folder}: shard {shard.Number}/{shard.Count} of {plan.Format.Name}, {result.Frames} frames. When all are done: harvester merge");
+        return ExitCode.Done;
+    }
+
+    private static ExportPlan PlanOf(ParseResult parsed)
+    {
+        string name = parsed.GetRequiredValue(Format);
+        DatasetFormat format = DatasetFormats.Find(name) ?? throw new UsageException(
+            $"--format takes one of {string.Join(", ", DatasetFormats.All.Select(each => each.Name))}, not '{name}'.");
+        var options = new ExportOptions
+        {
+            Splits = SplitsOf(parsed),
+            Classes = ClassList.Parse(parsed.GetValue(Classes)),
+            MinVisibleFraction = parsed.GetValue(MinVisible),
+            Segmentation = parsed.GetValue(Segmentation),
+            Images = parsed.GetValue(Images),
+        };
+        return new ExportPlan(format, [.. parsed.GetRequiredValue(Sessions).Select(folder => new SessionReader(folder))], options);
+    }
+
+    private static SplitPlan SplitsOf(ParseResult parsed)
+    {
+        string text = parsed.GetRequiredValue(Splits);
+        IEnumerable<DatasetSplit?> splits = text.Split(',').Select(SplitOf);
+        try
+        {
+            return splits.All(split => split is not null)
+                ? new SplitPlan([.. splits.Select(split => split!.Value)], parsed.GetValue(Seed), parsed.GetValue(Block))
+                : throw new UsageException($"--split takes names with shares, as train:0.8,val:0.2, not '{text}'.");
+        }
+        catch (ArgumentException e)
+        {
+            throw new UsageException($"--split: {e.Message}");
+        }
+    }
+
+    private static DatasetSplit? SplitOf(string text)
+    {
+        string[] words = text.Split(':');
+        return words.Length == 2 && double.TryParse(words[1], NumberStyles.Float, CultureInfo.InvariantCulture, out double share)
+            ? new DatasetSplit(words[0].Trim(), share)
+            : null;
+    }
+}

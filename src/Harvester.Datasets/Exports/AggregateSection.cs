@@ -1,0 +1,41 @@
+namespace Harvester.Datasets.Exports;
+
+/// <summary>A stretch of an aggregate file: a fixed text, or what the frames handed over under one name, in the order of the frames.</summary>
+public sealed record AggregateSection
+{
+    private AggregateSection(string text, string? part, string between, string after, bool areFiles)
+    {
+        Text = text;
+        Part = part;
+        Between = between;
+        After = after;
+        AreFiles = areFiles;
+    }
+
+    /// <summary>The fixed text; empty for parts.</summary>
+    public string Text { get; }
+
+    /// <summary>Name of the parts; null for a fixed text.</summary>
+    public string? Part { get; }
+
+    /// <summary>What stands between two parts.</summary>
+    public string Between { get; }
+
+    /// <summary>What stands after each part.</summary>
+    public string After { get; }
+
+    /// <summary>Whether the parts are names of staged files, whose bytes are meant.</summary>
+    public bool AreFiles { get; }
+
+    /// <summary>A fixed text.</summary>
+    public static AggregateSection Literal(string text) => new(text, null, "", "", false);
+
+    /// <summary>Parts as lines.</summary>
+    public static AggregateSection Lines(string part) => new("", part, "", "\n", false);
+
+    /// <summary>Parts with something between them.</summary>
+    public static AggregateSection Joined(string part, string between) => new("", part, between, "", false);
+
+    /// <summary>The bytes of staged files, one after the other.</summary>
+    public static AggregateSection Files(string part) => new("", part, "", "", true);
+}

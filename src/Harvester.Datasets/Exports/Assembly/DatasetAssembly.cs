@@ -1,0 +1,115 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Harvester.Datasets.Json;
+
+namespace Harvester.Datasets.Exports.Assembly;
+
+/// <summary>Makes a finished dataset of the journals of all its shards: writes the aggregate files and export.json, and takes the working folder away.</summary>
+internal static class DatasetAssembly
+{
+    public static ExportResult Finish(DatasetFolder folder, IReadOnlyList<string> journals)
+    {
+        string plan = folder.ReadPlan();
+        (DatasetFormat format, ExportOptions options) = ExportPlan.Parse(plan);
+        var parts = new PartStore(folder.PathOf(DatasetFolder.Working + "/parts"));
+        SortedDictionary<string, int> splits = new(options.Splits.Splits.ToDictionary(split => split.Name, _ => 0), StringComparer.Ordinal);
+        int objects = 0;
+        foreach (JournalEntry entry in InOrder(journals))
+        {
+            splits[entry.Split]++;
+            objects += entry.Objects;
+            foreach ((string name, string line) in entry.Parts)
+            {
+                parts.Add(name, line);
+            }
+        }
+
+        parts.Flush();
+        foreach (AggregateFile file in format.CreateWriter(options).Aggregates(parts.Names))
+        {
+            folder.Write(file.Path, stream => Write(stream, file, parts, folder));
+        }
+
+        int frames = splits.Values.Sum();
+        folder.Write(DatasetFolder.Manifest, stream => stream.Write(Encoding.UTF8.GetBytes(ManifestText(plan, frames, objects, splits))));
+        folder.Finish();
+        return new ExportResult(frames, objects, IsFinished: true);
+    }
+
+    /// <summary>The entries of all journals by rising number; each journal is in order already.</summary>
+    private static IEnumerable<JournalEntry> InOrder(IReadOnlyList<string> journals)
+    {
+        var heads = new PriorityQueue<IEnumerator<JournalEntry>, int>();
+        foreach (string path in journals)
+        {
+            IEnumerator<JournalEntry> entries = Journal.Read(path).GetEnumerator();
+            Advance(entries);
+        }
+
+        while (heads.TryDequeue(out IEnumerator<JournalEntry>? entries, out _))
+        {
+            yield return entries.Current;
+            Advance(entries);
+        }
+
+        void Advance(IEnumerator<JournalEntry> entries)
+        {
+            if (entries.MoveNext())
+            {
+                heads.Enqueue(entries, entries.Current.Frame);
+            }
+            else
+            {
+                entries.Dispose();
+            }
+        }
+    }
+
+    private static void Write(Stream stream, AggregateFile file, PartStore parts, DatasetFolder folder)
+    {
+        using var writer = new StreamWriter(stream, new UTF8Encoding(false), leaveOpen: true);
+        foreach (AggregateSection section in file.Sections)
+        {
+            writer.Write(section.Text);
+            bool isFirst = true;
+            foreach (string part in section.Part is null ? [] : parts.Read(section.Part))
+            {
+                writer.Write(isFirst ? "" : section.Between);
+                isFirst = false;
+                if (section.AreFiles)
+                {
+                    writer.Flush();
+                    using FileStream staged = File.OpenRead(folder.PathOf(part));
+                    staged.CopyTo(stream);
+                }
+                else
+                {
+                    writer.Write(part);
+                }
+
+                writer.Write(section.After);
+            }
+        }
+    }
+
+    private static string ManifestText(string plan, int frames, int objects, SortedDictionary<string, int> splits) => JsonLine.Of(json =>
+    {
+        json.WriteStartObject();
+        json.WriteNumber("formatVersion", 1);
+        json.WriteNumber("frames", frames);
+        json.WriteNumber("objects", objects);
+        json.WriteStartObject("framesOfSplits");
+        foreach ((string name, int count) in splits)
+        {
+            json.WriteNumber(name, count);
+        }
+
+        json.WriteEndObject();
+        json.WritePropertyName("plan");
+        json.WriteRawValue(plan);
+        json.WriteEndObject();
+    }) + "\n";
+}

@@ -1,0 +1,92 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Text;
+
+namespace Harvester.Datasets.Exports.Assembly;
+
+/// <summary>
+/// The folder of a dataset. While it is made, a working folder beside the data holds the plan and the journals; when all is done it is
+/// gone and export.json is there. Every file is written under a temporary name and renamed.
+/// </summary>
+internal sealed class DatasetFolder(string path)
+{
+    /// <summary>Says what the dataset is; only a finished dataset has it.</summary>
+    public const string Manifest = "export.json";
+
+    /// <summary>The working folder.</summary>
+    public const string Working = ".export";
+
+    /// <summary>Where files lie that become parts of others.</summary>
+    public const string Staging = Working + "/staged";
+
+    private const string PlanFile = Working + "/plan.json";
+    private const string Temporary = ".partial";
+
+    public string Path => path;
+
+    public bool IsFinished => File.Exists(PathOf(Manifest));
+
+    public bool IsEmpty => !Directory.Exists(path) || !Directory.EnumerateFileSystemEntries(path).Any();
+
+    public bool IsBegun => File.Exists(PathOf(PlanFile));
+
+    public string PathOf(string name) => System.IO.Path.Combine(path, name.Replace('/', System.IO.Path.DirectorySeparatorChar));
+
+    public string ReadPlan() =>
+        IsBegun ? File.ReadAllText(PathOf(PlanFile)) : throw new DatasetFormatException($"'{path}' is not a shard of an export: it has no {PlanFile}.");
+
+    /// <summary>Begins a dataset, or goes on with one that has the same plan.</summary>
+    public void Begin(string plan)
+    {
+        if (!IsEmpty && !IsBegun)
+        {
+            throw new IOException($"'{path}' is not empty and holds no export that could be continued. Name another folder.");
+        }
+
+        if (IsBegun && !string.Equals(ReadPlan(), plan, StringComparison.Ordinal))
+        {
+            throw new IOException($"'{path}' holds an export that was begun with other sessions or options. Use the same ones, or name another folder.");
+        }
+
+        Write(PlanFile, stream => stream.Write(Encoding.UTF8.GetBytes(plan)));
+    }
+
+    public void Finish() => Directory.Delete(PathOf(Working), recursive: true);
+
+    public void Write(string name, Action<Stream> write)
+    {
+        string target = Prepare(name);
+        using (var stream = new FileStream(target + Temporary, FileMode.Create, FileAccess.Write, FileShare.None))
+        {
+            write(stream);
+        }
+
+        File.Move(target + Temporary, target, overwrite: true);
+    }
+
+    public void Transfer(string name, string source, ImageTransfer transfer)
+    {
+        string target = Prepare(name);
+        if (!File.Exists(source))
+        {
+            throw new DatasetFormatException($"'{source}' is missing.");
+        }
+
+        File.Delete(target + Temporary);
+        if (transfer == ImageTransfer.Copy || !HardLink.TryCreate(target + Temporary, source))
+        {
+            File.Copy(source, target + Temporary);
+        }
+
+        File.Delete(target);
+        File.Move(target + Temporary, target);
+    }
+
+    private string Prepare(string name)
+    {
+        string target = PathOf(name);
+        Directory.CreateDirectory(System.IO.Path.GetDirectoryName(target)!);
+        return target;
+    }
+}

@@ -1,0 +1,57 @@
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.Json;
+using Harvester.Datasets.Json;
+
+namespace Harvester.Datasets.Exports.Assembly;
+
+/// <summary>A line of a journal: a frame that is done.</summary>
+/// <param name="Frame">Number of the frame in the dataset.</param>
+/// <param name="Split">Its split.</param>
+/// <param name="Objects">How many objects of it were exported.</param>
+/// <param name="Files">The files that are its own.</param>
+/// <param name="Parts">Its parts of aggregate files, in the order in which they were handed over.</param>
+internal sealed record JournalEntry(
+    int Frame, string Split, int Objects, IReadOnlyList<string> Files, IReadOnlyList<KeyValuePair<string, string>> Parts)
+{
+    public string ToLine() => JsonLine.Of(json =>
+    {
+        json.WriteStartObject();
+        json.WriteNumber("frame", Frame);
+        json.WriteString("split", Split);
+        json.WriteNumber("objects", Objects);
+        json.WriteStartArray("files");
+        foreach (string file in Files)
+        {
+            json.WriteStringValue(file);
+        }
+
+        json.WriteEndArray();
+        json.WriteStartArray("parts");
+        foreach ((string name, string line) in Parts)
+        {
+            json.WriteStringValue(name);
+            json.WriteStringValue(line);
+        }
+
+        json.WriteEndArray();
+        json.WriteEndObject();
+    });
+
+    /// <summary>Reads a line.</summary>
+    /// <exception cref="JsonException">It is not JSON.</exception>
+    public static JournalEntry Parse(string line)
+    {
+        using JsonDocument document = JsonDocument.Parse(line);
+        JsonElement root = document.RootElement;
+        string[] parts = Texts(root.GetProperty("parts"));
+        return new JournalEntry(
+            root.GetProperty("frame").GetInt32(),
+            root.GetProperty("split").GetString()!,
+            root.GetProperty("objects").GetInt32(),
+            Texts(root.GetProperty("files")),
+            [.. parts.Chunk(2).Select(pair => KeyValuePair.Create(pair[0], pair[1]))]);
+    }
+
+    private static string[] Texts(JsonElement list) => [.. list.EnumerateArray().Select(item => item.GetString()!)];
+}

@@ -1,0 +1,64 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text;
+
+namespace Harvester.Datasets.Exports.Assembly;
+
+/// <summary>Sorts the parts of all frames by name into files of their own, so that a dataset of any length needs little memory.</summary>
+internal sealed class PartStore
+{
+    private const int MostBufferedCharacters = 32 * 1024 * 1024;
+
+    private readonly string _folder;
+    private readonly SortedDictionary<string, StringBuilder> _buffers = new(StringComparer.Ordinal);
+    private readonly Dictionary<string, string> _files = new(StringComparer.Ordinal);
+    private int _buffered;
+
+    public PartStore(string folder)
+    {
+        _folder = folder;
+        if (Directory.Exists(folder))
+        {
+            // What a killed assembly left.
+            Directory.Delete(folder, recursive: true);
+        }
+
+        Directory.CreateDirectory(folder);
+    }
+
+    public IReadOnlyCollection<string> Names => [.. _files.Keys.Order(StringComparer.Ordinal)];
+
+    public void Add(string name, string line)
+    {
+        if (!_buffers.TryGetValue(name, out StringBuilder? buffer))
+        {
+            buffer = new StringBuilder();
+            _buffers.Add(name, buffer);
+            _files.TryAdd(name, Path.Combine(_folder, _files.Count.ToString(CultureInfo.InvariantCulture)));
+        }
+
+        buffer.Append(line).Append('\n');
+        _buffered += line.Length + 1;
+        if (_buffered > MostBufferedCharacters)
+        {
+            Flush();
+        }
+    }
+
+    public void Flush()
+    {
+        foreach ((string name, StringBuilder buffer) in _buffers)
+        {
+            File.AppendAllText(_files[name], buffer.ToString());
+        }
+
+        _buffers.Clear();
+        _buffered = 0;
+    }
+
+    /// <summary>The parts of a name, in the order in which they came; none for a name without parts.</summary>
+    public IEnumerable<string> Read(string name) => _files.TryGetValue(name, out string? file) ? File.ReadLines(file) : [];
+}

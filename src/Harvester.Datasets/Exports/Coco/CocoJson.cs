@@ -1,0 +1,59 @@
+using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+using Harvester.Datasets.Json;
+
+namespace Harvester.Datasets.Exports.Coco;
+
+/// <summary>What COCO's files have in common.</summary>
+internal static class CocoJson
+{
+    public const int PixelDecimals = 3;
+    public const int FractionDecimals = 4;
+    private const int SecondsDecimals = 6;
+
+    /// <summary>The info object; no date, so that the same sessions give the same bytes.</summary>
+    public static string Info => """{"description":"Exported by GtaDataHarvester","version":"1"}""";
+
+    /// <summary>The number of a class, the same in every dataset: its place in the enumeration, from 1.</summary>
+    public static int CategoryOf(ObjectClass kind) => (int)kind + 1;
+
+    /// <summary>The list of categories.</summary>
+    public static string Categories(ExportOptions options) => JsonLine.Of(json =>
+    {
+        json.WriteStartArray();
+        foreach (ObjectClass kind in options.ClassList)
+        {
+            json.WriteStartObject();
+            json.WriteNumber("id", CategoryOf(kind));
+            json.WriteString("name", JsonName.Of(kind));
+            json.WriteString("supercategory", SuperCategoryOf(kind));
+            json.WriteNumber("isthing", 1);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndArray();
+    });
+
+    /// <summary>An entry of the list of images.</summary>
+    public static string Image(ExportFrame frame, string file) => JsonLine.Of(json =>
+    {
+        json.WriteStartObject();
+        json.WriteNumber("id", frame.Index);
+        json.WriteString("file_name", file);
+        json.WriteNumber("width", frame.Label.Camera.Width);
+        json.WriteNumber("height", frame.Label.Camera.Height);
+        json.WriteNumber("session", frame.SessionIndex);
+        json.WriteNumber("frame", frame.Label.Frame);
+        json.Number("time_seconds", frame.Label.TimeSeconds, SecondsDecimals);
+        json.WriteString("weather", frame.Label.Environment.Weather);
+        json.WriteEndObject();
+    });
+
+    private static string SuperCategoryOf(ObjectClass kind) => kind switch
+    {
+        ObjectClass.Pedestrian => "person",
+        ObjectClass.Sign or ObjectClass.TrafficLight => "outdoor",
+        ObjectClass.Other => "other",
+        _ => "vehicle",
+    };
+}

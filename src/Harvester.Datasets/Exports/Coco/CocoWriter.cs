@@ -1,0 +1,109 @@
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.Json;
+using Harvester.Capture.Labels;
+using Harvester.Datasets.Exports.Masks;
+using Harvester.Datasets.Json;
+using Harvester.Geometry;
+
+namespace Harvester.Datasets.Exports.Coco;
+
+/// <summary>COCO instances: images by split and one file of annotations for each. See docs/exports/coco.md.</summary>
+internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
+{
+    /// <summary>Object ids fit 16 bits, so that frame and object together give an id that no filter and no shard changes.</summary>
+    private const long IdsPerFrame = 65_536;
+
+    public void Write(ExportFrame frame, FrameOutput output)
+    {
+        string file = frame.Name + frame.ImageExtension;
+        output.Transfer($"images/{frame.Split}/{file}", frame.ImagePath);
+        output.Part($"images {frame.Split}", CocoJson.Image(frame, file));
+        IReadOnlyDictionary<int, InstancePixels>? pixels = frame.Mask is { } mask ? InstancePixels.AllOf(mask) : null;
+        foreach (ObjectLabel label in frame.Objects)
+        {
+            // With a mask, an object of which no pixel is seen has nothing to annotate.
+            InstancePixels? own = pixels?.GetValueOrDefault(label.Id);
+            if (pixels is null || own is not null)
+            {
+                output.Part($"annotations {frame.Split}", Annotation(frame, label, own));
+            }
+        }
+    }
+
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => options.Splits.Splits.Select(split => new AggregateFile(
+        $"annotations/instances_{split.Name}.json",
+        [
+            AggregateSection.Literal("{\"info\":" + CocoJson.Info + ",\"licenses\":[],\"images\":[\n"),
+            AggregateSection.Joined($"images {split.Name}", ",\n"),
+            AggregateSection.Literal("\n],\"annotations\":[\n"),
+            AggregateSection.Joined($"annotations {split.Name}", ",\n"),
+            AggregateSection.Literal("\n],\"categories\":" + CocoJson.Categories(options) + "}\n"),
+        ]));
+
+    private string Annotation(ExportFrame frame, ObjectLabel label, InstancePixels? pixels) => JsonLine.Of(json =>
+    {
+        Box2D box = pixels?.Box ?? label.Box2D;
+        json.WriteStartObject();
+        json.WriteNumber("id", (frame.Index * IdsPerFrame) + label.Id);
+        json.WriteNumber("image_id", frame.Index);
+        json.WriteNumber("category_id", CocoJson.CategoryOf(label.Class));
+        json.Numbers("bbox", [box.XMin, box.YMin, box.Width, box.Height], CocoJson.PixelDecimals);
+        json.Number("area", pixels?.Area ?? box.Area, CocoJson.PixelDecimals);
+        json.WriteNumber("iscrowd", 0);
+        json.WritePropertyName("segmentation");
+        WriteSegmentation(json, pixels);
+        json.WriteNumber("track_id", label.Id);
+        json.Number("truncated_fraction", label.TruncatedFraction, CocoJson.FractionDecimals);
+        json.Number("occluded_fraction", label.OccludedFraction, CocoJson.FractionDecimals);
+        json.Number("distance_metres", label.DistanceMetres, CocoJson.PixelDecimals);
+        json.WriteEndObject();
+    });
+
+    private void WriteSegmentation(Utf8JsonWriter json, InstancePixels? pixels)
+    {
+        if (pixels is null)
+        {
+            json.WriteStartArray();
+            json.WriteEndArray();
+        }
+        else if (options.Segmentation == SegmentationKind.Rle)
+        {
+            WriteRunLengths(json, pixels);
+        }
+        else
+        {
+            json.WriteStartArray();
+            foreach (IReadOnlyList<Vector2D> outline in Outlines.Of(pixels))
+            {
+                json.WriteStartArray();
+                foreach (Vector2D corner in outline)
+                {
+                    json.Value(corner.X, 0);
+                    json.Value(corner.Y, 0);
+                }
+
+                json.WriteEndArray();
+            }
+
+            json.WriteEndArray();
+        }
+    }
+
+    private static void WriteRunLengths(Utf8JsonWriter json, InstancePixels pixels)
+    {
+        json.WriteStartObject();
+        json.WriteStartArray("size");
+        json.WriteNumberValue(pixels.Map.Image.Height);
+        json.WriteNumberValue(pixels.Map.Image.Width);
+        json.WriteEndArray();
+        json.WriteStartArray("counts");
+        foreach (int count in RunLengths.Of(pixels))
+        {
+            json.WriteNumberValue(count);
+        }
+
+        json.WriteEndArray();
+        json.WriteEndObject();
+    }
+}

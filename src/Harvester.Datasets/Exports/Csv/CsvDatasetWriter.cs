@@ -1,0 +1,107 @@
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using CsvHelper;
+using CsvHelper.Configuration;
+using Harvester.Capture.Labels;
+using Harvester.Geometry;
+
+namespace Harvester.Datasets.Exports.Csv;
+
+/// <summary>Two flat tables, frames.csv and objects.csv (RFC 4180 with LF), and the images. See docs/exports/csv.md.</summary>
+internal sealed class CsvDatasetWriter : IDatasetWriter
+{
+    private const int Metres = 4;
+    private const int Pixels = 3;
+    private const int Fraction = 4;
+    private const int Axis = 9;
+    private const int Intrinsics = 6;
+    private const int Seconds = 6;
+
+    private static readonly string[] FrameColumns =
+    [
+        "frame", "split", "session", "session_frame", "image", "time_seconds", "weather", "time_of_day", "width", "height", "fx", "fy", "cx", "cy", "k1", "k2",
+        .. VectorColumns("camera"), .. VectorColumns("camera_right"), .. VectorColumns("camera_forward"), .. VectorColumns("camera_up"),
+        .. VectorColumns("ego"), "ego_heading_degrees", .. VectorColumns("ego_velocity"),
+    ];
+
+    private static readonly string[] ObjectColumns =
+    [
+        "frame", "id", "class", "model", "name", .. BoxColumns("box2d"), .. BoxColumns("box2d_amodal"), .. BoxColumns("box2d_visible"),
+        "truncated_fraction", "occluded_fraction", "visible_fraction", .. VectorColumns("centre"), .. VectorColumns("half_extents"),
+        .. VectorColumns("right"), .. VectorColumns("forward"), .. VectorColumns("up"), "distance_metres", .. VectorColumns("velocity"),
+    ];
+
+    public void Write(ExportFrame frame, FrameOutput output)
+    {
+        string image = $"images/{frame.Name}{frame.ImageExtension}";
+        output.Transfer(image, frame.ImagePath);
+        output.Part("frames", Line(FrameFields(frame, image)));
+        foreach (ObjectLabel label in frame.Objects)
+        {
+            output.Part("objects", Line([Numbers.Text(frame.Index), .. ObjectFields(label)]));
+        }
+    }
+
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) =>
+    [
+        new("frames.csv", [AggregateSection.Literal(Line(FrameColumns) + "\n"), AggregateSection.Lines("frames")]),
+        new("objects.csv", [AggregateSection.Literal(Line(ObjectColumns) + "\n"), AggregateSection.Lines("objects")]),
+    ];
+
+    private static string[] VectorColumns(string name) => [$"{name}_x", $"{name}_y", $"{name}_z"];
+
+    private static string[] BoxColumns(string name) => [$"{name}_xmin", $"{name}_ymin", $"{name}_xmax", $"{name}_ymax"];
+
+    private static IEnumerable<string> FrameFields(ExportFrame frame, string image)
+    {
+        FrameLabel label = frame.Label;
+        CameraLabel camera = label.Camera;
+        return
+        [
+            Numbers.Text(frame.Index), frame.Split, Numbers.Text(frame.SessionIndex), Numbers.Text(label.Frame), image,
+            .. Of(Seconds, label.TimeSeconds), label.Environment.Weather, label.Environment.TimeOfDay.ToString(@"hh\:mm\:ss", CultureInfo.InvariantCulture),
+            Numbers.Text(camera.Width), Numbers.Text(camera.Height),
+            .. Of(Intrinsics, camera.Fx, camera.Fy, camera.Cx, camera.Cy), .. Of(Axis, camera.Distortion.K1, camera.Distortion.K2),
+            .. Of(camera.Pose.Position, Metres), .. Of(camera.Pose.Axes),
+            .. Of(label.Ego.Position, Metres), .. Of(Metres, label.Ego.HeadingDegrees), .. Of(label.Ego.Velocity, Metres),
+        ];
+    }
+
+    private static IEnumerable<string> ObjectFields(ObjectLabel label) =>
+    [
+        Numbers.Text(label.Id), JsonName.Of(label.Class), label.Model, label.Name ?? "",
+        .. Of(label.Box2D), .. Of(label.Box2DAmodal), .. Of(label.Box2DVisible),
+        .. Of(Fraction, label.TruncatedFraction, label.OccludedFraction, label.VisibleFraction),
+        .. Of(label.Box3D.Centre, Metres), .. Of(label.Box3D.HalfExtents, Metres), .. Of(label.Box3D.Axes),
+        .. Of(Metres, label.DistanceMetres), .. Of(label.Velocity, Metres),
+    ];
+
+    /// <summary>What is not known is an empty field.</summary>
+    private static IEnumerable<string> Of(int decimals, params double?[] values) =>
+        values.Select(value => value is { } known ? InvariantNumber.Format(known, decimals) : "");
+
+    private static IEnumerable<string> Of(Vector3D vector, int decimals) => Of(decimals, vector.X, vector.Y, vector.Z);
+
+    private static IEnumerable<string> Of(Axes axes) => [.. Of(axes.Right, Axis), .. Of(axes.Forward, Axis), .. Of(axes.Up, Axis)];
+
+    private static IEnumerable<string> Of(Box2D? box) => Of(Pixels, box?.XMin, box?.YMin, box?.XMax, box?.YMax);
+
+    private static string Line(IEnumerable<string> fields)
+    {
+        using var text = new StringWriter(CultureInfo.InvariantCulture);
+        using (var csv = new CsvWriter(text, new CsvConfiguration(CultureInfo.InvariantCulture) { NewLine = "\n" }))
+        {
+            foreach (string field in fields)
+            {
+                // A line break would be a line of its own to readers that split by lines.
+                csv.WriteField(field.ReplaceLineEndings(" "));
+            }
+
+            csv.Flush();
+        }
+
+        return text.ToString();
+    }
+}

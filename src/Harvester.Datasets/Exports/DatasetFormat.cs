@@ -1,0 +1,19 @@
+using System;
+
+namespace Harvester.Datasets.Exports;
+
+/// <summary>A dataset format as people choose it.</summary>
+/// <param name="Name">Its name on the command line.</param>
+/// <param name="Description">What it is, in a few words.</param>
+/// <param name="CreateWriter">Makes its writer.</param>
+public sealed record DatasetFormat(string Name, string Description, Func<ExportOptions, IDatasetWriter> CreateWriter)
+{
+    /// <summary>Whether it cannot do without instance masks.</summary>
+    public bool NeedsMasks { get; init; }
+
+    /// <summary>Whether it has no words for a lens that bends lines.</summary>
+    public bool NeedsRectilinear { get; init; }
+
+    /// <summary>Whether a session stays together as one sequence, so that splits deal out sessions.</summary>
+    public bool KeepsSessions { get; init; }
+}

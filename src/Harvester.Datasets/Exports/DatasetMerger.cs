@@ -1,0 +1,78 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Harvester.Datasets.Exports.Assembly;
+
+namespace Harvester.Datasets.Exports;
+
+/// <summary>Puts the shards of an export together: the same bytes as one run without shards gives.</summary>
+public static class DatasetMerger
+{
+    /// <summary>Merges.</summary>
+    /// <param name="shards">Folders that hold shards; several shards may share one.</param>
+    /// <param name="folder">Where the dataset goes: one of the shards' folders, or a new or empty one; a merge that was stopped can be run again.</param>
+    /// <param name="transfer">How files get from the shards into the dataset.</param>
+    /// <exception cref="DatasetFormatException">A shard is missing, unfinished, twice there, or of another export.</exception>
+    /// <exception cref="IOException">Something cannot be read or written.</exception>
+    public static ExportResult Merge(IReadOnlyList<string> shards, string folder, ImageTransfer transfer)
+    {
+        var target = new DatasetFolder(folder);
+        if (target.IsFinished)
+        {
+            throw new IOException($"'{folder}' holds a finished dataset already. Name another folder.");
+        }
+
+        DatasetFolder[] sources = [.. shards.Select(shard => new DatasetFolder(shard))];
+        string plan = sources[0].ReadPlan();
+        if (sources.FirstOrDefault(source => source.ReadPlan() != plan) is { } other)
+        {
+            throw new DatasetFormatException($"'{other.Path}' and '{sources[0].Path}' are shards of different exports.");
+        }
+
+        List<string> journals = CompleteJournals(sources);
+        target.Begin(plan);
+        foreach (DatasetFolder source in sources.Where(source => Path.GetFullPath(source.Path) != Path.GetFullPath(folder)))
+        {
+            IEnumerable<string> files = Journal.ShardsIn(source).SelectMany(shard => Journal.Read(Journal.PathOf(source, shard))).SelectMany(entry => entry.Files);
+            foreach (string file in files)
+            {
+                target.Transfer(file, source.PathOf(file), transfer);
+            }
+        }
+
+        return DatasetAssembly.Finish(target, journals);
+    }
+
+    private static List<string> CompleteJournals(DatasetFolder[] sources)
+    {
+        var found = new SortedDictionary<int, string>();
+        int count = 0;
+        foreach (DatasetFolder source in sources)
+        {
+            foreach (Shard shard in Journal.ShardsIn(source))
+            {
+                string path = Journal.PathOf(source, shard);
+                count = count == 0 ? shard.Count : count;
+                if (shard.Count != count)
+                {
+                    throw new DatasetFormatException($"'{source.Path}' holds a shard of {shard.Count}, others are of {count}.");
+                }
+
+                if (!Journal.IsComplete(path))
+                {
+                    throw new DatasetFormatException($"Shard {shard.Number}/{shard.Count} in '{source.Path}' is not finished. Run its export again.");
+                }
+
+                if (!found.TryAdd(shard.Number, path))
+                {
+                    throw new DatasetFormatException($"Shard {shard.Number}/{shard.Count} is there twice, the second time in '{source.Path}'.");
+                }
+            }
+        }
+
+        int[] missing = [.. Enumerable.Range(1, count).Where(number => !found.ContainsKey(number))];
+        return missing.Length == 0
+            ? [.. found.Values]
+            : throw new DatasetFormatException($"Of {count} shards, {string.Join(", ", missing)} is missing. Export it and name its folder too.");
+    }
+}

@@ -1,0 +1,66 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+using Harvester.Datasets.Json;
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Datasets.Exports;
+
+/// <summary>What an export does: which sessions become which dataset. Shards of one export have the same plan.</summary>
+/// <param name="Format">The format.</param>
+/// <param name="Sessions">The sessions, in order.</param>
+/// <param name="Options">The options.</param>
+public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReader> Sessions, ExportOptions Options)
+{
+    /// <summary>The plan as a text that is the same for the same export on any machine.</summary>
+    internal string Identity => JsonLine.Of(json =>
+    {
+        json.WriteStartObject();
+        json.WriteString("format", Format.Name);
+        json.WriteStartArray("sessions");
+        foreach (SessionReader session in Sessions)
+        {
+            json.WriteStringValue(Path.GetFileName(Path.TrimEndingDirectorySeparator(Path.GetFullPath(session.Folder))));
+        }
+
+        json.WriteEndArray();
+        json.WriteStartObject("splits");
+        foreach (DatasetSplit split in Options.Splits.Splits)
+        {
+            json.WriteNumber(split.Name, split.ShareFraction);
+        }
+
+        json.WriteEndObject();
+        json.WriteNumber("splitSeed", Options.Splits.Seed);
+        json.WriteNumber("splitBlockFrames", Options.Splits.BlockFrames);
+        json.WriteString("classes", Options.ClassNames);
+        json.WriteNumber("minVisibleFraction", Options.MinVisibleFraction);
+        json.WriteString("segmentation", JsonName.Of(Options.Segmentation));
+        json.WriteEndObject();
+    });
+
+    /// <summary>Reads from a plan's identity what assembling needs: format, splits and classes.</summary>
+    internal static (DatasetFormat Format, ExportOptions Options) Parse(string identity)
+    {
+        using JsonDocument document = JsonDocument.Parse(identity);
+        JsonElement root = document.RootElement;
+        var fields = new JsonFields(root);
+        string name = fields.Text("format");
+        DatasetFormat format = DatasetFormats.Find(name) ?? throw new DatasetFormatException($"The format '{name}' is not known here.");
+        DatasetSplit[] splits = [.. root.GetProperty("splits").EnumerateObject().Select(split => new DatasetSplit(split.Name, split.Value.GetDouble()))];
+        return (format, new ExportOptions
+        {
+            Splits = new SplitPlan(splits, fields.WholeNumber("splitSeed"), fields.WholeNumber("splitBlockFrames")),
+            Classes = [.. fields.Text("classes").Split(',', StringSplitOptions.RemoveEmptyEntries).Select(ClassOf)],
+            MinVisibleFraction = fields.Number("minVisibleFraction"),
+            Segmentation = fields.Name<SegmentationKind>("segmentation"),
+        });
+    }
+
+    private static ObjectClass ClassOf(string name) =>
+        JsonNames.TryRead(name, out ObjectClass kind) ? kind : throw new DatasetFormatException($"The class '{name}' is not known here.");
+}

@@ -1,0 +1,27 @@
+using System;
+using System.Globalization;
+using Harvester.Capture.Labels;
+
+namespace Harvester.Datasets.Exports;
+
+/// <summary>How numbers stand in datasets' text files.</summary>
+internal static class Numbers
+{
+    /// <summary>A whole number.</summary>
+    public static string Text(int value) => value.ToString(CultureInfo.InvariantCulture);
+
+    /// <summary>Numbers with so many decimals at most and blanks between them.</summary>
+    public static string Row(int decimals, params ReadOnlySpan<double> values)
+    {
+        string[] texts = new string[values.Length];
+        for (int i = 0; i < values.Length; i++)
+        {
+            texts[i] = InvariantNumber.Format(values[i], decimals);
+        }
+
+        return string.Join(' ', texts);
+    }
+
+    /// <summary>An angle in (-pi, pi].</summary>
+    public static double Wrap(double radians) => Math.PI - ((((Math.PI - radians) % Math.Tau) + Math.Tau) % Math.Tau);
+}

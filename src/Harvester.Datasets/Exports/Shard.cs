@@ -1,0 +1,31 @@
+using System;
+
+namespace Harvester.Datasets.Exports;
+
+/// <summary>One of several runs that do a job side by side: every frame belongs to exactly one.</summary>
+public readonly record struct Shard
+{
+    /// <summary>Takes a shard.</summary>
+    /// <param name="number">From 1.</param>
+    /// <param name="count">How many there are.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The number is not 1 to the count.</exception>
+    public Shard(int number, int count)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(number, 1);
+        ArgumentOutOfRangeException.ThrowIfGreaterThan(number, count);
+        Number = number;
+        Count = count;
+    }
+
+    /// <summary>The only run.</summary>
+    public static Shard Whole { get; } = new(1, 1);
+
+    /// <summary>Its number, from 1.</summary>
+    public int Number { get; }
+
+    /// <summary>How many there are.</summary>
+    public int Count { get; }
+
+    /// <summary>Whether a frame belongs to it: the frames go round.</summary>
+    public bool Takes(int frame) => frame % Count == Number - 1;
+}

@@ -1,0 +1,93 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Harvester.Datasets.Exports;
+
+/// <summary>
+/// Deals frames out to splits. Each block of frames draws its split by a hash of seed, session and block: which split a frame is in does not
+/// depend on other frames, on shards or on filters, and the shares are met on average, not exactly.
+/// </summary>
+public sealed class SplitPlan
+{
+    /// <summary>Shares are typed by people: a third is 0.333.</summary>
+    private const double ShareTolerance = 0.01;
+
+    private readonly int _seed;
+
+    /// <summary>Makes a plan.</summary>
+    /// <param name="splits">The splits; their names differ and their shares add up to 1.</param>
+    /// <param name="seed">Decides who goes where.</param>
+    /// <param name="blockFrames">Frames in a row that stay together, at least 1; a whole session is <see cref="int.MaxValue"/>.</param>
+    /// <exception cref="ArgumentException">The splits are not as described.</exception>
+    public SplitPlan(IReadOnlyList<DatasetSplit> splits, int seed, int blockFrames)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(blockFrames, 1);
+        if (splits.Count == 0 || splits.Select(split => split.Name).Distinct(StringComparer.Ordinal).Count() != splits.Count
+            || splits.Any(split => !IsName(split.Name) || !(split.ShareFraction > 0)))
+        {
+            throw new ArgumentException("Splits need different names of letters, digits, - and _, and shares greater than 0.");
+        }
+
+        if (Math.Abs(splits.Sum(split => split.ShareFraction) - 1) > ShareTolerance)
+        {
+            throw new ArgumentException("The shares of the splits must add up to 1.");
+        }
+
+        Splits = splits;
+        _seed = seed;
+        BlockFrames = blockFrames;
+    }
+
+    /// <summary>All frames in one split named train.</summary>
+    public static SplitPlan Everything { get; } = new([new DatasetSplit("train", 1)], 0, 1);
+
+    /// <summary>The splits.</summary>
+    public IReadOnlyList<DatasetSplit> Splits { get; }
+
+    /// <summary>Frames in a row that stay together.</summary>
+    public int BlockFrames { get; }
+
+    /// <summary>Decides who goes where.</summary>
+    public int Seed => _seed;
+
+    /// <summary>The split of a frame.</summary>
+    /// <param name="session">Number of the session, from 0.</param>
+    /// <param name="frameInSession">Number of the frame in the session, from 0.</param>
+    public string Of(int session, int frameInSession)
+    {
+        double drawn = Draw(session, frameInSession / BlockFrames);
+        double reached = 0;
+        foreach (DatasetSplit split in Splits)
+        {
+            reached += split.ShareFraction;
+            if (drawn < reached)
+            {
+                return split.Name;
+            }
+        }
+
+        return Splits[^1].Name;
+    }
+
+    private static bool IsName(string name) => name.Length > 0 && name.All(c => char.IsAsciiLetterOrDigit(c) || c is '-' or '_');
+
+    private double Draw(int session, int block)
+    {
+        ulong hash = Mix(Mix(Mix((uint)_seed) ^ (uint)session) ^ (uint)block);
+        const double steps = 1UL << 53;
+        return (hash >> 11) / steps;
+    }
+
+    /// <summary>The finaliser of SplitMix64 (Steele, Lea, Flood 2014).</summary>
+    private static ulong Mix(ulong value)
+    {
+        unchecked
+        {
+            ulong z = value + 0x9E3779B97F4A7C15;
+            z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
+            z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
+            return z ^ (z >> 31);
+        }
+    }
+}

@@ -1,0 +1,53 @@
+using System;
+using System.IO;
+using System.Text;
+using System.Text.Json;
+using Harvester.Capture.Labels;
+
+namespace Harvester.Datasets.Json;
+
+/// <summary>JSON on one line, with numbers rounded for files: no exponent, no minus zero, the same on every system.</summary>
+internal static class JsonLine
+{
+    /// <summary>The text that a function writes.</summary>
+    public static string Of(Action<Utf8JsonWriter> write)
+    {
+        using var bytes = new MemoryStream();
+        using (var json = new Utf8JsonWriter(bytes))
+        {
+            write(json);
+        }
+
+        return Encoding.UTF8.GetString(bytes.GetBuffer(), 0, (int)bytes.Length);
+    }
+
+    /// <summary>A number with so many decimals at most.</summary>
+    public static void Value(this Utf8JsonWriter json, double value, int decimals) =>
+        json.WriteRawValue(InvariantNumber.Format(value, decimals), skipInputValidation: true);
+
+    /// <summary>A named number with so many decimals at most; null stays null.</summary>
+    public static void Number(this Utf8JsonWriter json, string name, double? value, int decimals)
+    {
+        json.WritePropertyName(name);
+        if (value is { } known)
+        {
+            json.Value(known, decimals);
+        }
+        else
+        {
+            json.WriteNullValue();
+        }
+    }
+
+    /// <summary>A named list of numbers.</summary>
+    public static void Numbers(this Utf8JsonWriter json, string name, ReadOnlySpan<double> values, int decimals)
+    {
+        json.WriteStartArray(name);
+        foreach (double value in values)
+        {
+            json.Value(value, decimals);
+        }
+
+        json.WriteEndArray();
+    }
+}
