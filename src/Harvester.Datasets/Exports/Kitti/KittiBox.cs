@@ -21,7 +21,9 @@ internal sealed record KittiBox
         Width = 2 * label.Box3D.HalfExtents.X;
         Length = 2 * label.Box3D.HalfExtents.Y;
         Location = new Vector3D(centre.X, -centre.Z + (Height / 2), centre.Y);
-        RotationY = Math.Atan2(-forward.Y, forward.X);
+
+        // 0 - y and not -y: the arctangent of a minus zero would give -π for π.
+        RotationY = Math.Atan2(0 - forward.Y, forward.X);
         Alpha = Numbers.Wrap(RotationY - Math.Atan2(Location.X, Location.Z));
         Box = new Box2D(
             Column(label.Box2D.XMin, camera.Width), Column(label.Box2D.YMin, camera.Height),

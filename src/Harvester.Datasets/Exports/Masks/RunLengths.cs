@@ -13,10 +13,15 @@ internal static class RunLengths
         bool isInside = false;
         for (int column = pixels.Left; column < pixels.Right; column++)
         {
-            // The row below the object ends a run, unless it belongs to the next column's first row.
-            for (int row = pixels.Top; row <= pixels.Bottom && row < height; row++)
+            for (int row = pixels.Top; row < pixels.Bottom; row++)
             {
                 Turn((column * height) + row, pixels.Contains(column, row));
+            }
+
+            // Below the object comes the next column's top; only one as high as the image goes on there.
+            if (pixels.Bottom - pixels.Top < height)
+            {
+                Turn((column * height) + pixels.Bottom, false);
             }
         }
 

@@ -1,0 +1,37 @@
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Storage;
+using Harvester.Datasets.Sessions;
+using Harvester.Geometry.Cameras;
+using Harvester.Simulation;
+
+namespace Harvester.Datasets.Tests.Exports;
+
+/// <summary>A small harvest of the simulated game with masks, made once for all tests of a class.</summary>
+public sealed class SimulatedSession : IDisposable
+{
+    public const int Frames = 7;
+
+    public SimulatedSession()
+    {
+        var game = new SimulatedGame(new SimulationOptions { Seed = 3, WindowAspect = 4.0 / 3 });
+        using var writer = new SessionWriter(Folder, new SessionOrigin { Game = "simulation", Tool = "test", Seed = 3 });
+        using var session = new HarvestSession(
+            new HarvestOptions { Image = new ImageSize(200, 150), MaxFrames = Frames, RateHz = 2, RangeMetres = 80, Masks = true }, game.Ports, writer);
+        do
+        {
+            writer.WaitForRoom();
+            game.Tick(1.0 / 60);
+            session.Step();
+        }
+        while (!session.Status.IsOver);
+        session.Stop();
+        writer.Dispose();
+        Assert.Null(session.Fault ?? writer.Fault);
+    }
+
+    public string Folder { get; } = Directory.CreateTempSubdirectory("harvester-test-").FullName;
+
+    public SessionReader Open() => new(Folder);
+
+    public void Dispose() => Directory.Delete(Folder, recursive: true);
+}

@@ -1,0 +1,52 @@
+using Harvester.Datasets.Exports;
+
+namespace Harvester.Datasets.Tests.Exports;
+
+public sealed class SplitPlanTests
+{
+    private static readonly DatasetSplit[] TrainAndVal = [new("train", 0.8), new("val", 0.2)];
+
+    [Fact]
+    public void Of_meets_the_shares_on_average()
+    {
+        var plan = new SplitPlan(TrainAndVal, 1, 1);
+
+        int val = Enumerable.Range(0, 10_000).Count(frame => plan.Of(0, frame) == "val");
+
+        // 10,000 draws with p = 0.2: expected 2,000, standard deviation sqrt(10,000 · 0.2 · 0.8) = 40; five of them are 200.
+        Assert.InRange(val, 1_800, 2_200);
+    }
+
+    [Fact]
+    public void Of_keeps_blocks_together()
+    {
+        var plan = new SplitPlan(TrainAndVal, 1, 25);
+
+        for (int block = 0; block < 40; block++)
+        {
+            Assert.Single(Enumerable.Range(block * 25, 25).Select(frame => plan.Of(0, frame)).Distinct());
+        }
+
+        Assert.Equal(2, Enumerable.Range(0, 1000).Select(frame => plan.Of(0, frame)).Distinct().Count());
+    }
+
+    [Fact]
+    public void Of_depends_on_seed_and_session()
+    {
+        string[] Draw(int seed, int session) => [.. Enumerable.Range(0, 64).Select(frame => new SplitPlan(TrainAndVal, seed, 1).Of(session, frame))];
+
+        Assert.Equal(Draw(1, 0), Draw(1, 0));
+        Assert.NotEqual(Draw(1, 0), Draw(2, 0));
+        Assert.NotEqual(Draw(1, 0), Draw(1, 1));
+    }
+
+    [Theory]
+    [InlineData("train", 0.8, "val", 0.1)]
+    [InlineData("train", 0.8, "train", 0.2)]
+    [InlineData("train", 1.2, "val", -0.2)]
+    [InlineData("../train", 0.8, "val", 0.2)]
+    [InlineData("", 0.8, "val", 0.2)]
+    [InlineData("train", double.NaN, "val", 0.2)]
+    public void Constructor_with_splits_that_make_no_sense_throws(string first, double firstShare, string second, double secondShare) =>
+        Assert.Throws<ArgumentException>(() => new SplitPlan([new(first, firstShare), new(second, secondShare)], 1, 1));
+}

@@ -1,0 +1,60 @@
+using System.Xml.Linq;
+
+namespace Harvester.Datasets.Tests.Exports.Voc;
+
+public sealed class VocWriterTests : IDisposable
+{
+    private readonly ExportFolder _folder = new();
+    private readonly TestSession _session = new();
+
+    public void Dispose()
+    {
+        _folder.Dispose();
+        _session.Dispose();
+    }
+
+    [Fact]
+    public void Annotation_has_the_fields_of_the_development_kit()
+    {
+        _folder.Export("voc", _session.Open());
+
+        XElement annotation = XDocument.Load(_folder.PathOf("out/Annotations/00000001.xml")).Root!;
+        Assert.Equal("annotation", annotation.Name);
+        Assert.Equal("00000001.png", annotation.Element("filename")!.Value);
+        Assert.Equal(("80", "60", "3"), (Size("width"), Size("height"), Size("depth")));
+        XElement pedestrian = annotation.Elements("object").ElementAt(1);
+        Assert.Equal("pedestrian", pedestrian.Element("name")!.Value);
+        // 0.2 of it lie outside, which is more than 0.15; whether it is occluded is not known.
+        Assert.Equal("1", pedestrian.Element("truncated")!.Value);
+        Assert.Equal("0", pedestrian.Element("occluded")!.Value);
+        Assert.Equal("0", pedestrian.Element("difficult")!.Value);
+        Assert.Equal("1", annotation.Element("object")!.Element("occluded")!.Value);
+
+        string Size(string name) => annotation.Element("size")!.Element(name)!.Value;
+    }
+
+    [Theory]
+    // Whole pixels: columns 37 to 42, from 1 on 38 to 43.
+    [InlineData(37, 43, "38", "43")]
+    // The image's edges are 1 and the width.
+    [InlineData(0, 80, "1", "80")]
+    // Parts of pixels count as pixels: 37.9 lies in the 38th, 42.1 in the 43rd.
+    [InlineData(37.9, 42.1, "38", "43")]
+    public void Boxes_count_pixels_from_one_and_include_the_last(double xMin, double xMax, string first, string last)
+    {
+        _session.Car(0)["box2d"]![0] = xMin;
+        _session.Car(0)["box2d"]![2] = xMax;
+        _folder.Export("voc", _session.Open());
+
+        XElement box = XDocument.Load(_folder.PathOf("out/Annotations/00000000.xml")).Descendants("bndbox").First();
+        Assert.Equal((first, "28", last, "33"), (box.Element("xmin")!.Value, box.Element("ymin")!.Value, box.Element("xmax")!.Value, box.Element("ymax")!.Value));
+    }
+
+    [Fact]
+    public void Image_sets_list_the_frames()
+    {
+        _folder.Export("voc", _session.Open());
+
+        Assert.Equal(["00000000", "00000001", "00000002"], _folder.Lines("out/ImageSets/Main/train.txt"));
+    }
+}
