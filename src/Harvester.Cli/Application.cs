@@ -87,6 +87,7 @@ internal static class Application
         root.Subcommands.Add(ProjectCommand.Create(terminal));
         root.Subcommands.Add(BoxesCommand.Create(terminal));
         root.Subcommands.Add(RoadsCommand.Create(terminal));
+        root.Subcommands.Add(LanesCommand.Create(terminal));
         HelpWithNotes.AddTo(root, ExitCodes);
         return root;
     }

@@ -52,32 +52,7 @@ internal sealed class LaneLabeller(IRoads roads, IRayCaster rays, ObjectRegistry
             }
         }
 
-        yield return Of(seen, known.Source, markings);
-    }
-
-    private static LanesLabel Of(LaneObservation seen, string source, IReadOnlyList<LaneLineView> markings)
-    {
-        bool isKnown = seen.Status == LaneStatus.Known;
-        return new LanesLabel
-        {
-            Status = seen.Status,
-            Source = source,
-            Confidence = seen.Match.HasRoad ? seen.Match.Confidence : 0,
-            InJunction = seen.Match.HasRoad && seen.Match.InJunction,
-            LaneCount = isKnown ? seen.SectionAtCar?.LaneCount : null,
-            Lane = isKnown ? seen.Match.Lane : null,
-            LaneWidthMetres = isKnown ? seen.Section?.LaneWidth : null,
-            LaneWidthSource = seen.WidthSource,
-            OffsetFromLaneCentreMetres = isKnown ? seen.Match.OffsetFromLaneCentre : null,
-            LookAheadMetres = seen.LookAheadMetres,
-            CurvaturePerMetre = seen.CurvaturePerMetre,
-            IsFast = seen.IsFast,
-            Indicators = seen.Indicators,
-            TorcsEquivalent = seen.Section is { } section ? TorcsEquivalent.Of(seen.Indicators, section) : LaneIndicators.Unknown,
-            IndicatorsAtCar = seen.IndicatorsAtCar,
-            Vehicles = seen.Vehicles,
-            Markings = markings,
-        };
+        yield return LanesLabel.Of(seen, known.Source, markings);
     }
 
     private TrafficVehicle[] VehiclesOf(SceneSnapshot snapshot) =>

@@ -45,6 +45,20 @@ public static class JsonLabelWriter
         return json.EndObject().ToString();
     }
 
+    /// <summary>The lanes as they stand in a label line.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite or too large to be written.</exception>
+    public static string Lanes(LanesLabel lanes)
+    {
+        if (lanes is null)
+        {
+            throw new ArgumentNullException(nameof(lanes));
+        }
+
+        var json = new JsonText();
+        LanesJson.Append(json, lanes);
+        return json.ToString();
+    }
+
     internal static void Append(JsonText json, CameraLabel camera)
     {
         json.BeginObject()

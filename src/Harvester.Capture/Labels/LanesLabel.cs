@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
@@ -57,4 +58,38 @@ public sealed record LanesLabel
 
     /// <summary>The markings in the image.</summary>
     public IReadOnlyList<LaneLineView> Markings { get; init; } = [];
+
+    /// <summary>The label of an observation.</summary>
+    /// <param name="seen">The observation.</param>
+    /// <param name="source">Where the roads are from.</param>
+    /// <param name="markings">The markings in the image; none where there is no image.</param>
+    public static LanesLabel Of(LaneObservation seen, string source, IReadOnlyList<LaneLineView> markings)
+    {
+        if (seen is null)
+        {
+            throw new ArgumentNullException(nameof(seen));
+        }
+
+        bool isKnown = seen.Status == LaneStatus.Known;
+        return new LanesLabel
+        {
+            Status = seen.Status,
+            Source = source,
+            Confidence = seen.Match.HasRoad ? seen.Match.Confidence : 0,
+            InJunction = seen.Match.HasRoad && seen.Match.InJunction,
+            LaneCount = isKnown ? seen.SectionAtCar?.LaneCount : null,
+            Lane = isKnown ? seen.Match.Lane : null,
+            LaneWidthMetres = isKnown ? seen.Section?.LaneWidth : null,
+            LaneWidthSource = seen.WidthSource,
+            OffsetFromLaneCentreMetres = isKnown ? seen.Match.OffsetFromLaneCentre : null,
+            LookAheadMetres = seen.LookAheadMetres,
+            CurvaturePerMetre = seen.CurvaturePerMetre,
+            IsFast = seen.IsFast,
+            Indicators = seen.Indicators,
+            TorcsEquivalent = seen.Section is { } section ? Geometry.Lanes.TorcsEquivalent.Of(seen.Indicators, section) : LaneIndicators.Unknown,
+            IndicatorsAtCar = seen.IndicatorsAtCar,
+            Vehicles = seen.Vehicles,
+            Markings = markings,
+        };
+    }
 }

@@ -1,0 +1,84 @@
+using System.Text.Json;
+using Harvester.Capture.Roads;
+using Harvester.Geometry;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Cli.Tests.Commands;
+
+/// <summary>A straight road to the north with two lanes each way and no median: the line is at x = 0, the lanes are 5.4 m wide.</summary>
+public sealed class LanesCommandTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+    private readonly string _roads;
+
+    public LanesCommandTests()
+    {
+        _roads = _folder.PathOf("roads.csv");
+        RoadNode[] nodes = [.. Enumerable.Range(0, 21).Select(i => new RoadNode(0, i, new Vector3D(0, 10 * i, 0), "", RoadNodeFlags.None))];
+        RoadLink[] links = [.. Enumerable.Range(0, 20).Select(i => new RoadLink(i, i + 1, 2, 2, 0, RoadLinkFlags.None))];
+        using StreamWriter writer = File.CreateText(_roads);
+        RoadCsvWriter.Write(new RoadNetwork(nodes, links), writer);
+    }
+
+    [Fact]
+    public void Lanes_gives_the_indicators_worked_out_by_hand()
+    {
+        // In the middle of the right lane, 8.1 m right of the line, turned 2 degrees to the right: ML = -2.7, MR = 2.7, LL = -8.1.
+        JsonElement lanes = Lanes("--position", "8.1,50,0", "--heading", "358");
+
+        Assert.Equal("known", lanes.GetProperty("status").GetString());
+        Assert.Equal(1, lanes.GetProperty("lane").GetInt32());
+        JsonElement indicators = lanes.GetProperty("indicators");
+        Assert.Equal(0.034907, indicators.GetProperty("angle").GetDouble());
+        Assert.Equal(-8.1, indicators.GetProperty("toMarkingLL").GetDouble());
+        Assert.Equal(-2.7, indicators.GetProperty("toMarkingML").GetDouble());
+        Assert.Equal(2.7, indicators.GetProperty("toMarkingMR").GetDouble());
+        Assert.Equal(9.5, indicators.GetProperty("toMarkingRR").GetDouble());
+        Assert.False(lanes.GetProperty("valid").GetProperty("toMarkingRR").GetBoolean());
+        Assert.Equal(-2, lanes.GetProperty("torcsEquivalent").GetProperty("toMarkingML").GetDouble());
+        Assert.Equal(70, indicators.GetProperty("distMM").GetDouble());
+    }
+
+    [Fact]
+    public void Lanes_takes_vehicles_of_a_file()
+    {
+        string vehicles = _folder.PathOf("vehicles.csv");
+        File.WriteAllText(vehicles, "2.7,80,0,0\n8.1,75,0,0,6\n-2.7,70,0,180\n");
+
+        JsonElement lanes = Lanes("--position", "8.1,50,0", "--heading", "0", "--vehicles", vehicles, "--length", "4");
+
+        // 25 m ahead, centre to centre; 25 - (4 + 6) / 2 = 20 m bumper to bumper.
+        Assert.Equal(25, lanes.GetProperty("indicators").GetProperty("distMM").GetDouble());
+        Assert.Equal(30, lanes.GetProperty("indicators").GetProperty("distLL").GetDouble());
+        JsonElement nearest = lanes.GetProperty("vehicles").EnumerateArray().Single(vehicle => vehicle.GetProperty("id").GetInt32() == 2);
+        Assert.Equal(20, nearest.GetProperty("bumperDistanceMetres").GetDouble());
+        Assert.True(lanes.GetProperty("vehicles")[0].GetProperty("oncoming").GetBoolean());
+    }
+
+    [Fact]
+    public void Lanes_off_the_road_says_so() =>
+        Assert.Equal("offRoad", Lanes("--position", "80,50,0", "--heading", "0").GetProperty("status").GetString());
+
+    [Fact]
+    public void Lanes_with_a_bad_vehicle_names_the_line()
+    {
+        string vehicles = _folder.PathOf("vehicles.csv");
+        File.WriteAllText(vehicles, "2.7,80,0,0\nnear\n");
+
+        CliRun.Of("lanes", "--roads", _roads, "--position", "8.1,50,0", "--heading", "0", "--vehicles", vehicles)
+            .AssertFailed(1, "vehicles.csv, line 2");
+    }
+
+    [Fact]
+    public void Lanes_without_roads_is_a_fault_of_the_command_line() =>
+        CliRun.Of("lanes", "--position", "8.1,50,0", "--heading", "0").AssertFailed(2, "--roads");
+
+    public void Dispose() => _folder.Dispose();
+
+    private JsonElement Lanes(params string[] options)
+    {
+        CliRun run = CliRun.Of(["lanes", "--roads", _roads, .. options]);
+        Assert.Equal(0, run.ExitCode);
+        return JsonDocument.Parse(run.Out).RootElement;
+    }
+}
