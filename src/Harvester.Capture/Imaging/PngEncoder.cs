@@ -8,7 +8,7 @@ using Harvester.Geometry.PixelMaps;
 namespace Harvester.Capture.Imaging;
 
 /// <summary>
-/// Writes PNG pictures (ISO/IEC 15948): 8-bit red, green, blue, and 16-bit grey. Every row is filtered with Up, which costs least of
+/// Writes PNG pictures (ISO/IEC 15948): 8-bit red, green, blue, and grey of 16 or 8 bits. Every row is filtered with Up, which costs least of
 /// the filters that help and suits both skies and instance maps. One encoder serves one thread; its buffers are used again.
 /// </summary>
 #pragma warning disable CA1001 // A memory stream holds nothing to dispose.
@@ -66,6 +66,31 @@ public sealed class PngEncoder
                 ushort id = map.Ids[(row * width) + column];
                 line[at++] = (byte)(id >> 8);
                 line[at++] = (byte)id;
+            }
+        });
+    }
+
+    /// <summary>Writes a map of small numbers: grey, 8 bits a pixel.</summary>
+    /// <exception cref="ArgumentException">A number is greater than 255.</exception>
+    /// <exception cref="IOException">The stream cannot be written.</exception>
+    public void WriteGrey8(InstanceMap map, Stream target)
+    {
+        if (map is null)
+        {
+            throw new ArgumentNullException(nameof(map));
+        }
+
+        if (Array.Exists(map.Ids, static id => id > byte.MaxValue))
+        {
+            throw new ArgumentException("The numbers of a map of 8 bits are 0 to 255.", nameof(map));
+        }
+
+        int width = map.Image.Width;
+        Write(target, map.Image, 8, ColourTypeGrey, width, (row, line) =>
+        {
+            for (int column = 0; column < width; column++)
+            {
+                line[column] = (byte)map.Ids[(row * width) + column];
             }
         });
     }

@@ -106,6 +106,11 @@ public sealed class DatasetExporter
             throw frame.Problem($"it has no mask, and {_plan.Format.Name} needs one. Harvest with masks, or choose another format.");
         }
 
+        if (_plan.Format.NeedsLanes && frame.Label.Lanes is null)
+        {
+            throw frame.Problem($"it has no lanes, and {_plan.Format.Name} is about nothing else. Harvest with roads, or choose another format.");
+        }
+
         if (_plan.Format.NeedsRectilinear && frame.Label.Camera.Distortion is not { K1: 0, K2: 0 })
         {
             throw frame.Problem($"its lens bends straight lines, and {_plan.Format.Name} has no words for that. Choose another format.");

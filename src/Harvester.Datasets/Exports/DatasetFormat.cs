@@ -11,6 +11,9 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
     /// <summary>Whether it cannot do without instance masks.</summary>
     public bool NeedsMasks { get; init; }
 
+    /// <summary>Whether it is about lanes and cannot do without them.</summary>
+    public bool NeedsLanes { get; init; }
+
     /// <summary>Whether it has no words for a lens that bends lines.</summary>
     public bool NeedsRectilinear { get; init; }
 

@@ -1,10 +1,14 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Harvester.Datasets.Exports.Cityscapes;
 using Harvester.Datasets.Exports.Coco;
 using Harvester.Datasets.Exports.Csv;
+using Harvester.Datasets.Exports.DeepDriving;
 using Harvester.Datasets.Exports.Kitti;
+using Harvester.Datasets.Exports.Lanes;
 using Harvester.Datasets.Exports.Voc;
+using Harvester.Datasets.Exports.WebDataset;
 using Harvester.Datasets.Exports.Yolo;
 
 namespace Harvester.Datasets.Exports;
@@ -16,10 +20,17 @@ public static class DatasetFormats
     public static IReadOnlyList<DatasetFormat> All { get; } =
     [
         new("kitti", "KITTI object detection: image_2, label_2, calib", _ => new KittiWriter()) { NeedsRectilinear = true },
+        new("kitti-tracking", "KITTI tracking: a sequence for each session", _ => new KittiTrackingWriter()) { NeedsRectilinear = true, KeepsSessions = true },
         new("coco", "COCO instances", options => new CocoWriter(options)),
+        new("coco-panoptic", "COCO panoptic segmentation", options => new CocoPanopticWriter(options)) { NeedsMasks = true },
         new("yolo", "Ultralytics YOLO, boxes", options => new YoloWriter(options)),
         new("yolo-segment", "Ultralytics YOLO, outlines", options => new YoloSegmentWriter(options)) { NeedsMasks = true },
         new("voc", "Pascal VOC", options => new VocWriter(options)),
+        new("cityscapes", "Maps of instances and classes in the style of Cityscapes", _ => new CityscapesWriter()) { NeedsMasks = true },
+        new("deepdriving", "Images of 280 x 210 and DeepDriving's thirteen indicators", _ => new DeepDrivingWriter()) { NeedsLanes = true },
+        new("tusimple", "TuSimple lanes", options => new TuSimpleWriter(options)) { NeedsLanes = true },
+        new("openlane", "OpenLane 3D lane lines", _ => new OpenLaneWriter()) { NeedsLanes = true },
+        new("webdataset", "Tar archives for streaming readers", _ => new WebDatasetWriter()),
         new("csv", "Flat tables of frames and objects", _ => new CsvDatasetWriter()),
     ];
 

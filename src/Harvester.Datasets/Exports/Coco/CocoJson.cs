@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+using System.Linq;
 using Harvester.Capture.Labels;
 using Harvester.Capture.Scenes;
 using Harvester.Datasets.Json;
@@ -12,13 +14,26 @@ internal static class CocoJson
     private const int SecondsDecimals = 6;
 
     /// <summary>The info object; no date, so that the same sessions give the same bytes.</summary>
-    public static string Info => """{"description":"Exported by GtaDataHarvester","version":"1"}""";
+    private const string Info = """{"description":"Exported by GtaDataHarvester","version":"1"}""";
+
+    /// <summary>The files of all splits, put together from the parts that are named images and annotations with the split.</summary>
+    /// <param name="kind">What their names begin with.</param>
+    /// <param name="options">The options.</param>
+    public static IEnumerable<AggregateFile> Files(string kind, ExportOptions options) => options.Splits.Splits.Select(split => new AggregateFile(
+        $"annotations/{kind}_{split.Name}.json",
+        [
+            AggregateSection.Literal("{\"info\":" + Info + ",\"licenses\":[],\"images\":[\n"),
+            AggregateSection.Joined($"images {split.Name}", ",\n"),
+            AggregateSection.Literal("\n],\"annotations\":[\n"),
+            AggregateSection.Joined($"annotations {split.Name}", ",\n"),
+            AggregateSection.Literal("\n],\"categories\":" + Categories(options) + "}\n"),
+        ]));
 
     /// <summary>The number of a class, the same in every dataset: its place in the enumeration, from 1.</summary>
     public static int CategoryOf(ObjectClass kind) => (int)kind + 1;
 
     /// <summary>The list of categories.</summary>
-    public static string Categories(ExportOptions options) => JsonLine.Of(json =>
+    private static string Categories(ExportOptions options) => JsonLine.Of(json =>
     {
         json.WriteStartArray();
         foreach (ObjectClass kind in options.ClassList)

@@ -1,10 +1,10 @@
 using System.Collections.Generic;
-using System.Linq;
 using System.Text.Json;
 using Harvester.Capture.Labels;
 using Harvester.Datasets.Exports.Masks;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
+using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Exports.Coco;
 
@@ -31,15 +31,7 @@ internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
         }
     }
 
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => options.Splits.Splits.Select(split => new AggregateFile(
-        $"annotations/instances_{split.Name}.json",
-        [
-            AggregateSection.Literal("{\"info\":" + CocoJson.Info + ",\"licenses\":[],\"images\":[\n"),
-            AggregateSection.Joined($"images {split.Name}", ",\n"),
-            AggregateSection.Literal("\n],\"annotations\":[\n"),
-            AggregateSection.Joined($"annotations {split.Name}", ",\n"),
-            AggregateSection.Literal("\n],\"categories\":" + CocoJson.Categories(options) + "}\n"),
-        ]));
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => CocoJson.Files("instances", options);
 
     private string Annotation(ExportFrame frame, ObjectLabel label, InstancePixels? pixels) => JsonLine.Of(json =>
     {
@@ -74,7 +66,7 @@ internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
         else
         {
             json.WriteStartArray();
-            foreach (IReadOnlyList<Vector2D> outline in Outlines.Of(pixels))
+            foreach (IReadOnlyList<Vector2D> outline in pixels.Outlines())
             {
                 json.WriteStartArray();
                 foreach (Vector2D corner in outline)
@@ -98,7 +90,7 @@ internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
         json.WriteNumberValue(pixels.Map.Image.Width);
         json.WriteEndArray();
         json.WriteStartArray("counts");
-        foreach (int count in RunLengths.Of(pixels))
+        foreach (int count in MaskRuns.Encode(pixels.Map, pixels.Id))
         {
             json.WriteNumberValue(count);
         }

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.PixelMaps;
 
@@ -17,9 +18,9 @@ internal sealed record InstancePixels(InstanceMap Map, ushort Id, int Left, int 
     /// <summary>The box around the pixels.</summary>
     public Box2D Box => new(Left, Top, Right, Bottom);
 
-    /// <summary>Whether a pixel is the object's; pixels outside the image are not.</summary>
-    public bool Contains(int column, int row) =>
-        column >= Left && column < Right && row >= Top && row < Bottom && Map[column, row] == Id;
+    /// <summary>Outlines of its parts that hang together, the largest first; without those of holes, so that holes count as filled.</summary>
+    public IReadOnlyList<IReadOnlyList<Vector2D>> Outlines() =>
+        [.. MaskOutlines.Of(Map, Id).Where(outline => SignedArea(outline) > 0).OrderByDescending(SignedArea)];
 
     /// <summary>All objects of a mask by their id, found in one pass.</summary>
     public static IReadOnlyDictionary<int, InstancePixels> AllOf(InstanceMap map)
@@ -50,6 +51,11 @@ internal sealed record InstancePixels(InstanceMap Map, ushort Id, int Left, int 
 
         return found;
     }
+
+    /// <summary>The area of a polygon, positive when it runs clockwise as seen in the image.</summary>
+    private static double SignedArea(IReadOnlyList<Vector2D> outline) => outline
+        .Select((corner, i) => (Corner: corner, Next: outline[(i + 1) % outline.Count]))
+        .Sum(side => (side.Corner.X * side.Next.Y) - (side.Next.X * side.Corner.Y)) / 2;
 
     private InstancePixels With(int left, int right, int row) => this with
     {

@@ -25,7 +25,7 @@ internal sealed class YoloSegmentWriter(ExportOptions options) : IDatasetWriter
     private string Line(ObjectLabel label, InstancePixels pixels)
     {
         ImageSize image = pixels.Map.Image;
-        IEnumerable<string> corners = Outlines.Of(pixels)[0].Select(corner => Numbers.Row(YoloFiles.Decimals, corner.X / image.Width, corner.Y / image.Height));
+        IEnumerable<string> corners = pixels.Outlines()[0].Select(corner => Numbers.Row(YoloFiles.Decimals, corner.X / image.Width, corner.Y / image.Height));
         return Numbers.Text(_files.NumberOf(label.Class)) + " " + string.Join(' ', corners);
     }
 }

@@ -1,0 +1,125 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.Json;
+using Harvester.Capture.Labels;
+using Harvester.Datasets.Json;
+using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
+
+namespace Harvester.Datasets.Exports.Lanes;
+
+/// <summary>OpenLane: 3D lane lines, a JSON file a frame. See docs/exports/openlane.md.</summary>
+internal sealed class OpenLaneWriter : IDatasetWriter
+{
+    private const int Metres = 4;
+    private const int Pixels = 3;
+    private const int Axis = 9;
+    private const int UnknownCategory = 0;
+    private const string ListPrefix = "list ";
+
+    public void Write(ExportFrame frame, FrameOutput output)
+    {
+        if (frame.Label.Lanes is not { Status: LaneStatus.Known } lanes)
+        {
+            return;
+        }
+
+        string path = $"{frame.Split}/segment-{frame.SessionIndex:D4}/{frame.FrameInSession:D8}";
+        string image = path + frame.ImageExtension;
+        output.Transfer("images/" + image, frame.ImagePath);
+        output.Text($"lane3d/{path}.json", Text(frame.Label, lanes, image) + "\n");
+        output.Part(ListPrefix + frame.Split, image);
+    }
+
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) =>
+        parts.Select(part => new AggregateFile($"{part[ListPrefix.Length..]}.txt", [AggregateSection.Lines(part)]));
+
+    private static string Text(FrameLabel label, LanesLabel lanes, string image) => JsonLine.Of(json =>
+    {
+        CameraLabel camera = label.Camera;
+        json.WriteStartObject();
+        WriteMatrix(json, "extrinsic", 4, Extrinsic(label));
+        WriteMatrix(json, "intrinsic", 3, [camera.Fx, 0, camera.Cx, 0, camera.Fy, camera.Cy, 0, 0, 1]);
+        json.WriteString("file_path", image);
+        json.WriteStartArray("lane_lines");
+        Dictionary<int, int> attributes = Attributes(lanes.Markings);
+        foreach (LaneLineView view in lanes.Markings)
+        {
+            WriteLine(json, view, attributes[view.Index]);
+        }
+
+        json.WriteEndArray();
+        json.WriteEndObject();
+    });
+
+    private static void WriteLine(Utf8JsonWriter json, LaneLineView view, int attribute)
+    {
+        json.WriteStartObject();
+        json.WriteNumber("category", UnknownCategory);
+        json.Numbers("visibility", [.. view.Points.Select(point => point.IsHidden ? 0.0 : 1)], 0);
+        json.WriteStartArray("uv");
+        WriteRow(json, view.Points.Select(point => point.Pixel.X), Pixels);
+        WriteRow(json, view.Points.Select(point => point.Pixel.Y), Pixels);
+        json.WriteEndArray();
+
+        // The format's camera looks along x, with y to the left and z up.
+        json.WriteStartArray("xyz");
+        WriteRow(json, view.Points.Select(point => point.InCamera.Y), Metres);
+        WriteRow(json, view.Points.Select(point => -point.InCamera.X), Metres);
+        WriteRow(json, view.Points.Select(point => point.InCamera.Z), Metres);
+        json.WriteEndArray();
+        json.WriteNumber("attribute", attribute);
+        json.WriteNumber("track_id", view.Index);
+        json.WriteEndObject();
+    }
+
+    /// <summary>1 left-left, 2 left, 3 right, 4 right-right, 0 for others: the two nearest markings on either side.</summary>
+    private static Dictionary<int, int> Attributes(IReadOnlyList<LaneLineView> markings)
+    {
+        int[] left = [.. markings.Where(view => view.IsLeftOfCar).Select(view => view.Index).Distinct().OrderDescending()];
+        int[] right = [.. markings.Where(view => !view.IsLeftOfCar).Select(view => view.Index).Distinct().Order()];
+        return markings.Select(view => view.Index).Distinct().ToDictionary(
+            index => index, index => Array.IndexOf(left, index) switch { 0 => 2, 1 => 1, _ => Array.IndexOf(right, index) switch { 0 => 3, 1 => 4, _ => 0 } });
+    }
+
+    /// <summary>From the camera (x forward, y left, z up) to the vehicle (the same, level, at the model's origin), row by row.</summary>
+    private static double[] Extrinsic(FrameLabel label)
+    {
+        var vehicle = new Pose(label.Ego.Position, Axes.FromHeading(label.Ego.HeadingDegrees));
+        Axes camera = label.Camera.Pose.Axes;
+        Vector3D forward = vehicle.Axes.ToLocal(camera.Forward);
+        Vector3D right = vehicle.Axes.ToLocal(camera.Right);
+        Vector3D up = vehicle.Axes.ToLocal(camera.Up);
+        Vector3D position = vehicle.ToLocal(label.Camera.Pose.Position);
+        return
+        [
+            forward.Y, -right.Y, up.Y, position.Y,
+            -forward.X, right.X, -up.X, -position.X,
+            forward.Z, -right.Z, up.Z, position.Z,
+            0, 0, 0, 1,
+        ];
+    }
+
+    private static void WriteMatrix(Utf8JsonWriter json, string name, int columns, double[] values)
+    {
+        json.WriteStartArray(name);
+        foreach (double[] row in values.Chunk(columns))
+        {
+            WriteRow(json, row, Axis);
+        }
+
+        json.WriteEndArray();
+    }
+
+    private static void WriteRow(Utf8JsonWriter json, IEnumerable<double> values, int decimals)
+    {
+        json.WriteStartArray();
+        foreach (double value in values)
+        {
+            json.Value(value, decimals);
+        }
+
+        json.WriteEndArray();
+    }
+}

@@ -1,0 +1,52 @@
+using System;
+using System.Collections.Generic;
+using System.Formats.Tar;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Harvester.Capture.Labels;
+
+namespace Harvester.Datasets.Exports.WebDataset;
+
+/// <summary>
+/// WebDataset: tar files (ustar) in which the files of a sample follow each other and share their name up to the first point. A frame's
+/// entries are staged as bytes of the archive, and an archive is what its frames give one after the other. See docs/exports/webdataset.md.
+/// </summary>
+internal sealed class WebDatasetWriter : IDatasetWriter
+{
+    private const int FramesPerArchive = 1000;
+
+    /// <summary>Two empty blocks end an archive.</summary>
+    private const int EndLength = 2 * 512;
+
+    public void Write(ExportFrame frame, FrameOutput output)
+    {
+        string archive = $"{frame.Split}-{frame.Index / FramesPerArchive:D6}";
+        FrameLabel label = frame.Label with { Objects = frame.Objects };
+        output.StagedPart(archive, frame.Name + ".tar", stream =>
+        {
+            using var entries = new MemoryStream();
+            using (var tar = new TarWriter(entries, TarEntryFormat.Ustar, leaveOpen: true))
+            {
+                Add(tar, frame.Name + frame.ImageExtension, File.ReadAllBytes(frame.ImagePath));
+                Add(tar, frame.Name + ".json", Encoding.UTF8.GetBytes(JsonLabelWriter.Line(label)));
+                if (frame.MaskPath is { } mask)
+                {
+                    Add(tar, frame.Name + ".mask.png", File.ReadAllBytes(mask));
+                }
+            }
+
+            stream.Write(entries.GetBuffer(), 0, (int)entries.Length - EndLength);
+        });
+    }
+
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => parts.Select(part => new AggregateFile(
+        $"{part}.tar", [AggregateSection.Files(part), AggregateSection.Literal(new string('\0', EndLength))]));
+
+    private static void Add(TarWriter tar, string name, byte[] content) => tar.WriteEntry(new UstarTarEntry(TarEntryType.RegularFile, name)
+    {
+        ModificationTime = DateTimeOffset.UnixEpoch,
+        Mode = UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.GroupRead | UnixFileMode.OtherRead,
+        DataStream = new MemoryStream(content),
+    });
+}

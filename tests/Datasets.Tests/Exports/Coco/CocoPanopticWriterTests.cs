@@ -1,0 +1,36 @@
+using System.Text.Json;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Labels;
+using Harvester.Datasets.Images;
+using Harvester.Geometry.PixelMaps;
+
+namespace Harvester.Datasets.Tests.Exports.Coco;
+
+public sealed class CocoPanopticWriterTests(SimulatedSession simulated) : IClassFixture<SimulatedSession>, IDisposable
+{
+    private readonly ExportFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Colours_are_the_segments_of_the_masks()
+    {
+        _folder.Export("coco-panoptic", simulated.Open());
+        using JsonDocument coco = JsonDocument.Parse(File.ReadAllText(_folder.PathOf("out/annotations/panoptic_train.json")));
+        JsonElement[] annotations = [.. coco.RootElement.GetProperty("annotations").EnumerateArray()];
+        FrameLabel[] labels = [.. simulated.Open().ReadLabels()];
+        Assert.Equal(labels.Length, annotations.Length);
+        foreach ((JsonElement annotation, FrameLabel label) in annotations.Zip(labels))
+        {
+            InstanceMap mask = PngDecoder.ReadInstanceMap(simulated.Open().PathOf(label.Mask!));
+            PixelBuffer colours = PngDecoder.ReadRgb(_folder.PathOf("out/annotations/panoptic_train/" + annotation.GetProperty("file_name").GetString()));
+            // The format's rgb2id: red + 256 green + 65536 blue.
+            int[] ids = [.. colours.Bytes.Chunk(3).Select(rgb => rgb[0] + (256 * rgb[1]) + (65536 * rgb[2]))];
+            Assert.Equal(mask.Ids.Select(id => (int)id), ids);
+            Dictionary<int, int> areas = ids.Where(id => id != 0).GroupBy(id => id).ToDictionary(group => group.Key, group => group.Count());
+            JsonElement[] segments = [.. annotation.GetProperty("segments_info").EnumerateArray()];
+            Assert.Equal(areas.Keys.Order(), segments.Select(segment => segment.GetProperty("id").GetInt32()));
+            Assert.All(segments, segment => Assert.Equal(areas[segment.GetProperty("id").GetInt32()], segment.GetProperty("area").GetInt32()));
+        }
+    }
+}

@@ -1,0 +1,53 @@
+using System.Globalization;
+using Harvester.Capture.Labels;
+using Harvester.Datasets.Images;
+
+namespace Harvester.Datasets.Tests.Exports.DeepDriving;
+
+public sealed class DeepDrivingWriterTests(SimulatedSession simulated) : IClassFixture<SimulatedSession>, IDisposable
+{
+    private readonly ExportFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Images_are_280_by_210_with_thirteen_numbers_each()
+    {
+        _folder.Export("deepdriving", simulated.Open());
+        FrameLabel[] labels = [.. simulated.Open().ReadLabels()];
+        Assert.Contains(labels, label => label.Lanes!.Indicators.ToMarkingML.IsValid);
+        for (int frame = 0; frame < labels.Length; frame++)
+        {
+            ImageHeader image = ImageHeader.Read(_folder.PathOf($"out/images/{frame:D8}.png"));
+            Assert.Equal((280, 210), (image.Size.Width, image.Size.Height));
+            double[] metres = Row($"out/indicators/{frame:D8}.txt");
+            double[] normalised = Row($"out/normalised/{frame:D8}.txt");
+            Assert.Equal((13, 13), (metres.Length, normalised.Length));
+
+            // The eighth is toMarking_ML; its map to the network's range is 0.16 d + 0.98 of the TORCS value.
+            const double rounding = 1e-6;
+            Assert.Equal(labels[frame].Lanes!.Indicators.ToMarkingML.Value, metres[7], rounding);
+            Assert.Equal((0.16 * labels[frame].Lanes!.TorcsEquivalent.ToMarkingML.Value) + 0.98, normalised[7], rounding);
+            Assert.Equal(Math.Clamp((labels[frame].Lanes!.TorcsEquivalent.Angle.Value / 1.1) + 0.5, 0, 1), normalised[0], rounding);
+        }
+    }
+
+    [Fact]
+    public void Table_has_the_same_numbers()
+    {
+        _folder.Export("deepdriving", simulated.Open());
+
+        string[][] rows = [.. _folder.Lines("out/indicators.csv").Select(line => line.Split(','))];
+        Assert.Equal(SimulatedSession.Frames + 1, rows.Length);
+        Assert.All(rows, row => Assert.Equal(5 + (4 * 13) + 1, row.Length));
+        int first = Array.IndexOf(rows[0], "angle");
+        for (int frame = 0; frame < SimulatedSession.Frames; frame++)
+        {
+            Assert.Equal(File.ReadAllText(_folder.PathOf($"out/indicators/{frame:D8}.txt")).Trim(), string.Join(' ', rows[frame + 1].Skip(first).Take(13)));
+            Assert.True(File.Exists(_folder.PathOf("out/" + rows[frame + 1][Array.IndexOf(rows[0], "image")])));
+        }
+    }
+
+    private double[] Row(string name) =>
+        [.. File.ReadAllText(_folder.PathOf(name)).Split([' ', '\n'], StringSplitOptions.RemoveEmptyEntries).Select(word => double.Parse(word, CultureInfo.InvariantCulture))];
+}

@@ -1,0 +1,52 @@
+using System.Text;
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Datasets.Tests.Exports.WebDataset;
+
+public sealed class WebDatasetWriterTests(SimulatedSession simulated) : IClassFixture<SimulatedSession>, IDisposable
+{
+    private const int Block = 512;
+
+    private readonly ExportFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Archive_has_image_label_and_mask_of_each_frame_next_to_each_other()
+    {
+        _folder.Export("webdataset", simulated.Open());
+
+        (string Name, byte[] Content)[] entries = [.. Entries(File.ReadAllBytes(_folder.PathOf("out/train-000000.tar")))];
+        Assert.Equal(3 * SimulatedSession.Frames, entries.Length);
+        for (int frame = 0; frame < SimulatedSession.Frames; frame++)
+        {
+            Assert.Equal([$"{frame:D8}.png", $"{frame:D8}.json", $"{frame:D8}.mask.png"], entries.Skip(3 * frame).Take(3).Select(entry => entry.Name));
+            Assert.Equal(File.ReadAllBytes(Path.Combine(simulated.Folder, $"frames/{frame:D8}.png")), entries[3 * frame].Content);
+            Assert.Equal(frame, FrameLabelParser.Parse(Encoding.UTF8.GetString(entries[(3 * frame) + 1].Content)).Frame);
+        }
+    }
+
+    /// <summary>Reads ustar as POSIX 1003.1 lays it out: name at 0, size in octal at 124, checksum at 148, type at 156, magic at 257.</summary>
+    private static IEnumerable<(string Name, byte[] Content)> Entries(byte[] archive)
+    {
+        Assert.Equal(0, archive.Length % Block);
+        int at = 0;
+        while (archive[at] != 0)
+        {
+            byte[] header = archive[at..(at + Block)];
+            Assert.Equal("ustar", Encoding.ASCII.GetString(header, 257, 5));
+            Assert.Equal((byte)'0', header[156]);
+            Assert.Equal(0, Octal(header, 136, 12));
+            int sum = header.Select((value, i) => i is >= 148 and < 156 ? (int)' ' : value).Sum();
+            Assert.Equal(sum, Octal(header, 148, 8));
+            int size = Octal(header, 124, 12);
+            yield return (Encoding.ASCII.GetString(header, 0, 100).TrimEnd('\0'), archive[(at + Block)..(at + Block + size)]);
+            at += Block + ((size + Block - 1) / Block * Block);
+        }
+
+        Assert.Equal(2 * Block, archive.Length - at);
+        Assert.All(archive[at..], value => Assert.Equal(0, value));
+    }
+
+    private static int Octal(byte[] header, int at, int length) => Convert.ToInt32(Encoding.ASCII.GetString(header, at, length).Trim('\0', ' '), 8);
+}
