@@ -4,7 +4,8 @@ using Harvester.Datasets.Exports;
 namespace Harvester.Datasets.Tests.Exports;
 
 /// <summary>What holds for every format: the same bytes again, in shards, and after a stop in the middle.</summary>
-public sealed class DatasetExporterTests(SimulatedSession simulated) : IClassFixture<SimulatedSession>, IDisposable
+[Collection(SimulatedSession.Collection)]
+public sealed class DatasetExporterTests(SimulatedSession simulated) : IDisposable
 {
     private static readonly ExportOptions TwoSplits = new() { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 5, 1) };
 

@@ -1,4 +1,5 @@
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
@@ -6,9 +7,10 @@ using Harvester.Simulation;
 
 namespace Harvester.Datasets.Tests.Exports;
 
-/// <summary>A small harvest of the simulated game with masks, made once for all tests of a class.</summary>
+/// <summary>A small harvest of the simulated game with masks and lanes, made once for all tests of exports.</summary>
 public sealed class SimulatedSession : IDisposable
 {
+    public const string Collection = "Simulated session";
     public const int Frames = 7;
 
     public SimulatedSession()
@@ -16,7 +18,7 @@ public sealed class SimulatedSession : IDisposable
         var game = new SimulatedGame(new SimulationOptions { Seed = 3, WindowAspect = 4.0 / 3 });
         using var writer = new SessionWriter(Folder, new SessionOrigin { Game = "simulation", Tool = "test", Seed = 3 });
         using var session = new HarvestSession(
-            new HarvestOptions { Image = new ImageSize(200, 150), MaxFrames = Frames, RateHz = 2, RangeMetres = 80, Masks = true }, game.Ports, writer);
+            new HarvestOptions { Image = new ImageSize(200, 150), MaxFrames = Frames, RateHz = 2, RangeMetres = 80, Masks = true }, game.Ports with { Roads = new FixedRoads(game.Roads, "simulation") }, writer);
         do
         {
             writer.WaitForRoom();

@@ -5,7 +5,8 @@ using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Tests.Exports.Cityscapes;
 
-public sealed class CityscapesWriterTests(SimulatedSession simulated) : IClassFixture<SimulatedSession>, IDisposable
+[Collection(SimulatedSession.Collection)]
+public sealed class CityscapesWriterTests(SimulatedSession simulated) : IDisposable
 {
     private readonly ExportFolder _folder = new();
 

@@ -6,7 +6,8 @@ using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Tests.Exports.Coco;
 
-public sealed class CocoPanopticWriterTests(SimulatedSession simulated) : IClassFixture<SimulatedSession>, IDisposable
+[Collection(SimulatedSession.Collection)]
+public sealed class CocoPanopticWriterTests(SimulatedSession simulated) : IDisposable
 {
     private readonly ExportFolder _folder = new();
 

@@ -4,7 +4,8 @@ using Harvester.Datasets.Images;
 
 namespace Harvester.Datasets.Tests.Exports.DeepDriving;
 
-public sealed class DeepDrivingWriterTests(SimulatedSession simulated) : IClassFixture<SimulatedSession>, IDisposable
+[Collection(SimulatedSession.Collection)]
+public sealed class DeepDrivingWriterTests(SimulatedSession simulated) : IDisposable
 {
     private readonly ExportFolder _folder = new();
 

@@ -5,7 +5,8 @@ using Harvester.Geometry;
 
 namespace Harvester.Datasets.Tests.Exports.Kitti;
 
-public sealed class KittiWriterTests(SimulatedSession simulated) : IClassFixture<SimulatedSession>, IDisposable
+[Collection(SimulatedSession.Collection)]
+public sealed class KittiWriterTests(SimulatedSession simulated) : IDisposable
 {
     /// <summary>Pixels are written with two decimals, metres with three.</summary>
     private const double RoundingPixels = 0.02;

@@ -6,7 +6,8 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Datasets.Tests.Exports.Lanes;
 
 /// <summary>The two formats of lane lines, read as their descriptions have it, against the labels and against each other.</summary>
-public sealed class LaneFormatTests(SimulatedSession simulated) : IClassFixture<SimulatedSession>, IDisposable
+[Collection(SimulatedSession.Collection)]
+public sealed class LaneFormatTests(SimulatedSession simulated) : IDisposable
 {
     private readonly ExportFolder _folder = new();
 

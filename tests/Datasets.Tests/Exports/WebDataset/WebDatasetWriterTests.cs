@@ -3,7 +3,8 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Tests.Exports.WebDataset;
 
-public sealed class WebDatasetWriterTests(SimulatedSession simulated) : IClassFixture<SimulatedSession>, IDisposable
+[Collection(SimulatedSession.Collection)]
+public sealed class WebDatasetWriterTests(SimulatedSession simulated) : IDisposable
 {
     private const int Block = 512;
 

@@ -7,7 +7,8 @@ using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Tests.Exports.Yolo;
 
-public sealed class YoloWriterTests(SimulatedSession simulated) : IClassFixture<SimulatedSession>, IDisposable
+[Collection(SimulatedSession.Collection)]
+public sealed class YoloWriterTests(SimulatedSession simulated) : IDisposable
 {
     private readonly ExportFolder _folder = new();
 
