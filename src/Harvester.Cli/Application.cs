@@ -33,6 +33,11 @@ internal static class Application
     public static async Task<int> RunAsync(string[] arguments, Terminal terminal, CancellationToken cancellation)
     {
         ParseResult parsed = CreateRoot(terminal).Parse(arguments);
+        if (Array.IndexOf(arguments, "") >= 0)
+        {
+            return Fail(terminal, ExitCode.Usage, $"A value on the command line is empty. See '{HelpOf(parsed.CommandResult)}'.");
+        }
+
         if (parsed.Errors.Count > 0)
         {
             string message = parsed.UnmatchedTokens.Count > 0
@@ -51,7 +56,9 @@ internal static class Application
         };
         try
         {
-            return await parsed.InvokeAsync(configuration, cancellation).ConfigureAwait(false);
+            int code = await parsed.InvokeAsync(configuration, cancellation).ConfigureAwait(false);
+            await terminal.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
+            return code;
         }
         catch (UsageException e)
         {
@@ -68,10 +75,6 @@ internal static class Application
         catch (OperationCanceledException)
         {
             return Fail(terminal, ExitCode.Cancelled, "Stopped.");
-        }
-        finally
-        {
-            await terminal.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
         }
     }
 
@@ -95,9 +98,21 @@ internal static class Application
     private static int Fail(Terminal terminal, int code, string message)
     {
         terminal.WriteError(message);
+        try
+        {
+            // What was written before the failure belongs to the reader; on a full disk there is no more to say than the line above.
+            terminal.Out.Flush();
+        }
+        catch (IOException)
+        {
+            return code;
+        }
+
         return code;
     }
 
-    private static string HelpOf(CommandResult command) =>
-        command.Parent is CommandResult ? $"harvester {command.Command.Name} --help" : "harvester --help";
+    private static string HelpOf(CommandResult command) => $"harvester {PathOf(command)}--help";
+
+    private static string PathOf(CommandResult command) =>
+        command.Parent is CommandResult parent ? $"{PathOf(parent)}{command.Command.Name} " : "";
 }

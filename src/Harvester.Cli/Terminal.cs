@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using System.Linq;
 using System.Text;
 using Spectre.Console;
 
@@ -14,6 +15,7 @@ internal sealed record Terminal(TextReader In, TextWriter Out, TextWriter Error,
 {
     /// <summary>A width for output that goes to a file or pipe, which has none of its own.</summary>
     private const int PlainWidth = 120;
+    private const int LongestError = 600;
 
     /// <summary>The process's own streams, UTF-8 and line feeds on every system.</summary>
     public static Terminal OfProcess()
@@ -28,8 +30,16 @@ internal sealed record Terminal(TextReader In, TextWriter Out, TextWriter Error,
         return new Terminal(new StreamReader(Console.OpenStandardInput(), utf8), output, Console.Error, !Console.IsOutputRedirected);
     }
 
-    /// <summary>Says in one line what went wrong.</summary>
-    public void WriteError(string message) => Error.WriteLine($"harvester: {message.ReplaceLineEndings(" ")}");
+    /// <summary>
+    /// Says in one line what went wrong. Messages quote files, which may be anything: control characters, which a terminal would obey, are
+    /// left out, and what is too long to read is cut.
+    /// </summary>
+    public void WriteError(string message)
+    {
+        string line = string.Join(' ', message.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
+        line = string.Concat(line.Where(character => !char.IsControl(character)));
+        Error.WriteLine($"harvester: {(line.Length <= LongestError ? line : line[..LongestError] + "...")}");
+    }
 
     /// <summary>Tables and progress over the same output; without colours and motion when nobody watches.</summary>
     public IAnsiConsole ToAnsiConsole()

@@ -38,6 +38,62 @@ public sealed class ApplicationTests
     public void Unknown_command_is_a_usage_error() => CliRun.Of("harvset").AssertFailed(ExitCode.Usage, "harvset");
 
     [Fact]
+    public void Usage_error_of_a_command_within_a_command_names_the_help_of_both() =>
+        CliRun.Of("roads", "info").AssertFailed(ExitCode.Usage, "harvester roads info --help");
+
+    [Theory]
+    [InlineData("harvest", "--out", "")]
+    [InlineData("report", "session", "--out", "")]
+    [InlineData("boxes", "")]
+    public void Empty_value_is_a_usage_error(params string[] arguments) => CliRun.Of(arguments).AssertFailed(ExitCode.Usage, "empty");
+
+    [Fact]
+    public void Error_that_quotes_a_file_leaves_out_what_a_terminal_would_obey_and_is_cut()
+    {
+        CliRun run = CliRun.WithInput(
+            "\u001b[2J" + new string('x', 5000) + "\n", "project", "--position", "0,0,0", "--rotation", "0,0,0", "--fov", "50", "--size", "800x600");
+
+        Assert.Equal(ExitCode.BadData, run.ExitCode);
+        Assert.StartsWith("harvester: standard input, line 1: expected x,y,z, found '[2Jxxx", run.Error, StringComparison.Ordinal);
+        Assert.InRange(run.Error.Length, 100, 700);
+    }
+
+    [Fact]
+    public async Task Output_that_cannot_be_written_is_an_output_error()
+    {
+        var error = new StringWriter { NewLine = "\n" };
+        var full = new StreamWriter(new FullStream());
+        var terminal = new Terminal(TextReader.Null, full, error, IsInteractive: false);
+
+        int code = await Application.RunAsync(["--help"], terminal, CancellationToken.None);
+
+        Assert.Equal(ExitCode.InputOutput, code);
+        Assert.Equal("harvester: No space left.\n", error.ToString());
+    }
+
+    [Fact]
     public void Unknown_option_is_a_usage_error_that_names_the_commands_help() =>
         CliRun.Of("boxes", "scene.json", "--depth").AssertFailed(ExitCode.Usage, "harvester boxes --help");
+
+    /// <summary>A stream on a full disk.</summary>
+    private sealed class FullStream : MemoryStream
+    {
+        public override void Write(byte[] buffer, int offset, int count) => Refuse();
+
+        public override void Write(ReadOnlySpan<byte> buffer) => Refuse();
+
+        public override Task WriteAsync(byte[] buffer, int offset, int count, CancellationToken cancellationToken)
+        {
+            Refuse();
+            return Task.CompletedTask;
+        }
+
+        public override ValueTask WriteAsync(ReadOnlyMemory<byte> buffer, CancellationToken cancellationToken = default)
+        {
+            Refuse();
+            return default;
+        }
+
+        private static void Refuse() => throw new IOException("No space left.");
+    }
 }

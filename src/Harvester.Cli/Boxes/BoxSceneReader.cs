@@ -30,7 +30,7 @@ internal static class BoxSceneReader
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"{file.Name}, line {e.LineNumber + 1}: not JSON ({e.Message})", e);
+            throw new DatasetFormatException($"{file.Name}, line {e.LineNumber + 1}: not JSON, from character {e.BytePositionInLine + 1} on.", e);
         }
         catch (DatasetFormatException e)
         {

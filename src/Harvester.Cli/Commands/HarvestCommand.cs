@@ -22,6 +22,10 @@ internal static class HarvestCommand
     private const int MostFrames = 1_000_000;
     private const int SmallestSide = 16;
     private const int GreatestSide = 8192;
+    private const double SmallestFovDegrees = 1;
+    private const double GreatestFovDegrees = 170;
+    private const double GreatestRange = 100_000;
+    private static readonly TimeSpan Noon = TimeSpan.FromHours(12);
 
     private const string Notes =
         "The session is described in docs/dataset-format.md. The same options and seed give the same bytes. Ctrl+C stops after the frame in\n"
@@ -69,12 +73,12 @@ internal static class HarvestCommand
         DefaultValueFactory = _ => "clear",
     };
 
-    private static readonly Option<TimeSpan> Time = WithDefault(
-        ValueParsers.Parsed("--time", "HH:MM", "The hour at the beginning", ParseTime, "an hour as 18:30"), TimeSpan.FromHours(12));
+    private static readonly Option<TimeSpan?> Time = ValueParsers.Optional<TimeSpan>(
+        "--time", "HH:MM", "The hour at the beginning [default: 12:00]", ParseTime, "an hour as 18:30");
 
     private static readonly Option<bool> Masks = new("--masks") { Description = "Write instance masks too" };
     private static readonly Option<double> Range = WithDefault(
-        ValueParsers.Number("--range", "M", "Label objects up to this distance, metres", value => value > 0, "a number greater than 0"), 150);
+        ValueParsers.Number("--range", "M", "Label objects up to this distance, metres", value => value is > 0 and <= GreatestRange, "a number greater than 0, 100000 at most"), 150);
 
     private static readonly Option<string?> Classes = ClassList.Option("Label");
 
@@ -94,10 +98,11 @@ internal static class HarvestCommand
 
     private static int Run(Terminal terminal, HarvestPlan plan, bool withReport, CancellationToken cancellation)
     {
-        OutputFolder.Prepare(plan.Folder, plan.Overwrite);
+        OutputFolder.Check(plan.Folder, plan.Overwrite);
         terminal.Out.WriteLine($"Harvesting {plan.Frames} frames of {plan.Image.Width} x {plan.Image.Height}, seed {plan.Seed}, to {plan.Folder}");
         terminal.Out.Flush();
         SimulatedHarvest harvest = SimulatedHarvest.Build(plan);
+        OutputFolder.Clear(plan.Folder);
         HarvestOutcome outcome = new FrameProgress(terminal, plan.Frames).Run(report => harvest.Run(report, cancellation));
         if (outcome.Fault is { } fault)
         {
@@ -129,6 +134,12 @@ internal static class HarvestCommand
             throw new UsageException($"--size: the images of a harvest are {SmallestSide} to {GreatestSide} pixels a side.");
         }
 
+        double fov = parsed.GetValue(Fov);
+        if (fov is < SmallestFovDegrees or > GreatestFovDegrees)
+        {
+            throw new UsageException($"--fov: the images of a harvest have a field of view of {SmallestFovDegrees} to {GreatestFovDegrees} degrees.");
+        }
+
         string weather = parsed.GetRequiredValue(WeatherName);
         return new HarvestPlan
         {
@@ -137,7 +148,7 @@ internal static class HarvestCommand
             Frames = parsed.GetValue(Frames),
             Seed = parsed.GetValue(Seed),
             Image = image,
-            FovDegrees = parsed.GetValue(Fov),
+            FovDegrees = fov,
             RateHz = parsed.GetValue(Hz),
             Roads = parsed.GetValue(Roads)?.FullName,
             Props = [.. parsed.GetRequiredValue(Props).Select(file => file.FullName)],
@@ -145,7 +156,7 @@ internal static class HarvestCommand
             Weather = Weather.Names.Contains(weather)
                 ? weather
                 : throw new UsageException($"--weather takes one of {string.Join(", ", Weather.Names)}, not '{weather}'."),
-            TimeOfDay = parsed.GetValue(Time),
+            TimeOfDay = parsed.GetValue(Time) ?? Noon,
             Masks = parsed.GetValue(Masks),
             RangeMetres = parsed.GetValue(Range),
             Classes = ClassList.Parse(parsed.GetValue(Classes)),

@@ -9,11 +9,14 @@ namespace Harvester.Cli.Harvesting;
 /// <summary>Makes room for a new session. Nothing but an earlier session is ever deleted, and only when that was asked for.</summary>
 internal static class OutputFolder
 {
-    /// <summary>Leaves the folder empty or absent.</summary>
+    private static readonly string[] Files = [SessionInfo.FileName, SessionReader.LabelsFile, ReportWriter.FileName];
+    private static readonly string[] Folders = [FramePaths.Frames, FramePaths.Masks];
+
+    /// <summary>Checks that a session may be written to a folder, and changes nothing.</summary>
     /// <exception cref="UsageException">The folder holds something that is not to be replaced.</exception>
-    public static void Prepare(string folder, bool overwrite)
+    public static void Check(string folder, bool overwrite)
     {
-        if (!Directory.Exists(folder) || !Directory.EnumerateFileSystemEntries(folder).Any())
+        if (HoldsNoFile(folder))
         {
             return;
         }
@@ -28,27 +31,32 @@ internal static class OutputFolder
             throw new UsageException($"'{folder}' holds a session already. Name another folder with --out, or replace it with --overwrite.");
         }
 
-        DeleteSession(folder);
-        if (Directory.EnumerateFileSystemEntries(folder).FirstOrDefault() is { } other)
+        if (Directory.EnumerateFileSystemEntries(folder).Select(Path.GetFileName).Except([.. Files, .. Folders]).FirstOrDefault() is { } other)
         {
-            throw new UsageException($"'{folder}' holds more than a session, '{Path.GetFileName(other)}' for one. Name another folder with --out.");
+            throw new UsageException($"'{folder}' holds more than a session, '{other}' for one. Name another folder with --out.");
         }
     }
 
-    private static void DeleteSession(string folder)
+    /// <summary>Deletes the session in a folder that has passed the check, or the empty folders of one.</summary>
+    public static void Clear(string folder)
     {
-        foreach (string file in (string[])[SessionInfo.FileName, SessionReader.LabelsFile, ReportWriter.FileName])
+        if (!Directory.Exists(folder))
+        {
+            return;
+        }
+
+        foreach (string file in Files)
         {
             File.Delete(Path.Combine(folder, file));
         }
 
-        foreach (string name in (string[])[FramePaths.Frames, FramePaths.Masks])
+        foreach (string path in Folders.Select(name => Path.Combine(folder, name)).Where(Directory.Exists))
         {
-            string path = Path.Combine(folder, name);
-            if (Directory.Exists(path))
-            {
-                Directory.Delete(path, recursive: true);
-            }
+            Directory.Delete(path, recursive: true);
         }
     }
+
+    /// <summary>Whether there is no folder or nothing but folders in it, as a harvest leaves them that found the disk full.</summary>
+    private static bool HoldsNoFile(string folder) =>
+        !Directory.Exists(folder) || !Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories).Any();
 }

@@ -146,7 +146,9 @@ public readonly struct JsonFields
         }
         catch (ArgumentException e)
         {
-            throw new DatasetFormatException(_path.Length == 0 ? e.Message : $"{_path}: {e.Message}", e);
+            // The message says what is wrong; the parameter and its value, which follow it, are the code's affair.
+            string message = e.Message.Split(" (Parameter '")[0];
+            throw new DatasetFormatException(_path.Length == 0 ? message : $"{_path}: {message}", e);
         }
     }
 

@@ -24,7 +24,7 @@ public static class PropPlacementImporter
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"{file}, line {e.LineNumber + 1}: {e.Message}", e);
+            throw new DatasetFormatException($"{file}, line {e.LineNumber + 1}: not JSON, from character {e.BytePositionInLine + 1} on.", e);
         }
     }
 

@@ -39,6 +39,9 @@ public readonly record struct ImageSize
     /// <summary>The rectangle that the image covers, in pixels.</summary>
     public Box2D Bounds => new(0, 0, Width, Height);
 
+    /// <summary>The size as 800x600.</summary>
+    public override string ToString() => FormattableString.Invariant($"{Width}x{Height}");
+
     /// <summary>Whether there is a pixel in a column and row.</summary>
     public bool Contains(int column, int row) => column >= 0 && row >= 0 && column < Width && row < Height;
 }

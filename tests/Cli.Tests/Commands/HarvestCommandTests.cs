@@ -106,6 +106,38 @@ public sealed class HarvestCommandTests : IDisposable
     }
 
     [Fact]
+    public void Harvest_that_cannot_begin_leaves_the_session_that_it_was_to_replace()
+    {
+        Harvest(Session, "--frames", "1");
+
+        CliRun run = Harvest(Session, "--overwrite", "--roads", _folder.PathOf("nowhere.zip"));
+
+        Assert.Equal(ExitCode.InputOutput, run.ExitCode);
+        Assert.Single(new SessionReader(Session).ReadLabels());
+    }
+
+    [Fact]
+    public void Harvest_into_a_session_with_other_files_leaves_both()
+    {
+        Harvest(Session, "--frames", "1");
+        string notes = Path.Combine(Session, "notes.txt");
+        File.WriteAllText(notes, "mine");
+
+        Harvest(Session, "--overwrite").AssertFailed(ExitCode.Usage, "'notes.txt'");
+
+        Assert.True(File.Exists(notes));
+        Assert.Single(new SessionReader(Session).ReadLabels());
+    }
+
+    [Fact]
+    public void Harvest_into_empty_folders_as_a_full_disk_leaves_them_goes_ahead()
+    {
+        Directory.CreateDirectory(Path.Combine(Session, "frames"));
+
+        Assert.Equal(ExitCode.Done, Harvest(Session, "--frames", "1").ExitCode);
+    }
+
+    [Fact]
     public void Harvest_never_replaces_what_is_no_session()
     {
         _folder.File("precious.txt", "mine");
@@ -135,6 +167,8 @@ public sealed class HarvestCommandTests : IDisposable
     [InlineData("--size", "65535x65535")]
     [InlineData("--size", "0x600")]
     [InlineData("--fov", "180")]
+    [InlineData("--fov", "0.5")]
+    [InlineData("--range", "1e300")]
     [InlineData("--hz", "0")]
     [InlineData("--hz", "61")]
     [InlineData("--range", "0")]
