@@ -6,6 +6,7 @@ using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Cli.Commands;
 using Harvester.Cli.Commands.Roads;
+using Harvester.Cli.Commands.Spaces;
 using Harvester.Datasets;
 
 namespace Harvester.Cli;
@@ -91,6 +92,7 @@ internal static class Application
         root.Subcommands.Add(BoxesCommand.Create(terminal));
         root.Subcommands.Add(RoadsCommand.Create(terminal));
         root.Subcommands.Add(LanesCommand.Create(terminal));
+        root.Subcommands.Add(SpacesCommand.Create(terminal));
         HelpWithNotes.AddTo(root, ExitCodes);
         return root;
     }

@@ -2,6 +2,8 @@ using System;
 using System.Collections.Generic;
 using Harvester.Capture.Imaging;
 using Harvester.Capture.Scenes;
+using Harvester.Capture.Spaces;
+using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Capture.Harvesting;
@@ -24,6 +26,9 @@ public sealed record HarvestOptions
 
     /// <summary>The classes to label; null for all.</summary>
     public IReadOnlyCollection<ObjectClass>? Classes { get; init; }
+
+    /// <summary>The parts of models that are labelled as objects of their own: faces of signs, heads of traffic lights; null for none.</summary>
+    public SpaceTable? Spaces { get; init; }
 
     /// <summary>Whether the game is frozen for each frame, so that image and label are of one moment; otherwise the harvest is live.</summary>
     public bool Freeze { get; init; } = true;
@@ -87,4 +92,8 @@ public sealed record HarvestOptions
 
     /// <summary>Frames that may wait to be written, 1 to 1,000.</summary>
     public int QueueCapacity { get; init => field = OptionCheck.InRange(value, 1, 1_000, nameof(QueueCapacity)); } = 16;
+
+    /// <summary>Whether a box in the image is one of an object to be labelled.</summary>
+    internal bool IsLargeEnough(Box2D box) =>
+        box.Area >= MinBoxAreaPixels && box.Width >= MinBoxSidePixels && box.Height >= MinBoxSidePixels;
 }

@@ -137,6 +137,7 @@ public sealed class HarvestSession : IDisposable
         var labeller = new FrameLabeller(_options, _game.Rays, registry)
         {
             Lanes = _game.Roads is { } roads ? new LaneLabeller(roads, _game.Rays, registry) : null,
+            Spaces = _options.Spaces is { } spaces ? new SpaceLabeller(spaces, _options, _game.Rays, _game.Lights, registry) : null,
         };
         var pool = new PixelBufferPool(_options.Image);
         var reader = new SceneReader(_game.World, _options.RangeMetres);
@@ -172,8 +173,9 @@ public sealed class HarvestSession : IDisposable
                 yield return phase;
             }
 
-            if (flow.Draft is { } draft)
+            if (flow.Draft is { } taken)
             {
+                FrameDraft draft = taken with { Labelling = LightObserver.Observe(taken.Labelling, taken.Picture) };
                 FrameLabel label = FrameLabels.Of(
                     _sink.FirstFrame + Counters.Captured, draft, FrameLabeller.CameraOf(_options, draft.Snapshot.Camera), _options.Format);
                 var frame = new CapturedFrame(label, draft.Picture, draft.Labelling.Mask, pool);

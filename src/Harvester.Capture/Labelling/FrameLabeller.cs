@@ -21,6 +21,9 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
     /// <summary>Labels the lanes; null for labels without.</summary>
     public LaneLabeller? Lanes { get; init; }
 
+    /// <summary>Labels the parts of objects that matter; null for labels without.</summary>
+    public SpaceLabeller? Spaces { get; init; }
+
     /// <summary>The camera of the saved image.</summary>
     public static Camera CameraOf(HarvestOptions options, CameraState state) =>
         new(state.Pose, new CameraIntrinsics(state.VerticalFovDegrees, options.Image, state.WindowAspect, state.NearClip, options.Lens));
@@ -44,6 +47,17 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
             yield return null;
         }
 
+        var spaces = new List<ObjectLabel>();
+        foreach (ObjectLabel? space in Spaces?.Label(camera, snapshot, mayCastRays) ?? [])
+        {
+            if (space is not null)
+            {
+                spaces.Add(space);
+            }
+
+            yield return null;
+        }
+
         LanesLabel? lanes = null;
         foreach (LanesLabel? slice in Lanes?.Label(snapshot, camera, mayCastRays) ?? [])
         {
@@ -51,7 +65,7 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
             yield return null;
         }
 
-        yield return objects! with { Lanes = lanes };
+        yield return objects! with { Objects = [.. objects.Objects.Concat(spaces).OrderBy(label => label.Id)], Lanes = lanes };
     }
 
     private IEnumerable<FrameLabelling?> LabelByRays(
@@ -125,7 +139,7 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
         Cuboid cuboid = Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose);
         CuboidProjection projection = CuboidProjector.Project(camera, cuboid);
         return projection is { Box: { } box, AmodalBox: { } amodal }
-            && box.Area >= options.MinBoxAreaPixels && box.Width >= options.MinBoxSidePixels && box.Height >= options.MinBoxSidePixels
+            && options.IsLargeEnough(box)
             ? new LabelCandidate(entity, cuboid, projection, box, amodal)
             : null;
     }

@@ -14,14 +14,16 @@ internal sealed class ObjectRegistry(int firstId)
     /// <summary>The greatest number that a 16-bit mask can hold.</summary>
     public const int GreatestId = ushort.MaxValue;
 
-    private readonly Dictionary<int, (string Model, ObjectClass Class, ushort Id)> _objects = [];
+    private readonly Dictionary<(int Handle, int? Face), (string Model, ObjectClass Class, ushort Id)> _objects = [];
     private int _nextId = firstId;
 
-    /// <summary>The number of an entity.</summary>
+    /// <summary>The number of an entity, or of one of its faces.</summary>
+    /// <param name="entity">The entity.</param>
+    /// <param name="face">The face's number on its model; null for the entity itself.</param>
     /// <exception cref="HarvestFaultException">All numbers are used up.</exception>
-    public ushort IdOf(EntityState entity)
+    public ushort IdOf(EntityState entity, int? face = null)
     {
-        if (_objects.TryGetValue(entity.Handle, out (string Model, ObjectClass Class, ushort Id) known)
+        if (_objects.TryGetValue((entity.Handle, face), out (string Model, ObjectClass Class, ushort Id) known)
             && known.Model == entity.Model && known.Class == entity.Class)
         {
             return known.Id;
@@ -33,7 +35,7 @@ internal sealed class ObjectRegistry(int firstId)
         }
 
         ushort id = (ushort)_nextId++;
-        _objects[entity.Handle] = (entity.Model, entity.Class, id);
+        _objects[(entity.Handle, face)] = (entity.Model, entity.Class, id);
         return id;
     }
 }

@@ -109,6 +109,7 @@ public static class JsonLabelWriter
             .Key("class").String(JsonName.Of(label.Class))
             .Key("model").String(label.Model)
             .Key("name").String(label.Name)
+            .Key("parent").Integer(label.Parent)
             .Key("box2d").Box(label.Box2D, LabelDecimals.Pixels)
             .Key("box2dAmodal").Box(label.Box2DAmodal, LabelDecimals.Pixels)
             .Key("box2dVisible").Box(label.Box2DVisible, LabelDecimals.Pixels)
@@ -118,8 +119,40 @@ public static class JsonLabelWriter
             .Key("visibleFraction").Number(label.VisibleFraction, LabelDecimals.Fraction);
         Append(json.Key("box3d"), label.Box3D);
         json.Key("distanceMetres").Number(label.DistanceMetres, LabelDecimals.Metres)
-            .Key("velocity").Vector(label.Velocity, LabelDecimals.Speed)
-            .EndObject();
+            .Key("velocity").Vector(label.Velocity, LabelDecimals.Speed);
+        Append(json.Key("space"), label.Space);
+        json.EndObject();
+    }
+
+    private static void Append(JsonText json, SpaceLabel? space)
+    {
+        if (space is null)
+        {
+            json.Null();
+            return;
+        }
+
+        json.BeginObject()
+            .Key("face").Integer(space.Face)
+            .Key("mutcd").String(space.MutcdCode)
+            .Key("facesCamera").Truth(space.FacesCamera)
+            .Key("facingAngleDegrees").Number(space.FacingAngleDegrees, LabelDecimals.Degrees)
+            .Key("provenance").String(JsonName.Of(space.Provenance));
+        json.Key("light");
+        if (space.Light is { } light)
+        {
+            json.BeginObject()
+                .Key("state").String(JsonName.Of(light.State))
+                .Key("method").String(JsonName.Of(light.Method))
+                .Key("litFraction").Number(light.LitFraction, LabelDecimals.Fraction)
+                .EndObject();
+        }
+        else
+        {
+            json.Null();
+        }
+
+        json.EndObject();
     }
 
     private static void Append(JsonText json, Cuboid cuboid)

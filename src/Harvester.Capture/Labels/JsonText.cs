@@ -71,6 +71,8 @@ internal sealed class JsonText(bool indented = false)
 
     public JsonText Truth(bool value) => Word(value ? "true" : "false");
 
+    public JsonText Null() => Word("null");
+
     public JsonText String(string? value)
     {
         if (value is null)

@@ -20,6 +20,9 @@ public sealed record ObjectLabel
     /// <summary>A name for people, such as a sign's; null without one.</summary>
     public string? Name { get; init; }
 
+    /// <summary>Number of the object that this one is a part of; null for an object of its own. The other need not be in the image.</summary>
+    public int? Parent { get; init; }
+
     /// <summary>The box around its part in the image, pixels.</summary>
     public required Box2D Box2D { get; init; }
 
@@ -49,4 +52,7 @@ public sealed record ObjectLabel
 
     /// <summary>Metres per second, world.</summary>
     public required Vector3D Velocity { get; init; }
+
+    /// <summary>What it has as a part of another object; null for an object of its own.</summary>
+    public SpaceLabel? Space { get; init; }
 }

@@ -13,4 +13,7 @@ public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IP
 {
     /// <summary>What is known of the roads; null for a harvest without lanes.</summary>
     public IRoads? Roads { get; init; }
+
+    /// <summary>The traffic lights that the harvester itself drives; null for none.</summary>
+    public ILights? Lights { get; init; }
 }

@@ -65,6 +65,12 @@ internal static class HarvestCommand
         DefaultValueFactory = _ => [],
     };
 
+    private static readonly Option<FileInfo?> Spaces = new("--spaces")
+    {
+        Description = "Faces of signs and heads of lights by this table, before the simulated game's own",
+        HelpName = "FILE",
+    };
+
     private static readonly Option<Vector2D?> Near = ValueParsers.Point("--near", "X,Y", "Where to start, metres [default: the middle of the roads]");
     private static readonly Option<string> WeatherName = new("--weather")
     {
@@ -88,7 +94,7 @@ internal static class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Near, WeatherName, Time, Masks, Range, Classes, NoReport,
+            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, Range, Classes, NoReport,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
@@ -152,6 +158,7 @@ internal static class HarvestCommand
             RateHz = parsed.GetValue(Hz),
             Roads = parsed.GetValue(Roads)?.FullName,
             Props = [.. parsed.GetRequiredValue(Props).Select(file => file.FullName)],
+            Spaces = parsed.GetValue(Spaces)?.FullName,
             Near = parsed.GetValue(Near),
             Weather = Weather.Names.Contains(weather)
                 ? weather

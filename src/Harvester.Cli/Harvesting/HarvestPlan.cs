@@ -36,6 +36,9 @@ internal sealed record HarvestPlan
     /// <summary>Files of the lights and lamps that stand by the roads; none to make them up.</summary>
     public required IReadOnlyList<string> Props { get; init; }
 
+    /// <summary>File of spaces of interest that goes before the simulated game's own; null for none.</summary>
+    public required string? Spaces { get; init; }
+
     /// <summary>Where to start, metres, world; null for the middle of the roads.</summary>
     public required Vector2D? Near { get; init; }
 

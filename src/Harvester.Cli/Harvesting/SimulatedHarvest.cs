@@ -8,11 +8,15 @@ using System.Threading;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Scenes;
 using Harvester.Capture.Ports;
+using Harvester.Capture.Spaces;
 using Harvester.Capture.Storage;
+using Harvester.Cli.Spaces;
+using Harvester.Datasets;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry.Roads;
 using Harvester.Simulation;
+using Harvester.Simulation.Models;
 
 namespace Harvester.Cli.Harvesting;
 
@@ -24,18 +28,22 @@ internal sealed class SimulatedHarvest
 
     private readonly HarvestPlan _plan;
     private readonly SimulatedGame _game;
+    private readonly SpaceTable _spaces;
 
-    private SimulatedHarvest(HarvestPlan plan, SimulatedGame game)
+    private SimulatedHarvest(HarvestPlan plan, SimulatedGame game, SpaceTable spaces)
     {
         _plan = plan;
         _game = game;
+        _spaces = spaces;
     }
 
     /// <summary>Reads roads and props, if any are named, and builds the world.</summary>
+    /// <exception cref="DatasetFormatException">A file of roads, props or spaces is malformed.</exception>
     /// <exception cref="UsageException">There is no road where the harvest is to begin.</exception>
     public static SimulatedHarvest Build(HarvestPlan plan)
     {
         RoadNetwork? roads = plan.Roads is null ? null : RoadImporter.Import(plan.Roads).Network;
+        SpaceTable spaces = plan.Spaces is null ? ModelSpaces.Table : ModelSpaces.Table.OverriddenBy(SpaceFile.ReadWhole(plan.Spaces));
         List<PropPlacement> props = [.. plan.Props.SelectMany(PropPlacementImporter.Import)];
         try
         {
@@ -49,7 +57,7 @@ internal sealed class SimulatedHarvest
                 TimeOfDay = plan.TimeOfDay,
                 VerticalFovDegrees = plan.FovDegrees,
                 WindowAspect = plan.Image.Aspect,
-            }));
+            }), spaces);
         }
         catch (ArgumentException e)
         {
@@ -101,6 +109,7 @@ internal sealed class SimulatedHarvest
         RangeMetres = _plan.RangeMetres,
         Classes = _plan.Classes,
         Masks = _plan.Masks,
+        Spaces = _spaces,
     };
 
     private SessionOrigin Origin() => new()
@@ -123,6 +132,11 @@ internal sealed class SimulatedHarvest
         if (_plan.Props.Count > 0)
         {
             yield return new("props", string.Join(", ", _plan.Props.Select(Path.GetFileName)));
+        }
+
+        if (_plan.Spaces is { } spaces)
+        {
+            yield return new("spaces", Path.GetFileName(spaces));
         }
 
         if (_plan.Near is { } near)

@@ -4,6 +4,7 @@ using System.Linq;
 using System.Text.Json;
 using Harvester.Capture.Labels;
 using Harvester.Capture.Scenes;
+using Harvester.Capture.Spaces;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
@@ -82,6 +83,7 @@ public static class FrameLabelParser
             Class = label.Name<ObjectClass>("class"),
             Model = label.Text("model"),
             Name = label.OptionalText("name"),
+            Parent = label.Has("parent") ? label.WholeNumber("parent") : null,
             Box2D = ReadBox(label, "box2d"),
             Box2DAmodal = ReadBox(label, "box2dAmodal"),
             Box2DVisible = label.Has("box2dVisible") ? ReadBox(label, "box2dVisible") : null,
@@ -91,8 +93,19 @@ public static class FrameLabelParser
             Box3D = box3D.Checked(() => new Cuboid(box3D.Vector("centre"), box3D.Vector("halfExtents"), box3D.Axes())),
             DistanceMetres = label.Number("distanceMetres"),
             Velocity = label.Vector("velocity"),
+            Space = label.Has("space") ? ReadSpace(label.Fields("space")) : null,
         };
     }
+
+    private static SpaceLabel ReadSpace(JsonFields space) => new(
+        space.WholeNumber("face"),
+        space.OptionalText("mutcd"),
+        space.Number("facingAngleDegrees"),
+        space.Name<Provenance>("provenance"),
+        space.Has("light") ? ReadLight(space.Fields("light")) : null);
+
+    private static LightLabel ReadLight(JsonFields light) =>
+        new(light.Name<LightState>("state"), light.Name<LightMethod>("method"), light.OptionalNumber("litFraction"));
 
     private static Box2D ReadBox(JsonFields label, string name)
     {

@@ -67,6 +67,11 @@ internal static class ObjectCheck
             yield return Of(item, FormattableString.Invariant(
                 $"distanceMetres is {item.DistanceMetres}, but box3d.centre is {distance:0.###} m from the camera."));
         }
+
+        foreach (string problem in SpaceCheck.Problems(item))
+        {
+            yield return Of(item, problem);
+        }
     }
 
     private static IEnumerable<(string Name, Box2D Box)> Boxes(ObjectLabel item)

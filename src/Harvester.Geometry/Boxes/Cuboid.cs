@@ -39,6 +39,18 @@ public sealed record Cuboid
         }
     }
 
+    /// <summary>The twelve edges as their ends in the world, metres.</summary>
+    public IEnumerable<(Vector3D Start, Vector3D End)> EdgesInWorld
+    {
+        get
+        {
+            for (int i = 0; i < EdgeStarts.Length; i++)
+            {
+                yield return (Corner(EdgeStarts[i]), Corner(EdgeEnds[i]));
+            }
+        }
+    }
+
     /// <summary>Centre in the world, metres.</summary>
     public Vector3D Centre { get; }
 

@@ -17,12 +17,20 @@ public static class CuboidProjector
     /// Projects a cuboid. One that contains the camera's position covers the whole image; one behind the near plane gives nothing;
     /// one that touches the image only in a line or a point is outside it.
     /// </summary>
-    public static CuboidProjection Project(Camera camera, Cuboid cuboid)
+    public static CuboidProjection Project(Camera camera, Cuboid cuboid) =>
+        Project(camera, cuboid, Guard.NotNull(cuboid, nameof(cuboid)).EdgesInWorld);
+
+    /// <summary>Projects a convex body within a cuboid in the same way.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="cuboid">The cuboid around the body.</param>
+    /// <param name="edges">The body's edges, in the world.</param>
+    public static CuboidProjection Project(Camera camera, Cuboid cuboid, IEnumerable<(Vector3D Start, Vector3D End)> edges)
     {
         Guard.NotNull(camera, nameof(camera));
         Guard.NotNull(cuboid, nameof(cuboid));
+        Guard.NotNull(edges, nameof(edges));
         Box2D image = camera.Image.Bounds;
-        List<Vector2D> points = VisibleEdgePoints(camera, cuboid);
+        List<Vector2D> points = VisibleEdgePoints(camera, edges);
         if (cuboid.Contains(camera.Pose.Position))
         {
             points.Add(new Vector2D(image.XMin, image.YMin));
@@ -54,21 +62,15 @@ public static class CuboidProjector
             : new CuboidProjection(BoxOutcome.InImage, box, amodal?.Union(box.Value), truncated, silhouette);
     }
 
-    private static List<Vector2D> VisibleEdgePoints(Camera camera, Cuboid cuboid)
+    private static List<Vector2D> VisibleEdgePoints(Camera camera, IEnumerable<(Vector3D Start, Vector3D End)> edges)
     {
         double near = camera.Intrinsics.NearClip;
         int pieces = camera.Intrinsics.Lens.IsRectilinear ? 1 : PiecesOfBentEdge;
-        var corners = new Vector3D[8];
-        for (int i = 0; i < corners.Length; i++)
-        {
-            corners[i] = camera.Pose.ToLocal(cuboid.Corner(i));
-        }
-
         var points = new List<Vector2D>();
-        foreach ((int start, int end) in Cuboid.Edges)
+        foreach ((Vector3D start, Vector3D end) in edges)
         {
-            Vector3D a = corners[start];
-            Vector3D b = corners[end];
+            Vector3D a = camera.Pose.ToLocal(start);
+            Vector3D b = camera.Pose.ToLocal(end);
             if (a.Y < near && b.Y < near)
             {
                 continue;

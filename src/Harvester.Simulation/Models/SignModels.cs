@@ -12,7 +12,7 @@ internal static class SignModels
 {
     private const double FaceY = -0.05;
     private const double PlateThickness = 0.012;
-    private const double Ink = 0.003;
+    private const double Ink = 0.001;
     private static readonly Rgb Red = new(178, 20, 28);
     private static readonly Rgb White = new(236, 236, 232);
     private static readonly Rgb Black = new(18, 18, 20);
@@ -34,6 +34,19 @@ internal static class SignModels
         {
             yield return Build("prop_sign_road_06" + letter, builder => SpeedLimit(builder, limit));
         }
+    }
+
+    /// <summary>The box of a sign's face: the sheet's front and the paint on it.</summary>
+    public static (Vector3D Min, Vector3D Max) Face(Model sign)
+    {
+        Bounds face = Bounds.Empty;
+        foreach (ref readonly MeshTriangle triangle in sign.Mesh.Triangles)
+        {
+            Bounds own = Bounds.Of(triangle);
+            face = own.Max.Y <= FaceY ? face.With(own) : face;
+        }
+
+        return (face.Min, face.Max);
     }
 
     private static Model Build(string name, Func<MeshBuilder, double> addPlate)

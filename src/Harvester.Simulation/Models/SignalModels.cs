@@ -11,18 +11,30 @@ namespace Harvester.Simulation.Models;
 internal static class SignalModels
 {
     private const double HeadHeight = 1.05;
+    private const double HeadHalfWidth = 0.18;
+    private const double HeadFront = 0.12;
+    private const double HeadBack = 0.1;
+    private const double VisorLength = 0.16;
     private static readonly Rgb Pole = new(92, 96, 98);
     private static readonly Rgb Housing = new(34, 36, 34);
     private static readonly Rgb[] Lit = [new(255, 46, 36), new(255, 184, 30), new(60, 255, 140)];
 
-    public static IEnumerable<Model> All()
+    private static readonly Dictionary<string, Func<MeshBuilder, IEnumerable<Vector3D>>> Frames = new()
     {
-        yield return Build("prop_traffic_01a", builder => AddMast(builder, 8.5, [-8, -4.5]));
-        yield return Build("prop_traffic_01b", builder => AddMast(builder, 6, [-5.5]));
-        yield return Build("prop_traffic_01d", builder => AddMast(builder, 11, [-10.5, -7, -3.5]));
-        yield return Build("prop_traffic_03a", AddPost);
-        yield return Build("prop_traffic_03b", AddPost);
-    }
+        ["prop_traffic_01a"] = builder => AddMast(builder, 8.5, [-8, -4.5]),
+        ["prop_traffic_01b"] = builder => AddMast(builder, 6, [-5.5]),
+        ["prop_traffic_01d"] = builder => AddMast(builder, 11, [-10.5, -7, -3.5]),
+        ["prop_traffic_03a"] = AddPost,
+        ["prop_traffic_03b"] = AddPost,
+    };
+
+    public static IEnumerable<Model> All() => Frames.Select(frame => Build(frame.Key, frame.Value));
+
+    /// <summary>The box of each head of a model, housing and visors, without the plate behind it.</summary>
+    public static IEnumerable<(Vector3D Min, Vector3D Max)> Heads(string model) => Frames[model](new MeshBuilder())
+        .Select(middle => (
+            middle - new Vector3D(HeadHalfWidth, HeadFront + VisorLength, HeadHeight / 2),
+            middle + new Vector3D(HeadHalfWidth, HeadBack, HeadHeight / 2)));
 
     private static Model Build(string name, Func<MeshBuilder, IEnumerable<Vector3D>> addFrame) =>
         Model.Of(name, ObjectClass.TrafficLight, Enum.GetValues<SignalState>().Select(state => BuildState(addFrame, state)).ToArray());
@@ -63,9 +75,11 @@ internal static class SignalModels
     {
         const double lensRadius = 0.12;
         const double lensStep = 0.33;
-        double front = middle.Y - 0.12;
+        double front = middle.Y - HeadFront;
         builder.AddBox(
-            new(middle.X - 0.18, front, middle.Z - (HeadHeight / 2)), new(middle.X + 0.18, middle.Y + 0.1, middle.Z + (HeadHeight / 2)), Housing);
+            new(middle.X - HeadHalfWidth, front, middle.Z - (HeadHeight / 2)),
+            new(middle.X + HeadHalfWidth, middle.Y + HeadBack, middle.Z + (HeadHeight / 2)),
+            Housing);
         builder.AddBox(
             new(middle.X - 0.3, middle.Y + 0.02, middle.Z - 0.63), new(middle.X + 0.3, middle.Y + 0.04, middle.Z + 0.63), Housing.Scaled(0.6));
         for (int lamp = 0; lamp < Lit.Length; lamp++)
@@ -75,7 +89,7 @@ internal static class SignalModels
             builder.AddCylinder(
                 lens, lens - new Vector3D(0, 0.02, 0), lensRadius, lensRadius, 14, burns ? Lit[lamp] : Lit[lamp].Scaled(0.16), burns ? Surface.Lamp : Surface.Matte);
             builder.AddBox(
-                lens + new Vector3D(-0.14, -0.16, 0.13), lens + new Vector3D(0.14, 0, 0.145), Housing);
+                lens + new Vector3D(-0.14, -VisorLength, 0.13), lens + new Vector3D(0.14, 0, 0.145), Housing);
         }
     }
 }

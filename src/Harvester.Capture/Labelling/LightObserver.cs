@@ -1,0 +1,80 @@
+using System.Linq;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Labels;
+using Harvester.Geometry;
+
+namespace Harvester.Capture.Labelling;
+
+/// <summary>
+/// Reads the state of traffic lights from the picture: the lamp that burns is a patch of its colour in its third of the head's box.
+/// Heads that are small, partly hidden, cut off or seen from the side stay unknown, as do those in which no one lamp stands out.
+/// </summary>
+internal static class LightObserver
+{
+    /// <summary>A lens of a lower head is less than three pixels wide, and edges take their share of it.</summary>
+    private const double LowestHeadPixels = 12;
+
+    /// <summary>Beyond this visors hide the lenses.</summary>
+    private const double GreatestFacingAngleDegrees = 70;
+
+    /// <summary>By how much of a head may be hidden or outside the image.</summary>
+    private const double GreatestHiddenFraction = 0.05;
+
+    /// <summary>A lens takes about a tenth of its head's box, less from aside; a twentieth of that is a reflection or nothing.</summary>
+    private const double SmallestLitFraction = 0.005;
+
+    /// <summary>The lamp that burns must have so many times the pixels of the next.</summary>
+    private const double Prominence = 2;
+
+    /// <summary>The labels with the states that the picture shows; those that are known stay.</summary>
+    public static FrameLabelling Observe(FrameLabelling labelling, PixelBuffer picture) => labelling with
+    {
+        Objects = [.. labelling.Objects.Select(label => IsReadable(label) ? WithState(label, picture) : label)],
+    };
+
+    private static bool IsReadable(ObjectLabel label) =>
+        label.Space is { Light.Method: LightMethod.Unknown } space
+        && space.FacingAngleDegrees <= GreatestFacingAngleDegrees
+        && label.Box2D.Height >= LowestHeadPixels
+        && label.TruncatedFraction <= GreatestHiddenFraction
+        && label.OccludedFraction <= GreatestHiddenFraction;
+
+    private static ObjectLabel WithState(ObjectLabel label, PixelBuffer picture)
+    {
+        Box2D box = label.Box2D;
+        var lit = new int[3];
+        int pixels = 0;
+        for (int row = (int)box.YMin; row < box.YMax && row < picture.Size.Height; row++)
+        {
+            for (int column = (int)box.XMin; column < box.XMax && column < picture.Size.Width; column++)
+            {
+                pixels++;
+                LightState colour = LampColour.Of(picture, column, row);
+                if (colour != LightState.Unknown && IsInItsThird(colour, (row + 0.5 - box.YMin) / box.Height))
+                {
+                    lit[(int)colour - 1]++;
+                }
+            }
+        }
+
+        int most = lit.Max();
+        int next = lit.OrderByDescending(count => count).ElementAt(1);
+        return most < SmallestLitFraction * pixels || most == 0 || most < Prominence * next
+            ? label
+            : label with
+            {
+                Space = label.Space! with
+                {
+                    Light = new LightLabel((LightState)(1 + lit.ToList().IndexOf(most)), LightMethod.Observed, (double)most / pixels),
+                },
+            };
+    }
+
+    /// <summary>Whether a height, 0 at the upper edge and 1 at the lower, lies in a lamp's third of the box; a box seen from below reaches over the head a little.</summary>
+    private static bool IsInItsThird(LightState colour, double height)
+    {
+        const double overlap = 0.1;
+        double third = (int)colour - 1;
+        return height >= (third / 3) - overlap && height <= ((third + 1) / 3) + overlap;
+    }
+}

@@ -1,0 +1,98 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Scenes;
+using Harvester.Capture.Spaces;
+using Harvester.Geometry;
+using Harvester.Geometry.Boxes;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Visibility;
+
+namespace Harvester.Capture.Labelling;
+
+/// <summary>Makes the labels of the parts of objects that matter: faces of signs, heads of traffic lights. Algorithm 3 of the thesis.</summary>
+internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, IRayCaster rays, ILights? lights, ObjectRegistry registry)
+{
+    /// <summary>A face's own surface lies in its cuboid up to the rounding of its corners; less than the thickness of a sign's plate.</summary>
+    private const double MeasuredMarginMetres = 0.005;
+
+    /// <summary>An estimated cuboid may lie before or behind the plate by so much; with less, all of its faces would count as hidden by their own plates.</summary>
+    private const double EstimatedMarginMetres = 0.15;
+
+    private readonly OcclusionEstimator _occlusion = new(options.OcclusionSamples);
+
+    /// <summary>Labels the spaces of entities, one an element: null for one that is not in the image or not to be labelled.</summary>
+    public IEnumerable<ObjectLabel?> Label(Camera camera, SceneSnapshot snapshot, Func<bool> mayCastRays) =>
+        from entity in snapshot.Entities
+        from space in SpacesOf(entity)
+        where options.Classes is null || options.Classes.Contains(space.Class)
+        select LabelOf(camera, entity, space, snapshot.Ego.Handle, mayCastRays);
+
+    private IReadOnlyList<SpaceOfInterest> SpacesOf(EntityState entity) =>
+        table.Of(ModelHash.TryParse(entity.Model, out int hash) ? hash : ModelHash.Of(entity.Model));
+
+    private ObjectLabel? LabelOf(Camera camera, EntityState entity, SpaceOfInterest space, int egoHandle, Func<bool> mayCastRays)
+    {
+        Cuboid cuboid = space.CuboidAt(entity.Pose);
+        CuboidProjection projection = CuboidProjector.Project(camera, cuboid, SpaceOutline.EdgesOf(space, entity.Pose));
+        if (projection is not { Box: { } box, AmodalBox: { } amodal } || !options.IsLargeEnough(box))
+        {
+            return null;
+        }
+
+        double margin = space.Provenance == Provenance.Estimated ? EstimatedMarginMetres : MeasuredMarginMetres;
+        OcclusionEstimate occlusion = mayCastRays()
+            ? _occlusion.Estimate(camera, cuboid, projection, entity.Handle, egoHandle, new SpaceRays(rays, entity.Handle, cuboid, margin))
+            : default;
+        bool determined = occlusion.Method != OcclusionMethod.None;
+        if (determined && occlusion.OccludedFraction > options.MaxOccludedFraction)
+        {
+            return null;
+        }
+
+        return new ObjectLabel
+        {
+            Id = registry.IdOf(entity, space.Face),
+            Class = space.Class,
+            Model = entity.Model,
+            Name = space.Name.Length == 0 ? null : space.Name,
+            Parent = registry.IdOf(entity),
+            Box2D = box,
+            Box2DAmodal = amodal,
+            TruncatedFraction = projection.TruncatedFraction,
+            OccludedFraction = determined ? occlusion.OccludedFraction : null,
+            OcclusionMethod = occlusion.Method,
+            Box3D = cuboid,
+            DistanceMetres = (cuboid.Centre - camera.Pose.Position).Length,
+            Velocity = entity.Velocity,
+            Space = new SpaceLabel(
+                space.Face,
+                space.MutcdCode.Length == 0 ? null : space.MutcdCode,
+                FacingAngleDegrees(space, cuboid, entity.Pose, camera.Pose.Position),
+                space.Provenance,
+                space.Class == ObjectClass.TrafficLight ? LightOf(entity) : null),
+        };
+    }
+
+    private LightLabel LightOf(EntityState entity) =>
+        lights?.SetStateOf(entity.Handle) is { } state ? new LightLabel(state, LightMethod.Set, null) : LightLabel.Unknown;
+
+    /// <summary>The angle between two directions by the tangent of its half, which is exact near 0 and 180 degrees as well. A camera in the middle of the face sees it at 0.</summary>
+    private static double FacingAngleDegrees(SpaceOfInterest space, Cuboid cuboid, Pose entity, Vector3D eye)
+    {
+        Vector3D outward = space.DirectionAt(entity);
+        Vector3D half = cuboid.HalfExtents;
+        double depth = space.Facing is Facing.Left or Facing.Right ? half.X : half.Y;
+        Vector3D toEye = eye - (cuboid.Centre + (outward * depth));
+        if (toEye.Length == 0)
+        {
+            return 0;
+        }
+
+        Vector3D direction = toEye.Normalized();
+        return Angles.ToDegrees(2 * Math.Atan2((direction - outward).Length, (direction + outward).Length));
+    }
+}

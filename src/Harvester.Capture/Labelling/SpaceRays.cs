@@ -1,0 +1,27 @@
+using Harvester.Geometry;
+using Harvester.Geometry.Boxes;
+using Harvester.Geometry.Visibility;
+
+namespace Harvester.Capture.Labelling;
+
+/// <summary>
+/// Rays as a face sees them: what is hit of its own model elsewhere than in the face's cuboid is a thing of the world like any other,
+/// so a post before the face or the plate's own back hides it.
+/// </summary>
+/// <param name="rays">What rays meet.</param>
+/// <param name="parent">Handle of the entity that bears the face.</param>
+/// <param name="cuboid">The face's cuboid.</param>
+/// <param name="marginMetres">How far outside the cuboid a hit is still on the face, metres.</param>
+internal sealed class SpaceRays(IRayCaster rays, int parent, Cuboid cuboid, double marginMetres) : IRayCaster
+{
+    private readonly Cuboid _face = new(
+        cuboid.Centre, cuboid.HalfExtents + new Vector3D(marginMetres, marginMetres, marginMetres), cuboid.Axes);
+
+    public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
+    {
+        RayHit? first = rays.Cast(ray, maxDistance, ignoredEntity);
+        return first is { } hit && hit.Entity == parent && !_face.Contains(ray.At(hit.Distance))
+            ? hit with { Entity = RayHit.World }
+            : first;
+    }
+}

@@ -1,0 +1,82 @@
+using System.CommandLine;
+using System.Globalization;
+using System.Linq;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Spaces;
+using Harvester.Cli.Spaces;
+using Spectre.Console;
+
+namespace Harvester.Cli.Commands.Spaces;
+
+/// <summary>harvester spaces: tables of the parts of models that matter.</summary>
+internal static class SpacesCommand
+{
+    private const string Notes =
+        "What the columns hold: data/README.md. How a table is measured in the game: docs/spaces.md.\n\n"
+        + "Examples:\n"
+        + "  harvester spaces check data/spaces_of_interest.csv\n"
+        + "  harvester spaces list data/spaces_of_interest.csv";
+
+    public static Command Create(Terminal terminal)
+    {
+        var command = new Command("spaces", "Check and list tables of faces of signs and heads of traffic lights.")
+        {
+            CreateCheck(terminal), CreateList(terminal),
+        };
+        HelpWithNotes.AddTo(command, Notes);
+        return command;
+    }
+
+    private static Command CreateCheck(Terminal terminal)
+    {
+        Argument<string> file = FileArgument();
+        var command = new Command("check", "Say which rows of a table are refused, and why.") { file };
+        command.SetAction(parsed =>
+        {
+            string path = parsed.GetRequiredValue(file);
+            SpaceTableContent content = SpaceFile.Read(path);
+            foreach (SpaceTableProblem problem in content.Problems)
+            {
+                terminal.Out.WriteLine($"{path}: {problem}");
+            }
+
+            int good = content.Table.Spaces.Count();
+            terminal.Out.WriteLine($"{path}: {good} rows are good, {content.Problems.Count} are refused");
+            return content.Problems.Count > 0 ? ExitCode.BadData : ExitCode.Done;
+        });
+        return command;
+    }
+
+    private static Command CreateList(Terminal terminal)
+    {
+        Argument<string> file = FileArgument();
+        var command = new Command("list", "List the spaces of a table: model, face, name, size and how it was come by.") { file };
+        command.SetAction(parsed =>
+        {
+            Table rows = new Table().Border(TableBorder.None).AddColumns("model", "face", "name", "mutcd", "size, m", "facing", "provenance");
+            foreach (SpaceOfInterest space in SpaceFile.Read(parsed.GetRequiredValue(file)).Table.Spaces)
+            {
+                rows.AddRow([.. Cells(space).Select(cell => new Text(cell))]);
+            }
+
+            terminal.ToAnsiConsole().Write(rows);
+            return ExitCode.Done;
+        });
+        return command;
+    }
+
+    private static string[] Cells(SpaceOfInterest space) =>
+    [
+        space.Model.Length > 0 ? space.Model : space.Hash.ToString(CultureInfo.InvariantCulture),
+        space.Face.ToString(CultureInfo.InvariantCulture),
+        space.Name,
+        space.MutcdCode,
+        string.Create(
+            CultureInfo.InvariantCulture,
+            $"{space.BackLowerRight.X - space.FrontUpperLeft.X:0.000} x {space.FrontUpperLeft.Z - space.BackLowerRight.Z:0.000}"),
+        JsonName.Of(space.Facing),
+        JsonName.Of(space.Provenance),
+    ];
+
+    private static Argument<string> FileArgument() => new("file") { Description = "The table", HelpName = "FILE" };
+}

@@ -1,0 +1,70 @@
+using Harvester.Capture.Labels;
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Cli.Tests.Commands;
+
+public sealed class SpacesCommandTests : IDisposable
+{
+    // joaat of prop_sign_road_01a is -949234773.
+    private const string Good = "prop_sign_road_01a,-949234773,sign,BIG STOP,R1-1,0,-0.5,-0.04,3,0.5,-0.06,1.5,-y,measured,a test";
+    private const string InsideOut = "prop_sign_road_02a,,sign,YIELD,R1-2,0,0.5,-0.04,3,-0.5,-0.06,1.5,-y,measured,a test";
+
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Check_of_a_good_table_says_so()
+    {
+        string file = _folder.File("spaces.csv", Good + "\n");
+
+        CliRun run = CliRun.Of("spaces", "check", file);
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.Equal($"{file}: 1 rows are good, 0 are refused\n", run.Out);
+    }
+
+    [Fact]
+    public void Check_of_a_bad_row_names_line_column_and_reason_and_exits_with_1()
+    {
+        string file = _folder.File("spaces.csv", Good + "\n" + InsideOut + "\n");
+
+        CliRun run = CliRun.Of("spaces", "check", file);
+
+        Assert.Equal(ExitCode.BadData, run.ExitCode);
+        Assert.StartsWith($"{file}: line 2, fulX: the cuboid is inside out", run.Out, StringComparison.Ordinal);
+        Assert.EndsWith($"{file}: 1 rows are good, 1 are refused\n", run.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void List_shows_what_a_space_is()
+    {
+        CliRun run = CliRun.Of("spaces", "list", _folder.File("spaces.csv", Good + "\n"));
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.Contains("prop_sign_road_01a", run.Out, StringComparison.Ordinal);
+        Assert.Contains("1.000 x 1.500", run.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Harvest_with_spaces_labels_by_the_files_rows_before_the_games_own()
+    {
+        string session = _folder.PathOf("session");
+        string file = _folder.File("spaces.csv", Good + "\n");
+        CliRun run = CliRun.Of("harvest", "--out", session, "--frames", "12", "--hz", "1", "--size", "320x240", "--no-report", "--spaces", file);
+        Assert.Equal("", run.Error);
+
+        List<ObjectLabel> parts = [.. new SessionReader(session).ReadLabels().SelectMany(label => label.Objects).Where(item => item.Space is not null)];
+        Assert.Contains(parts, part => part.Name == "TRAFFIC LIGHT");
+        Assert.All(parts.Where(part => part.Model == "prop_sign_road_01a"), part => Assert.Equal("BIG STOP", part.Name));
+        Assert.Equal(ExitCode.Done, CliRun.Of("validate", session).ExitCode);
+    }
+
+    [Fact]
+    public void Harvest_with_a_table_of_which_a_row_is_refused_does_not_begin()
+    {
+        string file = _folder.File("spaces.csv", InsideOut + "\n");
+
+        CliRun.Of("harvest", "--out", _folder.PathOf("session"), "--spaces", file).AssertFailed(ExitCode.BadData, "line 1, fulX");
+    }
+}

@@ -1,0 +1,11 @@
+using Harvester.Capture.Labels;
+using Harvester.Geometry;
+
+namespace Harvester.Simulation.Tests.Spaces;
+
+/// <summary>What a picture truly shows of a face.</summary>
+/// <param name="Centre">The middle of its cuboid, by which a label is known to be of it.</param>
+/// <param name="FacesCamera">Whether the camera is before its plane.</param>
+/// <param name="VisiblePixels">Pixels of the picture that show it.</param>
+/// <param name="State">The lamp that burns; null for a sign.</param>
+internal sealed record TrueFace(Vector3D Centre, bool FacesCamera, int VisiblePixels, LightState? State);
