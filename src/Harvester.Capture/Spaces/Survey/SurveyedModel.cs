@@ -1,0 +1,10 @@
+using Harvester.Capture.Scenes;
+
+namespace Harvester.Capture.Spaces.Survey;
+
+/// <summary>A model that a survey measures, with what is known of it beforehand.</summary>
+/// <param name="Name">The model's name, small letters.</param>
+/// <param name="Class">Sign or traffic light.</param>
+/// <param name="SignName">What the sign says; empty when unknown.</param>
+/// <param name="MutcdCode">Code of the sign; empty when it has none or it is unknown.</param>
+public sealed record SurveyedModel(string Name, ObjectClass Class, string SignName, string MutcdCode);

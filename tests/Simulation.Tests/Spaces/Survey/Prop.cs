@@ -1,0 +1,11 @@
+using Harvester.Capture.Spaces;
+using Harvester.Geometry;
+using Harvester.Simulation.Rendering;
+
+namespace Harvester.Simulation.Tests.Spaces.Survey;
+
+/// <summary>A shape with the faces that it truly has.</summary>
+/// <param name="Shape">What rays meet.</param>
+/// <param name="Bones">Where the bones of its heads are.</param>
+/// <param name="Faces">The front rectangle of each face, from the lower left to the upper right, and where it looks.</param>
+internal sealed record Prop(Mesh Shape, IReadOnlyList<Vector3D> Bones, IReadOnlyList<(Vector3D Min, Vector3D Max, Facing Facing)> Faces);

@@ -1,0 +1,121 @@
+using Harvester.Capture.Scenes;
+using Harvester.Capture.Spaces;
+using Harvester.Capture.Spaces.Survey;
+using Harvester.Geometry;
+
+namespace Harvester.Simulation.Tests.Spaces.Survey;
+
+public sealed class SpaceSurveyTests : IDisposable
+{
+    /// <summary>What the project asks of a face's place.</summary>
+    private const double ToleranceMetres = 0.02;
+
+    private static readonly Pose Place = new(new Vector3D(1200, -340, 25), Axes.FromHeading(77));
+
+    private readonly string _path = Directory.CreateTempSubdirectory("harvester-survey-").FullName;
+
+    public static TheoryData<string> Props => [.. KnownProps.All.Keys];
+
+    public void Dispose() => Directory.Delete(_path, recursive: true);
+
+    [Theory]
+    [MemberData(nameof(Props))]
+    public void Survey_finds_every_face_and_head_within_2_centimetres(string name)
+    {
+        PropStage stage = Run(name);
+
+        Prop prop = KnownProps.All[name];
+        IReadOnlyList<SpaceOfInterest> found = new SurveyFolder(_path).Table.Of(name);
+        Assert.Equal(prop.Faces.Count, found.Count);
+        Assert.All(prop.Faces, face => Assert.Contains(found, space =>
+            space.Facing == face.Facing && Front(space) is var front
+            && Largest(face.Min - front.Min) < ToleranceMetres && Largest(face.Max - front.Max) < ToleranceMetres));
+        Assert.All(found, space => Assert.Equal(Provenance.Measured, space.Provenance));
+        Assert.Equal(0, stage.Standing);
+    }
+
+    [Fact]
+    public void Survey_that_was_cut_off_goes_on_with_the_model_it_was_at()
+    {
+        var first = new PropStage(KnownProps.All, Place) { RaysUntilFailure = 25_000 };
+        using (SpaceSurvey cut = Start(first, "plate", "octagon", "diamond"))
+        {
+            ToEnd(cut);
+            Assert.Equal("The survey stopped: the game is gone", cut.Fault);
+        }
+
+        Assert.Equal(0, first.Standing);
+        Assert.Equal(["plate", "octagon"], first.PutUpModels);
+        PropStage second = Run("plate", "octagon", "diamond");
+
+        Assert.Equal(["octagon", "diamond"], second.PutUpModels);
+        Assert.Equal(["diamond", "octagon", "plate"], new SurveyFolder(_path).Table.Spaces.Select(space => space.Model));
+        Assert.DoesNotContain(Directory.GetFiles(_path), file => file.EndsWith(".partial", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void Survey_passes_over_a_model_that_the_game_lacks()
+    {
+        PropStage stage = Run("nothing", "plate");
+
+        Assert.Equal(["plate"], stage.PutUpModels);
+        Assert.True(new SurveyFolder(_path).IsDone("nothing"));
+    }
+
+    [Fact]
+    public void Survey_that_is_disposed_leaves_nothing_standing()
+    {
+        var stage = new PropStage(KnownProps.All, Place);
+        SpaceSurvey survey = Start(stage, "plate");
+        while (stage.Standing == 0)
+        {
+            survey.Step();
+        }
+
+        survey.Dispose();
+
+        Assert.Equal(0, stage.Standing);
+        Assert.True(survey.IsOver);
+    }
+
+    [Fact]
+    public void Folder_with_a_row_that_is_refused_is_not_written_over()
+    {
+        File.WriteAllText(Path.Combine(_path, SurveyFolder.TableName), "prop_sign_road_01a,5,sign\n");
+
+        Assert.Contains("line 1", Assert.Throws<IOException>(() => new SurveyFolder(_path)).Message, StringComparison.Ordinal);
+    }
+
+    private PropStage Run(params string[] names)
+    {
+        var stage = new PropStage(KnownProps.All, Place);
+        using SpaceSurvey survey = Start(stage, names);
+        ToEnd(survey);
+        Assert.Null(survey.Fault);
+        Assert.Equal(names.Length, survey.Done);
+        return stage;
+    }
+
+    private SpaceSurvey Start(PropStage stage, params string[] names) => new(
+        stage,
+        names.Select(name => new SurveyedModel(
+            name, name.StartsWith("prop_traffic", StringComparison.Ordinal) ? ObjectClass.TrafficLight : ObjectClass.Sign, "a name", "")),
+        new SurveyFolder(_path));
+
+    private static void ToEnd(SpaceSurvey survey)
+    {
+        while (!survey.IsOver)
+        {
+            survey.Step();
+        }
+    }
+
+    private static (Vector3D Min, Vector3D Max) Front(SpaceOfInterest space)
+    {
+        double y = space.Facing == Facing.Front ? space.FrontUpperLeft.Y : space.BackLowerRight.Y;
+        return (
+            new(space.FrontUpperLeft.X, y, space.BackLowerRight.Z), new(space.BackLowerRight.X, y, space.FrontUpperLeft.Z));
+    }
+
+    private static double Largest(Vector3D difference) => Math.Max(Math.Abs(difference.X), Math.Max(Math.Abs(difference.Y), Math.Abs(difference.Z)));
+}
