@@ -47,6 +47,25 @@ public sealed class SpacesCommandTests : IDisposable
     }
 
     [Fact]
+    public void Gallery_is_one_page_with_every_model_drawn_to_scale()
+    {
+        _folder.File("spaces.csv", Good.Replace("BIG STOP", "<STOP>", StringComparison.Ordinal) + "\n");
+
+        CliRun run = CliRun.Of("spaces", "gallery", _folder.Path);
+
+        string page = Path.Combine(_folder.Path, "gallery.html");
+        Assert.Equal($"{page}: 1 models shown\n", run.Out);
+        string html = File.ReadAllText(page);
+        Assert.Contains("&lt;STOP&gt;", html, StringComparison.Ordinal);
+        Assert.DoesNotContain("src=\"http", html, StringComparison.Ordinal);
+
+        // 70 pixels a metre, 0.3 m of margin around: x from -0.5 - 0.3, z down from 3 + 0.3. An octagon in 1.0 x 1.5 m has its
+        // lower left corner at 0.29289 of the width: (0.3 + 0.29289) * 70 = 41.5, and (3.3 - 1.5) * 70 = 126.
+        Assert.Contains("points=\"41.5,126 ", html, StringComparison.Ordinal);
+        Assert.Equal(ExitCode.BadData, CliRun.Of("spaces", "gallery", _folder.File("bad.csv", InsideOut + "\n")).ExitCode);
+    }
+
+    [Fact]
     public void Harvest_with_spaces_labels_by_the_files_rows_before_the_games_own()
     {
         string session = _folder.PathOf("session");

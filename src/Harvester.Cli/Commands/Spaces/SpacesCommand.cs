@@ -15,13 +15,14 @@ internal static class SpacesCommand
         "What the columns hold: data/README.md. How a table is measured in the game: docs/spaces.md.\n\n"
         + "Examples:\n"
         + "  harvester spaces check data/spaces_of_interest.csv\n"
-        + "  harvester spaces list data/spaces_of_interest.csv";
+        + "  harvester spaces list data/spaces_of_interest.csv\n"
+        + "  harvester spaces gallery data/spaces_of_interest.csv --out gallery.html";
 
     public static Command Create(Terminal terminal)
     {
-        var command = new Command("spaces", "Check and list tables of faces of signs and heads of traffic lights.")
+        var command = new Command("spaces", "Check, list and show tables of faces of signs and heads of traffic lights.")
         {
-            CreateCheck(terminal), CreateList(terminal),
+            CreateCheck(terminal), CreateList(terminal), GalleryCommand.Create(terminal),
         };
         HelpWithNotes.AddTo(command, Notes);
         return command;

@@ -1,0 +1,33 @@
+using System.CommandLine;
+using System.IO;
+using System.Text;
+using Harvester.Capture.Spaces.Survey;
+using Harvester.Cli.Spaces;
+
+namespace Harvester.Cli.Commands.Spaces;
+
+/// <summary>harvester spaces gallery: one page that shows the spaces of a table.</summary>
+internal static class GalleryCommand
+{
+    private const string FileName = "gallery.html";
+
+    public static Command Create(Terminal terminal)
+    {
+        var source = new Argument<string>("source") { Description = "A survey's folder, or a table", HelpName = "DIR|FILE" };
+        var output = new Option<string?>("--out") { Description = $"File to write [default: {FileName} in the folder]", HelpName = "FILE" };
+        var command = new Command("gallery", "Show the spaces of a survey or table as one self-contained HTML page.") { source, output };
+        command.SetAction(parsed =>
+        {
+            string given = parsed.GetRequiredValue(source);
+            string table = Directory.Exists(given) ? Path.Combine(given, SurveyFolder.TableName) : given;
+            string folder = Path.GetDirectoryName(Path.GetFullPath(table))!;
+            string page = parsed.GetValue(output) ?? Path.Combine(folder, FileName);
+            var text = new StringWriter();
+            int models = new SpaceGallery(SpaceFile.ReadWhole(table), folder).Write(text);
+            File.WriteAllText(page, text.ToString(), new UTF8Encoding(false));
+            terminal.Out.WriteLine($"{page}: {models} models shown");
+            return ExitCode.Done;
+        });
+        return command;
+    }
+}

@@ -1,0 +1,92 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Net;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+using Harvester.Capture.Spaces;
+using Harvester.Geometry;
+
+namespace Harvester.Cli.Spaces;
+
+/// <summary>A page that needs nothing beside it: each model of a table with its faces drawn to scale, and its picture where the folder has one.</summary>
+internal sealed class SpaceGallery(SpaceTable table, string folder)
+{
+    private const double PixelsPerMetre = 70;
+    private const double MarginMetres = 0.3;
+
+    /// <summary>Writes the page and says how many models it shows.</summary>
+    public int Write(TextWriter page)
+    {
+        page.Write(
+            "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Spaces of interest</title>\n"
+            + "<style>body{font:14px sans-serif;margin:1.5em}main{display:flex;flex-wrap:wrap;gap:1em}article{border:1px solid #bbb;padding:.7em}"
+            + "h2{font-size:1em;margin:0 0 .4em}img{max-width:24em;display:block}.estimated{stroke-dasharray:4}td{padding-right:.8em}</style></head>\n"
+            + "<body><h1>Spaces of interest</h1><p>Seen from the side towards which the first face looks. Ground and origin are the lines; dashed faces are estimated.</p><main>\n");
+        IGrouping<int, SpaceOfInterest>[] models = [.. table.Spaces.GroupBy(space => space.Hash)];
+        foreach (IGrouping<int, SpaceOfInterest> model in models)
+        {
+            WriteModel(page, [.. model]);
+        }
+
+        page.Write("</main></body></html>\n");
+        return models.Length;
+    }
+
+    private void WriteModel(TextWriter page, IReadOnlyList<SpaceOfInterest> faces)
+    {
+        string name = faces[0].Model.Length > 0 ? faces[0].Model : faces[0].Hash.ToString(CultureInfo.InvariantCulture);
+        page.Write($"<article id=\"{Text(name)}\"><h2>{Text(name)}</h2>{Drawing(faces)}");
+        string picture = Path.Combine(folder, name + ".png");
+        if (File.Exists(picture))
+        {
+            page.Write($"<img alt=\"{Text(name)}\" src=\"data:image/png;base64,{Convert.ToBase64String(File.ReadAllBytes(picture))}\">");
+        }
+
+        page.Write("<table>");
+        foreach (SpaceOfInterest face in faces)
+        {
+            page.Write(
+                $"<tr><td>{face.Face}</td><td>{Text(face.Name)}</td><td>{Text(face.MutcdCode)}</td>"
+                + string.Create(CultureInfo.InvariantCulture, $"<td>{Width(face):0.00} x {face.FrontUpperLeft.Z - face.BackLowerRight.Z:0.00} m</td>")
+                + $"<td>{JsonName.Of(face.Provenance)}</td></tr>");
+        }
+
+        page.Write("</table></article>\n");
+    }
+
+    private static string Drawing(IReadOnlyList<SpaceOfInterest> faces)
+    {
+        (double Right, double Up)[][] outlines = [.. faces.Select(face => Outline(face, faces[0].Facing))];
+        double left = Math.Min(0, outlines.Min(outline => outline.Min(corner => corner.Right))) - MarginMetres;
+        double right = Math.Max(0, outlines.Max(outline => outline.Max(corner => corner.Right))) + MarginMetres;
+        double top = Math.Max(0, outlines.Max(outline => outline.Max(corner => corner.Up))) + MarginMetres;
+        string Point(double x, double z) =>
+            string.Create(CultureInfo.InvariantCulture, $"{(x - left) * PixelsPerMetre:0.#},{(top - z) * PixelsPerMetre:0.#}");
+        IEnumerable<string> shapes = faces.Select((face, i) =>
+            $"<polygon class=\"{JsonName.Of(face.Provenance)}\" fill=\"#{(face.Class == ObjectClass.Sign ? "fd8" : "8cf")}\" stroke=\"#222\" "
+            + $"points=\"{string.Join(" ", outlines[i].Select(corner => Point(corner.Right, corner.Up)))}\"/>");
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"<svg width=\"{(right - left) * PixelsPerMetre:0}\" height=\"{(top + MarginMetres) * PixelsPerMetre:0}\">")
+            + $"<polyline fill=\"none\" stroke=\"#999\" points=\"{Point(left, 0)} {Point(right, 0)}\"/>"
+            + $"<polyline fill=\"none\" stroke=\"#999\" points=\"{Point(0, 0)} {Point(0, top)}\"/>{string.Concat(shapes)}</svg>";
+    }
+
+    /// <summary>The front outline of a face as somebody sees it who stands before a facing.</summary>
+    private static (double Right, double Up)[] Outline(SpaceOfInterest face, Facing seenFrom)
+    {
+        var atOrigin = new Pose(Vector3D.Zero, Axes.Identity);
+        return [.. SpaceOutline.EdgesOf(face, atOrigin).Where((_, i) => i % 3 == 0).Select(edge => (
+            seenFrom switch { Facing.Front => -edge.Start.X, Facing.Left => -edge.Start.Y, Facing.Right => edge.Start.Y, _ => edge.Start.X },
+            edge.Start.Z))];
+    }
+
+    private static double Width(SpaceOfInterest face) => face.Facing is Facing.Back or Facing.Front
+        ? face.BackLowerRight.X - face.FrontUpperLeft.X
+        : face.FrontUpperLeft.Y - face.BackLowerRight.Y;
+
+    private static string Text(string text) => WebUtility.HtmlEncode(text);
+}
