@@ -1,16 +1,19 @@
+using Harvester.Capture.Playing;
+using Harvester.Capture.Settings;
+
 namespace Harvester.Mod;
 
 /// <summary>
 /// The camera on the hood. The game itself attaches it with the vehicle's whole matrix, so that no tick's delay comes between the
 /// two; setting position and rotation on every tick, as the thesis did, lags a frame behind.
 /// </summary>
-internal sealed class CameraMount : IFeature
+internal sealed class CameraMount : IFeature, IMount
 {
-    private readonly ModSettings _settings;
-    private readonly Messages _messages;
+    private readonly PlayerSettings _settings;
+    private readonly PlayerMessages _messages;
     private int _camera;
 
-    public CameraMount(ModSettings settings, Messages messages)
+    public CameraMount(PlayerSettings settings, PlayerMessages messages)
     {
         _settings = settings;
         _messages = messages;
@@ -18,6 +21,9 @@ internal sealed class CameraMount : IFeature
 
     /// <inheritdoc/>
     public string Name => "The camera";
+
+    /// <inheritdoc/>
+    public bool IsMounted => Vehicle != 0;
 
     /// <summary>The vehicle that carries the camera; 0 when it is not mounted.</summary>
     public int Vehicle { get; private set; }

@@ -52,7 +52,11 @@ internal sealed class GameWorld : IWorld
     {
         int vehicle = _mount.Vehicle;
         ModelInfo model = _models.OfVehicle(vehicle, Natives.EntityModel(vehicle));
-        return new EgoState(vehicle, model.Name, Natives.EntityPose(vehicle), Natives.EntityVelocity(vehicle));
+        return new EgoState(vehicle, model.Name, Natives.EntityPose(vehicle), Natives.EntityVelocity(vehicle))
+        {
+            ModelMin = model.Min,
+            ModelMax = model.Max,
+        };
     }
 
     /// <inheritdoc/>

@@ -1,12 +1,17 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Threading;
 using System.Windows.Forms;
 using GTA;
+using GTA.UI;
+using Harvester.Capture.Playing;
 using Harvester.Capture.Ports;
+using Harvester.Capture.Roads;
 using Harvester.Capture.Screen;
-using Harvester.Capture.Spaces;
+using Harvester.Capture.Settings;
+using Harvester.Capture.Storage;
 
 namespace Harvester.Mod;
 
@@ -18,13 +23,15 @@ namespace Harvester.Mod;
 public sealed class HarvesterScript : Script
 #pragma warning restore CA1001
 {
-    private readonly Messages _messages;
-    private readonly List<string> _complaints = [];
+    private readonly PlayerMessages _messages;
+    private readonly ModFolder _folder;
     private readonly Dictionary<Keys, (IFeature Feature, Action Press)> _keys = [];
     private readonly TestCar _car;
     private readonly CameraMount _mount;
     private readonly Harvest _harvest;
-    private readonly IFeature[] _features;
+    private readonly LensCalibration _calibration;
+    private readonly RoadSurveying _survey;
+    private readonly FeatureSet _features;
     private bool _greeted;
     private int _aborted;
 
@@ -36,69 +43,55 @@ public sealed class HarvesterScript : Script
 
     internal HarvesterScript(IScreen screen, IClock clock)
     {
-        string folder = BaseDirectory;
-        _messages = new Messages(folder);
-        ModSettings settings = Read(() => ModSettings.Load(folder), () => ModSettings.Default(folder), ModSettings.FileName);
-        _complaints.AddRange(settings.Complaints);
-        SpaceTable spaces = ReadSpaces(folder);
-        _car = new TestCar(settings, _messages, clock);
-        _mount = new CameraMount(settings, _messages);
+        _folder = new ModFolder(BaseDirectory);
+        _messages = new PlayerMessages(BaseDirectory, message => Notification.Show(message));
+        PlayerSettings player = PlayerSettings.Read(_folder.Settings, BaseDirectory);
+        var display = new GameDisplay();
         var pause = new GamePause();
         var rays = new GameRays();
-        var world = new GameWorld(_mount, pause, rays, spaces);
-        _harvest = new Harvest(settings, _messages, _mount, new GamePorts(world, rays, screen, pause, clock));
-        var overlay = new Overlay(settings, _messages, world, spaces, _harvest);
-        _features = [_car, _mount, _harvest, new Hud(_harvest, settings.Folder, clock), overlay];
-        Bind(settings.SpawnKey, _car, _car.Spawn);
-        Bind(settings.MountKey, _mount, _mount.Mount);
-        Bind(settings.RestoreKey, _mount, _mount.Stop);
-        Bind(settings.HarvestKey, _harvest, _harvest.Toggle);
-        Bind(settings.FrameKey, _harvest, _harvest.TakeOne);
-        Bind(settings.OverlayKey, overlay, overlay.Toggle);
+        var markers = new GameMarkers();
+        var roads = new GrowingRoads(player.LaneWidthMetres);
+        _car = new TestCar(player, _messages, clock);
+        _mount = new CameraMount(player, _messages);
+        var game = new GamePorts(new GameWorld(_mount, pause, rays, _folder.Spaces), rays, screen, pause, clock, markers) { Roads = roads };
+        _harvest = new Harvest(player.Options, player.Folder, _messages, _mount, game, display, Origin) { Problem = Problem };
+        _calibration = new LensCalibration(_harvest, game, _mount, display, _messages, _folder.SettingsPath);
+        var overlay = new Overlay(_harvest, game, _folder.Spaces, _messages, _mount, display) { IsPictureNear = IsPictureNear };
+        _survey = new RoadSurveying(
+            new GameRoadSource(), () => Natives.EntityPosition(Natives.PlayerPed()), player.SurveyFile, roads, _messages, clock)
+        {
+            GivesLanes = player.RoadFile is null,
+            AreLanesWanted = () => player.RoadFile is null && (overlay.IsOn || _harvest.Status is not null),
+        };
+        var line = new HarvestLine(_harvest, player.Folder, clock, display) { IsPictureNear = IsPictureNear, SurveyLine = () => _survey.Line };
+        _features = new FeatureSet(_messages, _car, _mount, _harvest, _calibration, markers, _survey, line, overlay);
+        if (player.RoadFile is { } file)
+        {
+            roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");
+        }
+
+        Bind("SpawnTestCar", Keys.NumPad0, _car, _car.Spawn);
+        Bind("MountCamera", Keys.I, _mount, _mount.Mount);
+        Bind("RestoreCamera", Keys.O, _mount, _mount.Stop);
+        Bind("Harvest", Keys.J, _harvest, _harvest.Toggle);
+        Bind("OneFrame", Keys.K, _harvest, _harvest.TakeOne);
+        Bind("Overlay", Keys.L, overlay, overlay.Toggle);
+        Bind("Calibrate", Keys.C, _calibration, _calibration.Toggle);
+        Bind("RoadSurvey", Keys.U, _survey, _survey.Toggle);
         Tick += OnTick;
         KeyUp += OnKeyUp;
         Aborted += OnAborted;
     }
 
-    /// <summary>Whether an ended harvest is still being written.</summary>
-    internal bool IsWriting => _harvest.IsWriting;
+    /// <summary>Whether a file is still being written.</summary>
+    internal bool IsWriting => _harvest.IsWriting || _calibration.IsWriting || _survey.IsWriting;
 
-    private SpaceTable ReadSpaces(string folder)
+    private void Bind(string name, Keys fallback, IFeature feature, Action press)
     {
-        const string file = "spaces_of_interest.csv";
-        SpaceTableContent content = Read(Load, () => new SpaceTableContent(SpaceTable.Empty, []), file);
-        foreach (SpaceTableProblem problem in content.Problems)
-        {
-            _complaints.Add($"{file}: {problem}");
-        }
-
-        return content.Table;
-
-        SpaceTableContent Load()
-        {
-            using var reader = new StreamReader(Path.Combine(folder, file));
-            return SpaceTableReader.Read(reader);
-        }
-    }
-
-    private T Read<T>(Func<T> read, Func<T> fallback, string file)
-    {
-        try
-        {
-            return read();
-        }
-        catch (Exception exception) when (exception is not ThreadAbortException)
-        {
-            _complaints.Add($"{file} cannot be read: {exception.Message}");
-            return fallback();
-        }
-    }
-
-    private void Bind(Keys key, IFeature feature, Action press)
-    {
+        Keys key = _folder.Settings.Choice("Keys", name, fallback, "a key, such as NumPad0, I or F9");
         if (_keys.ContainsKey(key))
         {
-            _complaints.Add($"{ModSettings.FileName}: the key {key} has two uses; the first is kept.");
+            _folder.Complain($"the key {key} has two uses; the first is kept.");
             return;
         }
 
@@ -113,10 +106,7 @@ public sealed class HarvesterScript : Script
         }
 
         Greet();
-        foreach (IFeature feature in _features)
-        {
-            Guard(feature, feature.Tick);
-        }
+        _features.Tick();
     }
 
     // Key up and not key down: Windows repeats the latter as long as a key is held.
@@ -124,7 +114,7 @@ public sealed class HarvesterScript : Script
     {
         if (_aborted == 0 && _keys.TryGetValue(e.KeyCode, out (IFeature Feature, Action Press) key))
         {
-            Guard(key.Feature, key.Press);
+            _features.Do(key.Feature, key.Press);
         }
     }
 
@@ -134,9 +124,11 @@ public sealed class HarvesterScript : Script
     {
         if (Interlocked.Exchange(ref _aborted, 1) == 0)
         {
-            Try(_harvest, _harvest.Dispose);
-            Try(_mount, _mount.Stop);
-            Try(_car, _car.Remove);
+            _features.Try(_calibration.Name, _calibration.Stop);
+            _features.Try(_harvest.Name, _harvest.Dispose);
+            _features.Try(_survey.Name, _survey.Finish);
+            _features.Try(_mount.Name, _mount.Stop);
+            _features.Try(_car.Name, _car.Remove);
         }
     }
 
@@ -148,33 +140,22 @@ public sealed class HarvesterScript : Script
         }
 
         _greeted = true;
-        Try(_mount, () => _messages.Log(
+        _features.Try("The mod", () => _messages.Log(
             $"GtaDataHarvester {typeof(HarvesterScript).Assembly.GetName().Version}, API {typeof(Script).Assembly.GetName().Version}, game build {Game.Version}."));
-        foreach (string complaint in _complaints)
+        foreach (string complaint in _folder.Complaints)
         {
             _messages.Tell(complaint);
         }
     }
 
-    private void Guard(IFeature feature, Action work)
-    {
-        if (!Try(feature, work))
-        {
-            Try(feature, feature.Stop);
-        }
-    }
+    private bool IsPictureNear() => _harvest.IsPictureNear || _calibration.IsRunning;
 
-    private bool Try(IFeature feature, Action work)
+    private string? Problem() => _calibration.IsRunning ? "The calibration is running: wait for its end." : GameBuild.ListProblem;
+
+    private static SessionOrigin Origin() => new()
     {
-        try
-        {
-            work();
-            return true;
-        }
-        catch (Exception exception) when (exception is not ThreadAbortException)
-        {
-            _messages.TellFailure(feature.Name, exception);
-            return false;
-        }
-    }
+        Game = $"GTA V {Game.Version}",
+        Tool = $"GtaDataHarvester {typeof(HarvesterScript).Assembly.GetName().Version}",
+        RecordedUtc = DateTime.UtcNow.ToString("yyyy-MM-ddTHH:mm:ssZ", CultureInfo.InvariantCulture),
+    };
 }

@@ -1,6 +1,8 @@
 using System;
 using GTA.Math;
 using GTA.Native;
+using Harvester.Capture.Playing;
+using Harvester.Capture.Roads;
 using Harvester.Geometry;
 
 namespace Harvester.Mod;
@@ -12,6 +14,7 @@ namespace Harvester.Mod;
 internal static class Natives
 {
     private const int GameRotationOrder = 2;
+    private const int Opaque = 255;
 
     public static int PlayerPed() => Call<int>(Hash.PLAYER_PED_ID);
 
@@ -19,6 +22,8 @@ internal static class Natives
 
     /// <summary>1 for a ped, 2 for a vehicle, 3 for a prop, 0 for anything else, such as a building.</summary>
     public static int EntityType(int entity) => Call<int>(Hash.GET_ENTITY_TYPE, entity);
+
+    public static Vector3D EntityPosition(int entity) => ToWorld(Call<Vector3>(Hash.GET_ENTITY_COORDS, entity, false));
 
     public static int EntityModel(int entity) => Call<int>(Hash.GET_ENTITY_MODEL, entity);
 
@@ -165,22 +170,72 @@ internal static class Natives
     /// <summary>Gives back the script handle that a ray has made for something; thousands of them would fill the game's pool.</summary>
     public static void ReleaseScriptHandle(int entity) => Call(Hash.RELEASE_SCRIPT_GUID_FROM_ENTITY, entity);
 
-    /// <summary>The piece of road closest to a point; null when there is none.</summary>
-    public static ClosestRoad? ClosestRoad(Vector3D place)
+    /// <summary>Keeps the road nodes of a square loaded during this frame; whether they are.</summary>
+    public static bool RequestRoadNodes(Vector3D centre, double range)
     {
-        const float shortestMetres = 1;
-        const int fewestLanes = 1;
-        using var start = new OutputArgument();
-        using var end = new OutputArgument();
-        using var forward = new OutputArgument();
-        using var backward = new OutputArgument();
-        using var median = new OutputArgument();
-        bool found = Call<bool>(
-            Hash.GET_CLOSEST_ROAD,
-            (float)place.X, (float)place.Y, (float)place.Z, shortestMetres, fewestLanes, start, end, forward, backward, median, false);
-        return found
-            ? new ClosestRoad(Vector(start), Vector(end), forward.GetResult<int>(), backward.GetResult<int>(), median.GetResult<float>())
+        float west = (float)(centre.X - range), south = (float)(centre.Y - range), east = (float)(centre.X + range), north = (float)(centre.Y + range);
+        Call(Hash.REQUEST_PATH_NODES_IN_AREA_THIS_FRAME, west, south, east, north);
+        return Call<bool>(Hash.ARE_NODES_LOADED_FOR_AREA, west, south, east, north);
+    }
+
+    /// <summary>The n-th closest road node, and its place; null where the game has not so many.</summary>
+    public static SurveyedNode? NthClosestRoadNode(Vector3D place, int number)
+    {
+        const int withSwitchedOffAndBoats = 1 | 2;
+        const float weightOfHeight = 3;
+        const float freeHeight = 0;
+        int node = Call<int>(
+            Hash.GET_NTH_CLOSEST_VEHICLE_NODE_ID,
+            (float)place.X, (float)place.Y, (float)place.Z, number, withSwitchedOffAndBoats, weightOfHeight, freeHeight);
+
+        // The game ends when it is asked for the place of a node that is none.
+        if (node == 0)
+        {
+            return null;
+        }
+
+        using var position = new OutputArgument();
+        Call(Hash.GET_VEHICLE_NODE_POSITION, node, position);
+        return new SurveyedNode(node, Vector(position));
+    }
+
+    /// <summary>Traffic density and flags of the closest road node.</summary>
+    public static SurveyedProperties? RoadNodeProperties(Vector3D place)
+    {
+        using var density = new OutputArgument();
+        using var flags = new OutputArgument();
+        return Call<bool>(Hash.GET_VEHICLE_NODE_PROPERTIES, (float)place.X, (float)place.Y, (float)place.Z, density, flags)
+            ? new SurveyedProperties(density.GetResult<int>(), flags.GetResult<int>())
             : null;
+    }
+
+    /// <summary>The piece of road closest to a point, of any length and number of lanes; null when there is none.</summary>
+    public static SurveyedRoad? ClosestRoad(Vector3D place)
+    {
+        const float shortestMetres = 0;
+        const int fewestLanes = 0;
+        const bool ignoreSwitchedOff = false;
+        using var first = new OutputArgument();
+        using var second = new OutputArgument();
+        using var toFirst = new OutputArgument();
+        using var toSecond = new OutputArgument();
+        using var median = new OutputArgument();
+        return Call<bool>(
+            Hash.GET_CLOSEST_ROAD,
+            (float)place.X, (float)place.Y, (float)place.Z, shortestMetres, fewestLanes, first, second, toFirst, toSecond, median, ignoreSwitchedOff)
+            ? new SurveyedRoad(Vector(first), Vector(second), toFirst.GetResult<int>(), toSecond.GetResult<int>(), median.GetResult<float>())
+            : null;
+    }
+
+    /// <summary>Draws a ball this frame; the game's sphere without a texture, as large as its scale is its radius.</summary>
+    public static void DrawBall(Vector3D centre, double radius, Colour colour)
+    {
+        const int sphere = 28;
+        const int noTexture = 0;
+        float scale = (float)radius;
+        Call(
+            Hash.DRAW_MARKER, sphere, (float)centre.X, (float)centre.Y, (float)centre.Z, 0f, 0f, 0f, 0f, 0f, 0f, scale, scale, scale,
+            colour.Red, colour.Green, colour.Blue, Opaque, false, false, GameRotationOrder, false, noTexture, noTexture, false);
     }
 
     public static void HideHudAndRadar() => Call(Hash.HIDE_HUD_AND_RADAR_THIS_FRAME);
@@ -191,14 +246,16 @@ internal static class Natives
     /// <summary>Draws a filled rectangle this frame; its centre and size are fractions of the window.</summary>
     public static void DrawRectangle(double centreX, double centreY, double width, double height, Colour colour) =>
         Call(
-            Hash.DRAW_RECT, (float)centreX, (float)centreY, (float)width, (float)height, colour.Red, colour.Green, colour.Blue, colour.Alpha, false);
+            Hash.DRAW_RECT, (float)centreX, (float)centreY, (float)width, (float)height, colour.Red, colour.Green, colour.Blue, Opaque, false);
 
     /// <summary>Writes a line this frame; the place of its upper left corner is in fractions of the window. The game cuts at 99 bytes.</summary>
-    public static void DrawText(string text, double left, double top, double scale, Colour colour)
+    public static void DrawText(string text, double left, double top)
     {
+        const float scale = 0.35f;
+        const int white = 255;
         Call(Hash.SET_TEXT_FONT, 0);
-        Call(Hash.SET_TEXT_SCALE, (float)scale, (float)scale);
-        Call(Hash.SET_TEXT_COLOUR, colour.Red, colour.Green, colour.Blue, colour.Alpha);
+        Call(Hash.SET_TEXT_SCALE, scale, scale);
+        Call(Hash.SET_TEXT_COLOUR, white, white, white, Opaque);
         Call(Hash.SET_TEXT_OUTLINE);
         Call(Hash.BEGIN_TEXT_COMMAND_DISPLAY_TEXT, "STRING");
         Call(Hash.ADD_TEXT_COMPONENT_SUBSTRING_PLAYER_NAME, text);

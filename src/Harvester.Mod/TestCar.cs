@@ -1,4 +1,6 @@
+using Harvester.Capture.Playing;
 using Harvester.Capture.Ports;
+using Harvester.Capture.Settings;
 using Harvester.Capture.Spaces;
 
 namespace Harvester.Mod;
@@ -10,14 +12,14 @@ internal sealed class TestCar : IFeature
     private const float MetresBesidePlayer = 4;
     private const int MetallicBlack = 0;
     private const int MetallicOrange = 38;
-    private readonly ModSettings _settings;
-    private readonly Messages _messages;
+    private readonly PlayerSettings _settings;
+    private readonly PlayerMessages _messages;
     private readonly IClock _clock;
     private double _requestedAt;
     private int _requestedModel;
     private int _car;
 
-    public TestCar(ModSettings settings, Messages messages, IClock clock)
+    public TestCar(PlayerSettings settings, PlayerMessages messages, IClock clock)
     {
         _clock = clock;
         _settings = settings;

@@ -1,6 +1,7 @@
 using System.Windows.Forms;
 using GTA.Hosting;
 using GTA.Native;
+using Harvester.Capture.Tests.Roads;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
 
@@ -137,7 +138,7 @@ public sealed class FaultTests
         int before = driver.Game.Calls.Count;
         for (int repeat = 0; repeat < 30; repeat++)
         {
-            foreach (Keys key in new[] { Keys.NumPad0, Keys.I, Keys.O, Keys.J, Keys.K, Keys.L })
+            foreach (Keys key in new[] { Keys.NumPad0, Keys.I, Keys.O, Keys.J, Keys.K, Keys.L, Keys.C, Keys.U })
             {
                 driver.Script.RaiseKeyDown(key);
             }
@@ -252,8 +253,22 @@ public sealed class FaultTests
         driver.Tick(8);
         HarvestTests.Street(driver.Game);
         HarvestTests.SunkenCar(driver.Game);
+        driver.Game.Roads = new FakeRoadSource(RoadTests.Road());
+        driver.Press(Keys.U);
+
+        // The file of the survey is read on another thread; where a fault has ended the survey nothing comes.
+        for (int tick = 0; tick < 100 && !driver.Game.Calls.Contains(Hash.GET_CLOSEST_ROAD); tick++)
+        {
+            Thread.Sleep(2);
+            driver.Tick();
+        }
+
+        driver.Press(Keys.U);
+        driver.WaitForDisk();
         driver.Press(Keys.L);
         driver.Press(Keys.I);
+        driver.Press(Keys.C);
+        driver.Tick(20);
         driver.Press(Keys.J);
         driver.Tick(25);
         driver.Press(Keys.J);

@@ -142,31 +142,6 @@ public sealed class HarvestTests
     }
 
     [Fact]
-    public void Overlay_draws_the_lane_lines_of_both_directions()
-    {
-        using var driver = new ScriptDriver("[Harvest]\nClasses = Bus\n");
-        Street(driver.Game);
-        driver.Game.Road = new ClosestRoad(new Vector3D(100, 180, 0), new Vector3D(100, 320, 0), 1, 1, 0);
-        driver.Press(Keys.I);
-        driver.Press(Keys.L);
-        Vector2D[] points = driver.Game.Rectangles.Select(dot => new Vector2D((dot.XMin + dot.XMax) / 2, (dot.YMin + dot.YMax) / 2)).ToArray();
-
-        // A lane each way without a median: lines 5.4 m to the left, in the middle (once for each direction) and 5.4 m to the right.
-        // The camera is over the middle line, 1 m above the road, and looks along it: the middle line is upright at half the width.
-        const double singlePrecision = 1e-5;
-        Vector2D[] middle = points.Where(point => Math.Abs(point.X - 0.5) < singlePrecision).ToArray();
-        Vector2D[] left = points.Where(point => point.X < 0.5 - singlePrecision).ToArray();
-        Vector2D[] right = points.Where(point => point.X > 0.5 + singlePrecision).ToArray();
-        Assert.InRange(left.Length, 10, 41);
-        Assert.Equal(left.Length, right.Length);
-        Assert.InRange(middle.Length, 2 * left.Length, 82);
-        Assert.All(points, point => Assert.InRange(point.Y, 0.5, 1));
-
-        // At 320 m north the outer line is 118 m ahead: 0.5 + 5.4 / 118 / (2 tan 25° · 4/3) = 0.5368.
-        Assert.Equal(0.5368, right.MinBy(point => point.Y).X, 4);
-    }
-
-    [Fact]
     public void Giving_the_view_back_ends_the_harvest()
     {
         using var driver = new ScriptDriver();

@@ -18,7 +18,7 @@ internal sealed class ScriptDriver : IDisposable
     public ScriptDriver(
         string ini = "", Action<TestGame>? prepare = null, IScreen? screen = null, IClock? clock = null, string? spaces = "# none\n")
     {
-        File.WriteAllText(Path.Combine(_folder.Path, "GtaDataHarvester.ini"), ini + "\n[Harvest]\nFolder = out\nProbeLag = Off\n");
+        File.WriteAllText(Path.Combine(_folder.Path, "GtaDataHarvester.ini"), ini + "\n[Harvest]\nFolder = out\nProbeLag = Off\n[Lens]\nMaxError = 0\n");
         if (spaces is not null)
         {
             File.WriteAllText(Path.Combine(_folder.Path, "spaces_of_interest.csv"), spaces);
@@ -38,6 +38,9 @@ internal sealed class ScriptDriver : IDisposable
     public TestClock Clock { get; } = new();
 
     public TestScreen Screen { get; }
+
+    /// <summary>The folder that the mod lies in.</summary>
+    public string Folder => _folder.Path;
 
     /// <summary>The folder that sessions go to.</summary>
     public string Output => Path.Combine(_folder.Path, "out");

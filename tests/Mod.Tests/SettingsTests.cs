@@ -1,4 +1,6 @@
 using System.Windows.Forms;
+using Harvester.Capture.Playing;
+using Harvester.Capture.Settings;
 
 namespace Harvester.Mod.Tests;
 
@@ -45,15 +47,18 @@ public sealed class SettingsTests
     public void Shipped_file_has_no_complaint_and_says_the_defaults()
     {
         using var folder = new TemporaryFolder();
-        ModSettings defaults = ModSettings.Default(folder.Path);
-        File.Copy(Path.Combine(BuiltMod.RepositoryRoot, "src", "Harvester.Mod", ModSettings.FileName), Path.Combine(folder.Path, ModSettings.FileName));
-        ModSettings shipped = ModSettings.Load(folder.Path);
+        File.Copy(Path.Combine(BuiltMod.RepositoryRoot, "src", "Harvester.Mod", "GtaDataHarvester.ini"), Path.Combine(folder.Path, "GtaDataHarvester.ini"));
+        IniFile shipped = new ModFolder(folder.Path).Settings;
+        IniFile empty = IniFile.Read(TextReader.Null);
 
+        Assert.Equal(PlayerSettings.Read(empty, folder.Path), PlayerSettings.Read(shipped, folder.Path));
+        (string Name, Keys Key)[] keys =
+        [
+            ("SpawnTestCar", Keys.NumPad0), ("MountCamera", Keys.I), ("RestoreCamera", Keys.O), ("Harvest", Keys.J),
+            ("OneFrame", Keys.K), ("Overlay", Keys.L), ("Calibrate", Keys.C), ("RoadSurvey", Keys.U),
+        ];
+        Assert.All(keys, key => Assert.Equal(key.Key, shipped.Choice("Keys", key.Name, Keys.None, "a key")));
         Assert.Empty(shipped.Complaints);
-        foreach (System.Reflection.PropertyInfo property in typeof(ModSettings).GetProperties())
-        {
-            Assert.Equal(property.GetValue(defaults), property.GetValue(shipped));
-        }
     }
 
     [Fact]

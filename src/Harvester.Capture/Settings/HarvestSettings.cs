@@ -10,7 +10,14 @@ namespace Harvester.Capture.Settings;
 public static class HarvestSettings
 {
     private const string Harvest = "Harvest";
-    private const string Lens = "Lens";
+    private const string FocalScale = "FocalScale";
+    private const string CentreOffsetX = "CentreOffsetX";
+    private const string CentreOffsetY = "CentreOffsetY";
+    private const string K1 = "K1";
+    private const string K2 = "K2";
+
+    /// <summary>Name of the section of the lens.</summary>
+    public const string LensSection = "Lens";
 
     /// <summary>The options that a file asks for; what it does not name, or names badly, has its default.</summary>
     /// <exception cref="ArgumentNullException">No file is given.</exception>
@@ -40,17 +47,28 @@ public static class HarvestSettings
             TickBudgetMilliseconds = ini.Number(Harvest, "TickBudget", fallback.TickBudgetMilliseconds, 0.1, 1000),
             QueueCapacity = ini.Whole(Harvest, "Queue", fallback.QueueCapacity, 1, 1000),
             Lens = LensOf(ini),
+            MaxCalibrationErrorPixels = ini.Number(LensSection, "MaxError", fallback.MaxCalibrationErrorPixels ?? 0, 0, 100) is > 0 and var error ? error : null,
         };
     }
+
+    /// <summary>What a settings file says of a lens.</summary>
+    public static IReadOnlyList<KeyValuePair<string, double>> ValuesOf(Lens lens) =>
+    [
+        new(FocalScale, lens.FocalScale),
+        new(CentreOffsetX, lens.CentreOffsetX),
+        new(CentreOffsetY, lens.CentreOffsetY),
+        new(K1, lens.K1),
+        new(K2, lens.K2),
+    ];
 
     private static Lens LensOf(IniFile ini)
     {
         const double furthestShift = 0.5;
         return new Lens(
-            ini.Number(Lens, "FocalScale", 1, 0.5, 2),
-            ini.Number(Lens, "CentreOffsetX", 0, -furthestShift, furthestShift),
-            ini.Number(Lens, "CentreOffsetY", 0, -furthestShift, furthestShift),
-            ini.Number(Lens, "K1", 0, -1, 1),
-            ini.Number(Lens, "K2", 0, -1, 1));
+            ini.Number(LensSection, FocalScale, 1, 0.5, 2),
+            ini.Number(LensSection, CentreOffsetX, 0, -furthestShift, furthestShift),
+            ini.Number(LensSection, CentreOffsetY, 0, -furthestShift, furthestShift),
+            ini.Number(LensSection, K1, 0, -1, 1),
+            ini.Number(LensSection, K2, 0, -1, 1));
     }
 }

@@ -33,6 +33,7 @@ public sealed class HarvestSettingsTests
             TickBudget = 1.5
             Queue = 3
             [Lens]
+            MaxError = 0.4
             FocalScale = 1.008
             CentreOffsetX = 0.01
             CentreOffsetY = -0.02
@@ -57,9 +58,16 @@ public sealed class HarvestSettingsTests
             MaxPictureLagTicks = 7,
             TickBudgetMilliseconds = 1.5,
             QueueCapacity = 3,
+            MaxCalibrationErrorPixels = 0.4,
             Lens = new Lens(1.008, 0.01, -0.02, -0.1, 0.03),
         };
         Assert.Equal(expected, options);
+    }
+
+    [Fact]
+    public void Error_of_the_lens_of_zero_means_that_it_is_not_checked()
+    {
+        Assert.Null(HarvestSettings.Read(Read("[Lens]\nMaxError = 0\n")).MaxCalibrationErrorPixels);
     }
 
     [Fact]

@@ -37,6 +37,7 @@ internal sealed class SimulatedScene
             Show(game);
         };
         game.PauseChanged = paused => (paused ? (Action)_simulation.Ports.Pause.Freeze : _simulation.Ports.Pause.Unfreeze)();
+        game.BallsDrawn = _simulation.Ports.Markers!.Show;
         Show(game);
     }
 

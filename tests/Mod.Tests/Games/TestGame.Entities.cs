@@ -16,6 +16,7 @@ internal sealed partial class TestGame
             ? entity.Pool switch { PoolKind.Peds => 1, PoolKind.Vehicles => 2, _ => 3 }
             : 0;
         _natives[Hash.GET_ENTITY_MODEL] = a => Entities.TryGetValue((int)a[0], out GameEntity? entity) ? entity.Model : 0;
+        _natives[Hash.GET_ENTITY_COORDS] = a => ToGame(Entities[PlayersVehicle != 0 && (int)a[0] == Player ? PlayersVehicle : (int)a[0]].Pose.Position);
         _natives[Hash.GET_ENTITY_VELOCITY] = a => ToGame(Entities.TryGetValue((int)a[0], out GameEntity? entity) ? entity.Velocity : default);
         _natives[Hash.GET_ENTITY_HEADING] = a => (float)Angles.HeadingDegrees(Entities[(int)a[0]].Pose.Axes.Forward);
         _natives[Hash.GET_OFFSET_FROM_ENTITY_IN_WORLD_COORDS] = a => ToGame(Entities[(int)a[0]].Pose.ToWorld(ToWorld(a[1], a[2], a[3])));

@@ -1,7 +1,9 @@
 using GTA.Native;
+using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Capture.Spaces;
 using Harvester.Geometry;
+using Harvester.Geometry.Calibration;
 
 namespace Harvester.Mod.Tests.Games;
 
@@ -17,8 +19,14 @@ internal sealed partial class TestGame
 
     public bool IsFeedHidden { get; private set; }
 
-    /// <summary>The road near; null for none.</summary>
-    public ClosestRoad? Road { get; set; }
+    /// <summary>The roads; null for none.</summary>
+    public IRoadSource? Roads { get; set; }
+
+    /// <summary>Balls that this frame draws.</summary>
+    public List<PlannedMarker> Balls { get; } = [];
+
+    /// <summary>Told at the end of each frame which balls it drew.</summary>
+    public Action<IReadOnlyList<PlannedMarker>> BallsDrawn { get; set; } = _ => { };
 
     public EnvironmentState Environment { get; set; } = new("clear", new TimeSpan(12, 0, 0));
 
@@ -28,6 +36,8 @@ internal sealed partial class TestGame
     private void ClearDrawings()
     {
         ShowedDisplay = !IsHudHidden || !IsFeedHidden || Rectangles.Count > 0 || Texts.Count > 0;
+        BallsDrawn([.. Balls]);
+        Balls.Clear();
         Rectangles.Clear();
         Texts.Clear();
         IsHudHidden = false;
@@ -47,19 +57,12 @@ internal sealed partial class TestGame
         _natives[Hash.GET_CLOCK_MINUTES] = _ => Environment.TimeOfDay.Minutes;
         _natives[Hash.GET_CLOCK_SECONDS] = _ => Environment.TimeOfDay.Seconds;
         _natives[Hash.GET_PREV_WEATHER_TYPE_HASH_NAME] = _ => ModelHash.Of(Environment.Weather);
-        _natives[Hash.GET_CLOSEST_ROAD] = a =>
+        Do(Hash.DRAW_MARKER, a =>
         {
-            if (Road is { } road)
-            {
-                Write(a[5], ToGame(road.Start));
-                Write(a[6], ToGame(road.End));
-                Write(a[7], road.LanesForward);
-                Write(a[8], road.LanesBackward);
-                Write(a[9], (float)road.MedianWidth);
-            }
-
-            return Road is not null;
-        };
+            Assert.Equal(28, (int)a[0]);
+            Assert.Equal([a[10], a[10]], [a[11], a[12]]);
+            Balls.Add(new PlannedMarker(ToWorld(a[1], a[2], a[3]), (float)a[10], default));
+        });
         Do(Hash.HIDE_HUD_AND_RADAR_THIS_FRAME, _ => IsHudHidden = true);
         Do(Hash.THEFEED_HIDE_THIS_FRAME, _ => IsFeedHidden = true);
         Do(Hash.DRAW_RECT, a =>

@@ -25,6 +25,7 @@ internal sealed partial class TestGame : IGameHost
         AddVehicleNatives();
         AddCameraNatives();
         AddRayNatives();
+        AddRoadNatives();
         AddInterfaceNatives();
     }
 

@@ -3,27 +3,39 @@ using System.IO;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 
-namespace Harvester.Mod;
+namespace Harvester.Capture.Playing;
 
-/// <summary>A line about the harvest that runs, in moments when no picture is grabbed.</summary>
-internal sealed class Hud : IFeature
+/// <summary>Lines about the harvest and the road survey that run, in moments when no picture is grabbed.</summary>
+public sealed class HarvestLine : IFeature
 {
     private const double DiskEveryMilliseconds = 5_000;
     private const double BytesPerGigabyte = 1e9;
-    private static readonly Colour White = new(255, 255, 255, 255);
     private readonly Harvest _harvest;
     private readonly string _folder;
     private readonly IClock _clock;
+    private readonly IDisplay _display;
     private double _diskAskedAt = double.NegativeInfinity;
     private string _disk = string.Empty;
     private bool _isOff;
 
-    public Hud(Harvest harvest, string folder, IClock clock)
+    /// <summary>Makes the line.</summary>
+    /// <param name="harvest">What to tell of.</param>
+    /// <param name="folder">Where sessions go; the free space there is told.</param>
+    /// <param name="clock">The player's time.</param>
+    /// <param name="display">Where to write.</param>
+    public HarvestLine(Harvest harvest, string folder, IClock clock, IDisplay display)
     {
         _harvest = harvest;
         _folder = folder;
         _clock = clock;
+        _display = display;
     }
+
+    /// <summary>Whether nothing may be drawn now.</summary>
+    public Func<bool> IsPictureNear { get; init; } = static () => false;
+
+    /// <summary>What the road survey says of itself; null when it is off.</summary>
+    public Func<string?> SurveyLine { get; init; } = static () => null;
 
     /// <inheritdoc/>
     public string Name => "The display";
@@ -31,26 +43,40 @@ internal sealed class Hud : IFeature
     /// <inheritdoc/>
     public void Tick()
     {
-        if (_harvest.Status is not { } status)
+        string? survey = SurveyLine();
+        if (_harvest.Status is null && survey is null)
         {
             _isOff = false;
             return;
         }
 
-        if (_isOff || _harvest.IsPictureNear)
+        if (_isOff || IsPictureNear())
         {
             return;
         }
 
-        AskDisk();
-        string state = status.Phase == HarvestPhase.WaitingForSink ? "WAITING FOR DISK" : "REC";
-        string line = FormattableString.Invariant(
-            $"{state}  {status.Captured} frames  {status.FramesPerSecond:0.0}/s  {status.Discarded} discarded  queue {_harvest.Queued}  {_disk}");
-        Natives.DrawText(line, 0.02, 0.02, 0.35, White);
+        if (survey is not null)
+        {
+            _display.Text(survey, 0.02, 0.05);
+        }
+
+        if (_harvest.Status is { } status)
+        {
+            Tell(status);
+        }
     }
 
     /// <inheritdoc/>
     public void Stop() => _isOff = true;
+
+    private void Tell(HarvestStatus status)
+    {
+        AskDisk();
+        string state = status.Phase == HarvestPhase.WaitingForSink ? "WAITING FOR DISK" : "REC";
+        string line = FormattableString.Invariant(
+            $"{state}  {status.Captured} frames  {status.FramesPerSecond:0.0}/s  {status.Discarded} discarded  queue {_harvest.Queued}  {_disk}");
+        _display.Text(line, 0.02, 0.02);
+    }
 
     private void AskDisk()
     {

@@ -3,37 +3,55 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Threading.Tasks;
-using GTA;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 
-namespace Harvester.Mod;
+namespace Harvester.Capture.Playing;
 
 /// <summary>Starts, drives and ends harvests by the keys.</summary>
-internal sealed class Harvest : IFeature, IDisposable
+public sealed class Harvest : IFeature, IDisposable
 {
     private static readonly TimeSpan LongestWaitForTheDisk = TimeSpan.FromSeconds(10);
-    private readonly ModSettings _settings;
-    private readonly Messages _messages;
-    private readonly CameraMount _mount;
+    private readonly string _folder;
+    private readonly PlayerMessages _messages;
+    private readonly IMount _mount;
     private readonly GamePorts _game;
+    private readonly IDisplay _display;
+    private readonly Func<SessionOrigin> _origin;
     private HarvestSession? _session;
     private SessionWriter? _writer;
     private Task _closing = Task.CompletedTask;
     private string? _singlesFolder;
 
     /// <summary>Makes ready for harvests of a game.</summary>
-    public Harvest(ModSettings settings, Messages messages, CameraMount mount, GamePorts game)
+    /// <param name="options">What to harvest and how.</param>
+    /// <param name="folder">Where sessions go, each into a folder of its own.</param>
+    /// <param name="messages">Tells how harvests ended.</param>
+    /// <param name="mount">The camera that harvests.</param>
+    /// <param name="game">The game.</param>
+    /// <param name="display">The game's own display is hidden while a harvest runs.</param>
+    /// <param name="origin">Tells at the start of a harvest where its session comes from.</param>
+    public Harvest(
+        HarvestOptions options, string folder, PlayerMessages messages, IMount mount, GamePorts game, IDisplay display, Func<SessionOrigin> origin)
     {
-        _settings = settings;
+        Options = options;
+        _folder = folder;
         _messages = messages;
         _mount = mount;
         _game = game;
+        _display = display;
+        _origin = origin;
     }
 
     /// <inheritdoc/>
     public string Name => "The harvest";
+
+    /// <summary>What to harvest and how, from the next harvest on.</summary>
+    public HarvestOptions Options { get; set; }
+
+    /// <summary>Why this game cannot be harvested; null when it can.</summary>
+    public Func<string?> Problem { get; init; } = static () => null;
 
     /// <summary>The harvest that runs; null when none does.</summary>
     public HarvestStatus? Status => _session?.Status;
@@ -42,7 +60,7 @@ internal sealed class Harvest : IFeature, IDisposable
     public int Queued => _writer?.Queued ?? 0;
 
     /// <summary>Whether a picture may be grabbed now or so soon that nothing of ours may be drawn.</summary>
-    public bool IsPictureNear => Status is { } status && (!_settings.Options.Freeze || status.Phase is not (HarvestPhase.Waiting or HarvestPhase.WaitingForSink));
+    public bool IsPictureNear => Status is { } status && (!Options.Freeze || status.Phase is not (HarvestPhase.Waiting or HarvestPhase.WaitingForSink));
 
     /// <summary>Whether an ended harvest is still being written.</summary>
     public bool IsWriting => !_closing.IsCompleted;
@@ -52,7 +70,7 @@ internal sealed class Harvest : IFeature, IDisposable
     {
         if (_session is null)
         {
-            Start(_settings.Options, NewFolder("session"), resume: false);
+            Start(Options, NewFolder("session"), resume: false);
         }
         else
         {
@@ -71,7 +89,7 @@ internal sealed class Harvest : IFeature, IDisposable
 
         bool resume = _singlesFolder is not null;
         _singlesFolder ??= NewFolder("singles");
-        Start(_settings.Options with { MaxFrames = 1, ProbeLag = false }, _singlesFolder, resume);
+        Start(Options with { MaxFrames = 1, ProbeLag = false, MaxCalibrationErrorPixels = resume ? null : Options.MaxCalibrationErrorPixels }, _singlesFolder, resume);
     }
 
     /// <inheritdoc/>
@@ -82,9 +100,8 @@ internal sealed class Harvest : IFeature, IDisposable
             return;
         }
 
-        Natives.HideHudAndRadar();
-        Natives.HideFeed();
-        if (_mount.Vehicle == 0)
+        _display.HideGames();
+        if (!_mount.IsMounted)
         {
             Stop();
         }
@@ -119,29 +136,23 @@ internal sealed class Harvest : IFeature, IDisposable
             return;
         }
 
-        if (GameBuild.ListProblem is { } problem)
+        if (Problem() is { } problem)
         {
             _messages.Tell(problem);
             return;
         }
 
-        if (_mount.Vehicle == 0)
+        if (!_mount.IsMounted)
         {
             _mount.Mount();
         }
 
-        if (_mount.Vehicle == 0)
+        if (!_mount.IsMounted)
         {
             return;
         }
 
-        var origin = new SessionOrigin
-        {
-            Game = $"GTA V {Game.Version}",
-            Tool = $"GtaDataHarvester {typeof(Harvest).Assembly.GetName().Version}",
-            RecordedUtc = DateTime.UtcNow.ToString("yyyy-MM-ddTHH:mm:ssZ", CultureInfo.InvariantCulture),
-        };
-        _writer = new SessionWriter(folder, origin, resume);
+        _writer = new SessionWriter(folder, _origin(), resume);
         _session = new HarvestSession(options, _game, _writer);
     }
 
@@ -155,12 +166,12 @@ internal sealed class Harvest : IFeature, IDisposable
         string discards = string.Join(", ", session.Counters.Discards.Select(discard => FormattableString.Invariant($"{discard.Value} {discard.Key}")));
         string counts = FormattableString.Invariant($"{status.Captured} frames")
             + (discards.Length > 0 ? $", discarded: {discards}" : string.Empty);
-        _messages.Tell(status.Fault is { } fault ? $"{fault} ({counts})" : $"The harvest ended: {counts}, in {_settings.Folder}.");
+        _messages.Tell(status.Fault is { } fault ? $"{fault} ({counts})" : $"The harvest ended: {counts}, in {_folder}.");
     }
 
     private string NewFolder(string kind)
     {
-        string name = Path.Combine(_settings.Folder, kind + DateTime.Now.ToString("-yyyyMMdd-HHmmss", CultureInfo.InvariantCulture));
+        string name = Path.Combine(_folder, kind + DateTime.Now.ToString("-yyyyMMdd-HHmmss", CultureInfo.InvariantCulture));
         string free = name;
         for (int number = 2; Directory.Exists(free); number++)
         {

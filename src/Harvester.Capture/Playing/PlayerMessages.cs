@@ -3,22 +3,27 @@ using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using System.Threading;
-using GTA.UI;
 
-namespace Harvester.Mod;
+namespace Harvester.Capture.Playing;
 
-/// <summary>What the mod tells: messages to the player above the map, and a log file beside the dll. Telling never throws.</summary>
-internal sealed class Messages
+/// <summary>What the mod tells: messages to the player, and a log file. Telling never throws. All calls come from one thread.</summary>
+public sealed class PlayerMessages
 {
     private const string Prefix = "GtaDataHarvester: ";
     private const long RepeatAfterMilliseconds = 5_000;
     private readonly string _logPath;
+    private readonly Action<string> _show;
     private readonly Stopwatch _sinceLast = Stopwatch.StartNew();
     private string _last = string.Empty;
 
     /// <summary>Makes the log's place known.</summary>
     /// <param name="folder">The folder that the mod lies in.</param>
-    public Messages(string folder) => _logPath = Path.Combine(folder, "GtaDataHarvester.log");
+    /// <param name="show">Shows a message in the game.</param>
+    public PlayerMessages(string folder, Action<string> show)
+    {
+        _logPath = Path.Combine(folder, "GtaDataHarvester.log");
+        _show = show;
+    }
 
     /// <summary>Tells the player, and the log; the same message again within five seconds only once.</summary>
     public void Tell(string message)
@@ -31,14 +36,14 @@ internal sealed class Messages
         _last = message;
         _sinceLast.Restart();
         Log(message);
-        Quietly(() => Notification.Show(Prefix + message));
+        Quietly(() => _show(Prefix + message));
     }
 
     /// <summary>Tells the player that something failed, and the log why.</summary>
     public void TellFailure(string what, Exception exception)
     {
-        Log(exception.ToString());
-        Tell($"{what} failed: {exception.Message} More in GtaDataHarvester.log.");
+        Log(exception?.ToString() ?? what);
+        Tell($"{what} failed: {exception?.Message} More in GtaDataHarvester.log.");
     }
 
     /// <summary>Writes a line to the log.</summary>
@@ -51,7 +56,9 @@ internal sealed class Messages
         {
             tell();
         }
+#pragma warning disable CA1031 // Who cannot be told cannot be told that either.
         catch (Exception exception) when (exception is not ThreadAbortException)
+#pragma warning restore CA1031
         {
             Trace.WriteLine(exception.Message);
         }

@@ -1,7 +1,7 @@
-namespace Harvester.Mod;
+namespace Harvester.Capture.Playing;
 
 /// <summary>A part of the mod that works on every tick.</summary>
-internal interface IFeature
+public interface IFeature
 {
     /// <summary>What it is to the player, as the message of a failure names it.</summary>
     string Name { get; }

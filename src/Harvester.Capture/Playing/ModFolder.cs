@@ -1,0 +1,73 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using Harvester.Capture.Settings;
+using Harvester.Capture.Spaces;
+
+namespace Harvester.Capture.Playing;
+
+/// <summary>The files beside the mod. What cannot be read is no exception: it is told in <see cref="Complaints"/>, and defaults are used.</summary>
+public sealed class ModFolder
+{
+    private const string SettingsFile = "GtaDataHarvester.ini";
+    private const string SpacesFile = "spaces_of_interest.csv";
+    private readonly string _folder;
+    private readonly List<string> _complaints = [];
+
+    /// <summary>Reads the files.</summary>
+    /// <param name="folder">The folder that the mod lies in.</param>
+    public ModFolder(string folder)
+    {
+        _folder = folder;
+        Settings = Read(ReadSettings, () => IniFile.Read(TextReader.Null), SettingsFile);
+        SpaceTableContent spaces = Read(ReadSpaces, () => new SpaceTableContent(SpaceTable.Empty, []), SpacesFile);
+        _complaints.AddRange(spaces.Problems.Select(problem => $"{SpacesFile}: {problem}"));
+        Spaces = spaces.Table;
+    }
+
+    /// <summary>Where the settings stand.</summary>
+    public string SettingsPath => Path.Combine(_folder, SettingsFile);
+
+    /// <summary>The settings.</summary>
+    public IniFile Settings { get; }
+
+    /// <summary>The faces of signs and traffic lights.</summary>
+    public SpaceTable Spaces { get; }
+
+    /// <summary>What is wrong with the files, a sentence each; to be asked after all settings.</summary>
+    public IEnumerable<string> Complaints => _complaints.Concat(Settings.Complaints.Select(Told));
+
+    /// <summary>Complains of a setting.</summary>
+    public void Complain(string sentence) => _complaints.Add(Told(sentence));
+
+    private static string Told(string sentence) => $"{SettingsFile}: {sentence}";
+
+    private IniFile ReadSettings()
+    {
+        using TextReader reader = File.Exists(SettingsPath) ? new StreamReader(SettingsPath) : TextReader.Null;
+        return IniFile.Read(reader);
+    }
+
+    private SpaceTableContent ReadSpaces()
+    {
+        using var reader = new StreamReader(Path.Combine(_folder, SpacesFile));
+        return SpaceTableReader.Read(reader);
+    }
+
+    private T Read<T>(Func<T> read, Func<T> fallback, string file)
+    {
+        try
+        {
+            return read();
+        }
+#pragma warning disable CA1031 // Whatever is wrong with a file, the mod starts.
+        catch (Exception exception) when (exception is not ThreadAbortException)
+#pragma warning restore CA1031
+        {
+            _complaints.Add($"{file} cannot be read: {exception.Message}");
+            return fallback();
+        }
+    }
+}

@@ -1,0 +1,72 @@
+using System;
+using System.IO;
+using Harvester.Capture.Harvesting;
+using Harvester.Geometry;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Capture.Settings;
+
+/// <summary>What a player's settings file says, its keys apart. What it means and which values it takes stands in that file.</summary>
+public sealed record PlayerSettings
+{
+    private const double LargestOffsetMetres = 20;
+
+    /// <summary>The game's name of the test car's model.</summary>
+    public required string CarModel { get; init; }
+
+    /// <summary>What the test car's number plate says.</summary>
+    public required string CarPlate { get; init; }
+
+    /// <summary>Vertical field of view of the mounted camera, degrees.</summary>
+    public required double VerticalFovDegrees { get; init; }
+
+    /// <summary>Place of the mounted camera from the vehicle's origin, in its frame, metres.</summary>
+    public required Vector3D CameraOffset { get; init; }
+
+    /// <summary>What to harvest and how.</summary>
+    public required HarvestOptions Options { get; init; }
+
+    /// <summary>Where sessions go, each into a folder of its own.</summary>
+    public required string Folder { get; init; }
+
+    /// <summary>The file of the roads; null to learn them from the game.</summary>
+    public required string? RoadFile { get; init; }
+
+    /// <summary>Width of the lanes of an ordinary road, metres.</summary>
+    public required double LaneWidthMetres { get; init; }
+
+    /// <summary>The file of the road survey.</summary>
+    public required string SurveyFile { get; init; }
+
+    /// <summary>The settings of a file; what it does not name, or names badly, has its default.</summary>
+    /// <param name="ini">The file.</param>
+    /// <param name="modFolder">Where relative paths begin.</param>
+    /// <exception cref="ArgumentNullException">No file is given.</exception>
+    public static PlayerSettings Read(IniFile ini, string modFolder)
+    {
+        if (ini is null)
+        {
+            throw new ArgumentNullException(nameof(ini));
+        }
+
+        string pictures = Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.MyPictures), "GtaDataHarvester");
+        string folder = PathOf(ini.Text("Harvest", "Folder", pictures));
+        string roads = ini.Text("Roads", "File", string.Empty);
+        return new PlayerSettings
+        {
+            CarModel = ini.Text("TestCar", "Model", "adder"),
+            CarPlate = ini.Text("TestCar", "Plate", "HARVEST"),
+            VerticalFovDegrees = ini.Number("Camera", "VerticalFov", 50, 1, 130),
+            CameraOffset = new Vector3D(Offset("OffsetRight", 0), Offset("OffsetForward", 2), Offset("OffsetUp", 0.4)),
+            Options = HarvestSettings.Read(ini),
+            Folder = folder,
+            RoadFile = roads.Length > 0 ? PathOf(roads) : null,
+            LaneWidthMetres = ini.Number("Roads", "LaneWidth", RoadGeometry.LaneWidth, 2, 10),
+            SurveyFile = Path.Combine(folder, "roads.csv"),
+        };
+
+        string PathOf(string text) => Path.Combine(modFolder, Environment.ExpandEnvironmentVariables(text));
+
+        double Offset(string name, double fallback) => ini.Number("Camera", name, fallback, -LargestOffsetMetres, LargestOffsetMetres);
+    }
+}

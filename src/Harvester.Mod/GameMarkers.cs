@@ -1,0 +1,34 @@
+using System.Collections.Generic;
+using Harvester.Capture.Playing;
+using Harvester.Capture.Ports;
+using Harvester.Geometry.Calibration;
+
+namespace Harvester.Mod;
+
+/// <summary>Balls for the calibration. The game draws a marker for one frame only, so that each tick asks for all of them again.</summary>
+internal sealed class GameMarkers : IMarkers, IFeature
+{
+    private static readonly Colour Magenta = new(255, 0, 255);
+    private IReadOnlyList<PlannedMarker> _markers = [];
+
+    /// <inheritdoc/>
+    public string Name => "The markers";
+
+    /// <inheritdoc/>
+    public void Show(IReadOnlyList<PlannedMarker> markers) => _markers = markers;
+
+    /// <inheritdoc/>
+    public void Clear() => _markers = [];
+
+    /// <inheritdoc/>
+    public void Tick()
+    {
+        foreach (PlannedMarker marker in _markers)
+        {
+            Natives.DrawBall(marker.Centre, marker.RadiusMetres, Magenta);
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Stop() => Clear();
+}

@@ -1,0 +1,86 @@
+using System.Windows.Forms;
+using Harvester.Capture.Playing;
+using Harvester.Capture.Settings;
+using Harvester.Capture.Spaces;
+using Harvester.Geometry.Cameras;
+using Harvester.Mod.Tests.Games;
+using Harvester.Simulation;
+using Harvester.Simulation.Rendering;
+
+namespace Harvester.Mod.Tests;
+
+public sealed class CalibrationTests
+{
+    private const string Ini = "[Harvest]\nWidth = 400\nHeight = 300\n[Lens]\n; mine\nK2 = 0\nMaxError = 0.5\n";
+    private const int TicksForAll = 200;
+
+    [Fact]
+    public void Harvest_refuses_a_lens_that_is_off_until_the_key_has_calibrated_it()
+    {
+        var options = new SimulationOptions { Seed = 9, Lens = new RenderLens(1.008, 0, 0, -0.02, 0) };
+        var scene = new SimulatedScene(options, SpaceTable.Empty);
+        using var driver = new ScriptDriver(Ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock);
+        driver.Press(Keys.J);
+        Until(driver, "The camera model is off by");
+        Assert.False(driver.Game.IsPaused);
+        driver.WaitForDisk();
+
+        driver.Press(Keys.C);
+        driver.Tick();
+        Assert.True(driver.Game.IsHudHidden);
+        Until(driver, "Calibrated: the error was");
+        driver.WaitForDisk();
+        Assert.False(driver.Game.IsPaused);
+        driver.Tick();
+        Assert.Empty(driver.Game.Balls);
+        Lens lens = HarvestSettings.Read(new ModFolder(driver.Folder).Settings).Lens;
+        Assert.InRange(lens.FocalScale, 1.006, 1.010);
+        Assert.InRange(lens.K1, -0.025, -0.015);
+        Assert.Contains("; mine", File.ReadAllText(Path.Combine(driver.Folder, "GtaDataHarvester.ini")), StringComparison.Ordinal);
+
+        // The check at the start of the harvest is the judge of the lens: half a pixel.
+        driver.Press(Keys.K);
+        Until(driver, "The harvest ended: 1 frames");
+    }
+
+    [Fact]
+    public void Harvest_waits_for_the_end_of_a_calibration_and_the_key_again_stops_it()
+    {
+        using var driver = new ScriptDriver();
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.C);
+        driver.Press(Keys.J);
+        Assert.Contains("The calibration is running", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.True(driver.Game.IsPaused);
+        driver.Press(Keys.C);
+
+        Assert.Contains("The calibration was stopped", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.False(driver.Game.IsPaused);
+        Assert.False(Directory.Exists(driver.Output));
+    }
+
+    [Fact]
+    public void Calibration_that_sees_no_markers_says_so_and_changes_nothing()
+    {
+        using var driver = new ScriptDriver();
+        HarvestTests.Street(driver.Game);
+        string ini = File.ReadAllText(Path.Combine(driver.Folder, "GtaDataHarvester.ini"));
+        driver.Press(Keys.C);
+        Until(driver, "does not determine the lens");
+
+        Assert.Equal(ini, File.ReadAllText(Path.Combine(driver.Folder, "GtaDataHarvester.ini")));
+        Assert.False(driver.Game.IsPaused);
+    }
+
+    private static void Until(ScriptDriver driver, string message)
+    {
+        for (int tick = 0; tick < TicksForAll && !IsTold(); tick++)
+        {
+            driver.Tick();
+        }
+
+        Assert.True(IsTold(), string.Join('\n', driver.Game.Notifications));
+
+        bool IsTold() => driver.Game.Notifications.Any(told => told.Contains(message, StringComparison.Ordinal));
+    }
+}

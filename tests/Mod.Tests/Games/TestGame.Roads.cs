@@ -1,0 +1,48 @@
+using GTA.Native;
+using Harvester.Capture.Roads;
+
+namespace Harvester.Mod.Tests.Games;
+
+/// <summary>The natives about roads.</summary>
+internal sealed partial class TestGame
+{
+    private readonly Dictionary<int, SurveyedNode> _roadNodes = [];
+
+    private void AddRoadNatives()
+    {
+        Do(Hash.REQUEST_PATH_NODES_IN_AREA_THIS_FRAME, _ => { });
+        _natives[Hash.ARE_NODES_LOADED_FOR_AREA] = _ => true;
+        _natives[Hash.GET_NTH_CLOSEST_VEHICLE_NODE_ID] = a =>
+        {
+            if (Roads?.NthClosestNode(ToWorld(a[0], a[1], a[2]), (int)a[3]) is not { } node)
+            {
+                return 0;
+            }
+
+            _roadNodes[node.Handle] = node;
+            return node.Handle;
+        };
+        Do(Hash.GET_VEHICLE_NODE_POSITION, a => Write(a[1], ToGame(_roadNodes[(int)a[0]].Position)));
+        _natives[Hash.GET_VEHICLE_NODE_PROPERTIES] = a =>
+        {
+            SurveyedProperties? properties = Roads?.ReadProperties(ToWorld(a[0], a[1], a[2]));
+            Write(a[3], properties?.Density ?? 0);
+            Write(a[4], properties?.Flags ?? 0);
+            return properties is not null;
+        };
+        _natives[Hash.GET_CLOSEST_ROAD] = a =>
+        {
+            if (Roads?.ClosestRoad(ToWorld(a[0], a[1], a[2])) is not { } road)
+            {
+                return false;
+            }
+
+            Write(a[5], ToGame(road.First));
+            Write(a[6], ToGame(road.Second));
+            Write(a[7], road.LanesToFirst);
+            Write(a[8], road.LanesToSecond);
+            Write(a[9], (float)road.MedianWidth);
+            return true;
+        };
+    }
+}

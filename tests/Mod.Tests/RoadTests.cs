@@ -1,0 +1,136 @@
+using System.Windows.Forms;
+using Harvester.Capture.Roads;
+using Harvester.Capture.Tests.Roads;
+using Harvester.Geometry;
+using Harvester.Geometry.Roads;
+using Harvester.Mod.Tests.Games;
+
+namespace Harvester.Mod.Tests;
+
+public sealed class RoadTests
+{
+    [Fact]
+    public void Key_surveys_the_roads_around_and_keeps_them_and_the_next_survey_goes_on()
+    {
+        using var driver = new ScriptDriver();
+        HarvestTests.Street(driver.Game);
+        driver.Game.Roads = new FakeRoadSource(Road());
+        driver.Press(Keys.U);
+        Until(driver, () => driver.Game.Texts.Any(text => text.StartsWith("SURVEY  2 nodes  1 links  0 waiting", StringComparison.Ordinal)));
+        driver.Press(Keys.U);
+        driver.WaitForDisk();
+        string file = Path.Combine(driver.Output, "roads.csv");
+        Assert.Contains($"The road survey is off: 2 nodes and 1 links, in {file}", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        RoadNetwork found = RoadSurveyFile.Load(file)!;
+        Assert.Equal(Road().Nodes.Select(node => node.Position), found.Nodes.Select(node => node.Position));
+        RoadLink link = Assert.Single(found.Links);
+        Assert.Equal((1, 2), (link.LanesForward, link.LanesBackward));
+
+        driver.Game.Roads = null;
+        driver.Reload();
+        driver.Press(Keys.U);
+        Until(driver, () => driver.Game.Texts.Any(text => text.StartsWith("SURVEY  2 nodes  1 links", StringComparison.Ordinal)));
+    }
+
+    [Fact]
+    public void Damaged_survey_is_told_and_left_as_it_is()
+    {
+        using var driver = new ScriptDriver();
+        string file = Path.Combine(driver.Output, "roads.csv");
+        Directory.CreateDirectory(driver.Output);
+        File.WriteAllText(file, "my notes\n");
+        driver.Game.Roads = new FakeRoadSource(Road());
+        driver.Press(Keys.U);
+        Until(driver, () => driver.Game.Notifications.Any(text => text.Contains("The road survey failed", StringComparison.Ordinal)));
+        driver.Tick(10);
+        driver.WaitForDisk();
+
+        Assert.Equal("my notes\n", File.ReadAllText(file));
+    }
+
+    [Fact]
+    public void Overlay_draws_the_lane_lines_of_the_road_that_the_survey_finds()
+    {
+        using var driver = new ScriptDriver("[Harvest]\nClasses = Bus\n");
+        HarvestTests.Street(driver.Game);
+        driver.Game.Roads = new FakeRoadSource(Road());
+        driver.Press(Keys.I);
+        driver.Press(Keys.L);
+        Until(driver, () => driver.Game.Rectangles.Count > 0);
+
+        AssertLinesOfTheRoad(driver.Game.Rectangles);
+    }
+
+    [Fact]
+    public void Lanes_come_from_the_players_file_without_a_question_to_the_game()
+    {
+        using var folder = new TemporaryFolder();
+        string file = Path.Combine(folder.Path, "mine.csv");
+        RoadSurveyFile.Save(file, Road());
+        using var driver = new ScriptDriver($"[Roads]\nFile = {file}\n[Harvest]\nClasses = Bus\n");
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.I);
+        driver.Press(Keys.L);
+        Until(driver, () => driver.Game.Rectangles.Count > 0);
+        AssertLinesOfTheRoad(driver.Game.Rectangles);
+        driver.Press(Keys.K);
+        driver.Tick(20);
+        driver.WaitForDisk();
+
+        Assert.Contains("\"source\":\"roadFile\"", Assert.Single(driver.Labels()).Replace(" ", string.Empty, StringComparison.Ordinal), StringComparison.Ordinal);
+        Assert.DoesNotContain(GTA.Native.Hash.GET_CLOSEST_ROAD, driver.Game.Calls);
+    }
+
+    [Fact]
+    public void Road_file_that_cannot_be_read_is_told_with_its_line_and_the_harvest_has_no_lanes()
+    {
+        using var folder = new TemporaryFolder();
+        string file = Path.Combine(folder.Path, "mine.csv");
+        File.WriteAllText(file, "not roads\n");
+        using var driver = new ScriptDriver($"[Roads]\nFile = {file}\n");
+        HarvestTests.Street(driver.Game);
+        Until(driver, () => driver.Game.Notifications.Any(text => text.Contains("Reading the roads failed", StringComparison.Ordinal)));
+        driver.Press(Keys.K);
+        driver.Tick(20);
+        driver.WaitForDisk();
+
+        Assert.Single(driver.Labels());
+        Assert.Equal(1, driver.Game.Notifications.Count(text => text.Contains("Reading the roads", StringComparison.Ordinal)));
+    }
+
+    /// <summary>
+    /// A road to the north, 2.625 m left of the player's car, with a lane along and two lanes back. Its nodes lie in the middle of the
+    /// game's grid, a quarter of a metre wide, so that nothing is lost when the game truncates them.
+    /// </summary>
+    internal static RoadNetwork Road() => new(
+        [NodeAt(180.125, 0), NodeAt(320.125, 1)],
+        [new RoadLink(0, 1, 1, 2, 0, RoadLinkFlags.None)]);
+
+    private static RoadNode NodeAt(double north, int number) => new(7, number, new Vector3D(97.375, north, 0), string.Empty, RoadNodeFlags.None);
+
+    private static void AssertLinesOfTheRoad(IEnumerable<Box2D> dots)
+    {
+        // The camera is at x = 100 and 1 m above the road. A point at x, d m ahead, is drawn at
+        // u = 1/2 + (x - 100) / (2 d tan 25° · 4/3) and v = 1/2 + 1 / (2 d tan 25°): (u - 1/2) / (v - 1/2) tells x without d.
+        double[] places = dots
+            .Select(dot => new Vector2D((dot.XMin + dot.XMax) / 2, (dot.YMin + dot.YMax) / 2))
+            .Select(point => 100 + ((point.X - 0.5) / (point.Y - 0.5) * (4.0 / 3)))
+            .ToArray();
+        double[] lines = [97.375 + 5.4, 97.375, 97.375 - 5.4, 97.375 - 10.8];
+        const double singlePrecision = 1e-3;
+        Assert.All(places, place => Assert.Contains(lines, line => Math.Abs(line - place) < singlePrecision));
+        Assert.All(lines, line => Assert.InRange(places.Count(place => Math.Abs(line - place) < singlePrecision), 10, 40));
+    }
+
+    private static void Until(ScriptDriver driver, Func<bool> isSo)
+    {
+        // Files and curves are read on another thread.
+        for (int tick = 0; tick < 2_000 && !isSo(); tick++)
+        {
+            Thread.Sleep(5);
+            driver.Tick();
+        }
+
+        Assert.True(isSo());
+    }
+}
