@@ -1,6 +1,8 @@
 using System.CommandLine;
+using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
+using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
 
@@ -13,6 +15,8 @@ internal static class ValidateCommand
         "Checked are: every line can be read; images and masks are there, whole, and of the size in their label; boxes lie in the image and\n"
         + "within their amodal boxes; fractions are 0 to 1; distances agree with cuboids and focal lengths with fields\n"
         + "of view; an id means one object; frame numbers rise.\n"
+        + "Of an exported dataset: images are whole and as many as export.json counts; labels of kitti, coco and yolo can be read and their boxes\n"
+        + "lie in the image.\n"
         + "All problems are listed, one a line; the exit code is 1 if there is any.\n\n"
         + "Example:\n"
         + "  harvester validate out";
@@ -20,11 +24,16 @@ internal static class ValidateCommand
     public static Command Create(Terminal terminal)
     {
         Argument<string> folder = SessionArgument.Create();
-        var command = new Command("validate", "Check a session and list what is wrong with it.") { folder };
+        var command = new Command("validate", "Check a session or an exported dataset and list what is wrong with it.") { folder };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
         {
             string session = parsed.GetRequiredValue(folder);
+            if (DatasetValidator.IsDataset(session))
+            {
+                return Task.FromResult(ValidateDataset(terminal, session, cancellation));
+            }
+
             SessionValidation validation = SessionValidator.Validate(new SessionReader(session), cancellation);
             foreach (SessionProblem problem in validation.Problems)
             {
@@ -36,10 +45,23 @@ internal static class ValidateCommand
                 terminal.Out.WriteLine("Note: the recording was cut off before session.json could be closed; the frames it has are listed all the same.");
             }
 
-            string verdict = validation.IsGood ? "good" : validation.Problems.Count == 1 ? "1 problem" : $"{validation.Problems.Count} problems";
-            terminal.Out.WriteLine($"{session}: {validation.Frames} frames, {validation.Objects} labels, {verdict}");
+            terminal.Out.WriteLine($"{session}: {validation.Frames} frames, {validation.Objects} labels, {Verdict(validation.Problems.Count)}");
             return Task.FromResult(validation.IsGood ? ExitCode.Done : ExitCode.BadData);
         });
         return command;
     }
+
+    private static int ValidateDataset(Terminal terminal, string folder, CancellationToken cancellation)
+    {
+        DatasetValidation validation = DatasetValidator.Validate(folder, cancellation);
+        foreach (SessionProblem problem in validation.Problems)
+        {
+            terminal.Out.WriteLine(problem);
+        }
+
+        terminal.Out.WriteLine($"{folder}: {validation.Format}, {validation.Images} images, {Verdict(validation.Problems.Count)}");
+        return validation.Problems.Count == 0 ? ExitCode.Done : ExitCode.BadData;
+    }
+
+    private static string Verdict(int problems) => problems == 0 ? "good" : problems == 1 ? "1 problem" : $"{problems} problems";
 }

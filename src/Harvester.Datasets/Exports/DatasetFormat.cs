@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using Harvester.Datasets.Validation;
 
 namespace Harvester.Datasets.Exports;
 
@@ -8,6 +10,9 @@ namespace Harvester.Datasets.Exports;
 /// <param name="CreateWriter">Makes its writer.</param>
 public sealed record DatasetFormat(string Name, string Description, Func<ExportOptions, IDatasetWriter> CreateWriter)
 {
+    /// <summary>Reads a dataset of this format and says what is wrong with it; null where only images are looked at.</summary>
+    internal Func<string, IEnumerable<SessionProblem>>? Check { get; init; }
+
     /// <summary>Whether it cannot do without instance masks.</summary>
     public bool NeedsMasks { get; init; }
 

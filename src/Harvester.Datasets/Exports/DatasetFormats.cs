@@ -7,6 +7,7 @@ using Harvester.Datasets.Exports.Csv;
 using Harvester.Datasets.Exports.DeepDriving;
 using Harvester.Datasets.Exports.Kitti;
 using Harvester.Datasets.Exports.Lanes;
+using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Exports.Voc;
 using Harvester.Datasets.Exports.WebDataset;
 using Harvester.Datasets.Exports.Yolo;
@@ -19,12 +20,12 @@ public static class DatasetFormats
     /// <summary>All of them, in the order in which help lists them.</summary>
     public static IReadOnlyList<DatasetFormat> All { get; } =
     [
-        new("kitti", "KITTI object detection: image_2, label_2, calib", _ => new KittiWriter()) { NeedsRectilinear = true },
+        new("kitti", "KITTI object detection: image_2, label_2, calib", _ => new KittiWriter()) { NeedsRectilinear = true, Check = KittiCheck.Problems },
         new("kitti-tracking", "KITTI tracking: a sequence for each session", _ => new KittiTrackingWriter()) { NeedsRectilinear = true, KeepsSessions = true },
-        new("coco", "COCO instances", options => new CocoWriter(options)),
+        new("coco", "COCO instances", options => new CocoWriter(options)) { Check = CocoCheck.Problems },
         new("coco-panoptic", "COCO panoptic segmentation", options => new CocoPanopticWriter(options)) { NeedsMasks = true },
-        new("yolo", "Ultralytics YOLO, boxes", options => new YoloWriter(options)),
-        new("yolo-segment", "Ultralytics YOLO, outlines", options => new YoloSegmentWriter(options)) { NeedsMasks = true },
+        new("yolo", "Ultralytics YOLO, boxes", options => new YoloWriter(options)) { Check = YoloCheck.Problems },
+        new("yolo-segment", "Ultralytics YOLO, outlines", options => new YoloSegmentWriter(options)) { NeedsMasks = true, Check = YoloCheck.Problems },
         new("voc", "Pascal VOC", options => new VocWriter(options)),
         new("cityscapes", "Maps of instances and classes in the style of Cityscapes", _ => new CityscapesWriter()) { NeedsMasks = true },
         new("deepdriving", "Images of 280 x 210 and DeepDriving's thirteen indicators", _ => new DeepDrivingWriter()) { NeedsLanes = true },

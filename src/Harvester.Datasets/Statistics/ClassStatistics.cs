@@ -7,7 +7,7 @@ namespace Harvester.Datasets.Statistics;
 /// <summary>What a session has of one class of objects.</summary>
 public sealed class ClassStatistics
 {
-    private readonly HashSet<int> _ids = [];
+    private readonly HashSet<(int Session, int Id)> _ids = [];
     private readonly List<double> _distances = [];
     private double _occlusionSum;
     private int _occlusionCount;
@@ -27,9 +27,9 @@ public sealed class ClassStatistics
     /// <summary>Mean of the occluded fractions, where they were determined; null where none was.</summary>
     public double? MeanOccludedFraction => _occlusionCount == 0 ? null : _occlusionSum / _occlusionCount;
 
-    internal void Add(ObjectLabel label)
+    internal void Add(ObjectLabel label, int session)
     {
-        _ids.Add(label.Id);
+        _ids.Add((session, label.Id));
         _distances.Add(label.DistanceMetres);
         if (label.OccludedFraction is { } occluded)
         {

@@ -1,7 +1,9 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Labels;
 using Harvester.Capture.Scenes;
+using Harvester.Geometry.Lanes;
 
 namespace Harvester.Datasets.Statistics;
 
@@ -10,19 +12,32 @@ public sealed class SessionStatistics
 {
     private const double DistanceBinMetres = 10;
     private const int DistanceBins = 15;
+    private const double HeightBinPixels = 20;
+    private const int HeightBins = 20;
     private const double OcclusionBin = 0.1;
     private const int OcclusionBins = 10;
 
     private readonly SortedDictionary<ObjectClass, ClassStatistics> _classes = [];
-    private readonly SortedSet<string> _weathers = [];
+    private readonly SortedDictionary<string, int> _framesOfWeathers = new(StringComparer.Ordinal);
+    private readonly SortedDictionary<int, int> _framesOfHours = [];
+    private readonly SortedDictionary<string, IndicatorSpan> _indicators = new(StringComparer.Ordinal);
+    private int _session;
 
-    /// <summary>Gathers the figures.</summary>
-    public static SessionStatistics Of(IEnumerable<FrameLabel> labels)
+    /// <summary>Gathers the figures of one session.</summary>
+    public static SessionStatistics Of(IEnumerable<FrameLabel> labels) => Of([labels]);
+
+    /// <summary>Gathers the figures of several sessions, whose objects are different ones even where their ids are the same.</summary>
+    public static SessionStatistics Of(IEnumerable<IEnumerable<FrameLabel>> sessions)
     {
         var statistics = new SessionStatistics();
-        foreach (FrameLabel label in labels)
+        foreach (IEnumerable<FrameLabel> labels in sessions)
         {
-            statistics.Add(label);
+            foreach (FrameLabel label in labels)
+            {
+                statistics.Add(label);
+            }
+
+            statistics._session++;
         }
 
         return statistics;
@@ -38,7 +53,16 @@ public sealed class SessionStatistics
     public IReadOnlyDictionary<ObjectClass, ClassStatistics> Classes => _classes;
 
     /// <summary>The weathers that occur, in the order of the letters.</summary>
-    public IReadOnlyCollection<string> Weathers => _weathers;
+    public IReadOnlyCollection<string> Weathers => _framesOfWeathers.Keys;
+
+    /// <summary>How many frames have each weather, in the order of the letters.</summary>
+    public IReadOnlyDictionary<string, int> FramesOfWeathers => _framesOfWeathers;
+
+    /// <summary>How many frames have each hour of the day, 0 to 23; only those that occur.</summary>
+    public IReadOnlyDictionary<int, int> FramesOfHours => _framesOfHours;
+
+    /// <summary>Between what values the lane indicators were; only those that were valid in some frame.</summary>
+    public IReadOnlyDictionary<string, IndicatorSpan> Indicators => _indicators;
 
     /// <summary>The game's time of the first frame, seconds.</summary>
     public double FirstTimeSeconds { get; private set; }
@@ -49,6 +73,12 @@ public sealed class SessionStatistics
     /// <summary>Labels by distance, metres.</summary>
     public Histogram Distances { get; } = new(DistanceBinMetres, DistanceBins);
 
+    /// <summary>Labels by height of the box in the image, pixels.</summary>
+    public Histogram BoxHeights { get; } = new(HeightBinPixels, HeightBins);
+
+    /// <summary>Labels by truncated fraction.</summary>
+    public Histogram TruncatedFractions { get; } = new(OcclusionBin, OcclusionBins);
+
     /// <summary>Labels by occluded fraction, where it was determined.</summary>
     public Histogram OccludedFractions { get; } = new(OcclusionBin, OcclusionBins);
 
@@ -57,7 +87,16 @@ public sealed class SessionStatistics
         FirstTimeSeconds = Frames == 0 ? label.TimeSeconds : FirstTimeSeconds;
         LastTimeSeconds = label.TimeSeconds;
         Frames++;
-        _weathers.Add(label.Environment.Weather);
+        _framesOfWeathers[label.Environment.Weather] = _framesOfWeathers.GetValueOrDefault(label.Environment.Weather) + 1;
+        _framesOfHours[label.Environment.TimeOfDay.Hours] = _framesOfHours.GetValueOrDefault(label.Environment.TimeOfDay.Hours) + 1;
+        foreach ((string name, Indicator indicator) in label.Lanes is { } lanes ? NamedIndicators.Of(lanes.Indicators) : [])
+        {
+            if (indicator.IsValid)
+            {
+                _indicators[name] = _indicators.GetValueOrDefault(name).With(indicator.Value);
+            }
+        }
+
         foreach (ObjectLabel item in label.Objects)
         {
             if (!_classes.TryGetValue(item.Class, out ClassStatistics? kind))
@@ -66,8 +105,10 @@ public sealed class SessionStatistics
                 _classes.Add(item.Class, kind);
             }
 
-            kind.Add(item);
+            kind.Add(item, _session);
             Distances.Add(item.DistanceMetres);
+            BoxHeights.Add(item.Box2D.Height);
+            TruncatedFractions.Add(item.TruncatedFraction);
             if (item.OccludedFraction is { } occluded)
             {
                 OccludedFractions.Add(occluded);

@@ -47,4 +47,30 @@ public sealed class SessionStatisticsTests : IDisposable
 
         Assert.Equal([1, 0, 0, 0, 0, 0, 0, 0, 0, 2], histogram.Counts);
     }
+
+    [Fact]
+    public void Of_several_sessions_counts_objects_of_each_and_frames_by_hour_and_weather()
+    {
+        using var session = new TestSession();
+
+        SessionStatistics statistics = SessionStatistics.Of([session.Open().ReadLabels(), session.Open().ReadLabels()]);
+
+        // Three frames each with one car and one pedestrian; the car of id 1 is another one in the other session.
+        Assert.Equal(6, statistics.Frames);
+        Assert.Equal((6, 2), (statistics.Classes[ObjectClass.Car].Labels, statistics.Classes[ObjectClass.Car].Objects));
+        Assert.Equal(6, statistics.FramesOfHours[13]);
+        Assert.Equal(6, statistics.FramesOfWeathers["clear"]);
+        // Boxes are 6 and 12 pixels high: all in the first bin of 20. Truncated fractions are 0 and 0.2: the first and the third bin of 0.1.
+        Assert.Equal(12, statistics.BoxHeights.Counts[0]);
+        Assert.Equal((6, 6), (statistics.TruncatedFractions.Counts[0], statistics.TruncatedFractions.Counts[2]));
+        Assert.Empty(statistics.Indicators);
+    }
+
+    [Fact]
+    public void With_widens_a_span_from_its_first_value()
+    {
+        IndicatorSpan span = default(IndicatorSpan).With(-3).With(2).With(-1);
+
+        Assert.Equal(new IndicatorSpan(3, -3, 2), span);
+    }
 }

@@ -1,0 +1,70 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Globalization;
+using System.Linq;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+using Harvester.Datasets.Sessions;
+using Harvester.Datasets.Statistics;
+
+namespace Harvester.Cli.Commands;
+
+/// <summary>harvester stats: figures of one or more sessions, beside those of a published dataset.</summary>
+internal static class StatsCommand
+{
+    private const string Notes =
+        "The figures are of all sessions together: counts by class, distances, heights of boxes in the image, truncation, occlusion, weather,\n"
+        + "hours, and between what values the lane indicators were.\n\n"
+        + "Example:\n"
+        + "  harvester stats day night";
+
+    /// <summary>What the benchmark's page says of KITTI object detection 2012: images for training and testing, and labelled objects in all.</summary>
+    private const string Kitti = "for comparison, KITTI object detection: 7481 images for training, 7518 for testing, 80256 labelled objects";
+
+    public static Command Create(Terminal terminal)
+    {
+        var sessions = new Argument<string[]>("SESSION") { Description = "Folders of sessions, as harvest writes them", Arity = ArgumentArity.OneOrMore };
+        var command = new Command("stats", "Count what sessions hold.") { sessions };
+        HelpWithNotes.AddTo(command, Notes);
+        command.SetAction(parsed =>
+        {
+            SessionReader[] readers = [.. parsed.GetRequiredValue(sessions).Select(folder => new SessionReader(folder))];
+            foreach (string line in Lines(SessionStatistics.Of(readers.Select(reader => reader.ReadLabels()))))
+            {
+                terminal.Out.WriteLine(line);
+            }
+
+            return ExitCode.Done;
+        });
+        return command;
+    }
+
+    private static IEnumerable<string> Lines(SessionStatistics statistics)
+    {
+        double perFrame = (double)statistics.Labels / Math.Max(1, statistics.Frames);
+        yield return Text($"{statistics.Frames} frames, {statistics.Labels} labels, {perFrame:0.0} a frame");
+        yield return Kitti;
+        foreach ((ObjectClass kind, ClassStatistics figures) in statistics.Classes)
+        {
+            yield return Text($"class {JsonName.Of(kind)}: {figures.Labels} labels, {figures.Objects} objects, nearest {figures.NearestMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m");
+        }
+
+        yield return Bins("distance, m", statistics.Distances);
+        yield return Bins("height of box2d, px", statistics.BoxHeights);
+        yield return Bins("truncated fraction", statistics.TruncatedFractions);
+        yield return Bins("occluded fraction", statistics.OccludedFractions);
+        yield return "weather: " + string.Join(", ", statistics.FramesOfWeathers.Select(pair => Text($"{pair.Key} {pair.Value}")));
+        yield return "hour: " + string.Join(", ", statistics.FramesOfHours.Select(pair => Text($"{pair.Key:00} {pair.Value}")));
+        foreach ((string name, IndicatorSpan span) in statistics.Indicators)
+        {
+            yield return Text($"indicator {name}: {span.Count} frames, {span.Least:0.00} to {span.Greatest:0.00}");
+        }
+    }
+
+    /// <summary>The bins that hold something, by where they begin; the last one takes whatever lies above.</summary>
+    private static string Bins(string name, Histogram histogram) => $"{name}: " + string.Join(
+        ", ", histogram.Counts.Select((count, bin) => (count, bin)).Where(pair => pair.count > 0).Select(pair => Text($"{pair.bin * histogram.BinWidth:0.##}+ {pair.count}")));
+
+    private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,20 @@
+namespace Harvester.Cli.Tests.Commands;
+
+public sealed class StatsCommandTests
+{
+    [Fact]
+    public void Stats_of_sessions_counts_them_together()
+    {
+        using var folder = new TemporaryFolder();
+        folder.File("session.json", """{ "formatVersion": 1, "game": "simulation", "image": { "width": 80, "height": 60 }, "counters": { "captured": 0 } }""");
+
+        CliRun run = CliRun.Of("stats", folder.Path, folder.Path);
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.StartsWith("0 frames, 0 labels, 0.0 a frame\nfor comparison, KITTI object detection: 7481 images", run.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Stats_of_no_folder_is_an_input_error() =>
+        CliRun.Of("stats", "no-such-session").AssertFailed(ExitCode.InputOutput, "no-such-session");
+}
