@@ -5,6 +5,7 @@ using System.Linq;
 using System.Threading;
 using Harvester.Capture.Labels;
 using Harvester.Datasets.Exports.Assembly;
+using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports;
 
@@ -83,10 +84,10 @@ public sealed class DatasetExporter
         {
             int frameInSession = 0;
             CameraLabel? camera = null;
-            foreach (FrameLabel label in _plan.Sessions[session].ReadLabels())
+            foreach (LabelLine line in _plan.Sessions[session].ReadGoodLines())
             {
-                camera ??= label.Camera;
-                yield return new ExportFrame(_plan.Sessions[session], label, _plan.Options)
+                camera ??= line.Label!.Camera;
+                yield return new ExportFrame(_plan.Sessions[session], line, _plan.Options)
                 {
                     Index = index++,
                     SessionIndex = session,

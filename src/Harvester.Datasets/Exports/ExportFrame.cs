@@ -15,11 +15,12 @@ public sealed class ExportFrame
     private readonly SessionReader _session;
     private InstanceMap? _mask;
 
-    internal ExportFrame(SessionReader session, FrameLabel label, ExportOptions options)
+    internal ExportFrame(SessionReader session, LabelLine line, ExportOptions options)
     {
         _session = session;
-        Label = label;
-        Objects = [.. label.Objects.Where(options.Includes)];
+        Label = line.Label!;
+        LabelText = line.Text;
+        Objects = [.. Label.Objects.Where(options.Includes)];
     }
 
     /// <summary>Number of the frame in the dataset, from 0: the sessions' frames one after the other.</summary>
@@ -39,6 +40,9 @@ public sealed class ExportFrame
 
     /// <summary>Its label, all objects included.</summary>
     public FrameLabel Label { get; }
+
+    /// <summary>The line of labels.jsonl that it was read from.</summary>
+    public string LabelText { get; }
 
     /// <summary>The objects to export, by rising id.</summary>
     public IReadOnlyList<ObjectLabel> Objects { get; }

@@ -55,13 +55,12 @@ public sealed class SessionReader
 
     /// <summary>The labels, in the order of the file.</summary>
     /// <exception cref="DatasetFormatException">A line cannot be read; the message names file, line and field.</exception>
-    public IEnumerable<FrameLabel> ReadLabels()
-    {
-        foreach (LabelLine line in ReadLines())
-        {
-            yield return line.Label ?? throw new DatasetFormatException($"{LabelsFile}, line {line.Number}: {line.Problem}");
-        }
-    }
+    public IEnumerable<FrameLabel> ReadLabels() => ReadGoodLines().Select(line => line.Label!);
+
+    /// <summary>The labels with the text that they were read from, in the order of the file.</summary>
+    /// <exception cref="DatasetFormatException">A line cannot be read; the message names file, line and field.</exception>
+    public IEnumerable<LabelLine> ReadGoodLines() => ReadLines().Select(line =>
+        line.Label is not null ? line : throw new DatasetFormatException($"{LabelsFile}, line {line.Number}: {line.Problem}"));
 
     /// <summary>The lines of labels, those that cannot be read included; none when not one frame was written.</summary>
     public IEnumerable<LabelLine> ReadLines()
@@ -81,11 +80,11 @@ public sealed class SessionReader
     {
         try
         {
-            return new LabelLine(number, FrameLabelParser.Parse(line), null);
+            return new LabelLine(number, line, FrameLabelParser.Parse(line), null);
         }
         catch (DatasetFormatException e)
         {
-            return new LabelLine(number, null, e.Message);
+            return new LabelLine(number, line, null, e.Message);
         }
     }
 }

@@ -4,7 +4,7 @@ using System.Formats.Tar;
 using System.IO;
 using System.Linq;
 using System.Text;
-using Harvester.Capture.Labels;
+using System.Text.Json.Nodes;
 
 namespace Harvester.Datasets.Exports.WebDataset;
 
@@ -22,14 +22,13 @@ internal sealed class WebDatasetWriter : IDatasetWriter
     public void Write(ExportFrame frame, FrameOutput output)
     {
         string archive = $"{frame.Split}-{frame.Index / FramesPerArchive:D6}";
-        FrameLabel label = frame.Label with { Objects = frame.Objects };
         output.StagedPart(archive, frame.Name + ".tar", stream =>
         {
             using var entries = new MemoryStream();
             using (var tar = new TarWriter(entries, TarEntryFormat.Ustar, leaveOpen: true))
             {
                 Add(tar, frame.Name + frame.ImageExtension, File.ReadAllBytes(frame.ImagePath));
-                Add(tar, frame.Name + ".json", Encoding.UTF8.GetBytes(JsonLabelWriter.Line(label)));
+                Add(tar, frame.Name + ".json", Encoding.UTF8.GetBytes(LabelOf(frame)));
                 if (frame.MaskPath is { } mask)
                 {
                     Add(tar, frame.Name + ".mask.png", File.ReadAllBytes(mask));
@@ -42,6 +41,15 @@ internal sealed class WebDatasetWriter : IDatasetWriter
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => parts.Select(part => new AggregateFile(
         $"{part}.tar", [AggregateSection.Files(part), AggregateSection.Literal(new string('\0', EndLength))]));
+
+    /// <summary>The session's own line, to the last decimal, less the objects that are not exported.</summary>
+    private static string LabelOf(ExportFrame frame)
+    {
+        JsonNode label = JsonNode.Parse(frame.LabelText)!;
+        HashSet<int> kept = [.. frame.Objects.Select(item => item.Id)];
+        label["objects"]!.AsArray().RemoveAll(item => !kept.Contains(item!["id"]!.GetValue<int>()));
+        return label.ToJsonString();
+    }
 
     private static void Add(TarWriter tar, string name, byte[] content) => tar.WriteEntry(new UstarTarEntry(TarEntryType.RegularFile, name)
     {

@@ -1,5 +1,5 @@
 using System.Text;
-using Harvester.Datasets.Sessions;
+using System.Text.Json.Nodes;
 
 namespace Harvester.Datasets.Tests.Exports.WebDataset;
 
@@ -18,12 +18,13 @@ public sealed class WebDatasetWriterTests(SimulatedSession simulated) : IDisposa
         _folder.Export("webdataset", simulated.Open());
 
         (string Name, byte[] Content)[] entries = [.. Entries(File.ReadAllBytes(_folder.PathOf("out/train-000000.tar")))];
+        string[] labels = File.ReadAllLines(Path.Combine(simulated.Folder, "labels.jsonl"));
         Assert.Equal(3 * SimulatedSession.Frames, entries.Length);
         for (int frame = 0; frame < SimulatedSession.Frames; frame++)
         {
             Assert.Equal([$"{frame:D8}.png", $"{frame:D8}.json", $"{frame:D8}.mask.png"], entries.Skip(3 * frame).Take(3).Select(entry => entry.Name));
             Assert.Equal(File.ReadAllBytes(Path.Combine(simulated.Folder, $"frames/{frame:D8}.png")), entries[3 * frame].Content);
-            Assert.Equal(frame, FrameLabelParser.Parse(Encoding.UTF8.GetString(entries[(3 * frame) + 1].Content)).Frame);
+            Assert.True(JsonNode.DeepEquals(JsonNode.Parse(labels[frame]), JsonNode.Parse(entries[(3 * frame) + 1].Content)));
         }
     }
 
