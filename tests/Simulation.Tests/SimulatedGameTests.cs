@@ -79,7 +79,7 @@ public class SimulatedGameTests
                 judged++;
                 Assert.NotNull(position.Lane);
 
-                // Lanes are driven as polylines of 1 m: on a bend of 20 m radius the chord is 1²/(8·20) = 6 mm off.
+                // Lanes are driven as polylines of 0.5 m: in a bend of 6 m radius the chord is 0.5²/(8·6) = 5 mm off.
                 Assert.InRange(position.RightOfLaneCentre, -0.02, 0.02);
                 Assert.InRange(position.AngleToRoad, -0.05, 0.05);
             }

@@ -5,13 +5,14 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Models;
 
-/// <summary>All models of the simulated game. Making one builds every mesh, so share it.</summary>
+/// <summary>All models of the simulated game.</summary>
 public sealed class ModelCatalogue
 {
+    private static readonly Lazy<ModelCatalogue> LazyShared = new(() => new ModelCatalogue());
+
     private readonly Dictionary<string, Model> _byName;
 
-    /// <summary>Builds all models.</summary>
-    public ModelCatalogue()
+    private ModelCatalogue()
     {
         Vehicles = VehicleModels.All().ToArray();
         Pedestrians = PedestrianModels.All().ToArray();
@@ -21,6 +22,9 @@ public sealed class ModelCatalogue
         Trees = StreetModels.Trees().ToArray();
         _byName = ((IEnumerable<Model>)[.. Vehicles, .. Pedestrians, .. Signs, .. TrafficLights, StreetLamp, .. Trees]).ToDictionary(model => model.Name, StringComparer.Ordinal);
     }
+
+    /// <summary>One catalogue for all worlds; models never change.</summary>
+    public static ModelCatalogue Shared => LazyShared.Value;
 
     /// <summary>Vehicles with the sizes of the game's models, in several colours.</summary>
     public IReadOnlyList<Model> Vehicles { get; }

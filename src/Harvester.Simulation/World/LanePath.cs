@@ -7,7 +7,7 @@ namespace Harvester.Simulation.World;
 /// <summary>A way that vehicles drive: a lane of a road between the junctions, or a way through a junction from one lane to another.</summary>
 internal sealed class LanePath
 {
-    private const double SampleStep = 1;
+    private const double SampleStep = 0.5;
 
     private LanePath(int index, Road? road, bool forward, int lane, Junction? junction, Polyline line)
     {

@@ -11,7 +11,7 @@ namespace Harvester.Simulation.World;
 /// <param name="Layout">Its lanes, seen along it.</param>
 internal sealed record RoadChain(IReadOnlyList<int> Nodes, LaneLayout Layout)
 {
-    /// <summary>Cuts a set of links into chains that end where roads meet, where the layout changes and at dead ends.</summary>
+    /// <summary>Cuts a set of links into chains that end where roads meet, where the layout changes, at corners and at dead ends.</summary>
     public static List<RoadChain> Follow(RoadNetwork network, IReadOnlyList<RoadLink> links)
     {
         ILookup<int, RoadLink> linksOf = links.SelectMany(link => new[] { (Node: link.From, link), (Node: link.To, link) })
@@ -44,7 +44,9 @@ internal sealed record RoadChain(IReadOnlyList<int> Nodes, LaneLayout Layout)
                 }
 
                 int other = next.From == end ? next.To : next.From;
-                if (linksOf[end].Count() != 2 || LayoutFrom(next, end, forward) != layout || KindOf(end) != KindOf(other))
+                int before = forward ? nodes.Last!.Previous!.Value : nodes.First!.Next!.Value;
+                if (linksOf[end].Count() != 2 || LayoutFrom(next, end, forward) != layout || KindOf(end) != KindOf(other)
+                    || IsCorner(network, before, end, other, layout.HalfWidth))
                 {
                     return;
                 }
@@ -64,20 +66,20 @@ internal sealed record RoadChain(IReadOnlyList<int> Nodes, LaneLayout Layout)
     /// </summary>
     public static Dictionary<(int Node, int Neighbour), Vector3D> EndTangents(RoadNetwork network, IReadOnlyList<RoadChain> chains)
     {
-        ILookup<int, int> neighbours = chains
-            .SelectMany(chain => new[] { (End: chain.Nodes[0], Next: chain.Nodes[1]), (End: chain.Nodes[^1], Next: chain.Nodes[^2]) })
-            .ToLookup(pair => pair.End, pair => pair.Next);
+        ILookup<int, (int Next, double HalfWidth)> neighbours = chains
+            .SelectMany(chain => new[] { (End: chain.Nodes[0], Next: chain.Nodes[1], chain.Layout), (End: chain.Nodes[^1], Next: chain.Nodes[^2], chain.Layout) })
+            .ToLookup(end => end.End, end => (end.Next, end.Layout.HalfWidth));
         Dictionary<(int Node, int Neighbour), Vector3D> tangents = [];
-        foreach (IGrouping<int, int> node in neighbours)
+        foreach (IGrouping<int, (int Next, double HalfWidth)> node in neighbours)
         {
-            List<int> open = [.. node];
+            List<(int Next, double HalfWidth)> open = [.. node];
             while (StraightestPair(network, node.Key, open) is { } pair)
             {
-                Vector3D before = network.Nodes[node.Key].Position - network.Nodes[pair.A].Position;
-                Vector3D after = network.Nodes[pair.B].Position - network.Nodes[node.Key].Position;
+                Vector3D before = network.Nodes[node.Key].Position - network.Nodes[pair.A.Next].Position;
+                Vector3D after = network.Nodes[pair.B.Next].Position - network.Nodes[node.Key].Position;
                 Vector3D through = ((before / before.LengthSquared) + (after / after.LengthSquared)).Normalized();
-                tangents[(node.Key, pair.B)] = through;
-                tangents[(node.Key, pair.A)] = -through;
+                tangents[(node.Key, pair.B.Next)] = through;
+                tangents[(node.Key, pair.A.Next)] = -through;
                 open.Remove(pair.A);
                 open.Remove(pair.B);
             }
@@ -86,18 +88,19 @@ internal sealed record RoadChain(IReadOnlyList<int> Nodes, LaneLayout Layout)
         return tangents;
     }
 
-    private static (int A, int B)? StraightestPair(RoadNetwork network, int node, List<int> open)
+    private static ((int Next, double HalfWidth) A, (int Next, double HalfWidth) B)? StraightestPair(
+        RoadNetwork network, int node, List<(int Next, double HalfWidth)> open)
     {
         const double straightAtMost = 0.7;
-        (int, int)? best = null;
+        ((int, double), (int, double))? best = null;
         double bestTurn = open.Count == 2 ? Math.PI / 2 : straightAtMost;
-        Vector3D centre = network.Nodes[node].Position;
         for (int i = 0; i < open.Count; i++)
         {
             for (int j = i + 1; j < open.Count; j++)
             {
-                double turn = Math.Abs(Horizontal.Turn(centre - network.Nodes[open[i]].Position, network.Nodes[open[j]].Position - centre));
-                if (turn < bestTurn && open[i] != open[j])
+                double turn = TurnAt(network, open[i].Next, node, open[j].Next);
+                if (turn < bestTurn && open[i].Next != open[j].Next
+                    && !IsCorner(network, open[i].Next, node, open[j].Next, Math.Max(open[i].HalfWidth, open[j].HalfWidth)))
                 {
                     bestTurn = turn;
                     best = (open[i], open[j]);
@@ -106,6 +109,23 @@ internal sealed record RoadChain(IReadOnlyList<int> Nodes, LaneLayout Layout)
         }
 
         return best;
+    }
+
+    /// <summary>Whether the way turns so sharply at a node that a smooth line through it would fold the lanes on its inner side.</summary>
+    private static bool IsCorner(RoadNetwork network, int before, int node, int after, double halfWidth)
+    {
+        // The arc that touches both pieces, as large as the shorter one lets it be; the curve through the nodes is sharper in places.
+        const double room = 1.6;
+        Vector3D corner = network.Nodes[node].Position;
+        double shorter = Math.Min(
+            Horizontal.Distance(network.Nodes[before].Position, corner), Horizontal.Distance(network.Nodes[after].Position, corner));
+        return shorter / (2 * Math.Tan(TurnAt(network, before, node, after) / 2)) < room * halfWidth;
+    }
+
+    private static double TurnAt(RoadNetwork network, int before, int node, int after)
+    {
+        Vector3D corner = network.Nodes[node].Position;
+        return Math.Abs(Horizontal.Turn(corner - network.Nodes[before].Position, network.Nodes[after].Position - corner));
     }
 
     private static LaneLayout LayoutFrom(RoadLink link, int node, bool forward)

@@ -14,7 +14,7 @@ internal sealed class RoadIndex
     /// <summary>How far beside a carriageway places are still found, metres.</summary>
     private const double Reach = 12;
 
-    private readonly Dictionary<(int X, int Y), List<(Road Road, double Distance)>> _cells = [];
+    private readonly Dictionary<(int X, int Y), List<(Road Road, double Distance, Vector3D Point)>> _cells = [];
 
     public RoadIndex(IReadOnlyList<Road> roads)
     {
@@ -29,9 +29,11 @@ internal sealed class RoadIndex
     }
 
     /// <summary>The places of a point on the roads it lies on or beside; it lies abreast of them, not before or behind their ends.</summary>
-    public IEnumerable<RoadPlace> PlacesAt(Vector3D point)
+    /// <param name="point">Metres, world.</param>
+    /// <param name="pastTheEnd">How far before or behind an end still counts as abreast of it, metres.</param>
+    public IEnumerable<RoadPlace> PlacesAt(Vector3D point, double pastTheEnd = 0.05)
     {
-        if (!_cells.TryGetValue(CellOf(point), out List<(Road Road, double Distance)>? samples))
+        if (!_cells.TryGetValue(CellOf(point), out List<(Road Road, double Distance, Vector3D Point)>? samples))
         {
             yield break;
         }
@@ -44,7 +46,7 @@ internal sealed class RoadIndex
             double best = double.PositiveInfinity;
             for (; i < samples.Count && samples[i].Road == road; i++)
             {
-                double squared = (road.Curve.PositionAt(samples[i].Distance) - point).LengthSquared;
+                double squared = (samples[i].Point - point).LengthSquared;
                 if (squared < best)
                 {
                     best = squared;
@@ -55,7 +57,6 @@ internal sealed class RoadIndex
             double distance = road.Curve.Project(point, nearest);
             Vector3D tangent = road.Curve.TangentAt(distance);
             Vector3D offset = point - road.Curve.PositionAt(distance);
-            const double pastTheEnd = 0.05;
             if (Math.Abs((offset.X * tangent.X) + (offset.Y * tangent.Y)) < pastTheEnd)
             {
                 yield return new RoadPlace(road, distance, offset.Dot(Horizontal.RightOf(tangent)), offset.Z);
@@ -87,12 +88,12 @@ internal sealed class RoadIndex
         {
             for (int y = minY; y <= maxY; y++)
             {
-                if (!_cells.TryGetValue((x, y), out List<(Road, double)>? list))
+                if (!_cells.TryGetValue((x, y), out List<(Road, double, Vector3D)>? list))
                 {
                     _cells[(x, y)] = list = [];
                 }
 
-                list.Add((road, distance));
+                list.Add((road, distance, point));
             }
         }
     }

@@ -35,10 +35,10 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
             Trim(junction);
         }
 
-        HashSet<int> crossings = [.. junctions.Where(junction => junction.IsCrossing).Select(junction => junction.Node)];
+        HashSet<int> wide = [.. junctions.Where(junction => junction.IsCrossing || junction.IsCorner).Select(junction => junction.Node)];
         foreach (Road road in roads)
         {
-            road.IsInner = road.Length < InnerRoadLength && crossings.Contains(road.Nodes[0]) && crossings.Contains(road.Nodes[^1]);
+            road.IsInner = road.Length < InnerRoadLength && wide.Contains(road.Nodes[0]) && wide.Contains(road.Nodes[^1]);
         }
 
         return new RoadPlan(roads, junctions);
@@ -99,7 +99,7 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
             double trim = junction.Arms.Count switch
             {
                 1 => 0,
-                2 => LayoutChange,
+                2 when !junction.IsCorner => LayoutChange,
                 _ => junction.Arms.Where(other => other != arm).Max(other => SetBack(arm, other)) + CrossingRoom,
             };
             arm.Road.SetTrim(arm.AtStart, trim);

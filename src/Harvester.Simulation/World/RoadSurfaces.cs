@@ -26,7 +26,7 @@ internal sealed class RoadSurfaces(RoadPlan plan, RoadIndex index, Terrain terra
             AddSide(road, onRight: false);
         }
 
-        foreach (Junction junction in plan.Junctions.Where(junction => junction.Arms.Count != 2))
+        foreach (Junction junction in plan.Junctions.Where(junction => junction.Arms.Count != 2 || junction.IsCorner))
         {
             FillNode(junction);
         }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Harvester.Geometry;
 
@@ -8,6 +9,10 @@ namespace Harvester.Simulation.World;
 public sealed class RoadTruth
 {
     private const double SameLevel = 3;
+
+    /// <summary>How far beside the carriageways that meet in a junction the ways through it may lead, metres.</summary>
+    private const double JunctionMargin = 10;
+
     private readonly RoadIndex _index;
 
     internal RoadTruth(RoadIndex index) => _index = index;
@@ -15,16 +20,19 @@ public sealed class RoadTruth
     /// <summary>Where a body is among the lanes.</summary>
     /// <param name="position">A point of it near the ground, metres, world.</param>
     /// <param name="forward">The direction it faces.</param>
-    /// <returns>The road it is on that runs best along its direction; null on none.</returns>
+    /// <returns>The road it is on that runs best along its direction, or in a junction a road beside it; null on none.</returns>
     public LanePosition? Locate(Vector3D position, Vector3D forward)
     {
-        RoadPlace? best = _index.PlacesAt(position)
-            .Where(place => Math.Abs(place.Height) < SameLevel && place.IsOnCarriageway(0))
-            .OrderBy(place => Math.Min(HeadingMisfit(place, forward, true), HeadingMisfit(place, forward, false)))
-            .Cast<RoadPlace?>()
-            .FirstOrDefault();
+        RoadPlace? best = BestAlong(forward, _index.PlacesAt(position).Where(place => place.IsOnCarriageway(0)))
+            ?? BestAlong(forward, _index.PlacesAt(position, JunctionMargin).Where(place => place.Road.IsInTrim(place.Distance) && place.IsOnCarriageway(JunctionMargin)));
         return best is { } found ? Describe(found, position, forward) : null;
     }
+
+    private static RoadPlace? BestAlong(Vector3D forward, IEnumerable<RoadPlace> places) => places
+        .Where(place => Math.Abs(place.Height) < SameLevel)
+        .OrderBy(place => Math.Min(HeadingMisfit(place, forward, true), HeadingMisfit(place, forward, false)))
+        .Cast<RoadPlace?>()
+        .FirstOrDefault();
 
     /// <summary>Angle between a direction and the traffic of one side of a road; more than any angle where that side has no lanes.</summary>
     private static double HeadingMisfit(RoadPlace place, Vector3D forward, bool along) =>

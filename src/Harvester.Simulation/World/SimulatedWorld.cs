@@ -34,7 +34,7 @@ internal sealed class SimulatedWorld
         List<Walkway> walkways = Walkway.Find(plan, index);
         LaneGraph lanes = new(plan);
         Signals signals = new(plan, network);
-        ModelCatalogue catalogue = new();
+        ModelCatalogue catalogue = ModelCatalogue.Shared;
         HandleCounter handles = new();
         Population population = new(options.Seed, catalogue, handles);
         Placing placing = new(lanes, options.Seed);

@@ -10,7 +10,7 @@ public sealed class ModelCatalogueTests
     /// <summary>Rounding of the sums that build a mesh from fractions of its box.</summary>
     private const double Rounding = 1e-12;
 
-    internal static readonly ModelCatalogue Catalogue = new();
+    internal static readonly ModelCatalogue Catalogue = ModelCatalogue.Shared;
 
     [Fact]
     public void Vehicles_are_the_games_models_of_every_class()
