@@ -22,6 +22,7 @@ namespace Harvester.Simulation;
 public sealed class SimulatedGame
 {
     private const double RealSecondsPerGameMinute = 2;
+    /// <summary>What moves farther away is not drawn, metres.</summary>
     private const double SightRange = 350;
 
     private readonly SimulationOptions _options;
@@ -73,7 +74,7 @@ public sealed class SimulatedGame
     /// <summary>The camera's place on the car: 2 m ahead of its origin and 0.4 m above it, unless it is moved. A change takes in the next tick.</summary>
     public Pose CameraMount { get; set; }
 
-    /// <summary>What the picture shown at present shows, whatever the ports report: the true camera, ego, entities in sight and the tick.</summary>
+    /// <summary>What the picture shown at present shows, whatever the ports report: the true camera, ego, all entities and the tick.</summary>
     public SceneSnapshot Shown => MomentShown.Truth;
 
     internal Freezing Freezing { get; }
@@ -140,7 +141,7 @@ public sealed class SimulatedGame
                 Vector3D eye = Camera.Pose.Position;
                 _present = new Moment(
                     _state,
-                    new SceneSnapshot(GameFrame, _world.TimeSeconds, Camera, _world.EgoState, _world.EntitiesNear(eye, SightRange), Environment),
+                    new SceneSnapshot(GameFrame, _world.TimeSeconds, Camera, _world.EgoState, _world.EntitiesNear(eye, double.PositiveInfinity), Environment),
                     [.. _world.MovingNear(eye, SightRange), .. Markers.Select(MarkerModel.Of)],
                     Weather.LightingOf(_options.Weather, TimeOfDay) with { PrecipitationSeed = _precipitation },
                     _world.LightsNear(eye));
