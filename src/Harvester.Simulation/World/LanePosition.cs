@@ -5,7 +5,7 @@ namespace Harvester.Simulation.World;
 /// <param name="AlongRoad">Whether the body faces along the road's line or against it; this is the driving direction meant below.</param>
 /// <param name="DistanceAlongRoad">Metres from the road's start.</param>
 /// <param name="RightOfRoadLine">Metres to the right of the line through the road's nodes.</param>
-/// <param name="Lane">Number of the lane from the left of the driving direction; null on an oncoming lane or a median.</param>
+/// <param name="Lane">Number of the lane from the left of the driving direction; null on an oncoming lane, a median, or in a junction beside all lanes.</param>
 /// <param name="Lanes">Lanes of the driving direction.</param>
 /// <param name="OncomingLanes">Lanes of the other direction.</param>
 /// <param name="LaneWidth">Metres.</param>

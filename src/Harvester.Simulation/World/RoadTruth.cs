@@ -20,12 +20,17 @@ public sealed class RoadTruth
     /// <summary>Where a body is among the lanes.</summary>
     /// <param name="position">A point of it near the ground, metres, world.</param>
     /// <param name="forward">The direction it faces.</param>
-    /// <returns>The road it is on that runs best along its direction, or in a junction a road beside it; null on none.</returns>
+    /// <returns>The road it is on that runs best along its direction, or in a junction, on no lane, a road beside it; null on none.</returns>
     public LanePosition? Locate(Vector3D position, Vector3D forward)
     {
-        RoadPlace? best = BestAlong(forward, _index.PlacesAt(position).Where(place => place.IsOnCarriageway(0)))
-            ?? BestAlong(forward, _index.PlacesAt(position, JunctionMargin).Where(place => place.Road.IsInTrim(place.Distance) && place.IsOnCarriageway(JunctionMargin)));
-        return best is { } found ? Describe(found, position, forward) : null;
+        if (BestAlong(forward, _index.PlacesAt(position).Where(place => place.IsOnCarriageway(0))) is { } on)
+        {
+            return Describe(on, position, forward);
+        }
+
+        IEnumerable<RoadPlace> ends = _index.PlacesAt(position, JunctionMargin)
+            .Where(place => place.Road.IsInTrim(place.Distance) && place.IsOnCarriageway(JunctionMargin));
+        return BestAlong(forward, ends) is { } beside ? Describe(beside, position, forward) with { Lane = null, RightOfLaneCentre = 0 } : null;
     }
 
     private static RoadPlace? BestAlong(Vector3D forward, IEnumerable<RoadPlace> places) => places
