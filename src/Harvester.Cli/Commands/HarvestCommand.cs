@@ -88,13 +88,15 @@ internal static class HarvestCommand
 
     private static readonly Option<string?> Classes = ClassList.Option("Label");
 
+    private static readonly Option<string?> Quirks = QuirkList.Option();
+
     private static readonly Option<bool> NoReport = new("--no-report") { Description = "Write no report" };
 
     public static Command Create(Terminal terminal)
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, Range, Classes, NoReport,
+            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, Range, Classes, Quirks, NoReport,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
@@ -167,6 +169,8 @@ internal static class HarvestCommand
             Masks = parsed.GetValue(Masks),
             RangeMetres = parsed.GetValue(Range),
             Classes = ClassList.Parse(parsed.GetValue(Classes)),
+            Quirks = QuirkList.Parse(parsed.GetValue(Quirks)),
+            QuirksAsked = parsed.GetValue(Quirks),
         };
     }
 

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Simulation.Quirks;
 
 namespace Harvester.Cli.Harvesting;
 
@@ -56,4 +57,10 @@ internal sealed record HarvestPlan
 
     /// <summary>The classes to label; null for all.</summary>
     public required IReadOnlyList<ObjectClass>? Classes { get; init; }
+
+    /// <summary>In what the game misbehaves.</summary>
+    public required GameQuirks Quirks { get; init; }
+
+    /// <summary>The same as the option says it; null for nothing.</summary>
+    public required string? QuirksAsked { get; init; }
 }

@@ -57,6 +57,7 @@ internal sealed class SimulatedHarvest
                 TimeOfDay = plan.TimeOfDay,
                 VerticalFovDegrees = plan.FovDegrees,
                 WindowAspect = plan.Image.Aspect,
+                Quirks = plan.Quirks,
             }), spaces);
         }
         catch (ArgumentException e)
@@ -137,6 +138,11 @@ internal sealed class SimulatedHarvest
         if (_plan.Spaces is { } spaces)
         {
             yield return new("spaces", Path.GetFileName(spaces));
+        }
+
+        if (_plan.QuirksAsked is { } quirks)
+        {
+            yield return new("quirks", quirks);
         }
 
         if (_plan.Near is { } near)

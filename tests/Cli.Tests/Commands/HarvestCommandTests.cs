@@ -82,6 +82,16 @@ public sealed class HarvestCommandTests : IDisposable
     }
 
     [Fact]
+    public void Harvest_of_a_game_with_quirks_is_valid_and_says_so()
+    {
+        const string quirks = "lag=2,lateCamera,heldCamera,creep=3,vanish=0.02,boxRays,missedRays=0.3";
+        Harvest(Session, "--frames", "2", "--quirks", quirks);
+
+        Assert.Equal(ExitCode.Done, CliRun.Of("validate", Session).ExitCode);
+        Assert.Contains(quirks, File.ReadAllText(Path.Combine(Session, "session.json")), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public async Task Harvest_that_is_cancelled_leaves_a_valid_session()
     {
         using var cancellation = new CancellationTokenSource(TimeSpan.FromSeconds(2));
@@ -173,6 +183,9 @@ public sealed class HarvestCommandTests : IDisposable
     [InlineData("--hz", "61")]
     [InlineData("--range", "0")]
     [InlineData("--weather", "sunshine")]
+    [InlineData("--quirks", "lag")]
+    [InlineData("--quirks", "lag=2,lateCamera=1")]
+    [InlineData("--quirks", "vanish=1.5")]
     [InlineData("--time", "25:00")]
     [InlineData("--time", "noon")]
     [InlineData("--near", "1")]

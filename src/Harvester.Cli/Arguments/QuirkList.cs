@@ -1,0 +1,53 @@
+using System.CommandLine;
+using System.Globalization;
+using Harvester.Simulation.Quirks;
+
+namespace Harvester.Cli.Arguments;
+
+/// <summary>The option that lets the simulated game misbehave as the real one does.</summary>
+internal static class QuirkList
+{
+    private const string Form = "lag=N, lateCamera, heldCamera, creep=N, vanish=P, boxRays, missedRays=P (N ticks, 0 to 60; P 0 to 1)";
+    private const int MostTicks = 60;
+
+    public static Option<string?> Option() => new("--quirks")
+    {
+        Description = "Let the simulated game misbehave as the real one does, with commas between: " + Form,
+        HelpName = "A,B",
+    };
+
+    /// <exception cref="UsageException">A part of the list is no quirk.</exception>
+    public static GameQuirks Parse(string? list)
+    {
+        GameQuirks quirks = new();
+        foreach (string part in list?.Split(',') ?? [])
+        {
+            quirks = With(quirks, part.Trim()) ?? throw new UsageException($"--quirks takes some of {Form}, not '{part.Trim()}'.");
+        }
+
+        return quirks;
+    }
+
+    private static GameQuirks? With(GameQuirks quirks, string part)
+    {
+        string[] halves = part.Split('=', 2);
+        string? value = halves.Length > 1 ? halves[1] : null;
+        return (halves[0], value) switch
+        {
+            ("lag", not null) => Ticks(value) is { } lag ? quirks with { PictureLagTicks = lag } : null,
+            ("creep", not null) => Ticks(value) is { } creep ? quirks with { CreepTicks = creep } : null,
+            ("vanish", not null) => Fraction(value) is { } gone ? quirks with { VanishingFraction = gone } : null,
+            ("missedRays", not null) => Fraction(value) is { } missed ? quirks with { RayMissFraction = missed } : null,
+            ("lateCamera", null) => quirks with { IsCameraReportedLate = true },
+            ("heldCamera", null) => quirks with { HoldsCameraWhileFrozen = true },
+            ("boxRays", null) => quirks with { RaysMeetBoxes = true },
+            _ => null,
+        };
+    }
+
+    private static int? Ticks(string text) =>
+        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int ticks) && ticks <= MostTicks ? ticks : null;
+
+    private static double? Fraction(string text) =>
+        double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double fraction) && fraction <= 1 ? fraction : null;
+}
