@@ -12,6 +12,8 @@ using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Roads;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Cli.Commands;
@@ -86,6 +88,9 @@ internal static class HarvestCommand
     private static readonly Option<double> Range = WithDefault(
         ValueParsers.Number("--range", "M", "Label objects up to this distance, metres", value => value is > 0 and <= GreatestRange, "a number greater than 0, 100000 at most"), 150);
 
+    private static readonly Option<LookAhead> LaneLookAhead = WithDefault(LaneOptions.LookAhead(), LookAhead.Thesis);
+    private static readonly Option<double> LaneWidth = WithDefault(LaneOptions.LaneWidth(), RoadGeometry.LaneWidth);
+
     private static readonly Option<string?> Classes = ClassList.Option("Label");
 
     private static readonly Option<string?> Quirks = QuirkList.Option();
@@ -96,7 +101,7 @@ internal static class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, Range, Classes, Quirks, NoReport,
+            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, Range, LaneLookAhead, LaneWidth, Classes, Quirks, NoReport,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
@@ -168,6 +173,8 @@ internal static class HarvestCommand
             TimeOfDay = parsed.GetValue(Time) ?? Noon,
             Masks = parsed.GetValue(Masks),
             RangeMetres = parsed.GetValue(Range),
+            LookAhead = parsed.GetValue(LaneLookAhead),
+            LaneWidth = parsed.GetValue(LaneWidth),
             Classes = ClassList.Parse(parsed.GetValue(Classes)),
             Quirks = QuirkList.Parse(parsed.GetValue(Quirks)),
             QuirksAsked = parsed.GetValue(Quirks),

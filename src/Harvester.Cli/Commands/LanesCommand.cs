@@ -31,25 +31,26 @@ internal static class LanesCommand
 
     private static readonly Option<FileInfo?> Vehicles = new("--vehicles") { Description = "Other vehicles", HelpName = "FILE" };
     private static readonly Option<double> Length = WithDefault(Metres("--length", "The car's length, metres"), 4.5);
-    private static readonly Option<double> LookAheadMetres = WithDefault(
-        ValueParsers.Number("--look-ahead", "M", "How far ahead the indicators are measured, metres along the road", value => value is >= 0 and <= 70, "a number from 0 to 70"), 10);
+    private static readonly Option<LookAhead> LaneLookAhead = WithDefault(LaneOptions.LookAhead(), LookAhead.Thesis);
+    private static readonly Option<double> Speed = WithDefault(
+        ValueParsers.Number("--speed", "V", "The car's speed, metres per second; for a look-ahead in seconds", value => value is >= 0 and <= 100, "a number from 0 to 100"), 10);
 
-    private static readonly Option<double> LaneWidth = WithDefault(Metres("--lane-width", "Width of the lanes of ordinary roads, metres"), RoadGeometry.LaneWidth);
+    private static readonly Option<double> LaneWidth = WithDefault(LaneOptions.LaneWidth(), RoadGeometry.LaneWidth);
 
     public static Command Create(Terminal terminal)
     {
         var command = new Command("lanes", "Write the lane indicators of a car at a place as JSON.")
         {
-            Roads, Position, Heading, Vehicles, Length, LookAheadMetres, LaneWidth,
+            Roads, Position, Heading, Vehicles, Length, LaneLookAhead, Speed, LaneWidth,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(parsed =>
         {
             RoadNetwork network = RoadImporter.Import(parsed.GetRequiredValue(Roads).FullName).Network;
             var observer = new LaneObserver(
-                new RoadCurves(network), new LaneModel(network, parsed.GetValue(LaneWidth)), LookAhead.OfMetres(parsed.GetValue(LookAheadMetres)));
+                new RoadCurves(network), new LaneModel(network, parsed.GetValue(LaneWidth)), parsed.GetValue(LaneLookAhead));
             LaneObservation seen = observer.Observe(
-                parsed.GetRequiredValue(Position), parsed.GetRequiredValue(Heading), 0, parsed.GetValue(Length), ReadVehicles(parsed.GetValue(Vehicles)), null);
+                parsed.GetRequiredValue(Position), parsed.GetRequiredValue(Heading), parsed.GetValue(Speed), parsed.GetValue(Length), ReadVehicles(parsed.GetValue(Vehicles)), null);
             using JsonDocument lanes = JsonDocument.Parse(JsonLabelWriter.Lanes(LanesLabel.Of(seen, "roadFile", [])));
             terminal.Out.WriteLine(JsonSerializer.Serialize(lanes.RootElement, Indented));
             return ExitCode.Done;

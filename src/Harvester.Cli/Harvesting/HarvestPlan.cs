@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Lanes;
 using Harvester.Simulation.Quirks;
 
 namespace Harvester.Cli.Harvesting;
@@ -54,6 +55,12 @@ internal sealed record HarvestPlan
 
     /// <summary>How far objects are labelled, metres.</summary>
     public required double RangeMetres { get; init; }
+
+    /// <summary>Where the lane indicators are measured.</summary>
+    public required LookAhead LookAhead { get; init; }
+
+    /// <summary>Width of the lanes of an ordinary road, metres.</summary>
+    public required double LaneWidth { get; init; }
 
     /// <summary>The classes to label; null for all.</summary>
     public required IReadOnlyList<ObjectClass>? Classes { get; init; }

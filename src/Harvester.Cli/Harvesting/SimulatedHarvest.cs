@@ -100,7 +100,7 @@ internal sealed class SimulatedHarvest
     }
 
     private GamePorts Ports() =>
-        _game.Ports with { Roads = new FixedRoads(_game.Roads, _plan.Roads is null ? "simulation" : "roadFile") };
+        _game.Ports with { Roads = new FixedRoads(_game.Roads, _plan.Roads is null ? "simulation" : "roadFile", _plan.LookAhead, _plan.LaneWidth) };
 
     private HarvestOptions Options() => new()
     {

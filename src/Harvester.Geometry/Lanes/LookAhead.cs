@@ -31,6 +31,10 @@ public readonly record struct LookAhead
     /// <summary>The distance at a speed in metres per second.</summary>
     public double DistanceAt(double speed) => _metres + (_seconds * Math.Abs(speed));
 
+    /// <summary>The metres, or the seconds with an s, in the invariant culture.</summary>
+    public override string ToString() =>
+        _seconds > 0 ? FormattableString.Invariant($"{_seconds}s") : FormattableString.Invariant($"{_metres}");
+
     private static double NotNegative(double value, string name) =>
         Guard.Finite(value, name) >= 0 ? value : throw new ArgumentOutOfRangeException(name, value, $"{name} must be 0 or more.");
 }

@@ -56,6 +56,25 @@ public sealed class LanesCommandTests : IDisposable
     }
 
     [Fact]
+    public void Lanes_looks_ahead_by_metres_or_by_speed()
+    {
+        Assert.Equal(25, LookAhead("25"));
+        Assert.Equal(12, LookAhead("1s", "--speed", "12"));
+        Assert.Equal(0, LookAhead("0"));
+
+        double LookAhead(string ahead, params string[] more) =>
+            Lanes(["--position", "8.1,50,0", "--heading", "0", "--look-ahead", ahead, .. more]).GetProperty("lookAheadMetres").GetDouble();
+    }
+
+    [Theory]
+    [InlineData("-1")]
+    [InlineData("71")]
+    [InlineData("6s")]
+    [InlineData("s")]
+    public void Lanes_with_an_impossible_look_ahead_is_a_fault_of_the_command_line(string ahead) =>
+        CliRun.Of("lanes", "--roads", _roads, "--position", "8.1,50,0", "--heading", "0", "--look-ahead", ahead).AssertFailed(2, "--look-ahead takes");
+
+    [Fact]
     public void Lanes_off_the_road_says_so() =>
         Assert.Equal("offRoad", Lanes("--position", "80,50,0", "--heading", "0").GetProperty("status").GetString());
 
