@@ -1,3 +1,8 @@
+using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+using Harvester.Datasets.Props;
+using Harvester.Datasets.Sessions;
+using Harvester.Geometry;
 using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Commands;
@@ -19,6 +24,25 @@ public sealed class HarvestOnRealRoadsTests
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.StartsWith($"{session}: 5 frames, ", CliRun.Of("validate", session).Out, StringComparison.Ordinal);
         Assert.Equal(ExitCode.Done, CliRun.Of("validate", session).ExitCode);
+    }
+
+    /// <summary>The first lights that can be seen from 0,-1000 come some ten seconds on; a frame a second for half a minute passes them.</summary>
+    [RealWorldFact("nodes.zip")]
+    [Trait("Category", "Heavy")]
+    public void Harvest_past_real_traffic_lights_labels_them_where_the_file_has_them()
+    {
+        using var folder = new TemporaryFolder();
+        string session = folder.PathOf("session");
+        string lights = RealWorldFactAttribute.PathOf("worldTrafficLights.json")!;
+
+        CliRun.Of(
+            "harvest", "--out", session, "--frames", "30", "--hz", "1", "--size", "400x300", "--classes", "trafficLight", "--no-report",
+            "--roads", RealWorldFactAttribute.PathOf("nodes.zip")!, "--props", lights, "--near", "0,-1000");
+
+        ObjectLabel[] labels = [.. new SessionReader(session).ReadLabels().SelectMany(label => label.Objects)];
+        IReadOnlyList<PropPlacement> given = PropPlacementImporter.Import(lights);
+        Assert.NotEmpty(labels);
+        Assert.All(labels, label => Assert.Contains(given, light => label.Model == light.Name && label.Box3D.Contains(light.Position + new Vector3D(0, 0, 1))));
     }
 
     [RealWorldFact("nodes.zip")]
