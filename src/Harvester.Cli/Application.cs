@@ -5,6 +5,7 @@ using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Cli.Commands;
+using Harvester.Cli.Commands.Masks;
 using Harvester.Cli.Commands.Roads;
 using Harvester.Cli.Commands.Spaces;
 using Harvester.Datasets;
@@ -91,6 +92,7 @@ internal static class Application
         root.Subcommands.Add(MergeCommand.Create(terminal));
         root.Subcommands.Add(ProjectCommand.Create(terminal));
         root.Subcommands.Add(BoxesCommand.Create(terminal));
+        root.Subcommands.Add(MasksCommand.Create(terminal));
         root.Subcommands.Add(RoadsCommand.Create(terminal));
         root.Subcommands.Add(LanesCommand.Create(terminal));
         root.Subcommands.Add(SpacesCommand.Create(terminal));

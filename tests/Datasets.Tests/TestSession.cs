@@ -67,6 +67,7 @@ internal sealed class TestSession : IDisposable
         {
           "frame": {{frame}}, "gameFrame": {{100 + frame}}, "timeSeconds": {{frame}}.5, "lagFrames": 0, "lagSeconds": 0,
           "image": "frames/{{frame:D8}}.png", "mask": "masks/{{frame:D8}}.png",
+          "pixelMap": { "resolutionPixels": 1, "interpolatedPixels": 90, "raysCast": 70 },
           "camera": {
             "position": [0, 0, 0], "right": [1, 0, 0], "forward": [0, 1, 0], "up": [0, 0, 1], "verticalFovDegrees": 90,
             "width": 80, "height": 60, "windowAspect": 1.3333333333333333, "nearClip": 0.15, "fx": 30, "fy": 30, "cx": 40, "cy": 30,

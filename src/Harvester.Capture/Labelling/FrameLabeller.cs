@@ -126,7 +126,10 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
 
         Box2D?[] bounds = InstanceBounds.Of(map.Map);
         objects.Sort(static (a, b) => a.Id.CompareTo(b.Id));
-        yield return new FrameLabelling([.. objects.Select(label => label with { Box2DVisible = bounds[label.Id] })], map.Map);
+        yield return new FrameLabelling([.. objects.Select(label => label with { Box2DVisible = bounds[label.Id] })], map.Map)
+        {
+            PixelMap = new PixelMapLabel(map.ResolutionPixels, map.InterpolatedPixels, map.RaysCast),
+        };
     }
 
     private LabelCandidate? CandidateOf(Camera camera, EntityState entity)

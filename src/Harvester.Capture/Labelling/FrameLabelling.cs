@@ -9,6 +9,9 @@ namespace Harvester.Capture.Labelling;
 /// <param name="Mask">The instance map; null when none is wanted.</param>
 internal sealed record FrameLabelling(IReadOnlyList<ObjectLabel> Objects, InstanceMap? Mask)
 {
+    /// <summary>How well the mask is known; null when none is wanted.</summary>
+    public PixelMapLabel? PixelMap { get; init; }
+
     /// <summary>The lanes; null when no roads are known.</summary>
     public LanesLabel? Lanes { get; init; }
 }

@@ -26,6 +26,7 @@ internal static class FrameLabels
             scene.Environment,
             draft.Labelling.Objects)
         {
+            PixelMap = draft.Labelling.PixelMap,
             Lanes = draft.Labelling.Lanes,
         };
     }

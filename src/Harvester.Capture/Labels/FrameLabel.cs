@@ -28,6 +28,9 @@ public sealed record FrameLabel(
     EnvironmentState Environment,
     IReadOnlyList<ObjectLabel> Objects)
 {
+    /// <summary>How well the mask is known; null without a mask and for an imported one.</summary>
+    public PixelMapLabel? PixelMap { get; init; }
+
     /// <summary>The lanes; null when no roads are known.</summary>
     public LanesLabel? Lanes { get; init; }
 }

@@ -27,6 +27,7 @@ public static class JsonLabelWriter
             .Key("lagSeconds").Number(frame.LagSeconds, LabelDecimals.Seconds)
             .Key("image").String(frame.Image)
             .Key("mask").String(frame.Mask);
+        Append(json.Key("pixelMap"), frame.PixelMap);
         Append(json.Key("camera"), frame.Camera);
         Append(json.Key("ego"), frame.Ego);
         Append(json.Key("environment"), frame.Environment);
@@ -78,6 +79,21 @@ public static class JsonLabelWriter
             .Key("k1").Number(camera.Distortion.K1, LabelDecimals.CameraRatio)
             .Key("k2").Number(camera.Distortion.K2, LabelDecimals.CameraRatio)
             .EndObject()
+            .EndObject();
+    }
+
+    private static void Append(JsonText json, PixelMapLabel? map)
+    {
+        if (map is null)
+        {
+            json.String(null);
+            return;
+        }
+
+        json.BeginObject()
+            .Key("resolutionPixels").Integer(map.ResolutionPixels)
+            .Key("interpolatedPixels").Integer(map.InterpolatedPixels)
+            .Key("raysCast").Integer(map.RaysCast)
             .EndObject();
     }
 

@@ -43,8 +43,12 @@ public static class FrameLabelParser
             ReadEnvironment(frame.Fields("environment")),
             [.. frame.List("objects").Select(ReadObject)])
         {
+            PixelMap = frame.Has("pixelMap") ? ReadPixelMap(frame.Fields("pixelMap")) : null,
             Lanes = frame.Has("lanes") ? LanesParser.Parse(frame.Fields("lanes")) : null,
         };
+
+    private static PixelMapLabel ReadPixelMap(JsonFields map) =>
+        new(map.WholeNumber("resolutionPixels"), map.WholeNumber("interpolatedPixels"), map.WholeNumber("raysCast"));
 
     private static CameraLabel ReadCamera(JsonFields camera)
     {

@@ -17,4 +17,7 @@ public enum OcclusionMethod
 
     /// <summary>The cuboid's silhouette less what lies nearer, because rays do not meet the object.</summary>
     Silhouettes,
+
+    /// <summary>An instance map of another tool: the share of the silhouette in which a nearer object is seen.</summary>
+    Imported,
 }

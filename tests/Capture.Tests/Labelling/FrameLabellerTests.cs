@@ -102,6 +102,9 @@ public sealed class FrameLabellerTests
         Assert.Equal(new Box2D(45, 45, 55, 55), labelling.Objects[0].Box2DVisible);
         Assert.Equal(55, labelling.Objects[1].Box2DVisible!.Value.XMin);
         Assert.Equal([0, 1, 2], labelling.Mask!.Ids.Distinct().Select(id => (int)id).Order());
+        Assert.InRange(labelling.PixelMap!.RaysCast, 1, int.MaxValue);
+        Assert.Equal(1, labelling.PixelMap.ResolutionPixels);
+        Assert.InRange(labelling.PixelMap.InterpolatedPixels, 1, labelling.Mask.Ids.Length - labelling.PixelMap.RaysCast);
         Assert.InRange(labelling.Mask.Ids.Count(id => id == 1), 100 - MaskPixels, 100 + MaskPixels);
         Assert.All(labelling.Objects, label => Assert.Equal(OcclusionMethod.PixelMap, label.OcclusionMethod));
         Assert.InRange(labelling.Objects[0].OccludedFraction!.Value, 0, MaskPixels / 100.0);

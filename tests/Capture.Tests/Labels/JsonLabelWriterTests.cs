@@ -13,7 +13,7 @@ public sealed class JsonLabelWriterTests
     public void Line_has_the_documented_fields_in_their_order()
     {
         string expected =
-            """{"frame":3,"gameFrame":120,"timeSeconds":1.983333,"lagFrames":0,"lagSeconds":0,"image":"frames/00000003.png","mask":null,"""
+            """{"frame":3,"gameFrame":120,"timeSeconds":1.983333,"lagFrames":0,"lagSeconds":0,"image":"frames/00000003.png","mask":null,"pixelMap":null,"""
             + """ "camera":{"position":[1,-2.5,3],"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1],"verticalFovDegrees":50,"width":800,"height":600,"windowAspect":1.777777778,"nearClip":0.15,"fx":482.507,"fy":643.352076,"cx":400,"cy":300,"distortion":{"focalScale":1.008,"k1":-0.02,"k2":0}},""".TrimStart()
             + """ "ego":{"position":[1,-4,0],"headingDegrees":0,"velocity":[0,15.25,0],"model":"blista"},"environment":{"weather":"clear","timeOfDay":"07:05:09"},""".TrimStart()
             + """ "objects":[{"id":1,"class":"trafficLight","model":"prop_traffic_01a","name":"light \"A\"","parent":9,"box2d":[0,10.5,20.125,30],"box2dAmodal":[-5.25,10.5,20.125,30],"box2dVisible":[0,11,20,30],"truncatedFraction":0.25,"occludedFraction":0.5,"occlusionMethod":"rays","visibleFraction":0.375,""".TrimStart()
@@ -22,6 +22,17 @@ public sealed class JsonLabelWriterTests
             + """ "box3d":{"centre":[10,20,0.5],"halfExtents":[1,2,0.5],"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1]},"distanceMetres":5,"velocity":[0,0,0],"space":null}]}""".TrimStart();
 
         Assert.Equal(expected, JsonLabelWriter.Line(Frame()));
+    }
+
+    [Fact]
+    public void Line_with_a_mask_says_how_well_it_is_known()
+    {
+        string line = JsonLabelWriter.Line(Frame() with { Mask = "masks/00000003.png", PixelMap = new PixelMapLabel(4, 1200, 350) });
+
+        Assert.Contains(
+            "\"mask\":\"masks/00000003.png\",\"pixelMap\":{\"resolutionPixels\":4,\"interpolatedPixels\":1200,\"raysCast\":350},\"camera\":",
+            line,
+            StringComparison.Ordinal);
     }
 
     [Fact]

@@ -3,6 +3,7 @@ using System.IO.Compression;
 using Harvester.Capture.Imaging;
 using Harvester.Datasets.Images;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Tests.Images;
 
@@ -26,6 +27,35 @@ public sealed class PngDecoderTests : IDisposable
 
         Assert.Equal(picture.Size, read.Size);
         Assert.Equal(picture.Bytes, read.Bytes);
+    }
+
+    [Fact]
+    public void ReadInstanceMap_reads_back_what_the_encoder_wrote()
+    {
+        var map = new InstanceMap(new ImageSize(37, 23));
+        var random = new Random(6);
+        for (int i = 0; i < map.Ids.Length; i++)
+        {
+            map.Ids[i] = (ushort)random.Next(ushort.MaxValue + 1);
+        }
+
+        using (FileStream file = File.Create(_path))
+        {
+            new PngEncoder().Write(map, file);
+        }
+
+        InstanceMap read = PngDecoder.ReadInstanceMap(_path);
+
+        Assert.Equal(map.Image, read.Image);
+        Assert.Equal(map.Ids, read.Ids);
+    }
+
+    [Fact]
+    public void ReadInstanceMap_of_a_colour_picture_says_what_it_reads()
+    {
+        File.WriteAllBytes(_path, TestImages.Png(2, 2));
+
+        Assert.Contains("16-bit grey", Assert.Throws<DatasetFormatException>(() => PngDecoder.ReadInstanceMap(_path)).Message, StringComparison.Ordinal);
     }
 
     [Theory]

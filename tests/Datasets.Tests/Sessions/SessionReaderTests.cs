@@ -23,6 +23,7 @@ public sealed class SessionReaderTests : IDisposable
         Assert.Equal(1.5, label.TimeSeconds);
         Assert.Equal("frames/00000001.png", label.Image);
         Assert.Equal("masks/00000001.png", label.Mask);
+        Assert.Equal(new PixelMapLabel(1, 90, 70), label.PixelMap);
         Assert.Equal(new Pose(Vector3D.Zero, Axes.Identity), label.Camera.Pose);
         Assert.Equal((90, 80, 60, 30, 30, 40, 30), (
             label.Camera.VerticalFovDegrees, label.Camera.Width, label.Camera.Height, label.Camera.Fx, label.Camera.Fy, label.Camera.Cx, label.Camera.Cy));

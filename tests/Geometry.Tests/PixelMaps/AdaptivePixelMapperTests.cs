@@ -50,6 +50,17 @@ public sealed class AdaptivePixelMapperTests
     }
 
     [Fact]
+    public void ExhaustiveMap_asked_in_the_boxes_only_is_that_of_the_whole_image()
+    {
+        TownScene scene = TownScene.Numbered(12, new ImageSize(320, 240));
+
+        InstanceMap whole = ExhaustivePixelMapper.Map(scene.Camera, scene.Camera.Image.Bounds, entity => (ushort)entity, RayHit.World, scene);
+
+        Assert.NotNull(whole.BoundsOf(1));
+        Assert.Equal(whole.Ids, scene.ExhaustiveMap().Ids);
+    }
+
+    [Fact]
     public void Run_order_of_the_targets_changes_nothing()
     {
         TownScene scene = TownScene.Numbered(17, Size);

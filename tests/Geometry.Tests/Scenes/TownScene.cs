@@ -44,8 +44,29 @@ internal sealed class TownScene : IRayCaster
     public List<MapTarget> Targets() =>
         [.. Entities.Select(thing => new MapTarget(thing.Entity, (ushort)thing.Entity, thing.Bounds, CuboidProjector.Project(Camera, thing.Bounds)))];
 
-    public InstanceMap ExhaustiveMap() =>
-        ExhaustivePixelMapper.Map(Camera, Camera.Image.Bounds, entity => (ushort)entity, RayHit.World, this);
+    /// <summary>
+    /// The map of <see cref="ExhaustivePixelMapper"/> over the whole image, sooner: no entity reaches out of its cuboid, so each row is
+    /// asked only where a cuboid's box is, and the rows are asked by all processors.
+    /// </summary>
+    public InstanceMap ExhaustiveMap()
+    {
+        var map = new InstanceMap(Camera.Image);
+        Box2D[] boxes = [.. Targets().Select(target => target.Projection.Box).OfType<Box2D>()];
+        Parallel.For(0, Camera.Image.Height, row =>
+        {
+            double asked = 0;
+            foreach (Box2D box in boxes.Where(box => box.YMin <= row + 0.5 && row + 0.5 <= box.YMax).OrderBy(box => box.XMin))
+            {
+                if (box.XMax > asked)
+                {
+                    var part = new Box2D(Math.Max(asked, box.XMin), row, box.XMax, row + 1);
+                    ExhaustivePixelMapper.MapInto(map, Camera, part, entity => (ushort)entity, RayHit.World, this);
+                    asked = box.XMax;
+                }
+            }
+        });
+        return map;
+    }
 
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
     {

@@ -1,0 +1,14 @@
+using System.CommandLine;
+
+namespace Harvester.Cli.Commands.Masks;
+
+/// <summary>harvester masks: the instance masks of a session.</summary>
+internal static class MasksCommand
+{
+    public static Command Create(Terminal terminal)
+    {
+        var command = new Command("masks", "Take instance masks of another tool into a session.");
+        command.Subcommands.Add(MasksImportCommand.Create(terminal));
+        return command;
+    }
+}

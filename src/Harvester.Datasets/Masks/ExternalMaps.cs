@@ -1,0 +1,58 @@
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using Harvester.Datasets.Images;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
+
+namespace Harvester.Datasets.Masks;
+
+/// <summary>A folder of instance maps of another tool: 16-bit grey PNG files whose names are frame numbers, with or without leading zeros.</summary>
+internal sealed class ExternalMaps
+{
+    private readonly string _folder;
+    private readonly Dictionary<int, string> _files = [];
+
+    /// <exception cref="DirectoryNotFoundException">There is no such folder.</exception>
+    /// <exception cref="DatasetFormatException">Two files are of one frame.</exception>
+    public ExternalMaps(string folder)
+    {
+        _folder = folder;
+        if (!Directory.Exists(folder))
+        {
+            throw new DirectoryNotFoundException($"There is no folder '{folder}'.");
+        }
+
+        foreach (string file in Directory.EnumerateFiles(folder, "*.png"))
+        {
+            if (int.TryParse(Path.GetFileNameWithoutExtension(file), NumberStyles.None, CultureInfo.InvariantCulture, out int frame)
+                && !_files.TryAdd(frame, file))
+            {
+                throw new DatasetFormatException($"'{file}' and '{_files[frame]}' are both of frame {frame}; keep one.");
+            }
+        }
+    }
+
+    /// <summary>Reads the map of a frame.</summary>
+    /// <exception cref="DatasetFormatException">It is missing, damaged or of another size; the message names the frame or the file.</exception>
+    public InstanceMap Read(int frame, ImageSize size)
+    {
+        if (!_files.TryGetValue(frame, out string? file))
+        {
+            throw new DatasetFormatException($"'{_folder}' has no map of frame {frame}; it would be named {frame:D8}.png.");
+        }
+
+        try
+        {
+            InstanceMap map = PngDecoder.ReadInstanceMap(file);
+            return map.Image == size
+                ? map
+                : throw new DatasetFormatException(
+                    $"it is {map.Image.Width} x {map.Image.Height}, but the image of frame {frame} is {size.Width} x {size.Height}.");
+        }
+        catch (DatasetFormatException e)
+        {
+            throw new DatasetFormatException($"'{file}' cannot be used: {e.Message}", e);
+        }
+    }
+}

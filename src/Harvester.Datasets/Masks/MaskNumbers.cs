@@ -1,0 +1,11 @@
+namespace Harvester.Datasets.Masks;
+
+/// <summary>What the numbers in another tool's maps mean.</summary>
+public enum MaskNumbers
+{
+    /// <summary>The ids of the labels; any other number is an error.</summary>
+    Ids,
+
+    /// <summary>The tool's own: each is matched with the object whose cuboid its pixels cover best; the others are no object.</summary>
+    Overlap,
+}

@@ -1,0 +1,48 @@
+using System.Text.Json.Nodes;
+
+namespace Harvester.Cli.Tests.Commands;
+
+public sealed class MasksCommandTests
+{
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Import_of_a_sessions_own_masks_keeps_its_visible_boxes(bool match)
+    {
+        using var folder = new TemporaryFolder();
+        string session = folder.PathOf("session");
+        Assert.Equal(ExitCode.Done, CliRun.Of("harvest", "--out", session, "--frames", "2", "--masks", "--no-report", "--size", "400x300").ExitCode);
+        string maps = folder.PathOf("maps");
+        Directory.CreateDirectory(maps);
+        foreach (string mask in Directory.GetFiles(Path.Combine(session, "masks")))
+        {
+            File.Copy(mask, Path.Combine(maps, Path.GetFileName(mask)));
+        }
+
+        List<string?> before = VisibleBoxes(session);
+
+        CliRun run = CliRun.Of(["masks", "import", session, maps, .. match ? (string[])["--match"] : []]);
+
+        Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
+        Assert.Contains("2 masks imported", run.Out, StringComparison.Ordinal);
+        Assert.Equal(ExitCode.Done, CliRun.Of("validate", session).ExitCode);
+        Assert.NotEmpty(before.OfType<string>());
+        Assert.Equal(before, VisibleBoxes(session));
+    }
+
+    [Fact]
+    public void Import_of_no_folder_is_an_input_error()
+    {
+        using var folder = new TemporaryFolder();
+        folder.File("session.json", """{ "formatVersion": 1, "game": "simulation", "image": { "width": 80, "height": 60 } }""");
+
+        CliRun.Of("masks", "import", folder.Path, folder.PathOf("none")).AssertFailed(ExitCode.InputOutput, "There is no folder");
+    }
+
+    private static List<string?> VisibleBoxes(string session) =>
+    [
+        .. File.ReadLines(Path.Combine(session, "labels.jsonl"))
+            .SelectMany(line => JsonNode.Parse(line)!["objects"]!.AsArray())
+            .Select(item => item!["box2dVisible"]?.ToJsonString()),
+    ];
+}
