@@ -52,11 +52,11 @@ public sealed class AdaptivePixelMapperTests
     [Fact]
     public void ExhaustiveMap_asked_in_the_boxes_only_is_that_of_the_whole_image()
     {
-        TownScene scene = TownScene.Numbered(12, new ImageSize(320, 240));
+        TownScene scene = TownScene.Numbered(40, new ImageSize(320, 240));
 
         InstanceMap whole = ExhaustivePixelMapper.Map(scene.Camera, scene.Camera.Image.Bounds, entity => (ushort)entity, RayHit.World, scene);
 
-        Assert.NotNull(whole.BoundsOf(1));
+        Assert.True(whole.Ids.Distinct().Count() > 10);
         Assert.Equal(whole.Ids, scene.ExhaustiveMap().Ids);
     }
 
