@@ -35,7 +35,11 @@ public sealed class LaneLinesInPictureTests
     {
         var game = new SimulatedGame(new SimulationOptions
         {
-            Roads = Loop.Network(), RadiusMetres = 600, TrafficDensity = 0.2, PedestrianDensity = 0, IsTimeOfDayFixed = true,
+            Roads = Loop.Network(),
+            RadiusMetres = 600,
+            TrafficDensity = 0.2,
+            PedestrianDensity = 0,
+            IsTimeOfDayFixed = true,
         });
         var observer = new LaneObserver(new RoadCurves(game.Roads), new LaneModel(game.Roads));
         RoadMatch? previous = null;

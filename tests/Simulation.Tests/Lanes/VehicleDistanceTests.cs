@@ -21,7 +21,10 @@ public sealed class VehicleDistanceTests
     {
         var game = new SimulatedGame(new SimulationOptions
         {
-            Roads = Loop.Network(lanes: 3), RadiusMetres = 600, TrafficDensity = 0, PedestrianDensity = 0,
+            Roads = Loop.Network(lanes: 3),
+            RadiusMetres = 600,
+            TrafficDensity = 0,
+            PedestrianDensity = 0,
         });
         var observer = new LaneObserver(new RoadCurves(game.Roads), new LaneModel(game.Roads));
         var random = new Random(17);

@@ -30,7 +30,10 @@ public sealed class SimulatedTownMapTests(ITestOutputHelper output)
             double density = 0.2 + (0.15 * seed);
             var game = new SimulatedGame(new SimulationOptions
             {
-                Seed = seed, WindowAspect = 4.0 / 3, TrafficDensity = density, PedestrianDensity = density,
+                Seed = seed,
+                WindowAspect = 4.0 / 3,
+                TrafficDensity = density,
+                PedestrianDensity = density,
             });
             for (int tick = 0; tick < 100 + (seed * 20); tick++)
             {

@@ -25,7 +25,11 @@ internal sealed class VocWriter(ExportOptions options) : IDatasetWriter
 
     private static readonly XmlWriterSettings Settings = new()
     {
-        Indent = true, IndentChars = "\t", NewLineChars = "\n", OmitXmlDeclaration = true, Encoding = new UTF8Encoding(false),
+        Indent = true,
+        IndentChars = "\t",
+        NewLineChars = "\n",
+        OmitXmlDeclaration = true,
+        Encoding = new UTF8Encoding(false),
     };
 
     public void Write(ExportFrame frame, FrameOutput output)
