@@ -16,4 +16,7 @@ public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IP
 
     /// <summary>The traffic lights that the harvester itself drives; null for none.</summary>
     public ILights? Lights { get; init; }
+
+    /// <summary>The ego, to be driven from outside; null where it cannot be.</summary>
+    public IDrivenCar? Car { get; init; }
 }
