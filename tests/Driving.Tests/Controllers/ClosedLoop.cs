@@ -1,5 +1,5 @@
 using Harvester.Capture.Driving;
-using Harvester.Driving.Controllers;
+using Harvester.Capture.Driving.Controllers;
 using Harvester.Geometry.Lanes;
 
 namespace Harvester.Driving.Tests.Controllers;

@@ -1,4 +1,4 @@
-using Harvester.Driving.Controllers;
+using Harvester.Capture.Driving.Controllers;
 using Harvester.Geometry.Lanes;
 
 namespace Harvester.Driving.Tests.Controllers;

@@ -1,8 +1,7 @@
 using System;
-using Harvester.Capture.Driving;
 using Harvester.Geometry.Lanes;
 
-namespace Harvester.Driving.Controllers;
+namespace Harvester.Capture.Driving.Controllers;
 
 /// <summary>
 /// Steers by Stanley's law on the centre of the lane (wheel angle = heading error + atan(k · lateral error / speed), with the road's
@@ -22,14 +21,13 @@ public sealed class StanleyController : IController
     /// <summary>Makes a controller.</summary>
     public StanleyController(StanleyOptions options)
     {
-        ArgumentNullException.ThrowIfNull(options);
-        _options = options;
+        _options = options ?? throw new ArgumentNullException(nameof(options));
     }
 
     /// <inheritdoc/>
     public DrivingControls Drive(DrivingState state)
     {
-        ArgumentNullException.ThrowIfNull(state);
+        _ = state ?? throw new ArgumentNullException(nameof(state));
         LaneIndicators at = state.Indicators;
         _left.Observe(at.DistLL.Value);
         _right.Observe(at.DistRR.Value);
@@ -110,6 +108,6 @@ public sealed class StanleyController : IController
             acceleration -= _options.Acceleration * (kept / room) * (kept / room);
         }
 
-        return Math.Clamp(acceleration, -_options.FullBraking, _options.Acceleration);
+        return Math.Max(-_options.FullBraking, Math.Min(_options.Acceleration, acceleration));
     }
 }

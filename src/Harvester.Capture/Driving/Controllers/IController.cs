@@ -1,6 +1,5 @@
-using Harvester.Capture.Driving;
 
-namespace Harvester.Driving.Controllers;
+namespace Harvester.Capture.Driving.Controllers;
 
 /// <summary>Drives a car by the indicators, asked about ten times a second.</summary>
 public interface IController

@@ -1,10 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Driving;
 using Harvester.Geometry.Lanes;
 
-namespace Harvester.Driving.Controllers;
+namespace Harvester.Capture.Driving.Controllers;
 
 /// <summary>
 /// The controller published with DeepDriving for TORCS roads of up to three lanes, restated from its rules and constants:
@@ -34,7 +33,7 @@ public sealed class DeepDrivingController : IController
     /// <inheritdoc/>
     public DrivingControls Drive(DrivingState state)
     {
-        ArgumentNullException.ThrowIfNull(state);
+        _ = state ?? throw new ArgumentNullException(nameof(state));
         LaneIndicators at = state.TorcsEquivalent;
         _left.Observe(at.DistLL.Value);
         _right.Observe(at.DistRR.Value);
@@ -52,7 +51,7 @@ public sealed class DeepDrivingController : IController
             steering *= (2.5 * steering) + 0.75;
         }
 
-        steering = Math.Clamp(steering, -1, 1);
+        steering = Math.Max(-1, Math.Min(1, steering));
         _steerings.Dequeue();
         _steerings.Enqueue(steering);
         return WithSpeed(steering, state, trend);

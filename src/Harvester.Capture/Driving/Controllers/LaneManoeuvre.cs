@@ -1,4 +1,4 @@
-namespace Harvester.Driving.Controllers;
+namespace Harvester.Capture.Driving.Controllers;
 
 /// <summary>What a controller does about its lane.</summary>
 internal enum LaneManoeuvre

@@ -1,4 +1,4 @@
-namespace Harvester.Driving.Controllers;
+namespace Harvester.Capture.Driving.Controllers;
 
 /// <summary>The constants of <see cref="StanleyController"/>.</summary>
 public sealed record StanleyOptions

@@ -1,4 +1,4 @@
-namespace Harvester.Driving.Controllers;
+namespace Harvester.Capture.Driving.Controllers;
 
 /// <summary>Whether the lane beside has been free long enough to move there: no vehicle nearer than 20 m for so many frames in a row.</summary>
 internal sealed class LaneClearance

@@ -1,7 +1,7 @@
 using System;
 using Harvester.Geometry.Lanes;
 
-namespace Harvester.Driving.Controllers;
+namespace Harvester.Capture.Driving.Controllers;
 
 /// <summary>
 /// Which lane to be in, told by the indicators of both systems together. While the car is near a marking the lanes on either side

@@ -1,6 +1,6 @@
 using Harvester.Geometry.Lanes;
 
-namespace Harvester.Driving.Controllers;
+namespace Harvester.Capture.Driving.Controllers;
 
 /// <summary>What a controller knows at one moment.</summary>
 /// <param name="Indicators">The indicators in metres on the road as it is.</param>
