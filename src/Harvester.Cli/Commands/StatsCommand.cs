@@ -19,9 +19,6 @@ internal static class StatsCommand
         + "Example:\n"
         + "  harvester stats day night";
 
-    /// <summary>What the benchmark's page says of KITTI object detection 2012: images for training and testing, and labelled objects in all.</summary>
-    private const string Kitti = "for comparison, KITTI object detection: 7481 images for training, 7518 for testing, 80256 labelled objects";
-
     public static Command Create(Terminal terminal)
     {
         var sessions = new Argument<string[]>("SESSION") { Description = "Folders of sessions, as harvest writes them", Arity = ArgumentArity.OneOrMore };
@@ -42,9 +39,9 @@ internal static class StatsCommand
 
     private static IEnumerable<string> Lines(SessionStatistics statistics)
     {
-        double perFrame = (double)statistics.Labels / Math.Max(1, statistics.Frames);
-        yield return Text($"{statistics.Frames} frames, {statistics.Labels} labels, {perFrame:0.0} a frame");
-        yield return Kitti;
+        PublishedDataset kitti = PublishedDataset.Kitti;
+        yield return Text($"{statistics.Frames} frames, {statistics.Labels} labels, {statistics.LabelsPerFrame:0.0} a frame");
+        yield return Text($"for comparison, {kitti.Name}: {kitti.TrainingImages} images for training, {kitti.TestImages} for testing, {kitti.Labels} labelled objects, {kitti.LabelsPerImage:0.0} an image");
         foreach ((ObjectClass kind, ClassStatistics figures) in statistics.Classes)
         {
             yield return Text($"class {JsonName.Of(kind)}: {figures.Labels} labels, {figures.Objects} objects, nearest {figures.NearestMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m");

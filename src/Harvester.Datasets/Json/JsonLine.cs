@@ -42,7 +42,14 @@ internal static class JsonLine
     /// <summary>A named list of numbers.</summary>
     public static void Numbers(this Utf8JsonWriter json, string name, ReadOnlySpan<double> values, int decimals)
     {
-        json.WriteStartArray(name);
+        json.WritePropertyName(name);
+        json.Values(values, decimals);
+    }
+
+    /// <summary>A list of numbers.</summary>
+    public static void Values(this Utf8JsonWriter json, ReadOnlySpan<double> values, int decimals)
+    {
+        json.WriteStartArray();
         foreach (double value in values)
         {
             json.Value(value, decimals);

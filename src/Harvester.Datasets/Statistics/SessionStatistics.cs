@@ -49,6 +49,9 @@ public sealed class SessionStatistics
     /// <summary>Labels of all classes.</summary>
     public int Labels => _classes.Values.Sum(kind => kind.Labels);
 
+    /// <summary>Labels a frame; 0 without frames.</summary>
+    public double LabelsPerFrame => Frames == 0 ? 0 : (double)Labels / Frames;
+
     /// <summary>Figures by class, in the order of the classes; only those that occur.</summary>
     public IReadOnlyDictionary<ObjectClass, ClassStatistics> Classes => _classes;
 

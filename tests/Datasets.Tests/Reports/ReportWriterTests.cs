@@ -27,6 +27,23 @@ public sealed partial class ReportWriterTests : IDisposable
     }
 
     [Fact]
+    public void Write_gives_the_statistics_beside_the_published_ones()
+    {
+        JsonElement data = Data(Write(new ReportLimits()));
+
+        // Three frames with two labels each; 80,256 labels in 7,481 + 7,518 = 14,999 images are 5.35 each.
+        Assert.Equal(
+            ["Images|3|14,999", "for training||7,481", "for testing||7,518", "Labels|6|80,256", "Labels an image|2.0|5.4"],
+            data.GetProperty("comparison").GetProperty("rows").EnumerateArray().Select(row => string.Join('|', row.EnumerateArray())));
+        Assert.Equal(
+            ["Labels by distance", "Labels by height of the box", "Labels by share outside the image", "Labels by share occluded"],
+            data.GetProperty("histograms").EnumerateArray().Select(chart => chart.GetProperty("title").GetString()));
+        Assert.Equal(3, data.GetProperty("weathers").GetProperty("clear").GetInt32());
+        Assert.Equal(3, data.GetProperty("hours").GetProperty("13:00").GetInt32());
+        Assert.Empty(data.GetProperty("indicators").EnumerateObject());
+    }
+
+    [Fact]
     public void Write_refers_to_nothing_outside_the_page()
     {
         string page = Write(new ReportLimits());

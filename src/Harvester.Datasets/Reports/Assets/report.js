@@ -125,25 +125,35 @@ function play(on) {
   byId("play").setAttribute("aria-label", on ? "Pause" : "Play");
 }
 
-function counts() {
-  const columns = ["Class", "Labels", "Objects", "Nearest", "Median", "Occluded"];
-  const row = (name, cells) => element("tr", {}, name, ...cells.map(cell => element("td", {}, String(cell))));
-  const body = Object.entries(data.classes).map(([name, entry]) => {
-    const mark = element("i");
-    mark.style.background = entry.colour;
-    return row(element("th", { scope: "row" }, mark, words(name)),
-      [entry.labels, entry.objects, `${fixed(entry.nearest)} m`, `${fixed(entry.medianDistance)} m`, percent(entry.meanOcclusion)]);
-  });
-  const sum = key => Object.values(data.classes).reduce((total, entry) => total + entry[key], 0);
-  byId("counts").append(
+function table(id, columns, rows, foot) {
+  const row = ([name, ...cells]) => element("tr", {}, element("th", { scope: "row" }, ...[name].flat()), ...cells.map(cell => element("td", {}, String(cell))));
+  byId(id).append(
     element("thead", {}, element("tr", {}, ...columns.map(column => element("th", { scope: "col" }, column)))),
-    element("tbody", {}, ...body),
-    element("tfoot", {}, row(element("th", { scope: "row" }, "all"), [sum("labels"), sum("objects"), "", "", ""])));
+    element("tbody", {}, ...rows.map(row)),
+    ...(foot ? [element("tfoot", {}, row(foot))] : []));
 }
 
-function histogram(figure, title, chart) {
+function counts() {
+  const rows = Object.entries(data.classes).map(([name, entry]) => {
+    const mark = element("i");
+    mark.style.background = entry.colour;
+    return [[mark, words(name)], entry.labels, entry.objects, `${fixed(entry.nearest)} m`, `${fixed(entry.medianDistance)} m`, percent(entry.meanOcclusion)];
+  });
+  const sum = key => Object.values(data.classes).reduce((total, entry) => total + entry[key], 0);
+  table("counts", ["Class", "Labels", "Objects", "Nearest", "Median", "Occluded"], rows, ["all", sum("labels"), sum("objects"), "", "", ""]);
+}
+
+function indicators() {
+  const unit = name => name === "angle" ? "rad" : "m";
+  const rows = Object.entries(data.indicators).map(([name, span]) =>
+    [name, span.frames, `${fixed(span.least, 2)} ${unit(name)}`, `${fixed(span.greatest, 2)} ${unit(name)}`]);
+  table("indicators", ["Lane indicator", "Frames", "Least", "Greatest"], rows);
+  byId("lanes").hidden = rows.length === 0;
+}
+
+function histogram(chart) {
   const width = 320, height = 150, foot = 18, most = Math.max(1, ...chart.counts), step = width / chart.counts.length;
-  const drawing = shape("svg", { viewBox: `0 0 ${width} ${height + foot}`, role: "img", "aria-label": title });
+  const drawing = shape("svg", { viewBox: `0 0 ${width} ${height + foot}`, role: "img", "aria-label": chart.title });
   chart.counts.forEach((count, index) => {
     const tall = count / most * (height - 14);
     const bar = shape("rect", { x: index * step + 1, y: height - tall, width: Math.max(1, step - 2), height: tall });
@@ -155,7 +165,7 @@ function histogram(figure, title, chart) {
   const last = chart.counts.length;
   [0, Math.floor(last / 2), last].forEach((edge, position) => drawing.append(shape("text", {
     x: edge * step, y: height + 14, "text-anchor": ["start", "middle", "end"][position] }, `${chart.edges[edge]} ${chart.unit}`)));
-  figure.append(element("figcaption", {}, title), drawing);
+  byId("histograms").append(element("figure", {}, element("figcaption", {}, chart.title), drawing));
 }
 
 // report.html#120 opens at frame 120, or the first one after it that the page holds.
@@ -172,8 +182,11 @@ switches(byId("kinds"), kinds.map(([kind, label]) => ({ label, isOn: () => state
 switches(byId("classes"), Object.entries(data.classes).map(([name, entry]) => ({
   label: words(name), swatch: entry.colour, count: entry.labels, isOn: () => !state.hidden.has(name), toggle: () => flip(state.hidden, name) })));
 counts();
-histogram(byId("distances"), "Labels by distance", data.distances);
-histogram(byId("occlusions"), "Labels by share occluded", data.occlusions);
+table("comparison", ["For comparison", "This session", data.comparison.name], data.comparison.rows);
+data.histograms.forEach(histogram);
+table("weathers", ["Weather", "Frames"], Object.entries(data.weathers));
+table("hours", ["Hour", "Frames"], Object.entries(data.hours));
+indicators();
 byId("slider").max = Math.max(0, data.frames.length - 1);
 byId("slider").addEventListener("input", event => { play(false); show(Number(event.target.value)); });
 byId("play").addEventListener("click", () => play(state.timer === null));

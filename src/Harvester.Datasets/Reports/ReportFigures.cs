@@ -1,0 +1,133 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+using System.Text.Json;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+using Harvester.Datasets.Json;
+using Harvester.Datasets.Sessions;
+using Harvester.Datasets.Statistics;
+
+namespace Harvester.Datasets.Reports;
+
+/// <summary>The figures of a whole session in a report's data.</summary>
+internal static class ReportFigures
+{
+    private const int Decimals = 2;
+    private const int PercentPerUnit = 100;
+
+    /// <summary>Writes them as fields of the object that is open.</summary>
+    public static void Write(Utf8JsonWriter json, SessionInfo info, SessionStatistics statistics)
+    {
+        WriteFacts(json, info, statistics);
+        WriteClasses(json, statistics);
+        WriteComparison(json, statistics, PublishedDataset.Kitti);
+        json.WriteStartArray("histograms");
+        WriteHistogram(json, "Labels by distance", statistics.Distances, "m", 1);
+        WriteHistogram(json, "Labels by height of the box", statistics.BoxHeights, "px", 1);
+        WriteHistogram(json, "Labels by share outside the image", statistics.TruncatedFractions, "%", PercentPerUnit);
+        WriteHistogram(json, "Labels by share occluded", statistics.OccludedFractions, "%", PercentPerUnit);
+        json.WriteEndArray();
+        WriteCounts(json, "weathers", statistics.FramesOfWeathers);
+        WriteCounts(json, "hours", statistics.FramesOfHours.Select(pair => KeyValuePair.Create(Text($"{pair.Key:00}:00"), pair.Value)));
+        WriteIndicators(json, statistics.Indicators);
+    }
+
+    private static void WriteFacts(Utf8JsonWriter json, SessionInfo info, SessionStatistics statistics)
+    {
+        json.WriteStartObject("facts");
+        json.WriteString("Frames", Text($"{statistics.Frames}"));
+        json.WriteString("Labels", Text($"{statistics.Labels}"));
+        json.WriteString("Image", $"{info.Image.Width} × {info.Image.Height}");
+        json.WriteString("Length", Text($"{statistics.LastTimeSeconds - statistics.FirstTimeSeconds:0.0} s"));
+        json.WriteString("Weather", string.Join(", ", statistics.Weathers));
+        if (info.Seed is { } seed)
+        {
+            json.WriteString("Seed", Text($"{seed}"));
+        }
+
+        json.WriteEndObject();
+    }
+
+    private static void WriteClasses(Utf8JsonWriter json, SessionStatistics statistics)
+    {
+        json.WriteStartObject("classes");
+        foreach ((ObjectClass kind, ClassStatistics figures) in statistics.Classes)
+        {
+            json.WriteStartObject(JsonName.Of(kind));
+            json.WriteString("colour", $"#{ClassColours.Of(kind):x6}");
+            json.WriteNumber("labels", figures.Labels);
+            json.WriteNumber("objects", figures.Objects);
+            json.Number("nearest", figures.NearestMetres, Decimals);
+            json.Number("medianDistance", figures.MedianDistanceMetres, Decimals);
+            json.Number("meanOcclusion", figures.MeanOccludedFraction, Decimals);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndObject();
+    }
+
+    private static void WriteComparison(Utf8JsonWriter json, SessionStatistics statistics, PublishedDataset published)
+    {
+        json.WriteStartObject("comparison");
+        json.WriteString("name", published.Name);
+        json.WriteStartArray("rows");
+        WriteRow("Images", statistics.Frames, published.Images, 0);
+        WriteRow("for training", null, published.TrainingImages, 0);
+        WriteRow("for testing", null, published.TestImages, 0);
+        WriteRow("Labels", statistics.Labels, published.Labels, 0);
+        WriteRow("Labels an image", statistics.LabelsPerFrame, published.LabelsPerImage, 1);
+        json.WriteEndArray();
+        json.WriteEndObject();
+
+        void WriteRow(string name, double? here, double there, int decimals)
+        {
+            json.WriteStartArray();
+            json.WriteStringValue(name);
+            json.WriteStringValue(here is { } value ? Count(value, decimals) : "");
+            json.WriteStringValue(Count(there, decimals));
+            json.WriteEndArray();
+        }
+    }
+
+    private static void WriteHistogram(Utf8JsonWriter json, string title, Histogram histogram, string unit, double factor)
+    {
+        json.WriteStartObject();
+        json.WriteString("title", title);
+        json.WriteString("unit", unit);
+        json.Numbers("counts", [.. histogram.Counts.Select(count => (double)count)], 0);
+        json.Numbers("edges", [.. Enumerable.Range(0, histogram.Counts.Count + 1).Select(i => i * histogram.BinWidth * factor)], Decimals);
+        json.WriteEndObject();
+    }
+
+    private static void WriteCounts(Utf8JsonWriter json, string name, IEnumerable<KeyValuePair<string, int>> counts)
+    {
+        json.WriteStartObject(name);
+        foreach ((string key, int count) in counts)
+        {
+            json.WriteNumber(key, count);
+        }
+
+        json.WriteEndObject();
+    }
+
+    private static void WriteIndicators(Utf8JsonWriter json, IReadOnlyDictionary<string, IndicatorSpan> indicators)
+    {
+        json.WriteStartObject("indicators");
+        foreach ((string name, IndicatorSpan span) in indicators)
+        {
+            json.WriteStartObject(name);
+            json.WriteNumber("frames", span.Count);
+            json.Number("least", span.Least, Decimals);
+            json.Number("greatest", span.Greatest, Decimals);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndObject();
+    }
+
+    private static string Count(double value, int decimals) => value.ToString("N" + decimals.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
+
+    private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+}
