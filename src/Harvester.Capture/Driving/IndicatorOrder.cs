@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Harvester.Geometry.Lanes;
 
 namespace Harvester.Capture.Driving;
@@ -12,6 +13,9 @@ public static class IndicatorOrder
 {
     /// <summary>How many there are.</summary>
     public const int Count = 13;
+
+    /// <summary>Far beyond what an indicator can be, metres or radians: what is more is no reading of a road.</summary>
+    private const double LargestValue = 1000;
 
     /// <summary>Their names, in order.</summary>
     public static IReadOnlyList<string> Names { get; } =
@@ -50,12 +54,17 @@ public static class IndicatorOrder
     /// Indicators from values as a network gives them. It gives no flags and hits no inactive value exactly, so an indicator counts as
     /// inactive past the limit half-way between the greatest value that the place on the road allows and its inactive value.
     /// </summary>
-    /// <exception cref="ArgumentException">There are not thirteen values.</exception>
+    /// <exception cref="ArgumentException">There are not thirteen values, or one is beyond any road's.</exception>
     public static LaneIndicators FromValues(IReadOnlyList<double> values)
     {
         if (values is null || values.Count != Count)
         {
             throw new ArgumentException("There are thirteen indicators.", nameof(values));
+        }
+
+        if (!values.All(static value => Math.Abs(value) <= LargestValue))
+        {
+            throw new ArgumentException(FormattableString.Invariant($"An indicator is beyond -{LargestValue} to {LargestValue}."), nameof(values));
         }
 
         return new LaneIndicators

@@ -24,4 +24,7 @@ internal sealed class FrameSchedule(double rateHz)
         _nextPeriod = period + 1;
         return true;
     }
+
+    /// <summary>Seconds until a frame is due; 0 or less when one is.</summary>
+    public double SecondsUntilDue(double timeSeconds) => _startSeconds is { } start ? start + (_nextPeriod / rateHz) - timeSeconds : 0;
 }

@@ -1,0 +1,267 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Capture.Driving.Bridge;
+using Harvester.Capture.Driving.Controllers;
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Ports;
+
+namespace Harvester.Capture.Driving;
+
+/// <summary>
+/// The game's side of a drive over a bridge: call <see cref="Tick"/> once in every tick of the game, from the game's own thread. It
+/// sends frames at their rate, drives the car by what the peer says, and brakes when the peer is silent. Where the peer sends
+/// indicators, a controller here makes controls of them. Nothing waits, and nothing is thrown to the caller after construction: a fault of
+/// a port ends the drive with a sentence, and so does the player at the wheel. The bridge stays its maker's to dispose.
+/// </summary>
+public sealed class DrivingSession : IDisposable
+{
+    /// <summary>A peer that sends faster than the ticks go does not keep a tick busy.</summary>
+    private const int MostMessagesATick = 300;
+
+    private const int MostCommandsWaiting = 256;
+    private const double HalfATick = 0.5;
+    private readonly DrivingOptions _options;
+    private readonly GamePorts _game;
+    private readonly IDrivenCar _car;
+    private readonly IDrivingBridge _bridge;
+    private readonly Func<IController> _newController;
+    private readonly SilenceWatch _watch;
+    private readonly FrameSchedule _schedule;
+    private readonly DrivingView _view;
+    private readonly WorldPace _pace;
+    private readonly Queue<PeerMessage> _commands = new();
+    private IController _controller;
+    private bool _isFrameAskedFor;
+    private bool _isStepOpen;
+    private string? _bridgeProblem;
+    private double _nowSeconds;
+    private double _tickSeconds;
+    private long _frames;
+    private string? _ending;
+
+    /// <summary>Makes a drive; nothing is asked of the game before the first tick.</summary>
+    /// <param name="options">How.</param>
+    /// <param name="game">The game, with a car that can be driven.</param>
+    /// <param name="bridge">To the peer; made for pictures of the size in the options.</param>
+    /// <param name="newController">Makes what drives by the indicators that a peer sends; asked again after each reset.</param>
+    /// <exception cref="ArgumentException">The game has no car that can be driven.</exception>
+    public DrivingSession(DrivingOptions options, GamePorts game, IDrivingBridge bridge, Func<IController> newController)
+    {
+        _options = options ?? throw new ArgumentNullException(nameof(options));
+        _game = game ?? throw new ArgumentNullException(nameof(game));
+        _car = game.Car ?? throw new ArgumentException("This game has no car that can be driven.", nameof(game));
+        _bridge = bridge ?? throw new ArgumentNullException(nameof(bridge));
+        _newController = newController ?? throw new ArgumentNullException(nameof(newController));
+        _controller = newController();
+        _watch = new SilenceWatch(new WorldClock(game.World), options.PatienceSeconds);
+        _schedule = new FrameSchedule(options.RateHz);
+        _view = new DrivingView(game, options.Picture);
+        _pace = new WorldPace(game.Pause, options.SettleTicks);
+    }
+
+    /// <summary>The drive as it stands.</summary>
+    public DrivingStatus Status { get; private set; }
+
+    /// <summary>The last thing that went wrong without ending the drive, as one line; null when nothing has.</summary>
+    public string? Problem { get; private set; }
+
+    /// <summary>Whether a picture may be grabbed so soon that nothing may be drawn now that does not belong into it.</summary>
+    public bool IsPictureNear => _ending is null
+        && (_pace.IsPaused || _pace.IsStepping || _isFrameAskedFor || _schedule.SecondsUntilDue(_nowSeconds) < (_options.SettleTicks + HalfATick) * _tickSeconds);
+
+    /// <summary>Does one tick's share of the drive. After the end it does nothing.</summary>
+    public DrivingStatus Tick()
+    {
+        if (_ending is null)
+        {
+            Try(Drive);
+        }
+
+        return Status;
+    }
+
+    /// <summary>Ends the drive and lets the world go on. Again is no harm.</summary>
+    public void Stop()
+    {
+        if (_ending is null)
+        {
+            End("The drive was stopped.");
+        }
+    }
+
+    /// <summary>Stops.</summary>
+    public void Dispose() => Stop();
+
+    private void Drive()
+    {
+        if (_car.IsTakenByPlayer)
+        {
+            End("The player has taken the wheel.");
+            return;
+        }
+
+        double now = _game.World.TimeSeconds;
+        _tickSeconds = now - _nowSeconds;
+        _nowSeconds = now;
+        _pace.Tick(now);
+        Receive();
+        DrivingControls controls = _watch.Controls;
+        _car.Drive(controls);
+        SendFrame();
+        ReadProblem();
+        Status = new DrivingStatus(_frames, _watch.IsPeerAlive, controls, null);
+    }
+
+    private void Receive()
+    {
+        PeerMessage? newest = null;
+        for (int taken = 0; taken < MostMessagesATick && _bridge.TryReceive(out PeerMessage? message); taken++)
+        {
+            if (message is ControlsMessage or IndicatorsMessage)
+            {
+                newest = message;
+            }
+            else if (_commands.Count < MostCommandsWaiting)
+            {
+                _commands.Enqueue(message);
+            }
+            else
+            {
+                Problem = "the peer sends commands faster than they can be obeyed; the newest are dropped.";
+            }
+        }
+
+        while (!_isStepOpen && _commands.Count > 0)
+        {
+            Obey(_commands.Dequeue());
+        }
+
+        Hear(newest);
+    }
+
+    private void Hear(PeerMessage? message)
+    {
+        if (message is ControlsMessage controls)
+        {
+            _watch.Hear(controls.Controls);
+        }
+        else if (message is IndicatorsMessage indicators)
+        {
+            try
+            {
+                _watch.Hear(_controller.Drive(_view.StateOf(IndicatorOrder.FromValues(indicators.Values))));
+            }
+            catch (ArgumentException exception)
+            {
+                Problem = exception.Message;
+            }
+        }
+    }
+
+    private void Obey(PeerMessage command)
+    {
+        switch (command)
+        {
+            case ResetMessage reset:
+                _car.Reset(reset.Position, reset.HeadingDegrees);
+                _watch.Forget();
+                _view.Forget();
+                _controller = _newController();
+                break;
+            case EnvironmentMessage environment:
+                SetEnvironment(environment);
+                break;
+            case PauseMessage { IsPaused: true }:
+                _pace.Pause();
+                break;
+            case PauseMessage:
+                _pace.GoOn();
+                break;
+            case StepMessage step:
+                _pace.Step(_nowSeconds, step.Seconds);
+                _isStepOpen = true;
+                break;
+            case RequestFrameMessage:
+                _isFrameAskedFor = true;
+                break;
+            default:
+                Problem = $"{command.GetType().Name} is no command of a drive.";
+                break;
+        }
+    }
+
+    private void SetEnvironment(EnvironmentMessage environment)
+    {
+        try
+        {
+            _car.SetEnvironment(environment.Weather, environment.TimeOfDay);
+        }
+        catch (ArgumentException exception)
+        {
+            Problem = exception.Message;
+        }
+    }
+
+    private void SendFrame()
+    {
+        bool isDue = !_pace.IsStepping && _schedule.TakeIfDue(_nowSeconds) && !_pace.IsPaused;
+        bool isWanted = isDue || _isFrameAskedFor || _isStepOpen;
+        if (!isWanted || _pace.IsStepping || !_pace.IsSettled)
+        {
+            return;
+        }
+
+        if (_view.Take(_frames, out string? refusal) is { } state)
+        {
+            _bridge.Publish(state, _view.Picture);
+            _frames++;
+            _isFrameAskedFor = false;
+        }
+        else
+        {
+            // Commands go on, or the peer could not let the world go on; the frame is sent as soon as there is a picture.
+            Problem = $"the game's picture cannot be used: {refusal}.";
+            _isFrameAskedFor = true;
+        }
+
+        _isStepOpen = false;
+    }
+
+    private void ReadProblem()
+    {
+        if (_bridge.Problem != _bridgeProblem)
+        {
+            _bridgeProblem = _bridge.Problem;
+            Problem = _bridgeProblem;
+        }
+    }
+
+    private void End(string ending)
+    {
+        _ending = ending;
+        Status = new DrivingStatus(_frames, false, DrivingControls.Stop, ending);
+        Try(_pace.GoOn);
+    }
+
+    private void Try(Action work)
+    {
+        try
+        {
+            work();
+        }
+#pragma warning disable CA1031 // The game's script loop must not see an exception of ours, whatever its type.
+        catch (Exception exception)
+#pragma warning restore CA1031
+        {
+            string fault = $"The drive stopped: {exception.Message}";
+            if (_ending is null)
+            {
+                End(fault);
+            }
+            else
+            {
+                Status = Status with { Ending = $"{_ending} {fault}" };
+            }
+        }
+    }
+}

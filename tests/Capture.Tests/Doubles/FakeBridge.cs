@@ -1,0 +1,26 @@
+using System.Diagnostics.CodeAnalysis;
+using Harvester.Capture.Driving.Bridge;
+using Harvester.Capture.Imaging;
+
+namespace Harvester.Capture.Tests.Doubles;
+
+/// <summary>A bridge in memory, to a peer that is the test. It gives messages out as the real ones do: commands first, of controls the newest.</summary>
+internal sealed class FakeBridge : IDrivingBridge
+{
+    private readonly PeerInbox _inbox = new();
+
+    public string? Problem { get; set; }
+
+    /// <summary>What was published, and the number of the state that the picture shows.</summary>
+    public List<(BridgeState State, long Shown)> Frames { get; } = [];
+
+    public void Say(params PeerMessage[] messages) => Assert.All(messages, message => Assert.True(_inbox.TryPut(message)));
+
+    public void Publish(BridgeState state, PixelBuffer picture) => Frames.Add((state, FakeGame.StateOf(picture)));
+
+    public bool TryReceive([NotNullWhen(true)] out PeerMessage? message) => _inbox.TryTake(out message);
+
+    public void Dispose()
+    {
+    }
+}
