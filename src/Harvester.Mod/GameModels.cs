@@ -1,47 +1,37 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using Harvester.Capture.Scenes;
-using Harvester.Capture.Spaces;
+using GTA.Native;
+using Harvester.Capture.Playing;
 using Harvester.Geometry;
 
 namespace Harvester.Mod;
 
-/// <summary>What is known of the models met so far; each is asked for once.</summary>
-/// <param name="spaces">The models of signs and traffic lights.</param>
-internal sealed class GameModels(SpaceTable spaces)
+/// <summary>The game's models, by its natives.</summary>
+internal sealed class GameModels : IModels
 {
-    private readonly Dictionary<int, ModelInfo> _known = [];
+    /// <inheritdoc/>
+    public bool IsVehicle(int model) => Natives.Call<bool>(Hash.IS_MODEL_IN_CDIMAGE, model) && Natives.Call<bool>(Hash.IS_MODEL_A_VEHICLE, model);
 
-    public ModelInfo OfVehicle(int vehicle, int hash) =>
-        Find(hash, () => (VehicleClasses.Of(hash, Natives.VehicleClass(vehicle)), NameOfVehicle(hash)));
-
-    public ModelInfo OfPed(int hash) => Find(hash, () => (ObjectClass.Pedestrian, Hexadecimal(hash)));
-
-    public ModelInfo OfProp(int hash) => Find(hash, () =>
+    /// <inheritdoc/>
+    public bool Load(int model)
     {
-        IReadOnlyList<SpaceOfInterest> faces = spaces.Of(hash);
-        return faces.Count == 0 ? (ObjectClass.Other, Hexadecimal(hash)) : (faces[0].Class, faces[0].Model.Length > 0 ? faces[0].Model : Hexadecimal(hash));
-    });
-
-    // The name that is displayed is the model's own for most vehicles; its hash tells which.
-    private static string NameOfVehicle(int hash)
-    {
-        string displayed = Natives.VehicleDisplayName(hash);
-        return !string.IsNullOrEmpty(displayed) && ModelHash.Of(displayed) == hash ? displayed.ToLowerInvariant() : Hexadecimal(hash);
+        Natives.Call(Hash.REQUEST_MODEL, model);
+        return Natives.Call<bool>(Hash.HAS_MODEL_LOADED, model);
     }
 
-    private static string Hexadecimal(int hash) => "0x" + hash.ToString("X8", CultureInfo.InvariantCulture);
+    /// <inheritdoc/>
+    public void Release(int model) => Natives.Call(Hash.SET_MODEL_AS_NO_LONGER_NEEDED, model);
 
-    private ModelInfo Find(int hash, Func<(ObjectClass Class, string Name)> describe)
+    /// <inheritdoc/>
+    public (Vector3D Min, Vector3D Max) DimensionsOf(int model)
     {
-        if (_known.TryGetValue(hash, out ModelInfo? known))
-        {
-            return known;
-        }
-
-        (ObjectClass objectClass, string name) = describe();
-        (Vector3D min, Vector3D max) = Natives.ModelDimensions(hash);
-        return _known[hash] = new ModelInfo(objectClass, name, min, max);
+        using var min = new OutputArgument();
+        using var max = new OutputArgument();
+        Natives.Call(Hash.GET_MODEL_DIMENSIONS, model, min, max);
+        return (Natives.Vector(min), Natives.Vector(max));
     }
+
+    /// <inheritdoc/>
+    public int VehicleClassOf(int vehicle) => Natives.Call<int>(Hash.GET_VEHICLE_CLASS, vehicle);
+
+    /// <inheritdoc/>
+    public string DisplayNameOf(int model) => Natives.Call<string>(Hash.GET_DISPLAY_NAME_FROM_VEHICLE_MODEL, model);
 }

@@ -1,4 +1,6 @@
+using System;
 using System.Collections.Generic;
+using GTA.Native;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
 
@@ -19,15 +21,26 @@ internal sealed class GameRays : IRayCaster
     /// <summary>Tells which handles are entities of the scene, so that the game need not be asked for each hit.</summary>
     public void Know(int entity) => _entities.Add(entity);
 
-    /// <inheritdoc/>
+    /// <summary>What a line meets. The synchronous probe answers in the same frame; its arguments go as ints, because enums are slow.</summary>
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
     {
-        if (Natives.Probe(ray.Origin, ray.At(maxDistance), WhatHides, ignoredEntity, PassThrough) is not { } hit)
+        Vector3D start = ray.Origin;
+        Vector3D end = ray.At(maxDistance);
+        int test = Natives.Call<int>(
+            Hash.START_EXPENSIVE_SYNCHRONOUS_SHAPE_TEST_LOS_PROBE,
+            (float)start.X, (float)start.Y, (float)start.Z, (float)end.X, (float)end.Y, (float)end.Z, WhatHides, ignoredEntity, PassThrough);
+        using var hit = new OutputArgument();
+        using var point = new OutputArgument();
+        using var normal = new OutputArgument();
+        using var entity = new OutputArgument();
+        const int ready = 2;
+        if (Natives.Call<int>(Hash.GET_SHAPE_TEST_RESULT, test, hit, point, normal, entity) != ready)
         {
-            return null;
+            throw new InvalidOperationException("The game did not answer a ray.");
         }
 
-        return new RayHit((hit.Point - ray.Origin).Length, IsEntity(hit.Entity) ? hit.Entity : RayHit.World);
+        int met = entity.GetResult<int>();
+        return hit.GetResult<bool>() ? new RayHit((Natives.Vector(point) - start).Length, IsEntity(met) ? met : RayHit.World) : null;
     }
 
     private bool IsEntity(int handle)
@@ -37,12 +50,13 @@ internal sealed class GameRays : IRayCaster
             return handle != NoEntity;
         }
 
-        if (Natives.EntityType(handle) != NoEntity)
+        // A ped, a vehicle or a prop; buildings are of no type, and thousands of script handles for them would fill the game's pool.
+        if (Natives.Call<int>(Hash.GET_ENTITY_TYPE, handle) != NoEntity)
         {
             return true;
         }
 
-        Natives.ReleaseScriptHandle(handle);
+        Natives.Call(Hash.RELEASE_SCRIPT_GUID_FROM_ENTITY, handle);
         return false;
     }
 }

@@ -4,6 +4,8 @@ using System.Linq;
 using System.Threading;
 using GTA;
 using GTA.Math;
+using GTA.Native;
+using Harvester.Capture.Playing;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Capture.Spaces;
@@ -15,43 +17,49 @@ namespace Harvester.Mod;
 internal sealed class GameWorld : IWorld
 {
     private readonly CameraMount _mount;
-    private readonly GamePause _pause;
+    private readonly GameTime _time;
     private readonly GameRays _rays;
-    private readonly GameModels _models;
+    private readonly KnownModels _models;
     private readonly Model[] _props;
 
     /// <summary>Reads the game around a camera.</summary>
     /// <param name="mount">The camera and the vehicle that carries it.</param>
-    /// <param name="pause">The game's time.</param>
+    /// <param name="time">The game's time.</param>
     /// <param name="rays">Where the entities are made known.</param>
     /// <param name="spaces">The models of signs and traffic lights: the only props that are read.</param>
-    public GameWorld(CameraMount mount, GamePause pause, GameRays rays, SpaceTable spaces)
+    public GameWorld(CameraMount mount, GameTime time, GameRays rays, SpaceTable spaces)
     {
         _mount = mount;
-        _pause = pause;
+        _time = time;
         _rays = rays;
-        _models = new GameModels(spaces);
+        _models = new KnownModels(new GameModels(), spaces);
         _props = spaces.Spaces.Select(space => space.Hash).Distinct().Select(hash => new Model(hash)).ToArray();
     }
 
     /// <inheritdoc/>
-    public long GameFrame => Natives.FrameCount();
+    public long GameFrame => Natives.Call<int>(Hash.GET_FRAME_COUNT);
 
     /// <inheritdoc/>
-    public double TimeSeconds => _pause.TimeSeconds;
+    public double TimeSeconds => _time.Seconds;
 
     /// <inheritdoc/>
-    public CameraState ReadCamera() => new(
-        new Pose(Natives.RenderedCameraPosition(), Axes.FromEuler(Natives.RenderedCameraRotation())),
-        Natives.RenderedVerticalFovDegrees(),
-        Natives.RenderedNearClip(),
-        Natives.WindowAspect());
+    public CameraState ReadCamera()
+    {
+        Vector3D degrees = Natives.ToWorld(Natives.Call<Vector3>(Hash.GET_FINAL_RENDERED_CAM_ROT, Natives.RotationOrder));
+        return new CameraState(
+            new Pose(
+                Natives.ToWorld(Natives.Call<Vector3>(Hash.GET_FINAL_RENDERED_CAM_COORD)),
+                Axes.FromEuler(new EulerAngles(degrees.X, degrees.Y, degrees.Z))),
+            Natives.Call<float>(Hash.GET_FINAL_RENDERED_CAM_FOV),
+            Natives.Call<float>(Hash.GET_FINAL_RENDERED_CAM_NEAR_CLIP),
+            Natives.Call<float>(Hash.GET_ASPECT_RATIO, false));
+    }
 
     /// <inheritdoc/>
     public EgoState ReadEgo()
     {
         int vehicle = _mount.Vehicle;
-        ModelInfo model = _models.OfVehicle(vehicle, Natives.EntityModel(vehicle));
+        ModelFacts model = _models.OfVehicle(vehicle, Natives.EntityModel(vehicle));
         return new EgoState(vehicle, model.Name, Natives.EntityPose(vehicle), Natives.EntityVelocity(vehicle))
         {
             ModelMin = model.Min,
@@ -74,18 +82,20 @@ internal sealed class GameWorld : IWorld
 
         return entities;
 
-        void Add(IEnumerable<int> handles, Func<int, int, ModelInfo> describe) =>
+        void Add(IEnumerable<int> handles, Func<int, int, ModelFacts> describe) =>
             entities.AddRange(handles.Select(handle => Read(handle, describe)).OfType<EntityState>());
     }
 
     /// <inheritdoc/>
-    public EnvironmentState ReadEnvironment() => new(WeatherNames.Of(Natives.WeatherHash()), Natives.TimeOfDay());
+    public EnvironmentState ReadEnvironment() => new(
+        WeatherNames.Of(Natives.Call<int>(Hash.GET_PREV_WEATHER_TYPE_HASH_NAME)),
+        new TimeSpan(Natives.Call<int>(Hash.GET_CLOCK_HOURS), Natives.Call<int>(Hash.GET_CLOCK_MINUTES), Natives.Call<int>(Hash.GET_CLOCK_SECONDS)));
 
     private static bool IsOnFoot(int ped) =>
-        Natives.EntityExists(ped) && ped != Natives.PlayerPed() && Natives.IsHuman(ped) && Natives.VehicleOf(ped) == 0;
+        Natives.EntityExists(ped) && ped != Natives.PlayerPed() && Natives.Call<bool>(Hash.IS_PED_HUMAN, ped) && Natives.VehicleOf(ped) == 0;
 
     /// <summary>An entity as it is now; null when it is gone, be it in the middle of reading.</summary>
-    private EntityState? Read(int handle, Func<int, int, ModelInfo> describe)
+    private EntityState? Read(int handle, Func<int, int, ModelFacts> describe)
     {
         if (!Natives.EntityExists(handle))
         {
@@ -94,7 +104,7 @@ internal sealed class GameWorld : IWorld
 
         try
         {
-            ModelInfo model = describe(handle, Natives.EntityModel(handle));
+            ModelFacts model = describe(handle, Natives.EntityModel(handle));
             var state = new EntityState(
                 handle, model.Class, model.Name, Natives.EntityPose(handle), model.Min, model.Max, Natives.EntityVelocity(handle));
             _rays.Know(handle);

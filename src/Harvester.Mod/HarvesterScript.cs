@@ -1,10 +1,10 @@
 using System;
-using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Threading;
 using System.Windows.Forms;
 using GTA;
+using GTA.Native;
 using GTA.UI;
 using Harvester.Capture.Playing;
 using Harvester.Capture.Ports;
@@ -25,13 +25,10 @@ public sealed class HarvesterScript : Script
 {
     private readonly PlayerMessages _messages;
     private readonly ModFolder _folder;
-    private readonly Dictionary<Keys, (IFeature Feature, Action Press)> _keys = [];
-    private readonly TestCar _car;
-    private readonly CameraMount _mount;
     private readonly Harvest _harvest;
     private readonly LensCalibration _calibration;
-    private readonly RoadSurveying _survey;
     private readonly FeatureSet _features;
+    private readonly KeyBindings<Keys> _keys;
     private bool _greeted;
     private int _aborted;
 
@@ -47,56 +44,47 @@ public sealed class HarvesterScript : Script
         _messages = new PlayerMessages(BaseDirectory, message => Notification.Show(message));
         PlayerSettings player = PlayerSettings.Read(_folder.Settings, BaseDirectory);
         var display = new GameDisplay();
-        var pause = new GamePause();
+        var time = new GameTime(
+            paused => Natives.Call(Hash.SET_GAME_PAUSED, paused), () => Natives.Call<int>(Hash.GET_GAME_TIMER));
         var rays = new GameRays();
-        var markers = new GameMarkers();
+        var markers = new DrawnMarkers(display);
         var roads = new GrowingRoads(player.LaneWidthMetres);
-        _car = new TestCar(player, _messages, clock);
-        _mount = new CameraMount(player, _messages);
-        var game = new GamePorts(new GameWorld(_mount, pause, rays, _folder.Spaces), rays, screen, pause, clock, markers) { Roads = roads };
-        _harvest = new Harvest(player.Options, player.Folder, _messages, _mount, game, display, Origin) { Problem = Problem };
-        _calibration = new LensCalibration(_harvest, game, _mount, display, _messages, _folder.SettingsPath);
-        var overlay = new Overlay(_harvest, game, _folder.Spaces, _messages, _mount, display) { IsPictureNear = IsPictureNear };
-        _survey = new RoadSurveying(
+        var vehicles = new GameVehicles();
+        var car = new TestCar(player, _messages, new GameModels(), vehicles, clock);
+        var mount = new CameraMount(player, _messages, new GameCameras(), vehicles);
+        var game = new GamePorts(new GameWorld(mount, time, rays, _folder.Spaces), rays, screen, time, clock, markers) { Roads = roads };
+        _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, display, Origin) { Problem = Problem };
+        _calibration = new LensCalibration(_harvest, game, mount, display, _messages, _folder.SettingsPath);
+        var overlay = new Overlay(_harvest, game, _folder.Spaces, _messages, mount, display) { IsPictureNear = IsPictureNear };
+        var survey = new RoadSurveying(
             new GameRoadSource(), () => Natives.EntityPosition(Natives.PlayerPed()), player.SurveyFile, roads, _messages, clock)
         {
             GivesLanes = player.RoadFile is null,
             AreLanesWanted = () => player.RoadFile is null && (overlay.IsOn || _harvest.Status is not null),
         };
-        var line = new HarvestLine(_harvest, player.Folder, clock, display) { IsPictureNear = IsPictureNear, SurveyLine = () => _survey.Line };
-        _features = new FeatureSet(_messages, _car, _mount, _harvest, _calibration, markers, _survey, line, overlay);
+        var line = new HarvestLine(_harvest, player.Folder, clock, display) { IsPictureNear = IsPictureNear, SurveyLine = () => survey.Line };
+        _features = new FeatureSet(_messages, car, mount, _harvest, _calibration, markers, survey, line, overlay);
         if (player.RoadFile is { } file)
         {
             roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");
         }
 
-        Bind("SpawnTestCar", Keys.NumPad0, _car, _car.Spawn);
-        Bind("MountCamera", Keys.I, _mount, _mount.Mount);
-        Bind("RestoreCamera", Keys.O, _mount, _mount.Stop);
-        Bind("Harvest", Keys.J, _harvest, _harvest.Toggle);
-        Bind("OneFrame", Keys.K, _harvest, _harvest.TakeOne);
-        Bind("Overlay", Keys.L, overlay, overlay.Toggle);
-        Bind("Calibrate", Keys.C, _calibration, _calibration.Toggle);
-        Bind("RoadSurvey", Keys.U, _survey, _survey.Toggle);
+        _keys = new KeyBindings<Keys>(_folder, _features);
+        _keys.Add("SpawnTestCar", Keys.NumPad0, car, car.Spawn);
+        _keys.Add("MountCamera", Keys.I, mount, mount.Mount);
+        _keys.Add("RestoreCamera", Keys.O, mount, mount.Stop);
+        _keys.Add("Harvest", Keys.J, _harvest, _harvest.Toggle);
+        _keys.Add("OneFrame", Keys.K, _harvest, _harvest.TakeOne);
+        _keys.Add("Overlay", Keys.L, overlay, overlay.Toggle);
+        _keys.Add("Calibrate", Keys.C, _calibration, _calibration.Toggle);
+        _keys.Add("RoadSurvey", Keys.U, survey, survey.Toggle);
         Tick += OnTick;
         KeyUp += OnKeyUp;
         Aborted += OnAborted;
     }
 
     /// <summary>Whether a file is still being written.</summary>
-    internal bool IsWriting => _harvest.IsWriting || _calibration.IsWriting || _survey.IsWriting;
-
-    private void Bind(string name, Keys fallback, IFeature feature, Action press)
-    {
-        Keys key = _folder.Settings.Choice("Keys", name, fallback, "a key, such as NumPad0, I or F9");
-        if (_keys.ContainsKey(key))
-        {
-            _folder.Complain($"the key {key} has two uses; the first is kept.");
-            return;
-        }
-
-        _keys.Add(key, (feature, press));
-    }
+    internal bool IsWriting => _features.IsWriting;
 
     private void OnTick(object? sender, EventArgs e)
     {
@@ -112,9 +100,9 @@ public sealed class HarvesterScript : Script
     // Key up and not key down: Windows repeats the latter as long as a key is held.
     private void OnKeyUp(object? sender, KeyEventArgs e)
     {
-        if (_aborted == 0 && _keys.TryGetValue(e.KeyCode, out (IFeature Feature, Action Press) key))
+        if (_aborted == 0)
         {
-            _features.Do(key.Feature, key.Press);
+            _keys.Press(e.KeyCode);
         }
     }
 
@@ -124,11 +112,7 @@ public sealed class HarvesterScript : Script
     {
         if (Interlocked.Exchange(ref _aborted, 1) == 0)
         {
-            _features.Try(_calibration.Name, _calibration.Stop);
-            _features.Try(_harvest.Name, _harvest.Dispose);
-            _features.Try(_survey.Name, _survey.Finish);
-            _features.Try(_mount.Name, _mount.Stop);
-            _features.Try(_car.Name, _car.Remove);
+            _features.Finish();
         }
     }
 

@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using System.Threading;
 
 namespace Harvester.Capture.Playing;
@@ -10,12 +11,29 @@ namespace Harvester.Capture.Playing;
 /// <param name="features">The features, in the order of their ticks.</param>
 public sealed class FeatureSet(PlayerMessages messages, params IFeature[] features)
 {
+    /// <summary>Whether a file is still being written.</summary>
+    public bool IsWriting => features.OfType<ILastingFeature>().Any(feature => feature.IsWriting);
+
     /// <summary>Does one frame's work.</summary>
     public void Tick()
     {
         foreach (IFeature feature in features)
         {
             Do(feature, feature.Tick);
+        }
+    }
+
+    /// <summary>Ends all features for good. First each gives back what it has of the game, in the opposite order of their ticks; only then the disk is waited for.</summary>
+    public void Finish()
+    {
+        foreach (IFeature feature in features.Reverse())
+        {
+            Try(feature.Name, feature.Stop);
+        }
+
+        foreach (ILastingFeature feature in features.OfType<ILastingFeature>())
+        {
+            Try(feature.Name, feature.Finish);
         }
     }
 

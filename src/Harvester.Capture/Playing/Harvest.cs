@@ -10,7 +10,7 @@ using Harvester.Capture.Storage;
 namespace Harvester.Capture.Playing;
 
 /// <summary>Starts, drives and ends harvests by the keys.</summary>
-public sealed class Harvest : IFeature, IDisposable
+public sealed class Harvest : ILastingFeature, IDisposable
 {
     private static readonly TimeSpan LongestWaitForTheDisk = TimeSpan.FromSeconds(10);
     private readonly string _folder;
@@ -122,11 +122,14 @@ public sealed class Harvest : IFeature, IDisposable
     }
 
     /// <summary>Stops, and waits until everything taken is on disk, or for as long as a script may take to end.</summary>
-    public void Dispose()
+    public void Finish()
     {
         Stop();
         _closing.Wait(LongestWaitForTheDisk);
     }
+
+    /// <inheritdoc cref="Finish"/>
+    public void Dispose() => Finish();
 
     private void Start(HarvestOptions options, string folder, bool resume)
     {

@@ -9,7 +9,7 @@ using Harvester.Capture.Settings;
 namespace Harvester.Capture.Playing;
 
 /// <summary>Calibrates the camera at a key, for the harvests to come, and writes the lens into the settings file.</summary>
-public sealed class LensCalibration : IFeature, IDisposable
+public sealed class LensCalibration : ILastingFeature, IDisposable
 {
     private readonly Harvest _harvest;
     private readonly GamePorts _game;
@@ -110,6 +110,9 @@ public sealed class LensCalibration : IFeature, IDisposable
         _session?.Dispose();
         _session = null;
     }
+
+    /// <inheritdoc/>
+    public void Finish() => Stop();
 
     /// <summary>Stops.</summary>
     public void Dispose() => Stop();

@@ -12,7 +12,7 @@ namespace Harvester.Capture.Playing;
 /// Surveys the roads around the player while it is switched on, and keeps what was found in a file, with which the next survey goes on.
 /// The file is read and written on another thread.
 /// </summary>
-public sealed class RoadSurveying : IFeature
+public sealed class RoadSurveying : ILastingFeature
 {
     private const double SaveEveryMilliseconds = 30_000;
     private const double PrepareEveryMilliseconds = 5_000;

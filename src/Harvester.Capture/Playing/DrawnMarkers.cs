@@ -1,12 +1,12 @@
 using System.Collections.Generic;
-using Harvester.Capture.Playing;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Calibration;
 
-namespace Harvester.Mod;
+namespace Harvester.Capture.Playing;
 
-/// <summary>Balls for the calibration. The game draws a marker for one frame only, so that each tick asks for all of them again.</summary>
-internal sealed class GameMarkers : IMarkers, IFeature
+/// <summary>Balls for the calibration. The game draws a ball for one frame only, so that each tick asks for all of them again.</summary>
+/// <param name="display">Where to draw.</param>
+public sealed class DrawnMarkers(IDisplay display) : IMarkers, IFeature
 {
     private static readonly Colour Magenta = new(255, 0, 255);
     private IReadOnlyList<PlannedMarker> _markers = [];
@@ -25,7 +25,7 @@ internal sealed class GameMarkers : IMarkers, IFeature
     {
         foreach (PlannedMarker marker in _markers)
         {
-            Natives.DrawBall(marker.Centre, marker.RadiusMetres, Magenta);
+            display.Ball(marker.Centre, marker.RadiusMetres, Magenta);
         }
     }
 

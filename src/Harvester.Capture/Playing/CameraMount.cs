@@ -1,22 +1,31 @@
-using Harvester.Capture.Playing;
 using Harvester.Capture.Settings;
+using Harvester.Geometry;
 
-namespace Harvester.Mod;
+namespace Harvester.Capture.Playing;
 
 /// <summary>
 /// The camera on the hood. The game itself attaches it with the vehicle's whole matrix, so that no tick's delay comes between the
 /// two; setting position and rotation on every tick, as the thesis did, lags a frame behind.
 /// </summary>
-internal sealed class CameraMount : IFeature, IMount
+public sealed class CameraMount : ILastingFeature, IMount
 {
     private readonly PlayerSettings _settings;
     private readonly PlayerMessages _messages;
+    private readonly ICameras _cameras;
+    private readonly IVehicles _vehicles;
     private int _camera;
 
-    public CameraMount(PlayerSettings settings, PlayerMessages messages)
+    /// <summary>Makes ready.</summary>
+    /// <param name="settings">Where the camera sits on its vehicle.</param>
+    /// <param name="messages">Tells what comes of it.</param>
+    /// <param name="cameras">The game's cameras.</param>
+    /// <param name="vehicles">The game's vehicles.</param>
+    public CameraMount(PlayerSettings settings, PlayerMessages messages, ICameras cameras, IVehicles vehicles)
     {
         _settings = settings;
         _messages = messages;
+        _cameras = cameras;
+        _vehicles = vehicles;
     }
 
     /// <inheritdoc/>
@@ -25,19 +34,22 @@ internal sealed class CameraMount : IFeature, IMount
     /// <inheritdoc/>
     public bool IsMounted => Vehicle != 0;
 
+    /// <inheritdoc/>
+    public bool IsWriting => false;
+
     /// <summary>The vehicle that carries the camera; 0 when it is not mounted.</summary>
     public int Vehicle { get; private set; }
 
     /// <summary>Mounts the rendering camera on the vehicle that the player sits in.</summary>
     public void Mount()
     {
-        if (GameBuild.MountProblem is { } problem)
+        if (_cameras.AttachingProblem is { } problem)
         {
             _messages.Tell(problem);
             return;
         }
 
-        int vehicle = Natives.VehicleOf(Natives.PlayerPed());
+        int vehicle = _vehicles.OfPlayer;
         if (vehicle == 0)
         {
             _messages.Tell("Enter a vehicle first: the camera is mounted on the one you sit in.");
@@ -45,8 +57,8 @@ internal sealed class CameraMount : IFeature, IMount
         }
 
         Stop();
-        int camera = Natives.CreateCamera((float)_settings.VerticalFovDegrees);
-        if (!Natives.CameraExists(camera))
+        int camera = _cameras.Make(new Pose(Vector3D.Zero, Axes.Identity), _settings.VerticalFovDegrees);
+        if (camera == 0)
         {
             _messages.Tell("The game did not make a camera. Too many may be in use by other mods.");
             return;
@@ -54,39 +66,33 @@ internal sealed class CameraMount : IFeature, IMount
 
         _camera = camera;
         Vehicle = vehicle;
-        Natives.AttachRigidly(camera, vehicle, _settings.CameraOffset);
-        Natives.SetCameraActive(camera, true);
-        Natives.RenderScriptedCameras(true);
+        _cameras.Attach(camera, vehicle, _settings.CameraOffset);
+        _cameras.Show(camera);
         _messages.Tell("The camera is mounted.");
     }
 
     /// <inheritdoc/>
     public void Tick()
     {
-        if (Vehicle != 0 && !Natives.EntityExists(Vehicle))
+        if (Vehicle != 0 && !_vehicles.Exists(Vehicle))
         {
             Stop();
             _messages.Tell("The vehicle with the camera is gone. The view is yours again.");
         }
     }
 
-    /// <summary>Gives the view back to the game. Cameras of other mods are left alone.</summary>
+    /// <summary>Gives the view back to the game.</summary>
     public void Stop()
     {
         int camera = _camera;
         _camera = 0;
         Vehicle = 0;
-        if (camera == 0 || !Natives.CameraExists(camera))
+        if (camera != 0)
         {
-            return;
+            _cameras.Remove(camera);
         }
-
-        if (Natives.RenderingCamera() == camera)
-        {
-            Natives.RenderScriptedCameras(false);
-        }
-
-        Natives.SetCameraActive(camera, false);
-        Natives.DestroyCamera(camera);
     }
+
+    /// <inheritdoc/>
+    public void Finish() => Stop();
 }

@@ -1,39 +1,51 @@
-using Harvester.Capture.Playing;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Settings;
 using Harvester.Capture.Spaces;
 
-namespace Harvester.Mod;
+namespace Harvester.Capture.Playing;
 
-/// <summary>The test car of the thesis: spawned beside the player, and one at a time.</summary>
-internal sealed class TestCar : IFeature
+/// <summary>The test car of the thesis: made beside the player, and one at a time.</summary>
+public sealed class TestCar : ILastingFeature
 {
     private const double LoadMilliseconds = 10_000;
-    private const float MetresBesidePlayer = 4;
+    private const double MetresBesidePlayer = 4;
     private const int MetallicBlack = 0;
     private const int MetallicOrange = 38;
     private readonly PlayerSettings _settings;
     private readonly PlayerMessages _messages;
+    private readonly IModels _models;
+    private readonly IVehicles _vehicles;
     private readonly IClock _clock;
     private double _requestedAt;
     private int _requestedModel;
     private int _car;
 
-    public TestCar(PlayerSettings settings, PlayerMessages messages, IClock clock)
+    /// <summary>Makes ready.</summary>
+    /// <param name="settings">Which car.</param>
+    /// <param name="messages">Tells what comes of it.</param>
+    /// <param name="models">The game's models.</param>
+    /// <param name="vehicles">The game's vehicles.</param>
+    /// <param name="clock">The player's time.</param>
+    public TestCar(PlayerSettings settings, PlayerMessages messages, IModels models, IVehicles vehicles, IClock clock)
     {
-        _clock = clock;
         _settings = settings;
         _messages = messages;
+        _models = models;
+        _vehicles = vehicles;
+        _clock = clock;
     }
 
     /// <inheritdoc/>
     public string Name => "The test car";
 
+    /// <inheritdoc/>
+    public bool IsWriting => false;
+
     /// <summary>Asks for a car; it appears when the game has loaded its model, some ticks later.</summary>
     public void Spawn()
     {
         int model = ModelHash.Of(_settings.CarModel);
-        if (!Natives.IsVehicleModel(model))
+        if (!_models.IsVehicle(model))
         {
             _messages.Tell($"The game has no vehicle '{_settings.CarModel}'. Change Model under [TestCar] in GtaDataHarvester.ini.");
             return;
@@ -41,7 +53,6 @@ internal sealed class TestCar : IFeature
 
         _requestedModel = model;
         _requestedAt = _clock.Milliseconds;
-        Natives.RequestModel(model);
     }
 
     /// <inheritdoc/>
@@ -52,21 +63,17 @@ internal sealed class TestCar : IFeature
             return;
         }
 
-        if (Natives.HasModelLoaded(_requestedModel))
+        if (_models.Load(_requestedModel))
         {
             int model = _requestedModel;
             _requestedModel = 0;
             Replace(model);
-            Natives.ReleaseModel(model);
+            _models.Release(model);
         }
         else if (_clock.Milliseconds - _requestedAt > LoadMilliseconds)
         {
             Stop();
             _messages.Tell($"The game did not load the vehicle '{_settings.CarModel}'. Try again in a moment.");
-        }
-        else
-        {
-            Natives.RequestModel(_requestedModel);
         }
     }
 
@@ -74,32 +81,29 @@ internal sealed class TestCar : IFeature
     public void Stop() => _requestedModel = 0;
 
     /// <summary>Takes the car out of the game.</summary>
-    public void Remove()
+    public void Finish()
     {
+        Stop();
         int car = _car;
         _car = 0;
-        if (car != 0 && Natives.EntityExists(car))
+        if (car != 0 && _vehicles.Exists(car))
         {
-            Natives.DeleteVehicle(car);
+            _vehicles.Remove(car);
         }
     }
 
     private void Replace(int model)
     {
-        Remove();
-        int player = Natives.PlayerPed();
-        int car = Natives.CreateVehicle(model, Natives.PointBeside(player, MetresBesidePlayer), Natives.EntityHeading(player));
-        if (car == 0 || !Natives.EntityExists(car))
+        Finish();
+        int car = _vehicles.MakeBesidePlayer(model, MetresBesidePlayer);
+        if (car == 0)
         {
             _messages.Tell("The game has no room for another vehicle. Try again away from traffic.");
             return;
         }
 
         _car = car;
-        Natives.PlaceOnGround(car);
-        Natives.MakeUnbreakable(car);
-        Natives.Paint(car, MetallicBlack, MetallicOrange);
-        Natives.SetPlate(car, _settings.CarPlate);
+        _vehicles.Prepare(car, MetallicBlack, MetallicOrange, _settings.CarPlate);
         _messages.Tell("The test car is here.");
     }
 }

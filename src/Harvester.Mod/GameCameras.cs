@@ -1,0 +1,59 @@
+using GTA.Native;
+using Harvester.Capture.Playing;
+using Harvester.Geometry;
+
+namespace Harvester.Mod;
+
+/// <summary>The game's scripted cameras, by its natives.</summary>
+internal sealed class GameCameras : ICameras
+{
+    /// <inheritdoc/>
+    public string? AttachingProblem => GameBuild.MountProblem;
+
+    /// <inheritdoc/>
+    public int Make(Pose pose, double verticalFovDegrees)
+    {
+        Vector3D place = pose.Position;
+        EulerAngles angles = pose.Axes.ToEuler();
+        int camera = Natives.Call<int>(
+            Hash.CREATE_CAM_WITH_PARAMS, "DEFAULT_SCRIPTED_CAMERA", (float)place.X, (float)place.Y, (float)place.Z,
+            (float)angles.PitchDegrees, (float)angles.RollDegrees, (float)angles.YawDegrees, (float)verticalFovDegrees, true, Natives.RotationOrder);
+        return Exists(camera) ? camera : 0;
+    }
+
+    /// <inheritdoc/>
+    public void Attach(int camera, int vehicle, Vector3D offset) => Natives.Call(
+        Hash.HARD_ATTACH_CAM_TO_ENTITY, camera, vehicle, 0f, 0f, 0f, (float)offset.X, (float)offset.Y, (float)offset.Z, true);
+
+    /// <inheritdoc/>
+    public void Show(int camera)
+    {
+        Natives.Call(Hash.SET_CAM_ACTIVE, camera, true);
+        RenderScripted(true);
+    }
+
+    /// <inheritdoc/>
+    public void Remove(int camera)
+    {
+        if (!Exists(camera))
+        {
+            return;
+        }
+
+        if (Natives.Call<int>(Hash.GET_RENDERING_CAM) == camera)
+        {
+            RenderScripted(false);
+        }
+
+        Natives.Call(Hash.SET_CAM_ACTIVE, camera, false);
+        Natives.Call(Hash.DESTROY_CAM, camera, false);
+    }
+
+    private static bool Exists(int camera) => Natives.Call<bool>(Hash.DOES_CAM_EXIST, camera);
+
+    private static void RenderScripted(bool render)
+    {
+        const int easeMilliseconds = 0;
+        Natives.Call(Hash.RENDER_SCRIPT_CAMS, render, false, easeMilliseconds, true, false);
+    }
+}
