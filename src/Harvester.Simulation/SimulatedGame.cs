@@ -25,7 +25,7 @@ public sealed class SimulatedGame
     /// <summary>What moves farther away is not drawn, metres.</summary>
     private const double SightRange = 350;
 
-    private readonly SimulationOptions _options;
+    private SimulationOptions _options;
     private readonly SimulatedWorld _world;
     private readonly Renderer _renderer = new();
     private readonly Vanishing _vanishing;
@@ -56,7 +56,10 @@ public sealed class SimulatedGame
         _rayShapes = RayShapes.AreNeededFor(options.Quirks) ? new RayShapes(options.Quirks, options.Seed, _world.Scene) : null;
         CameraMount = _mount;
         _cameraBefore = Camera;
-        Ports = new GamePorts(new WorldPort(this), new RayPort(this), new ScreenPort(this), new PausePort(this), new ClockPort(this), new MarkersPort(this));
+        Ports = new GamePorts(new WorldPort(this), new RayPort(this), new ScreenPort(this), new PausePort(this), new ClockPort(this), new MarkersPort(this))
+        {
+            Car = new CarPort(this),
+        };
     }
 
     /// <summary>The game as the harvest sees it.</summary>
@@ -128,7 +131,8 @@ public sealed class SimulatedGame
         get
         {
             double gameMinutes = _options.IsTimeOfDayFixed ? 0 : _world.TimeSeconds / RealSecondsPerGameMinute;
-            return TimeSpan.FromTicks((_options.TimeOfDay + TimeSpan.FromMinutes(gameMinutes)).Ticks % TimeSpan.TicksPerDay);
+            long ticks = (_options.TimeOfDay + TimeSpan.FromMinutes(gameMinutes)).Ticks % TimeSpan.TicksPerDay;
+            return TimeSpan.FromTicks(ticks < 0 ? ticks + TimeSpan.TicksPerDay : ticks);
         }
     }
 
@@ -218,6 +222,27 @@ public sealed class SimulatedGame
         }
 
         return _picture;
+    }
+
+    /// <summary>Puts the ego somewhere, also while the world stands still.</summary>
+    internal void ResetEgo(Vector3D position, double headingDegrees)
+    {
+        _world.ResetEgo(position, headingDegrees);
+        _state++;
+    }
+
+    /// <summary>Sets what is not null.</summary>
+    internal void SetEnvironment(string? weather, TimeSpan? timeOfDay)
+    {
+        SimulationOptions options = _options with { Weather = weather ?? _options.Weather };
+        if (timeOfDay is { } now)
+        {
+            options = options with { TimeOfDay = options.TimeOfDay + now - TimeOfDay };
+        }
+
+        _ = Weather.LightingOf(options.Weather, options.TimeOfDay);
+        _options = options;
+        _state++;
     }
 
     internal IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range)

@@ -61,11 +61,11 @@ internal static class Driver
         foreach (LanePath path in vehicle.Route)
         {
             Vehicle? leader = occupation.On(path)
-                .Where(other => other != vehicle && toStart + other.Distance > 0)
-                .MinBy(other => other.Distance);
+                .Where(other => other != vehicle && toStart + other.DistanceOn(path) > 0)
+                .MinBy(other => other.DistanceOn(path));
             if (leader is not null)
             {
-                return (toStart + leader.Distance - leader.RearOverhang - vehicle.FrontOverhang, leader.Speed);
+                return (toStart + leader.DistanceOn(path) - leader.RearOverhang - vehicle.FrontOverhang, leader.SpeedOn(path));
             }
 
             toStart += path.Length;

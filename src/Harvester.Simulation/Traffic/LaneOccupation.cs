@@ -19,13 +19,16 @@ internal sealed class LaneOccupation(LaneGraph lanes)
         _used.Clear();
         foreach (Vehicle vehicle in vehicles)
         {
-            List<Vehicle> list = _vehicles[vehicle.Path.Index] ??= [];
-            if (list.Count == 0)
+            foreach (LanePath way in vehicle.Ways)
             {
-                _used.Add(vehicle.Path.Index);
-            }
+                List<Vehicle> list = _vehicles[way.Index] ??= [];
+                if (list.Count == 0)
+                {
+                    _used.Add(way.Index);
+                }
 
-            list.Add(vehicle);
+                list.Add(vehicle);
+            }
         }
     }
 

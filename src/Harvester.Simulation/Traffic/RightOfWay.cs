@@ -118,8 +118,8 @@ internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupatio
             return true;
         }
 
-        Vehicle last = ahead.MinBy(other => other.Distance)!;
-        double room = last.Distance - last.RearOverhang - RoomBehind;
+        Vehicle last = ahead.MinBy(other => other.DistanceOn(exit))!;
+        double room = last.DistanceOn(exit) - last.RearOverhang - RoomBehind;
         return last == vehicle || last.Speed > FlowingSpeed || room > vehicle.FrontOverhang + vehicle.RearOverhang;
     }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Geometry;
+using Harvester.Simulation.Driving;
 using Harvester.Simulation.World;
 
 namespace Harvester.Simulation.Traffic;
@@ -22,11 +23,14 @@ internal sealed class TrafficFlow
     private readonly BodyIndex<Vehicle> _index = new();
     private readonly BodyIndex<Footprint> _obstacles = new();
     private readonly LaneOccupation _occupation;
+    private readonly EgoCar _egoCar;
 
     /// <summary>Starts with vehicles that are on lanes and clear of each other and of the obstacles; the first is the ego.</summary>
-    public TrafficFlow(LaneGraph lanes, Signals signals, IReadOnlyList<Vehicle> vehicles, IEnumerable<Footprint> obstacles, Placing placing)
+    public TrafficFlow(
+        LaneGraph lanes, Signals signals, IReadOnlyList<Vehicle> vehicles, EgoCar egoCar, IEnumerable<Footprint> obstacles, Placing placing)
     {
         _vehicles = vehicles;
+        _egoCar = egoCar;
         _placing = placing;
         _occupation = new LaneOccupation(lanes);
         _rightOfWay = new RightOfWay(lanes, signals, _occupation);
@@ -46,35 +50,65 @@ internal sealed class TrafficFlow
     /// <summary>The vehicles in the neighbourhood of a place.</summary>
     public IEnumerable<Vehicle> Near(Vector3D place) => _index.Near(place);
 
+    /// <summary>Puts the ego somewhere, standing.</summary>
+    public void ResetEgo(Vector3D position, double headingDegrees)
+    {
+        Vector3D before = Ego.Pose.Position;
+        _rightOfWay.ReleaseAll(Ego);
+        _egoCar.Reset(position, headingDegrees);
+        _index.Move(Ego, before, Ego.Pose.Position);
+    }
+
     public void Tick(double seconds, double timeSeconds, BodyIndex<Walker> walkersOnRoad)
     {
         _occupation.Refresh(_vehicles);
         foreach (Vehicle vehicle in _vehicles)
         {
             double acceleration = Driver.Acceleration(vehicle, _occupation, _rightOfWay.DistanceToStop(vehicle, timeSeconds), walkersOnRoad);
-            double speed = Math.Max(0, vehicle.Speed + (acceleration * seconds));
-            double metres = (vehicle.Speed + speed) / 2 * seconds;
             Vector3D before = vehicle.Pose.Position;
-            if (metres > 0 && IsFree(vehicle, metres, walkersOnRoad))
+            if (vehicle == Ego && _egoCar.IsLoose)
             {
-                vehicle.Advance(metres);
-                vehicle.Speed = speed;
-                vehicle.StandingSeconds = 0;
+                _egoCar.Advance(seconds, acceleration, () => IsTaken(vehicle, vehicle.Footprint));
             }
             else
             {
-                vehicle.Speed = 0;
-                vehicle.StandingSeconds += seconds;
+                Advance(vehicle, acceleration, seconds, walkersOnRoad);
             }
 
             if (HasToLeave(vehicle))
             {
-                _rightOfWay.ReleaseAll(vehicle);
-                _placing.Replace(vehicle, place => !IsTaken(vehicle, place));
+                Replace(vehicle);
             }
 
             _rightOfWay.ReleasePassed(vehicle);
             _index.Move(vehicle, before, vehicle.Pose.Position);
+        }
+    }
+
+    private void Advance(Vehicle vehicle, double acceleration, double seconds, BodyIndex<Walker> walkersOnRoad)
+    {
+        double speed = Math.Max(0, vehicle.Speed + (acceleration * seconds));
+        double metres = (vehicle.Speed + speed) / 2 * seconds;
+        if (metres > 0 && IsFree(vehicle, metres, walkersOnRoad))
+        {
+            vehicle.Advance(metres);
+            vehicle.Speed = speed;
+            vehicle.StandingSeconds = 0;
+        }
+        else
+        {
+            vehicle.Speed = 0;
+            vehicle.StandingSeconds += seconds;
+        }
+    }
+
+    private void Replace(Vehicle vehicle)
+    {
+        _rightOfWay.ReleaseAll(vehicle);
+        _placing.Replace(vehicle, place => !IsTaken(vehicle, place));
+        if (vehicle == Ego && _egoCar.IsLoose)
+        {
+            _egoCar.Loosen();
         }
     }
 
@@ -86,7 +120,8 @@ internal sealed class TrafficFlow
             && Ego.StandingSeconds > EgoPatienceSeconds
             && vehicle.StandingSeconds > EgoPatienceSeconds
             && (vehicle.Pose.Position - Ego.Pose.Position).Length < EgoSurroundings;
-        return atDeadEnd || isInTheWay || vehicle.StandingSeconds > StuckSeconds;
+        bool isStuck = vehicle.StandingSeconds > StuckSeconds && !(vehicle == Ego && _egoCar.IsDriven);
+        return atDeadEnd || isInTheWay || isStuck;
     }
 
     private bool IsFree(Vehicle vehicle, double metres, BodyIndex<Walker> walkersOnRoad)

@@ -15,6 +15,10 @@ internal sealed class Vehicle
     private readonly Random _random;
     private readonly List<LanePath> _route = [];
 
+    /// <summary>Of a vehicle that does not keep to a lane's line: where it is along each way that it is in the way on.</summary>
+    private Dictionary<LanePath, double>? _places;
+    private Vector3D _freeVelocity;
+
     public Vehicle(int handle, Model model, int seed, double cruiseSpeed)
     {
         Handle = handle;
@@ -47,7 +51,10 @@ internal sealed class Vehicle
 
     public Footprint Footprint { get; private set; }
 
-    public Vector3D Velocity => Pose.Axes.Forward * Speed;
+    public Vector3D Velocity => _places is null ? Pose.Axes.Forward * Speed : _freeVelocity;
+
+    /// <summary>The ways that it is on.</summary>
+    public IEnumerable<LanePath> Ways => _places is null ? [Path] : _places.Keys;
 
     /// <summary>Ways through junctions that it has been given, in the order of driving.</summary>
     public List<LanePath> Granted { get; } = [];
@@ -62,11 +69,44 @@ internal sealed class Vehicle
     {
         _route.Clear();
         _route.Add(path);
+        _places = null;
         Speed = 0;
         StandingSeconds = 0;
         Plan();
         MoveTo(distance);
     }
+
+    /// <summary>Moves it off its lane's line.</summary>
+    /// <param name="place">Where it is along the way that it follows; another than it had planned makes it plan anew.</param>
+    /// <param name="pose">Its pose.</param>
+    /// <param name="speed">Metres per second.</param>
+    /// <param name="velocity">The same with its direction.</param>
+    /// <param name="alsoOn">The ways that it is on besides.</param>
+    public void MoveFreely(LanePlace place, Pose pose, double speed, Vector3D velocity, IEnumerable<LanePlace> alsoOn)
+    {
+        int planned = _route.IndexOf(place.Path);
+        _route.RemoveRange(0, planned >= 0 ? planned : _route.Count);
+        if (planned < 0)
+        {
+            _route.Add(place.Path);
+        }
+
+        Plan();
+        Distance = place.Distance;
+        Speed = speed;
+        Pose = pose;
+        Footprint = Footprint.Of(Pose, Model.Min, Model.Max);
+        _freeVelocity = velocity;
+        _places = alsoOn.ToDictionary(other => other.Path, other => other.Distance);
+        _places[place.Path] = place.Distance;
+    }
+
+    /// <summary>Metres from the start of a way that it is on.</summary>
+    public double DistanceOn(LanePath way) => _places is not null && _places.TryGetValue(way, out double distance) ? distance : Distance;
+
+    /// <summary>Its speed along a way that it is on; 0 across and against it.</summary>
+    public double SpeedOn(LanePath way) =>
+        _places is null ? Speed : Math.Max(0, _freeVelocity.Dot(way.Line.TangentAt(DistanceOn(way))));
 
     /// <summary>The pose some metres further along its route.</summary>
     public Pose PoseAhead(double metres)

@@ -4,6 +4,7 @@ using System.Linq;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Simulation.Driving;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Traffic;
@@ -41,7 +42,8 @@ internal sealed class SimulatedWorld
         List<Prop> parked = population.Park(walkways, index, options.TrafficDensity);
         _vehicles = population.Drive(placing, parked, start, options.TrafficDensity);
         _walkers = population.Walk(walkways, options.PedestrianDensity);
-        _traffic = new TrafficFlow(lanes, signals, _vehicles, parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max)), placing);
+        Car = new EgoCar(Ego, lanes);
+        _traffic = new TrafficFlow(lanes, signals, _vehicles, Car, parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max)), placing);
         _walking = new WalkerFlow(_walkers, walkways);
 
         Terrain terrain = new(plan);
@@ -85,12 +87,18 @@ internal sealed class SimulatedWorld
 
     public Vehicle Ego => _vehicles[0];
 
+    /// <summary>The ego, to be driven from outside.</summary>
+    public EgoCar Car { get; }
+
     public EgoState EgoState => new(Ego.Handle, Ego.Model.Name, Ego.Pose, Ego.Velocity) { ModelMin = Ego.Model.Min, ModelMax = Ego.Model.Max };
 
     public IReadOnlyList<Vehicle> Vehicles => _vehicles;
 
     /// <summary>A moving entity that is neither seen nor read; 0 for none.</summary>
     public int HiddenHandle { get; set; }
+
+    /// <summary>Puts the ego somewhere, standing.</summary>
+    public void ResetEgo(Vector3D position, double headingDegrees) => _traffic.ResetEgo(position, headingDegrees);
 
     public void Advance(double seconds)
     {
@@ -102,6 +110,8 @@ internal sealed class SimulatedWorld
             _walking.Tick(step, _traffic);
             TimeSeconds += step;
         }
+
+        Car.EndTick();
     }
 
     /// <summary>What moves or changes within a distance of a place, without the ego.</summary>
