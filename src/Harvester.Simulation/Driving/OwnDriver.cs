@@ -12,8 +12,8 @@ namespace Harvester.Simulation.Driving;
 /// </summary>
 internal static class OwnDriver
 {
-    private const double NearestAim = 4;
-    private const double AimSeconds = 0.7;
+    private const double NearestAim = 3;
+    private const double AimSeconds = 0.5;
 
     public static DrivingControls Controls(Vehicle ego, CarState car, double acceleration, CarLimits limits)
     {
