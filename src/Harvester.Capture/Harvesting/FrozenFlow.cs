@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Harvester.Capture.Imaging;
 using Harvester.Capture.Labelling;
@@ -19,9 +20,16 @@ internal sealed class FrozenFlow(
 
     public FrameDraft? Draft { get; private set; }
 
+    public bool IsPassed { get; private set; }
+
+    /// <summary>Whether the next frame is this shard's; one of another is read and settled all the same, and neither grabbed nor labelled.</summary>
+    public required Func<bool> TakesNext { get; init; }
+
     public IEnumerable<HarvestPhase> TakeFrame()
     {
         Draft = null;
+        IsPassed = false;
+        bool isOurs = TakesNext();
         PixelBuffer? picture = pool.Rent();
         game.Pause.Freeze();
         try
@@ -44,8 +52,7 @@ internal sealed class FrozenFlow(
             }
 
             counters.Settled((int)(snapshot.GameFrame - gate.StillTicks - firstGameFrame));
-            GrabResult grab = game.Screen.Grab(picture);
-            if (grab.Refusal is { } refusal)
+            if (isOurs && game.Screen.Grab(picture).Refusal is { } refusal)
             {
                 counters.Discard(refusal);
                 yield break;
@@ -58,7 +65,12 @@ internal sealed class FrozenFlow(
             }
 
             FrameLabelling? labelling = null;
-            foreach (FrameLabelling? slice in labeller.Label(snapshot, static () => true))
+            if (!isOurs)
+            {
+                labeller.Pass(snapshot);
+            }
+
+            foreach (FrameLabelling? slice in isOurs ? labeller.Label(snapshot, static () => true) : [])
             {
                 labelling = slice;
                 if (slice is null && budget.IsSpent)
@@ -73,8 +85,12 @@ internal sealed class FrozenFlow(
                 yield break;
             }
 
-            Draft = new FrameDraft(snapshot, 0, 0, picture, labelling!);
-            picture = null;
+            IsPassed = !isOurs;
+            if (isOurs)
+            {
+                Draft = new FrameDraft(snapshot, 0, 0, picture, labelling!);
+                picture = null;
+            }
         }
         finally
         {

@@ -9,7 +9,7 @@ public sealed class HarvestCounters
     private readonly SortedDictionary<string, int> _discards = new(StringComparer.Ordinal);
     private readonly SortedDictionary<int, int> _settleTicks = [];
 
-    /// <summary>Frames handed to the sink.</summary>
+    /// <summary>Frames handed to the sink, or left to other shards.</summary>
     public int Captured { get; internal set; }
 
     /// <summary>Frames begun and thrown away.</summary>

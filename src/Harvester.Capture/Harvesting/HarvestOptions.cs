@@ -63,7 +63,13 @@ public sealed record HarvestOptions
     /// <summary>Rays through an object's silhouette for its occlusion, 1 to 10,000.</summary>
     public int OcclusionSamples { get; init => field = OptionCheck.InRange(value, 1, 10_000, nameof(OcclusionSamples)); } = 64;
 
-    /// <summary>Frames to take before the harvest stops by itself, at least 1; null for no end.</summary>
+    /// <summary>
+    /// Which of the frames are taken, of those that a single run would take: for a game that takes the same course in every run. The others
+    /// are passed over, so that frames and objects have the same numbers in all shards. Frozen harvests only.
+    /// </summary>
+    public Shard Shard { get; init; } = Shard.Whole;
+
+    /// <summary>Frames to take before the harvest stops by itself, those of other shards included, at least 1; null for no end.</summary>
     public int? MaxFrames { get; init => field = value is { } frames ? OptionCheck.InRange(frames, 1, int.MaxValue, nameof(MaxFrames)) : null; }
 
     /// <summary>

@@ -42,6 +42,11 @@ public sealed class HarvestSession : IDisposable
             throw new ArgumentException("Masks need a game that is frozen for each frame.", nameof(options));
         }
 
+        if (options is { Freeze: false, Shard.Count: > 1 })
+        {
+            throw new ArgumentException("Shards need a game that is frozen for each frame.", nameof(options));
+        }
+
         _budget = new TickBudget(game.Clock, options.TickBudgetMilliseconds);
         _run = Run().GetEnumerator();
     }
@@ -158,6 +163,9 @@ public sealed class HarvestSession : IDisposable
 
         ICaptureFlow flow = _options.Freeze
             ? new FrozenFlow(_options, _game, reader, labeller, pool, _budget, Counters)
+            {
+                TakesNext = () => _options.Shard.Takes(_sink.FirstFrame + Counters.Captured),
+            }
             : new LiveFlow(_game, reader, labeller, pool, _budget, Counters, Lag ?? throw LagUnknown());
         while (true)
         {
@@ -185,6 +193,10 @@ public sealed class HarvestSession : IDisposable
                     yield return HarvestPhase.WaitingForSink;
                 }
 
+                Counters.Captured++;
+            }
+            else if (flow.IsPassed)
+            {
                 Counters.Captured++;
             }
 

@@ -8,6 +8,9 @@ internal interface ICaptureFlow
     /// <summary>The frame that the last flow came to; null when it was discarded.</summary>
     FrameDraft? Draft { get; }
 
+    /// <summary>Whether the last flow passed over a frame that another shard takes.</summary>
+    bool IsPassed { get; }
+
     /// <summary>Takes one frame. Each element is a tick that ends in the given phase; disposing the sequence leaves the game running.</summary>
     IEnumerable<HarvestPhase> TakeFrame();
 }

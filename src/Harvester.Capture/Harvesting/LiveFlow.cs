@@ -22,6 +22,8 @@ internal sealed class LiveFlow(
 
     public FrameDraft? Draft { get; private set; }
 
+    public bool IsPassed => false;
+
     private int GrabTick => _entityTick + lag.EntityTicks;
 
     private int ReadTick => Math.Max(_entityTick, _cameraTick);

@@ -5,7 +5,7 @@ namespace Harvester.Capture.Harvesting;
 /// <summary>What is known when a session ends. All times are the game's, so that the same game gives the same end.</summary>
 /// <param name="GameFrame">The game's count of frames when it was last read.</param>
 /// <param name="TimeSeconds">The game's time when it was last read, seconds.</param>
-/// <param name="Captured">Frames handed to the sink.</param>
+/// <param name="Captured">Frames handed to the sink, or left to other shards.</param>
 /// <param name="Discards">Frames thrown away, by reason, in the order of the reasons' letters.</param>
 /// <param name="SettleTicks">How many frames needed how many ticks until everything stood still, by rising ticks; empty in live mode.</param>
 /// <param name="Lag">The lag of the picture as it was measured; null when it was not.</param>

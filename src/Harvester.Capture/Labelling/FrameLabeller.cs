@@ -37,7 +37,7 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
     public IEnumerable<FrameLabelling?> Label(SceneSnapshot snapshot, Func<bool> mayCastRays)
     {
         Camera camera = CameraOf(options, snapshot.Camera);
-        List<LabelCandidate> candidates = [.. snapshot.Entities.Select(entity => CandidateOf(camera, entity)).OfType<LabelCandidate>()];
+        List<LabelCandidate> candidates = CandidatesOf(camera, snapshot);
         FrameLabelling? objects = null;
         foreach (FrameLabelling? slice in options.Masks
             ? LabelByMap(camera, snapshot.Ego.Handle, candidates, mayCastRays)
@@ -68,6 +68,18 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
         yield return objects! with { Objects = [.. objects.Objects.Concat(spaces).OrderBy(label => label.Id)], Lanes = lanes };
     }
 
+    /// <summary>
+    /// Passes over a snapshot that is not labelled. What labelling remembers from frame to frame, the objects' numbers and the road, is
+    /// afterwards as if it had been.
+    /// </summary>
+    public void Pass(SceneSnapshot snapshot)
+    {
+        Camera camera = CameraOf(options, snapshot.Camera);
+        CandidatesOf(camera, snapshot);
+        Spaces?.Pass(camera, snapshot);
+        Lanes?.Pass(snapshot);
+    }
+
     private IEnumerable<FrameLabelling?> LabelByRays(
         Camera camera, int egoHandle, List<LabelCandidate> candidates, Func<bool> mayCastRays)
     {
@@ -89,7 +101,7 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
         yield return new FrameLabelling(objects, null);
     }
 
-    // Which objects are kept, and so have a number, is known only after the map: until then they are numbered through.
+    // Which objects are kept is known only after the map: until then they are numbered through.
     private IEnumerable<FrameLabelling?> LabelByMap(
         Camera camera, int egoHandle, List<LabelCandidate> candidates, Func<bool> mayCastRays)
     {
@@ -132,6 +144,9 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
         };
     }
 
+    private List<LabelCandidate> CandidatesOf(Camera camera, SceneSnapshot snapshot) =>
+        [.. snapshot.Entities.Select(entity => CandidateOf(camera, entity)).OfType<LabelCandidate>()];
+
     private LabelCandidate? CandidateOf(Camera camera, EntityState entity)
     {
         if (options.Classes is { } classes && !classes.Contains(entity.Class))
@@ -143,7 +158,7 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
         CuboidProjection projection = CuboidProjector.Project(camera, cuboid);
         return projection is { Box: { } box, AmodalBox: { } amodal }
             && options.IsLargeEnough(box)
-            ? new LabelCandidate(entity, cuboid, projection, box, amodal)
+            ? new LabelCandidate(entity, registry.IdOf(entity), cuboid, projection, box, amodal)
             : null;
     }
 
@@ -158,7 +173,7 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
         EntityState entity = candidate.Entity;
         return new ObjectLabel
         {
-            Id = registry.IdOf(entity),
+            Id = candidate.Id,
             Class = entity.Class,
             Model = entity.Model,
             Box2D = candidate.Box,

@@ -41,4 +41,7 @@ internal sealed class LaneLabeller(IRoads roads, IRayCaster rays, ObjectRegistry
 
         yield return LanesLabel.Of(seen, known.Source, markings);
     }
+
+    /// <summary>Passes over a snapshot that is not labelled: the road and the vehicles' numbers are remembered as if it were.</summary>
+    public void Pass(SceneSnapshot snapshot) => _tracker.Observe(snapshot.Ego, snapshot.Entities);
 }

@@ -26,26 +26,43 @@ internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, IR
 
     /// <summary>Labels the spaces of entities, one an element: null for one that is not in the image or not to be labelled.</summary>
     public IEnumerable<ObjectLabel?> Label(Camera camera, SceneSnapshot snapshot, Func<bool> mayCastRays) =>
+        CandidatesOf(camera, snapshot).Select(candidate => candidate is null ? null : LabelOf(camera, candidate, snapshot.Ego.Handle, mayCastRays));
+
+    /// <summary>Passes over a snapshot that is not labelled: the spaces' numbers are remembered as if it were.</summary>
+    public void Pass(Camera camera, SceneSnapshot snapshot)
+    {
+        foreach (SpaceCandidate? _ in CandidatesOf(camera, snapshot))
+        {
+            // Being found gives a candidate its number.
+        }
+    }
+
+    private IEnumerable<SpaceCandidate?> CandidatesOf(Camera camera, SceneSnapshot snapshot) =>
         from entity in snapshot.Entities
         from space in SpacesOf(entity)
         where options.Classes is null || options.Classes.Contains(space.Class)
-        select LabelOf(camera, entity, space, snapshot.Ego.Handle, mayCastRays);
+        select CandidateOf(camera, entity, space);
 
     private IReadOnlyList<SpaceOfInterest> SpacesOf(EntityState entity) =>
         table.Of(ModelHash.TryParse(entity.Model, out int hash) ? hash : ModelHash.Of(entity.Model));
 
-    private ObjectLabel? LabelOf(Camera camera, EntityState entity, SpaceOfInterest space, int egoHandle, Func<bool> mayCastRays)
+    private SpaceCandidate? CandidateOf(Camera camera, EntityState entity, SpaceOfInterest space)
     {
         Cuboid cuboid = space.CuboidAt(entity.Pose);
         CuboidProjection projection = CuboidProjector.Project(camera, cuboid, SpaceOutline.EdgesOf(space, entity.Pose));
-        if (projection is not { Box: { } box, AmodalBox: { } amodal } || !options.IsLargeEnough(box))
-        {
-            return null;
-        }
+        return projection is { Box: { } box, AmodalBox: { } amodal } && options.IsLargeEnough(box)
+            ? new SpaceCandidate(space, new LabelCandidate(entity, registry.IdOf(entity, space.Face), cuboid, projection, box, amodal), registry.IdOf(entity))
+            : null;
+    }
 
+    private ObjectLabel? LabelOf(Camera camera, SpaceCandidate candidate, int egoHandle, Func<bool> mayCastRays)
+    {
+        (SpaceOfInterest space, LabelCandidate face, int parent) = candidate;
+        EntityState entity = face.Entity;
+        Cuboid cuboid = face.Cuboid;
         double margin = space.Provenance == Provenance.Estimated ? EstimatedMarginMetres : MeasuredMarginMetres;
         OcclusionEstimate occlusion = mayCastRays()
-            ? _occlusion.Estimate(camera, cuboid, projection, entity.Handle, egoHandle, new SpaceRays(rays, entity.Handle, cuboid, margin))
+            ? _occlusion.Estimate(camera, cuboid, face.Projection, entity.Handle, egoHandle, new SpaceRays(rays, entity.Handle, cuboid, margin))
             : default;
         bool determined = occlusion.Method != OcclusionMethod.None;
         if (determined && occlusion.OccludedFraction > options.MaxOccludedFraction)
@@ -55,14 +72,14 @@ internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, IR
 
         return new ObjectLabel
         {
-            Id = registry.IdOf(entity, space.Face),
+            Id = face.Id,
             Class = space.Class,
             Model = entity.Model,
             Name = space.Name.Length == 0 ? null : space.Name,
-            Parent = registry.IdOf(entity),
-            Box2D = box,
-            Box2DAmodal = amodal,
-            TruncatedFraction = projection.TruncatedFraction,
+            Parent = parent,
+            Box2D = face.Box,
+            Box2DAmodal = face.AmodalBox,
+            TruncatedFraction = face.Projection.TruncatedFraction,
             OccludedFraction = determined ? occlusion.OccludedFraction : null,
             OcclusionMethod = occlusion.Method,
             Box3D = cuboid,

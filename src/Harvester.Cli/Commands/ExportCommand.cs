@@ -5,6 +5,7 @@ using System.Globalization;
 using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
+using Harvester.Capture.Harvesting;
 using Harvester.Cli.Arguments;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Sessions;
@@ -79,7 +80,7 @@ internal static class ExportCommand
         ExportResult result = new FrameProgress(terminal, frames).Run(report => exporter.Run(report, cancellation));
         terminal.Out.WriteLine(result.IsFinished
             ? $"{folder}: {plan.Format.Name}, {result.Frames} frames, {result.Objects} objects"
-            : $"{folder}: shard {shard.Number}/{shard.Count} of {plan.Format.Name}, {result.Frames} frames. When all are done: harvester merge");
+            : $"{folder}: shard {shard} of {plan.Format.Name}, {result.Frames} frames. When all are done: harvester merge");
         return ExitCode.Done;
     }
 

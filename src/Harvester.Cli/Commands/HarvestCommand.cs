@@ -5,6 +5,7 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
+using Harvester.Capture.Harvesting;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Harvesting;
 using Harvester.Datasets.Reports;
@@ -31,11 +32,13 @@ internal static class HarvestCommand
 
     private const string Notes =
         "The session is described in docs/dataset-format.md. The same options and seed give the same bytes. Ctrl+C stops after the frame in\n"
-        + "hand and leaves a valid session.\n\n"
+        + "hand and leaves a valid session. A shard is a session of its frames only, with the numbers that they have in the whole and without a\n"
+        + "report; harvester merge makes the whole of all shards.\n\n"
         + "Examples:\n"
         + "  harvester harvest --out out\n"
         + "  harvester harvest --out rain --frames 500 --seed 7 --weather rain --time 18:30 --masks\n"
-        + "  harvester harvest --out streets --roads nodes.zip --near 0,-1000";
+        + "  harvester harvest --out streets --roads nodes.zip --near 0,-1000\n"
+        + "  harvester harvest --out part-2 --frames 5000 --shard 2/8";
 
     private static readonly Option<string> Out = new("--out") { Description = "Folder to write the session to", HelpName = "DIR", Required = true };
     private static readonly Option<bool> Overwrite = new("--overwrite") { Description = "Replace the session that lies in the folder" };
@@ -95,13 +98,15 @@ internal static class HarvestCommand
 
     private static readonly Option<string?> Quirks = QuirkList.Option();
 
-    private static readonly Option<bool> NoReport = new("--no-report") { Description = "Write no report" };
+    private static readonly Option<Shard> ShardOf = ShardOption.Create();
+
+    private static readonly Option<bool> NoReport = ReportOption.Create();
 
     public static Command Create(Terminal terminal)
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, Range, LaneLookAhead, LaneWidth, Classes, Quirks, NoReport,
+            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, Range, LaneLookAhead, LaneWidth, Classes, Quirks, ShardOf, NoReport,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
@@ -112,7 +117,7 @@ internal static class HarvestCommand
     private static int Run(Terminal terminal, HarvestPlan plan, bool withReport, CancellationToken cancellation)
     {
         OutputFolder.Check(plan.Folder, plan.Overwrite);
-        terminal.Out.WriteLine($"Harvesting {plan.Frames} frames of {plan.Image.Width} x {plan.Image.Height}, seed {plan.Seed}, to {plan.Folder}");
+        terminal.Out.WriteLine($"Harvesting {(plan.Shard.Count > 1 ? $"shard {plan.Shard} of " : "")}{plan.Frames} frames of {plan.Image.Width} x {plan.Image.Height}, seed {plan.Seed}, to {plan.Folder}");
         terminal.Out.Flush();
         SimulatedHarvest harvest = SimulatedHarvest.Build(plan);
         OutputFolder.Clear(plan.Folder);
@@ -124,7 +129,7 @@ internal static class HarvestCommand
         }
 
         var session = new SessionReader(plan.Folder);
-        string? page = withReport && !outcome.IsCancelled ? Path.Combine(plan.Folder, ReportWriter.FileName) : null;
+        string? page = withReport && !outcome.IsCancelled && plan.Shard.Count == 1 ? Path.Combine(plan.Folder, ReportWriter.FileName) : null;
         if (page is not null)
         {
             new ReportWriter(session).Write(page);
@@ -172,6 +177,7 @@ internal static class HarvestCommand
                 : throw new UsageException($"--weather takes one of {string.Join(", ", Weather.Names)}, not '{weather}'."),
             TimeOfDay = parsed.GetValue(Time) ?? Noon,
             Masks = parsed.GetValue(Masks),
+            Shard = parsed.GetValue(ShardOf),
             RangeMetres = parsed.GetValue(Range),
             LookAhead = parsed.GetValue(LaneLookAhead),
             LaneWidth = parsed.GetValue(LaneWidth),

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Harvester.Capture.Harvesting;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
@@ -52,6 +53,9 @@ internal sealed record HarvestPlan
 
     /// <summary>Whether instance masks are made.</summary>
     public required bool Masks { get; init; }
+
+    /// <summary>Which of the frames are taken.</summary>
+    public required Shard Shard { get; init; }
 
     /// <summary>How far objects are labelled, metres.</summary>
     public required double RangeMetres { get; init; }

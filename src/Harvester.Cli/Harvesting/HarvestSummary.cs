@@ -35,7 +35,9 @@ internal static class HarvestSummary
             terminal.Out.WriteLine($"report   {report}");
         }
 
-        terminal.Out.WriteLine($"next     {Command()} validate {plan.Folder}");
+        terminal.Out.WriteLine(plan.Shard.Count > 1
+            ? $"next     {Command()} merge {plan.Folder} OTHER SHARDS... --out DIR"
+            : $"next     {Command()} validate {plan.Folder}");
     }
 
     private static string[] Row(KeyValuePair<ObjectClass, ClassStatistics> kind) =>

@@ -106,6 +106,7 @@ internal sealed class SimulatedHarvest
     {
         Image = _plan.Image,
         MaxFrames = _plan.Frames,
+        Shard = _plan.Shard,
         RateHz = _plan.RateHz,
         RangeMetres = _plan.RangeMetres,
         Classes = _plan.Classes,
@@ -148,6 +149,11 @@ internal sealed class SimulatedHarvest
         if (_plan.Near is { } near)
         {
             yield return new("near", string.Create(CultureInfo.InvariantCulture, $"{near.X},{near.Y}"));
+        }
+
+        if (_plan.Shard.Count > 1)
+        {
+            yield return new("shard", _plan.Shard.ToString());
         }
     }
 }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Threading;
+using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labels;
 using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Sessions;

@@ -1,7 +1,9 @@
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Harvester.Capture.Harvesting;
 using Harvester.Datasets.Exports.Assembly;
+using Harvester.Datasets.Sharding;
 
 namespace Harvester.Datasets.Exports;
 
@@ -29,7 +31,7 @@ public static class DatasetMerger
             throw new DatasetFormatException($"'{other.Path}' and '{sources[0].Path}' are shards of different exports.");
         }
 
-        List<string> journals = CompleteJournals(sources);
+        IReadOnlyList<string> journals = CompleteJournals(sources);
         target.Begin(plan);
         foreach (DatasetFolder source in sources.Where(source => Path.GetFullPath(source.Path) != Path.GetFullPath(folder)))
         {
@@ -43,36 +45,23 @@ public static class DatasetMerger
         return DatasetAssembly.Finish(target, journals);
     }
 
-    private static List<string> CompleteJournals(DatasetFolder[] sources)
+    private static IReadOnlyList<string> CompleteJournals(DatasetFolder[] sources)
     {
-        var found = new SortedDictionary<int, string>();
-        int count = 0;
+        var found = new ShardSet<string>();
         foreach (DatasetFolder source in sources)
         {
             foreach (Shard shard in Journal.ShardsIn(source))
             {
                 string path = Journal.PathOf(source, shard);
-                count = count == 0 ? shard.Count : count;
-                if (shard.Count != count)
-                {
-                    throw new DatasetFormatException($"'{source.Path}' holds a shard of {shard.Count}, others are of {count}.");
-                }
-
                 if (!Journal.IsComplete(path))
                 {
-                    throw new DatasetFormatException($"Shard {shard.Number}/{shard.Count} in '{source.Path}' is not finished. Run its export again.");
+                    throw new DatasetFormatException($"Shard {shard} in '{source.Path}' is not finished. Run its export again.");
                 }
 
-                if (!found.TryAdd(shard.Number, path))
-                {
-                    throw new DatasetFormatException($"Shard {shard.Number}/{shard.Count} is there twice, the second time in '{source.Path}'.");
-                }
+                found.Add(shard, source.Path, path);
             }
         }
 
-        int[] missing = [.. Enumerable.Range(1, count).Where(number => !found.ContainsKey(number))];
-        return missing.Length == 0
-            ? [.. found.Values]
-            : throw new DatasetFormatException($"Of {count} shards, {string.Join(", ", missing)} is missing. Export it and name its folder too.");
+        return found.Complete();
     }
 }

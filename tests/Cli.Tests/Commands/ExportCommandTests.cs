@@ -61,5 +61,5 @@ public sealed class ExportCommandTests : IDisposable
 
     [Fact]
     public void Merge_of_a_folder_without_shards_is_an_error_of_the_data() =>
-        CliRun.Of("merge", _folder.PathOf("session"), "--out", _folder.PathOf("out")).AssertFailed(ExitCode.BadData, "is not a shard of an export");
+        CliRun.Of("merge", _folder.PathOf("session"), "--out", _folder.PathOf("out")).AssertFailed(ExitCode.BadData, "is a whole session, no shard of one");
 }

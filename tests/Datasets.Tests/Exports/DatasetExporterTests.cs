@@ -1,3 +1,4 @@
+using Harvester.Capture.Harvesting;
 using Harvester.Capture.Scenes;
 using Harvester.Datasets.Exports;
 
@@ -94,7 +95,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : IDisposab
         DatasetFormatException refused = Assert.Throws<DatasetFormatException>(
             () => DatasetMerger.Merge([_folder.PathOf("a"), _folder.PathOf("b")], _folder.PathOf("out"), ImageTransfer.Link));
 
-        Assert.Equal("Of 3 shards, 2 is missing. Export it and name its folder too.", refused.Message);
+        Assert.Equal("Of 3 shards, 2 is missing. Run it and name its folder too.", refused.Message);
     }
 
     [Fact]

@@ -1,3 +1,4 @@
+using Harvester.Capture.Harvesting;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Sessions;
 

@@ -65,23 +65,7 @@ internal sealed class DatasetFolder(string path)
         File.Move(target + Temporary, target, overwrite: true);
     }
 
-    public void Transfer(string name, string source, ImageTransfer transfer)
-    {
-        string target = Prepare(name);
-        if (!File.Exists(source))
-        {
-            throw new DatasetFormatException($"'{source}' is missing.");
-        }
-
-        File.Delete(target + Temporary);
-        if (transfer == ImageTransfer.Copy || !HardLink.TryCreate(target + Temporary, source))
-        {
-            File.Copy(source, target + Temporary);
-        }
-
-        File.Delete(target);
-        File.Move(target + Temporary, target);
-    }
+    public void Transfer(string name, string source, ImageTransfer transfer) => FileTransfer.Place(Prepare(name), source, transfer);
 
     private string Prepare(string name)
     {

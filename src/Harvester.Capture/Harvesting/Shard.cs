@@ -1,6 +1,6 @@
 using System;
 
-namespace Harvester.Datasets.Exports;
+namespace Harvester.Capture.Harvesting;
 
 /// <summary>One of several runs that do a job side by side: every frame belongs to exactly one.</summary>
 public readonly record struct Shard
@@ -11,10 +11,8 @@ public readonly record struct Shard
     /// <exception cref="ArgumentOutOfRangeException">The number is not 1 to the count.</exception>
     public Shard(int number, int count)
     {
-        ArgumentOutOfRangeException.ThrowIfLessThan(number, 1);
-        ArgumentOutOfRangeException.ThrowIfGreaterThan(number, count);
-        Number = number;
-        Count = count;
+        Count = OptionCheck.InRange(count, 1, int.MaxValue, nameof(count));
+        Number = OptionCheck.InRange(number, 1, count, nameof(number));
     }
 
     /// <summary>The only run.</summary>
@@ -27,5 +25,9 @@ public readonly record struct Shard
     public int Count { get; }
 
     /// <summary>Whether a frame belongs to it: the frames go round.</summary>
+    /// <param name="frame">Number of the frame, from 0.</param>
     public bool Takes(int frame) => frame % Count == Number - 1;
+
+    /// <summary>As 2/8.</summary>
+    public override string ToString() => FormattableString.Invariant($"{Number}/{Count}");
 }

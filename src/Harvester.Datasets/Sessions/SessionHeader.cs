@@ -1,0 +1,100 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using System.Text.Encodings.Web;
+using System.Text.Json;
+using System.Text.Json.Nodes;
+using Harvester.Capture.Harvesting;
+using Harvester.Datasets.Roads;
+using Harvester.Datasets.Sharding;
+
+namespace Harvester.Datasets.Sessions;
+
+/// <summary>
+/// A session.json to change and write again. What is not changed keeps its bytes: numbers and texts stay as they were written, and the
+/// layout is that of a harvest.
+/// </summary>
+internal sealed class SessionHeader
+{
+    private const string Settings = "settings";
+    private const string ShardKey = "shard";
+
+    private static readonly JsonSerializerOptions Relaxed = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+
+    private SessionHeader(JsonObject json) => Json = json;
+
+    /// <summary>All of it.</summary>
+    public JsonObject Json { get; }
+
+    /// <summary>The shard that the session is; null for a whole one.</summary>
+    /// <exception cref="DatasetFormatException">The text is no shard.</exception>
+    public Shard? Shard
+    {
+        get => Json[Settings]?[ShardKey] is { } text
+            ? ShardText.Parse(text.ToString()) ?? throw new DatasetFormatException($"{SessionInfo.FileName}: settings.shard must be as 1/8, not '{text}'.")
+            : null;
+        set
+        {
+            var settings = Json[Settings] as JsonObject;
+            settings?.Remove(ShardKey);
+            if (value is { } shard)
+            {
+                settings![ShardKey] = shard.ToString();
+            }
+        }
+    }
+
+    /// <summary>Reads a session's.</summary>
+    /// <exception cref="DatasetFormatException">It is not what its format asks for; the message names file and field.</exception>
+    public static SessionHeader Read(SessionReader session)
+    {
+        session.ReadInfo();
+        return new SessionHeader(JsonNode.Parse(File.ReadAllBytes(session.PathOf(SessionInfo.FileName)))!.AsObject());
+    }
+
+    /// <summary>Writes it into a folder.</summary>
+    public void Write(string folder) =>
+        WholeFile.Write(Path.Combine(folder, SessionInfo.FileName), file => file.Write(new UTF8Encoding(false).GetBytes(ToString())));
+
+    /// <summary>The text of the file.</summary>
+    public override string ToString()
+    {
+        var text = new StringBuilder();
+        Append(text, Json, 0);
+        return text.Append('\n').ToString();
+    }
+
+    private static void Append(StringBuilder text, JsonNode? node, int depth)
+    {
+        switch (node)
+        {
+            case JsonObject members:
+                text.Append('{');
+                foreach ((KeyValuePair<string, JsonNode?> member, int index) in members.Select((member, index) => (member, index)))
+                {
+                    text.Append(index > 0 ? "," : "").Append('\n').Append(' ', 2 * (depth + 1)).Append(JsonSerializer.Serialize(member.Key, Relaxed)).Append(": ");
+                    Append(text, member.Value, depth + 1);
+                }
+
+                text.Append(members.Count > 0 ? "\n" + new string(' ', 2 * depth) : "").Append('}');
+                break;
+            case JsonArray items:
+                text.Append('[');
+                foreach ((JsonNode? item, int index) in items.Select((item, index) => (item, index)))
+                {
+                    text.Append(index > 0 ? ", " : "");
+                    Append(text, item, depth + 1);
+                }
+
+                text.Append(']');
+                break;
+            case JsonValue value when value.TryGetValue(out JsonElement element):
+                text.Append(element.GetRawText());
+                break;
+            default:
+                text.Append(node?.ToJsonString(Relaxed) ?? "null");
+                break;
+        }
+    }
+}

@@ -1,0 +1,112 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text;
+using System.Text.Json;
+using Harvester.Datasets.Exports;
+using Harvester.Datasets.Exports.Assembly;
+using Harvester.Datasets.Roads;
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Datasets.Sharding;
+
+/// <summary>Puts the shards of a session together: the same bytes as one run without shards gives.</summary>
+public static class SessionMerger
+{
+    /// <summary>Whether a folder holds a session or a shard of one.</summary>
+    public static bool IsSession(string folder) => File.Exists(Path.Combine(folder, SessionInfo.FileName));
+
+    /// <summary>Merges.</summary>
+    /// <param name="shards">Folders of the shards, in any order.</param>
+    /// <param name="folder">Where the session goes: a new or empty folder.</param>
+    /// <param name="transfer">How pictures get from the shards into the session.</param>
+    /// <returns>The number of frames.</returns>
+    /// <exception cref="DatasetFormatException">A shard is missing, unfinished, twice there, or of another session.</exception>
+    /// <exception cref="IOException">Something cannot be read or written, or the folder is not empty.</exception>
+    public static int Merge(IReadOnlyList<string> shards, string folder, ImageTransfer transfer)
+    {
+        if (Directory.Exists(folder) && Directory.EnumerateFileSystemEntries(folder).Any())
+        {
+            throw new IOException($"'{folder}' is not empty. Name another folder.");
+        }
+
+        IReadOnlyList<SessionShard> sources = Find(shards);
+        Directory.CreateDirectory(folder);
+        int frames = 0;
+        WholeFile.Write(Path.Combine(folder, SessionReader.LabelsFile), file =>
+        {
+            using var lines = new StreamWriter(file, new UTF8Encoding(false), leaveOpen: true) { NewLine = "\n" };
+            foreach ((string line, SessionReader source) in InOrder(sources))
+            {
+                lines.WriteLine(line);
+                foreach (string name in FilesOf(line, frames, source))
+                {
+                    string target = Path.Combine(folder, name);
+                    Directory.CreateDirectory(Path.GetDirectoryName(target)!);
+                    FileTransfer.Place(target, source.PathOf(name), transfer);
+                }
+
+                frames++;
+            }
+        });
+        sources[0].WriteWholeHeader(folder, frames);
+        return frames;
+    }
+
+    private static IReadOnlyList<SessionShard> Find(IReadOnlyList<string> folders)
+    {
+        var found = new ShardSet<SessionShard>();
+        SessionShard? first = null;
+        foreach (string folder in folders)
+        {
+            SessionShard shard = SessionShard.Read(folder);
+            first ??= shard;
+            if (shard.Common != first.Common)
+            {
+                throw new DatasetFormatException($"'{folder}' and '{folders[0]}' are shards of different sessions: their {SessionInfo.FileName} differ.");
+            }
+
+            found.Add(shard.Shard, folder, shard);
+        }
+
+        return found.Complete();
+    }
+
+    // Frames go round: frame f is the next of shard f modulo their number, until all have come to their end.
+    private static IEnumerable<(string Line, SessionReader Source)> InOrder(IReadOnlyList<SessionShard> shards)
+    {
+        List<IEnumerator<string>> lines = [.. shards.Select(shard => shard.ReadLines().GetEnumerator())];
+        try
+        {
+            int frame = 0;
+            for (; lines[frame % lines.Count].MoveNext(); frame++)
+            {
+                SessionReader source = shards[frame % lines.Count].Session;
+                string line = lines[frame % lines.Count].Current;
+                yield return line.StartsWith(string.Create(CultureInfo.InvariantCulture, $"{{\"frame\":{frame},"), StringComparison.Ordinal)
+                    ? (line, source)
+                    : throw new DatasetFormatException($"'{source.Folder}' has no frame {frame} where it should be; it is cut off or was changed.");
+            }
+
+            if (lines.FindIndex(each => each.MoveNext()) is var longer and >= 0)
+            {
+                throw new DatasetFormatException($"'{shards[longer].Session.Folder}' has frames that follow on frame {frame}, which no shard has.");
+            }
+        }
+        finally
+        {
+            lines.ForEach(each => each.Dispose());
+        }
+    }
+
+    private static IEnumerable<string> FilesOf(string line, int frame, SessionReader source)
+    {
+        using JsonDocument label = JsonDocument.Parse(line);
+        string?[] names = [label.RootElement.GetProperty("image").GetString(), label.RootElement.GetProperty("mask").GetString()];
+        return names.OfType<string>().FirstOrDefault(name => !SessionReader.IsWithin(name)) is { } outside
+            ? throw new DatasetFormatException($"'{source.Folder}', frame {frame}: '{outside}' points out of the session.")
+            : names.OfType<string>();
+    }
+}

@@ -1,0 +1,39 @@
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Harvesting;
+
+namespace Harvester.Datasets.Sharding;
+
+/// <summary>The shards of one job as they are found: each once, and in the end all of them.</summary>
+/// <typeparam name="T">What is known of a shard.</typeparam>
+internal sealed class ShardSet<T>
+{
+    private readonly SortedDictionary<int, T> _found = [];
+    private int _count;
+
+    /// <summary>Takes a shard.</summary>
+    /// <exception cref="DatasetFormatException">It is there already, or of a job with another number of shards.</exception>
+    public void Add(Shard shard, string folder, T value)
+    {
+        _count = _count == 0 ? shard.Count : _count;
+        if (shard.Count != _count)
+        {
+            throw new DatasetFormatException($"'{folder}' holds a shard of {shard.Count}, others are of {_count}.");
+        }
+
+        if (!_found.TryAdd(shard.Number, value))
+        {
+            throw new DatasetFormatException($"Shard {shard} is there twice, the second time in '{folder}'.");
+        }
+    }
+
+    /// <summary>All shards in the order of their numbers.</summary>
+    /// <exception cref="DatasetFormatException">Some are missing.</exception>
+    public IReadOnlyList<T> Complete()
+    {
+        int[] missing = [.. Enumerable.Range(1, _count).Where(number => !_found.ContainsKey(number))];
+        return missing.Length == 0
+            ? [.. _found.Values]
+            : throw new DatasetFormatException($"Of {_count} shards, {string.Join(", ", missing)} is missing. Run it and name its folder too.");
+    }
+}
