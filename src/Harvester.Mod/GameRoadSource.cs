@@ -64,4 +64,13 @@ internal sealed class GameRoadSource : IRoadSource
             ? new SurveyedRoad(Natives.Vector(first), Natives.Vector(second), toFirst.GetResult<int>(), toSecond.GetResult<int>(), median.GetResult<float>())
             : null;
     }
+
+    /// <inheritdoc/>
+    public Vector3D? RoadEdge(Vector3D node, double headingDegrees)
+    {
+        using var edge = new OutputArgument();
+        return Natives.Call<bool>(Hash.GET_ROAD_BOUNDARY_USING_HEADING, (float)node.X, (float)node.Y, (float)node.Z, (float)headingDegrees, edge)
+            ? Natives.Vector(edge)
+            : null;
+    }
 }

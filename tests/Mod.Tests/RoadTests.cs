@@ -9,6 +9,9 @@ namespace Harvester.Mod.Tests;
 
 public sealed class RoadTests
 {
+    /// <summary>The game draws with numbers of single precision; metres.</summary>
+    private const double SinglePrecision = 1e-3;
+
     [Fact]
     public void Key_surveys_the_roads_around_and_keeps_them_and_the_next_survey_goes_on()
     {
@@ -62,6 +65,29 @@ public sealed class RoadTests
     }
 
     [Fact]
+    public void Lanes_have_the_width_that_the_edges_of_the_game_prove()
+    {
+        using var driver = new ScriptDriver("[Harvest]\nClasses = Bus\n");
+        HarvestTests.Street(driver.Game);
+        driver.Game.Roads = new FakeRoadSource(Road()) { LaneWidth = 4.5 };
+        driver.Press(Keys.U);
+        Until(driver, () => driver.Game.Texts.Any(text => text.StartsWith("SURVEY  2 nodes  1 links  0 waiting", StringComparison.Ordinal)));
+        driver.Press(Keys.I);
+        driver.Press(Keys.L);
+        driver.Clock.Milliseconds += 6_000;
+        Until(driver, () => Places(driver.Game.Rectangles).Any(place => Math.Abs(place - (97.375 + 4.5)) < SinglePrecision));
+        AssertLinesOfTheRoad(driver.Game.Rectangles, laneWidth: 4.5);
+        driver.Press(Keys.K);
+        driver.Tick(20);
+        driver.WaitForDisk();
+
+        Assert.Contains(
+            "\"laneWidthMetres\":4.5,\"laneWidthSource\":\"calibrated\"",
+            Assert.Single(driver.Labels()).Replace(" ", string.Empty, StringComparison.Ordinal),
+            StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Lanes_come_from_the_players_file_without_a_question_to_the_game()
     {
         using var folder = new TemporaryFolder();
@@ -108,19 +134,24 @@ public sealed class RoadTests
 
     private static RoadNode NodeAt(double north, int number) => new(7, number, new Vector3D(97.375, north, 0), string.Empty, RoadNodeFlags.None);
 
-    private static void AssertLinesOfTheRoad(IEnumerable<Box2D> dots)
+    private static void AssertLinesOfTheRoad(IEnumerable<Box2D> dots, double laneWidth = 5.4)
     {
-        // The camera is at x = 100 and 1 m above the road. A point at x, d m ahead, is drawn at
-        // u = 1/2 + (x - 100) / (2 d tan 25° · 4/3) and v = 1/2 + 1 / (2 d tan 25°): (u - 1/2) / (v - 1/2) tells x without d.
-        double[] places = dots
-            .Select(dot => new Vector2D((dot.XMin + dot.XMax) / 2, (dot.YMin + dot.YMax) / 2))
-            .Select(point => 100 + ((point.X - 0.5) / (point.Y - 0.5) * (4.0 / 3)))
-            .ToArray();
-        double[] lines = [97.375 + 5.4, 97.375, 97.375 - 5.4, 97.375 - 10.8];
-        const double singlePrecision = 1e-3;
-        Assert.All(places, place => Assert.Contains(lines, line => Math.Abs(line - place) < singlePrecision));
-        Assert.All(lines, line => Assert.InRange(places.Count(place => Math.Abs(line - place) < singlePrecision), 10, 40));
+        double[] places = Places(dots);
+        double[] lines = [97.375 + laneWidth, 97.375, 97.375 - laneWidth, 97.375 - (2 * laneWidth)];
+        Assert.All(places, place => Assert.Contains(lines, line => Math.Abs(line - place) < SinglePrecision));
+        Assert.All(lines, line => Assert.InRange(places.Count(place => Math.Abs(line - place) < SinglePrecision), 10, 40));
     }
+
+    /// <summary>
+    /// How far east the dots are on the road. The camera is at x = 100 and 1 m above it. A point at x, d m ahead, is drawn at
+    /// u = 1/2 + (x - 100) / (2 d tan 25° · 4/3) and v = 1/2 + 1 / (2 d tan 25°): (u - 1/2) / (v - 1/2) tells x without d.
+    /// </summary>
+    private static double[] Places(IEnumerable<Box2D> dots) =>
+    [
+        .. dots
+            .Select(dot => new Vector2D((dot.XMin + dot.XMax) / 2, (dot.YMin + dot.YMax) / 2))
+            .Select(point => 100 + ((point.X - 0.5) / (point.Y - 0.5) * (4.0 / 3))),
+    ];
 
     private static void Until(ScriptDriver driver, Func<bool> isSo)
     {

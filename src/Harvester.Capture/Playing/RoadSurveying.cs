@@ -28,8 +28,8 @@ public sealed class RoadSurveying : ILastingFeature
     private Task _saving = Task.CompletedTask;
     private double _savedAt;
     private double _preparedAt = double.NegativeInfinity;
-    private int _savedLinks;
-    private int _preparedLinks;
+    private int _savedFindings;
+    private int _preparedFindings;
     private RoadSurveyStatus _status;
     private bool _wereLanesWanted;
 
@@ -149,9 +149,10 @@ public sealed class RoadSurveying : ILastingFeature
 
     private void OfferRoads(RoadSurvey survey)
     {
-        if (GivesLanes && !_roads.IsPreparing && _status.Links > _preparedLinks && _clock.Milliseconds - _preparedAt > PrepareEveryMilliseconds)
+        bool isNews = _status.Links > 0 && _status.Findings > _preparedFindings;
+        if (GivesLanes && isNews && !_roads.IsPreparing && _clock.Milliseconds - _preparedAt > PrepareEveryMilliseconds)
         {
-            _preparedLinks = _status.Links;
+            _preparedFindings = _status.Findings;
             _preparedAt = _clock.Milliseconds;
             RoadNetwork network = survey.ToNetwork();
             _roads.Prepare(() => network, "game");
@@ -164,17 +165,17 @@ public sealed class RoadSurveying : ILastingFeature
         {
             Exception failure = _saving.Exception!.InnerException!;
             _saving = Task.CompletedTask;
-            _savedLinks = 0;
+            _savedFindings = 0;
             throw new IOException(failure.Message, failure);
         }
 
-        if (_survey is null || _status.Links == _savedLinks)
+        if (_survey is null || _status.Findings == _savedFindings)
         {
             return;
         }
 
         _savedAt = _clock.Milliseconds;
-        _savedLinks = _status.Links;
+        _savedFindings = _status.Findings;
         RoadNetwork network = _survey.ToNetwork();
         _saving = _saving.ContinueWith(
             _ =>

@@ -29,4 +29,10 @@ public interface IRoadSource
     /// <summary>The link closest to a place, of any length and number of lanes, those without traffic included; null when there is none.</summary>
     /// <param name="place">Metres, world.</param>
     SurveyedRoad? ClosestRoad(Vector3D place);
+
+    /// <summary>What the game takes for the edge of the road that leaves a node in about a direction; it is not trusted.</summary>
+    /// <param name="node">Where the node is, metres, world.</param>
+    /// <param name="headingDegrees">The direction, degrees counter-clockwise from north.</param>
+    /// <returns>Null when the game does not tell.</returns>
+    Vector3D? RoadEdge(Vector3D node, double headingDegrees);
 }

@@ -19,6 +19,7 @@ public sealed class RoadCsvReader
 
     private readonly List<RoadNode> _nodes = [];
     private readonly List<RoadLink> _links = [];
+    private readonly List<RoadEdge> _edges = [];
     private int _line;
     private bool _ended;
 
@@ -56,7 +57,7 @@ public sealed class RoadCsvReader
         }
 
         Require(_ended, "the file ends before its last line, which begins with end.");
-        return new RoadNetwork(_nodes, _links);
+        return new RoadNetwork(_nodes, _links, _edges);
     }
 
     private void ReadRow(List<string> fields)
@@ -65,11 +66,11 @@ public sealed class RoadCsvReader
         {
             case "node":
                 Require(fields.Count == 10, "a node has 10 fields.");
-                Require(_links.Count == 0, "all nodes stand before the links.");
+                Require(_links.Count == 0 && _edges.Count == 0, "all nodes stand before the links.");
                 _nodes.Add(new RoadNode(
                     Whole(fields[1], "area", 0, int.MaxValue),
                     Whole(fields[2], "number", 0, int.MaxValue),
-                    new Vector3D(Metres(fields[3], "x"), Metres(fields[4], "y"), Metres(fields[5], "z")),
+                    Place(fields, 3),
                     fields[6],
                     (RoadNodeFlags)(RoadCsv.NodeFlags.Read(fields[7]) ?? throw Wrong("unknown flags: " + fields[7] + ".")))
                 {
@@ -79,6 +80,7 @@ public sealed class RoadCsvReader
                 break;
             case "link":
                 Require(fields.Count == 8, "a link has 8 fields.");
+                Require(_edges.Count == 0, "all links stand before the edges.");
                 int from = Whole(fields[1], "from", 0, _nodes.Count - 1);
                 int to = Whole(fields[2], "to", 0, _nodes.Count - 1);
                 Require(from != to, "a link leads from a node to another.");
@@ -90,6 +92,11 @@ public sealed class RoadCsvReader
                     fields[5].Length == 0 ? null : Metres(fields[5], "medianWidth"),
                     (RoadLinkFlags)(RoadCsv.LinkFlags.Read(fields[6]) ?? throw Wrong("unknown flags: " + fields[6] + "."))));
                 break;
+            case "edge":
+                Require(fields.Count == 6, "an edge has 6 fields.");
+                Require(fields[2] is RoadCsv.Start or RoadCsv.End, "an edge is at one end of its link, from or to.");
+                _edges.Add(new RoadEdge(Whole(fields[1], "link", 0, _links.Count - 1), fields[2] == RoadCsv.Start, Place(fields, 3)));
+                break;
             case "end":
                 Require(fields.Count == 3, "the last line has 3 fields.");
                 Whole(fields[1], "the count of nodes", _nodes.Count, _nodes.Count);
@@ -97,7 +104,7 @@ public sealed class RoadCsvReader
                 _ended = true;
                 break;
             default:
-                throw Wrong("a line begins with node, link, end or #.");
+                throw Wrong("a line begins with node, link, edge, end or #.");
         }
     }
 
@@ -123,6 +130,9 @@ public sealed class RoadCsvReader
         int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= least && value <= most
             ? value
             : throw Wrong(FormattableString.Invariant($"{name} must be a whole number from {least} to {most}, not {text}."));
+
+    private Vector3D Place(List<string> fields, int first) =>
+        new(Metres(fields[first], "x"), Metres(fields[first + 1], "y"), Metres(fields[first + 2], "z"));
 
     private double Metres(string text, string name) =>
         double.TryParse(text, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double value)

@@ -42,6 +42,16 @@ public static class RoadCsvWriter
                 link.MedianWidth is { } median ? Metres(median) : "", RoadCsv.LinkFlags.Write((int)link.Flags), Metres(along.Length));
         }
 
+        if (network.Edges.Count > 0)
+        {
+            Line(text, RoadCsv.EdgeColumns);
+        }
+
+        foreach (RoadEdge edge in network.Edges)
+        {
+            Line(text, "edge", Whole(edge.Link), edge.IsAtStart ? RoadCsv.Start : RoadCsv.End, Metres(edge.Point.X), Metres(edge.Point.Y), Metres(edge.Point.Z));
+        }
+
         Line(text, "end", Whole(network.Nodes.Count), Whole(network.Links.Count));
     }
 

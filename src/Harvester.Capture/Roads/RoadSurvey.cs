@@ -9,7 +9,8 @@ namespace Harvester.Capture.Roads;
 /// <summary>
 /// Collects the road network around a car while it drives, a few questions to the game a tick. Nodes come from the list of those
 /// closest to the car; links are looked for at eight points around every node, since the game only tells the one closest to a
-/// point. A link that is nowhere the closest of its neighbours is not found.
+/// point. A link that is nowhere the closest of its neighbours is not found. For the edges of a link the game is asked twice, ticks
+/// apart, at both of its ends, looking along it; whether the answers can be trusted is left to <see cref="LaneModel"/>.
 /// </summary>
 public sealed class RoadSurvey
 {
@@ -22,6 +23,12 @@ public sealed class RoadSurvey
 
     private const int MostLanes = 7;
 
+    /// <summary>An answer further from its node is of another road, metres.</summary>
+    private const double FurthestEdge = 100;
+
+    /// <summary>How often the edges of a link are asked for, at each of its two ends.</summary>
+    private const int EdgeRounds = 2;
+
     /// <summary>The handle of node 0 of cell 0, for an end of a link that the game does not name.</summary>
     private const int UnknownHandle = 1;
 
@@ -32,6 +39,8 @@ public sealed class RoadSurvey
     private readonly SurveyedNetwork _network = new();
     private readonly HashSet<int> _met = [];
     private readonly Queue<(int Node, Vector3D Stored)> _waiting = new();
+    private readonly HashSet<int> _linksMet = [];
+    private readonly Queue<(int Link, int Rounds)> _unmeasured = new();
     private int _nextNumber = 1;
     private int _nextProbe;
     private int _calls;
@@ -63,9 +72,15 @@ public sealed class RoadSurvey
         if (isLoaded)
         {
             _calls = 0;
+            int unmeasured = _unmeasured.Count;
             while (_waiting.Count > 0 && _calls < _callsPerStep / 2)
             {
                 ProbeNext();
+            }
+
+            while (unmeasured-- > 0 && _calls < _callsPerStep * 3 / 4)
+            {
+                MeasureNext(place);
             }
 
             // To meet a node takes two questions.
@@ -74,7 +89,7 @@ public sealed class RoadSurvey
             }
         }
 
-        return new RoadSurveyStatus(_network.NodeCount, _network.LinkCount, _waiting.Count, isLoaded);
+        return new RoadSurveyStatus(_network.NodeCount, _network.LinkCount, _network.EdgeCount, _waiting.Count + _unmeasured.Count, isLoaded);
     }
 
     /// <summary>What was found so far, together with what the earlier survey had found.</summary>
@@ -128,7 +143,7 @@ public sealed class RoadSurvey
         var probe = new Vector3D(stored.X + (ProbeDistance * Math.Cos(angle)), stored.Y + (ProbeDistance * Math.Sin(angle)), stored.Z);
         if (_source.ClosestRoad(probe) is { } road && IsSound(road))
         {
-            _network.Add(new RoadLink(
+            Meet(new RoadLink(
                 End(road.First, node, stored),
                 End(road.Second, node, stored),
                 road.LanesToSecond,
@@ -141,6 +156,44 @@ public sealed class RoadSurvey
         if (_nextProbe == 0)
         {
             _waiting.Dequeue();
+        }
+    }
+
+    private void Meet(RoadLink road)
+    {
+        if (_network.Add(road) is { } link && _linksMet.Add(link) && _network.EdgesOf(link) < 2 * EdgeRounds)
+        {
+            _unmeasured.Enqueue((link, EdgeRounds - (_network.EdgesOf(link) / 2)));
+        }
+    }
+
+    private void MeasureNext(Vector3D place)
+    {
+        (int link, int rounds) = _unmeasured.Dequeue();
+        RoadLink road = _network.Link(link);
+        Vector3D start = PathGrid.Truncate(_network.Node(road.From).Position);
+        Vector3D end = PathGrid.Truncate(_network.Node(road.To).Position);
+
+        // Far away the game no longer has the node, and would tell the edge of another.
+        if ((start - place).Length > Range || (end - place).Length > Range)
+        {
+            return;
+        }
+
+        Measure(link, isAtStart: true, start, end - start);
+        Measure(link, isAtStart: false, end, start - end);
+        if (rounds > 1)
+        {
+            _unmeasured.Enqueue((link, rounds - 1));
+        }
+    }
+
+    private void Measure(int link, bool isAtStart, Vector3D node, Vector3D along)
+    {
+        _calls++;
+        if (_source.RoadEdge(node, Angles.HeadingDegrees(along)) is { } edge && (edge - node).Length < FurthestEdge)
+        {
+            _network.Add(new RoadEdge(link, isAtStart, edge + (PathGrid.RemoveBias(node) - node)));
         }
     }
 

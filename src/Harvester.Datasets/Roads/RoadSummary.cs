@@ -13,6 +13,7 @@ public static class RoadSummary
     {
         ArgumentNullException.ThrowIfNull(network);
         var curves = new RoadCurves(network);
+        var lanes = new LaneModel(network);
         double metres = Enumerable.Range(0, network.Links.Count).Sum(link => curves.Of(link).Length);
         var rows = new List<(string, string)>
         {
@@ -24,6 +25,7 @@ public static class RoadSummary
             ("links driven by cars", Text(network.Links.Count(link => RoadContinuations.IsDrivable(network, link)))),
             ("one-way links", Text(network.Links.Count(link => link.IsOneWay))),
             ("links with a known median", Text(network.Links.Count(link => link.MedianWidth is not null))),
+            ("links with calibrated lanes", Text(Enumerable.Range(0, network.Links.Count).Count(link => lanes.WidthOf(link).Source == LaneWidthSource.Calibrated))),
         };
         rows.AddRange(Counts<RoadNodeFlags>("node", flag => network.Nodes.Count(node => node.Flags.HasFlag(flag))));
         rows.AddRange(Counts<RoadLinkFlags>("link", flag => network.Links.Count(link => link.Flags.HasFlag(flag))));

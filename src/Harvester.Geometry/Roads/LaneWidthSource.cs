@@ -9,6 +9,6 @@ public enum LaneWidthSource
     /// <summary>The constant of roads that the path data calls narrow.</summary>
     NarrowConstant,
 
-    /// <summary>Measured between the edges of this road.</summary>
+    /// <summary>Proven by the edges of this road that the game told.</summary>
     Calibrated,
 }

@@ -34,7 +34,7 @@ public sealed class RoadMatcher
 
     /// <summary>Makes a matcher.</summary>
     /// <param name="curves">The centre lines.</param>
-    /// <param name="lanes">How wide the lanes are; calibrations made later move the lanes, but not how far from a road it is found.</param>
+    /// <param name="lanes">How wide the lanes are.</param>
     /// <param name="options">What is likely; the defaults when null.</param>
     public RoadMatcher(RoadCurves curves, LaneModel lanes, RoadMatcherOptions? options = null)
     {

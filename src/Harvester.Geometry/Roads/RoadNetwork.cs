@@ -9,11 +9,17 @@ public sealed class RoadNetwork
     private readonly int[][] _linksOfNode;
 
     /// <summary>Makes a network.</summary>
-    /// <exception cref="ArgumentException">A link names a node that is not there, or has the same node at both ends.</exception>
-    public RoadNetwork(IReadOnlyList<RoadNode> nodes, IReadOnlyList<RoadLink> links)
+    /// <param name="nodes">The nodes.</param>
+    /// <param name="links">The links between them.</param>
+    /// <param name="edges">What a game told of the edges of the links; null where nothing did.</param>
+    /// <exception cref="ArgumentException">
+    /// A link names a node that is not there, or has the same node at both ends; or an edge names a link that is not there.
+    /// </exception>
+    public RoadNetwork(IReadOnlyList<RoadNode> nodes, IReadOnlyList<RoadLink> links, IReadOnlyList<RoadEdge>? edges = null)
     {
         Nodes = Guard.NotNull(nodes, nameof(nodes));
         Links = Guard.NotNull(links, nameof(links));
+        Edges = edges ?? [];
         var linksOfNode = new List<int>[nodes.Count];
         for (int i = 0; i < links.Count; i++)
         {
@@ -27,6 +33,14 @@ public sealed class RoadNetwork
             (linksOfNode[link.To] ??= []).Add(i);
         }
 
+        foreach (RoadEdge edge in Edges)
+        {
+            if (edge.Link < 0 || edge.Link >= links.Count)
+            {
+                throw new ArgumentException(FormattableString.Invariant($"An edge is one of link {edge.Link}; there are {links.Count} links."), nameof(edges));
+            }
+        }
+
         _linksOfNode = Array.ConvertAll(linksOfNode, list => list?.ToArray() ?? []);
     }
 
@@ -35,6 +49,9 @@ public sealed class RoadNetwork
 
     /// <summary>The links, each once.</summary>
     public IReadOnlyList<RoadLink> Links { get; }
+
+    /// <summary>What a game told of the edges of the links, in no order; empty where nothing did.</summary>
+    public IReadOnlyList<RoadEdge> Edges { get; }
 
     /// <summary>The indices of the links that start or end at a node.</summary>
     public IReadOnlyList<int> LinksOf(int node) => _linksOfNode[node];

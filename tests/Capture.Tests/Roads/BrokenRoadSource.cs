@@ -14,4 +14,6 @@ internal sealed class BrokenRoadSource : IRoadSource
     public SurveyedProperties? ReadProperties(Vector3D place) => null;
 
     public SurveyedRoad? ClosestRoad(Vector3D place) => new SurveyedRoad(new Vector3D(double.NaN, 0, 0), place, -3, 99, 0);
+
+    public Vector3D? RoadEdge(Vector3D node, double headingDegrees) => new Vector3D(double.NaN, 0, 0);
 }

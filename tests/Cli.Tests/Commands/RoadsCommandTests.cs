@@ -55,6 +55,31 @@ public sealed class RoadsCommandTests : IDisposable
     }
 
     [Fact]
+    public void Nodes_of_a_survey_that_was_told_the_edges_have_the_width_that_these_prove()
+    {
+        // A lane each way to the north, 4.5 m wide, told twice at both ends.
+        string survey = _folder.File("survey.csv", """
+            harvester roads,1
+            node,0,0,0,0,10,,,,
+            node,0,1,0,20,10,,,,
+            link,0,1,1,1,0,,20
+            edge,0,from,4.5,0,10
+            edge,0,to,-4.5,20,10
+            edge,0,from,4.5,0,10
+            edge,0,to,-4.5,20,10
+            end,2,1
+            """);
+        string imported = Path.Combine(_folder.Path, "roads.csv");
+        string csv = Path.Combine(_folder.Path, "nodes.csv");
+
+        Assert.Equal(0, CliRun.Of("roads", "import", survey, "--out", imported).ExitCode);
+        Assert.Equal(0, CliRun.Of("roads", "nodes", imported, "--out", csv).ExitCode);
+
+        Assert.Contains("1,true,false,0 0 10,-4.5 0 10,0 0 10,4.5 0 10,0 1 0,1,1,4.5,calibrated,0,1,false", File.ReadAllLines(csv));
+        Assert.Matches(@"links with calibrated lanes +1\n", CliRun.Of("roads", "info", imported).Out);
+    }
+
+    [Fact]
     public void Map_is_a_picture_or_a_vector_graphic_by_its_name()
     {
         string from = _folder.File("roads.txt", Ipl);

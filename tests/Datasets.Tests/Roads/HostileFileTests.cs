@@ -61,7 +61,11 @@ public sealed class HostileFileTests : IDisposable
     [InlineData("scene", "<ref guid=\"{0}\"", "<ref guid=\"{99}\"", "refers to {99}, which is no node")]
     [InlineData("ipl", "end\nlink\n", "end\nlink\n0, 6, 0, 1, 1, 0\n", "the link runs from node 0 to node 6; there are 6 nodes")]
     [InlineData("ipl", "vnod\n", "vnod\n1, 2\n", "line 4: 22 values")]
-    [InlineData("csv", "end,6,8", "end,6,9", "line 18: the count of links must be a whole number from 8 to 8, not 9")]
+    [InlineData("csv", "end,6,8", "end,6,9", "line 25: the count of links must be a whole number from 8 to 8, not 9")]
+    [InlineData("csv", "\nedge,", "\nedge,8", "link must be a whole number from 0 to 7")]
+    [InlineData("csv", "\nend", "\nedge,0,middle,1,2,3\nend", "an edge is at one end of its link, from or to")]
+    [InlineData("csv", "\nend", "\nedge,0,from,1,2\nend", "an edge has 6 fields")]
+    [InlineData("csv", "\nend", "\nlink,0,1,1,1,0,,9\nend", "all links stand before the edges")]
     [InlineData("csv", "\nlink,", "\nlink,6", "must be a whole number from 0 to 5")]
     public void Import_file_that_lies_names_the_place(string format, string healthy, string lie, string expected)
     {
@@ -124,7 +128,7 @@ public sealed class HostileFileTests : IDisposable
         "ipl" => IplText.Of(Network),
         "scene" => SceneText.Of(Network),
         "dump" => DumpText.Of(new RoadNetwork(Network.Nodes, [.. Network.Links.Select(link => link with { MedianWidth = null })])),
-        _ => CsvOf(Network),
+        _ => CsvOf(RandomRoads.WithEdges(Network, seed: 12)),
     };
 
     /// <summary>A file without a line feed at its end, whose loss would be no harm.</summary>

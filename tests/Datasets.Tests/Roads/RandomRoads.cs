@@ -38,6 +38,19 @@ internal static class RandomRoads
         return new RoadNetwork(nodes, [.. links.Values]);
     }
 
+    /// <summary>The network with points told on the edges of some of its links.</summary>
+    public static RoadNetwork WithEdges(RoadNetwork network, int seed)
+    {
+        var random = new Random(seed);
+        IEnumerable<RoadEdge> edges = Enumerable.Range(0, network.Links.Count).Where(_ => random.Next(2) == 0).Select(link =>
+        {
+            bool isAtStart = random.Next(2) == 0;
+            RoadNode node = network.Nodes[isAtStart ? network.Links[link].From : network.Links[link].To];
+            return new RoadEdge(link, isAtStart, PathGrid.RemoveBias(PathGrid.Truncate(node.Position + new Vector3D(random.Next(20), random.Next(20), 0))));
+        });
+        return new RoadNetwork(network.Nodes, network.Links, [.. edges]);
+    }
+
     private static RoadNode Node(Random random, int index)
     {
         Vector3D stored = PathGrid.Truncate(new Vector3D((random.NextDouble() * 8000) - 4000, (random.NextDouble() * 8000) - 4000, (random.NextDouble() * 500) - 50));

@@ -82,7 +82,8 @@ public sealed class RoundTripTests : IDisposable
     [InlineData(true)]
     public void Import_csv_reads_back_everything_in_its_order(bool packed)
     {
-        var named = new RoadNetwork([.. _network.Nodes.Select((node, i) => i == 3 ? node with { Street = "Mirror \"Park\", Blvd" } : node)], _network.Links);
+        RoadNetwork named = RandomRoads.WithEdges(
+            new RoadNetwork([.. _network.Nodes.Select((node, i) => i == 3 ? node with { Street = "Mirror \"Park\", Blvd" } : node)], _network.Links), seed: 6);
         string file = Path.Combine(_folder, packed ? "roads.csv.gz" : "roads.csv");
 
         RoadWriter.Write(named, file);
@@ -90,6 +91,8 @@ public sealed class RoundTripTests : IDisposable
 
         Assert.Equal(named.Nodes, read.Nodes);
         Assert.Equal(named.Links, read.Links);
+        Assert.NotEmpty(named.Edges);
+        Assert.Equal(named.Edges, read.Edges);
         Assert.Equal(packed, File.ReadAllBytes(file) is [0x1F, 0x8B, ..]);
     }
 

@@ -30,22 +30,4 @@ public sealed class LaneModelTests
         Assert.Equal(-8.1, model.LanesOf(1, isForward: true)!.Value.LeftEdge, 9);
         Assert.Null(model.LanesOf(1, isForward: false));
     }
-
-    [Fact]
-    public void Calibrate_takes_the_median_of_plausible_edges()
-    {
-        var model = new LaneModel(Network);
-
-        // (edge - 1.5) / 2 lanes: 4.5, 4.75, 5.0; and one of (40 - 1.5) / 2 that is refused.
-        Assert.True(model.Calibrate(0, isForward: true, 10.5));
-        Assert.True(model.Calibrate(0, isForward: true, 11.5));
-        Assert.True(model.Calibrate(0, isForward: true, 11));
-        Assert.False(model.Calibrate(0, isForward: true, 40));
-        Assert.False(model.Calibrate(1, isForward: false, 10));
-
-        Assert.Equal((4.75, LaneWidthSource.Calibrated), model.WidthOf(0));
-        // One-way, 3 lanes, 6 m to the edge from the middle: 2 · 6 / 3.
-        Assert.True(model.Calibrate(1, isForward: true, 6));
-        Assert.Equal(4, model.WidthOf(1).Width);
-    }
 }

@@ -56,13 +56,15 @@ public sealed class NodeDatabaseTests
     [Fact]
     public void Entries_of_a_calibrated_road_have_its_width_and_full_confidence()
     {
-        RoadNetwork network = Road(1, 1, 0);
-        var model = new LaneModel(network);
-        model.Calibrate(0, isForward: true, 4.5);
+        RoadNetwork road = Road(1, 1, 0);
+        var right = new RoadEdge(0, IsAtStart: true, new Vector3D(4.5, 0, 0));
+        var left = new RoadEdge(0, IsAtStart: false, new Vector3D(-4.5, 20, 0));
+        var network = new RoadNetwork(road.Nodes, road.Links, [right, right, left, left]);
 
-        NodeDatabaseEntry first = new NodeDatabase(new RoadCurves(network), model).Entries().First();
+        NodeDatabaseEntry first = new NodeDatabase(new RoadCurves(network), new LaneModel(network)).Entries().First();
 
         Assert.Equal((4.5, LaneWidthSource.Calibrated, 1.0), (first.LaneWidth, first.LaneWidthSource, first.Confidence));
+        Assert.Equal(4.5, first.RightEnd.X, 9);
     }
 
     private static List<NodeDatabaseEntry> Entries(int forward, int backward, double? median)

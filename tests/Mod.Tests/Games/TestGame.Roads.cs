@@ -1,5 +1,6 @@
 using GTA.Native;
 using Harvester.Capture.Roads;
+using Harvester.Geometry;
 
 namespace Harvester.Mod.Tests.Games;
 
@@ -43,6 +44,12 @@ internal sealed partial class TestGame
             Write(a[8], road.LanesToSecond);
             Write(a[9], (float)road.MedianWidth);
             return true;
+        };
+        _natives[Hash.GET_ROAD_BOUNDARY_USING_HEADING] = a =>
+        {
+            Vector3D? edge = Roads?.RoadEdge(ToWorld(a[0], a[1], a[2]), (float)a[3]);
+            Write(a[4], ToGame(edge ?? Vector3D.Zero));
+            return edge is not null;
         };
     }
 }
