@@ -27,6 +27,7 @@ public sealed class HarvesterScript : Script
     private readonly ModFolder _folder;
     private readonly Harvest _harvest;
     private readonly LensCalibration _calibration;
+    private readonly BridgeDrive _drive;
     private readonly FeatureSet _features;
     private readonly KeyBindings<Keys> _keys;
     private bool _greeted;
@@ -53,6 +54,8 @@ public sealed class HarvesterScript : Script
         var car = new TestCar(player, _messages, new GameModels(), vehicles, clock);
         var mount = new CameraMount(player, _messages, new GameCameras(), vehicles);
         var game = new GamePorts(new GameWorld(mount, time, rays, _folder.Spaces), rays, screen, time, clock, markers) { Roads = roads };
+        var driven = new DrivenCar(new GameCarControls(), vehicles, mount, game.World);
+        _drive = new BridgeDrive(player.Bridge, game, driven, mount, display, _messages) { Obstacle = DriveObstacle };
         _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, display, Origin) { Problem = Problem };
         _calibration = new LensCalibration(_harvest, game, mount, display, _messages, _folder.SettingsPath);
         var overlay = new Overlay(_harvest, game, _folder.Spaces, _messages, mount, display) { IsPictureNear = IsPictureNear };
@@ -60,10 +63,10 @@ public sealed class HarvesterScript : Script
             new GameRoadSource(), () => Natives.EntityPosition(Natives.PlayerPed()), player.SurveyFile, roads, _messages, clock)
         {
             GivesLanes = player.RoadFile is null,
-            AreLanesWanted = () => player.RoadFile is null && (overlay.IsOn || _harvest.Status is not null),
+            AreLanesWanted = () => player.RoadFile is null && (overlay.IsOn || _drive.IsOn || _harvest.Status is not null),
         };
         var line = new HarvestLine(_harvest, player.Folder, clock, display) { IsPictureNear = IsPictureNear, SurveyLine = () => survey.Line };
-        _features = new FeatureSet(_messages, car, mount, _harvest, _calibration, markers, survey, line, overlay);
+        _features = new FeatureSet(_messages, car, mount, _harvest, _calibration, markers, survey, _drive, line, overlay);
         if (player.RoadFile is { } file)
         {
             roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");
@@ -78,7 +81,9 @@ public sealed class HarvesterScript : Script
         _keys.Add("Overlay", Keys.L, overlay, overlay.Toggle);
         _keys.Add("Calibrate", Keys.C, _calibration, _calibration.Toggle);
         _keys.Add("RoadSurvey", Keys.U, survey, survey.Toggle);
+        _keys.Add("Drive", Keys.N, _drive, _drive.Toggle);
         Tick += OnTick;
+        KeyDown += OnKeyDown;
         KeyUp += OnKeyUp;
         Aborted += OnAborted;
     }
@@ -103,6 +108,15 @@ public sealed class HarvesterScript : Script
         if (_aborted == 0)
         {
             _keys.Press(e.KeyCode);
+        }
+    }
+
+    // The player's hand must be felt whatever the game makes of its controls.
+    private void OnKeyDown(object? sender, KeyEventArgs e)
+    {
+        if (_aborted == 0 && e.KeyCode is Keys.W or Keys.A or Keys.S or Keys.D or Keys.Space)
+        {
+            _features.Do(_drive, _drive.TakeBack);
         }
     }
 
@@ -132,9 +146,11 @@ public sealed class HarvesterScript : Script
         }
     }
 
-    private bool IsPictureNear() => _harvest.IsPictureNear || _calibration.IsRunning;
+    private bool IsPictureNear() => _harvest.IsPictureNear || _calibration.IsRunning || _drive.IsPictureNear;
 
     private string? Problem() => _calibration.IsRunning ? "The calibration is running: wait for its end." : GameBuild.ListProblem;
+
+    private string? DriveObstacle() => _harvest.Status is not null ? "End the harvest first, then let a peer drive." : Problem();
 
     private static SessionOrigin Origin() => new()
     {

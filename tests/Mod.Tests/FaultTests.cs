@@ -10,13 +10,15 @@ namespace Harvester.Mod.Tests;
 /// <summary>After every fault the script lives, the game runs, and the player was told in words.</summary>
 public sealed class FaultTests
 {
+    private const string DriveOverFolder = "[Bridge]\nKind = Folder\nFolder = out/bridge\n";
+
     public static TheoryData<Hash> EveryNativeThatTheModCalls => [.. PlayedNatives()];
 
     [Theory]
     [MemberData(nameof(EveryNativeThatTheModCalls))]
     public void Native_that_throws_is_told_and_all_works_again_when_it_does(Hash native)
     {
-        using var driver = new ScriptDriver();
+        using var driver = new ScriptDriver(DriveOverFolder);
         driver.Game.Fault = called => called == native ? new InvalidOperationException("The native is broken.") : null;
         Play(driver);
         Assert.Contains(driver.Game.Notifications, message => message.Contains("The native is broken.", StringComparison.Ordinal));
@@ -138,7 +140,7 @@ public sealed class FaultTests
         int before = driver.Game.Calls.Count;
         for (int repeat = 0; repeat < 30; repeat++)
         {
-            foreach (Keys key in new[] { Keys.NumPad0, Keys.I, Keys.O, Keys.J, Keys.K, Keys.L, Keys.C, Keys.U })
+            foreach (Keys key in new[] { Keys.NumPad0, Keys.I, Keys.O, Keys.J, Keys.K, Keys.L, Keys.C, Keys.U, Keys.N })
             {
                 driver.Script.RaiseKeyDown(key);
             }
@@ -239,7 +241,7 @@ public sealed class FaultTests
 
     private static Hash[] PlayedNatives()
     {
-        using var driver = new ScriptDriver();
+        using var driver = new ScriptDriver(DriveOverFolder);
         Play(driver);
         return driver.Game.Calls.Distinct().Order().ToArray();
     }
@@ -273,6 +275,30 @@ public sealed class FaultTests
         driver.Tick(25);
         driver.Press(Keys.J);
         driver.WaitForDisk();
+        PlayDrive(driver);
         driver.Press(Keys.O);
+    }
+
+    /// <summary>A drive over the shared folder, with each command that calls a native.</summary>
+    private static void PlayDrive(ScriptDriver driver)
+    {
+        string folder = Path.Combine(driver.Output, "bridge");
+        driver.Press(Keys.N);
+        Until(Hash.SET_CONTROL_VALUE_NEXT_FRAME);
+        Directory.CreateDirectory(folder);
+        BridgeDriveTests.Drop(folder, "command.json", """{"type":"reset","position":[1,2,3],"headingDegrees":0}""");
+        Until(Hash.SET_ENTITY_VELOCITY);
+        BridgeDriveTests.Drop(folder, "command.json", """{"type":"environment","weather":"rain","timeOfDay":"08:15"}""");
+        Until(Hash.SET_CLOCK_TIME);
+
+        // Where a fault has ended the drive nothing comes.
+        void Until(Hash native)
+        {
+            for (int tick = 0; tick < 50 && !driver.Game.Calls.Contains(native); tick++)
+            {
+                Thread.Sleep(2);
+                driver.Tick();
+            }
+        }
     }
 }

@@ -30,7 +30,10 @@ public sealed record DrivingOptions
         init => _patienceSeconds = Positive(value, nameof(PatienceSeconds));
     }
 
-    /// <summary>Ticks for which a stopped world must have stood before its frame is sent, so that the picture has come up with it; 0 or more.</summary>
+    /// <summary>
+    /// By how many ticks the picture may be behind, 0 or more: so long a stopped world must have stood before its frame is sent, and so
+    /// long before a picture nothing may be drawn that does not belong into it.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">Less than 0.</exception>
     public int SettleTicks
     {

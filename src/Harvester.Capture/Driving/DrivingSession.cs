@@ -36,6 +36,7 @@ public sealed class DrivingSession : IDisposable
     private string? _bridgeProblem;
     private double _nowSeconds;
     private double _tickSeconds;
+    private int _quietTicks;
     private long _frames;
     private string? _ending;
 
@@ -108,6 +109,7 @@ public sealed class DrivingSession : IDisposable
         DrivingControls controls = _watch.Controls;
         _car.Drive(controls);
         SendFrame();
+        _quietTicks = IsPictureNear ? _quietTicks + 1 : 0;
         ReadProblem();
         Status = new DrivingStatus(_frames, _watch.IsPeerAlive, controls, null);
     }
@@ -205,7 +207,10 @@ public sealed class DrivingSession : IDisposable
     private void SendFrame()
     {
         bool isDue = !_pace.IsStepping && _schedule.TakeIfDue(_nowSeconds) && !_pace.IsPaused;
-        bool isWanted = isDue || _isFrameAskedFor || _isStepOpen;
+
+        // What was drawn before anyone asked must have gone from the picture.
+        bool isAskedFor = _isFrameAskedFor && _quietTicks >= _options.SettleTicks;
+        bool isWanted = isDue || isAskedFor || _isStepOpen;
         if (!isWanted || _pace.IsStepping || !_pace.IsSettled)
         {
             return;

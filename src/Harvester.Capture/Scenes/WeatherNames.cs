@@ -12,6 +12,9 @@ public static class WeatherNames
             .Split(' ')
             .ToDictionary(ModelHash.Of);
 
+    /// <summary>Whether a name is one of the game's, in small letters.</summary>
+    public static bool IsKnown(string name) => Known.ContainsValue(name);
+
     /// <summary>The name of a weather; "unknown" for one that is not the game's own.</summary>
     public static string Of(int hash) => Known.TryGetValue(hash, out string? name) ? name : "unknown";
 }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using System.Net;
 
 namespace Harvester.Capture.Settings;
 
@@ -77,6 +78,11 @@ public sealed class IniFile
             int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= least && value <= greatest
                 ? (true, value)
                 : (false, fallback));
+
+    /// <summary>An address of the internet protocol.</summary>
+    public IPAddress Address(string section, string name, IPAddress fallback) =>
+        Parse(section, name, fallback, "an address such as 127.0.0.1", text =>
+            IPAddress.TryParse(text, out IPAddress? address) ? (true, address) : (false, fallback));
 
     /// <summary>One of an enumeration's names, in capital or small letters.</summary>
     /// <typeparam name="T">The enumeration.</typeparam>

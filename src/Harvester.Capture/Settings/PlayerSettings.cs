@@ -38,6 +38,9 @@ public sealed record PlayerSettings
     /// <summary>The file of the road survey.</summary>
     public required string SurveyFile { get; init; }
 
+    /// <summary>Over what a peer drives, and how.</summary>
+    public required BridgeSettings Bridge { get; init; }
+
     /// <summary>The settings of a file; what it does not name, or names badly, has its default.</summary>
     /// <param name="ini">The file.</param>
     /// <param name="modFolder">Where relative paths begin.</param>
@@ -63,6 +66,7 @@ public sealed record PlayerSettings
             RoadFile = roads.Length > 0 ? PathOf(roads) : null,
             LaneWidthMetres = ini.Number("Roads", "LaneWidth", RoadGeometry.LaneWidth, 2, 10),
             SurveyFile = Path.Combine(folder, "roads.csv"),
+            Bridge = BridgeSettings.Read(ini, Path.Combine(folder, "bridge"), PathOf),
         };
 
         string PathOf(string text) => Path.Combine(modFolder, Environment.ExpandEnvironmentVariables(text));

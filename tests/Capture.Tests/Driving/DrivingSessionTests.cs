@@ -222,17 +222,39 @@ public sealed class DrivingSessionTests : IDisposable
     }
 
     [Fact]
-    public void Requested_frame_comes_at_once_and_in_a_world_that_stands_when_it_stands()
+    public void Requested_frame_comes_when_nothing_drawn_before_can_be_in_it()
     {
-        using DrivingSession session = Session();
+        using DrivingSession session = Session(options: new DrivingOptions { RateHz = 1 });
         Run(session, 3);
         _bridge.Say(new RequestFrameMessage());
-        Run(session, 1);
-        Assert.Equal([0L, 3], _bridge.Frames.Select(frame => frame.Shown));
+        Run(session, 20);
 
+        // Asked for in tick 3: from then on nothing is drawn, and four ticks later the picture shows none of what was.
+        Assert.Equal([0L, 7], _bridge.Frames.Select(frame => frame.Shown));
+    }
+
+    [Fact]
+    public void Requested_frame_comes_at_once_where_pictures_are_never_behind()
+    {
+        using DrivingSession session = Session(options: new DrivingOptions { RateHz = 1, SettleTicks = 0 });
+        Run(session, 3);
+        _bridge.Say(new RequestFrameMessage());
+        Run(session, 5);
+
+        Assert.Equal([0L, 3], _bridge.Frames.Select(frame => frame.Shown));
+    }
+
+    [Fact]
+    public void Requested_frame_of_a_world_that_stands_comes_when_it_stands()
+    {
+        _game.PictureLag = 3;
+        using DrivingSession session = Session();
+        Run(session, 1);
         _bridge.Say(new PauseMessage(true), new RequestFrameMessage());
         Run(session, 30);
-        Assert.Equal([0L, 3, 4], _bridge.Frames.Select(frame => frame.Shown));
+
+        Assert.Equal([0L, 1], _bridge.Frames.Select(frame => frame.Shown));
+        Assert.Equal(1, FakeGame.StateAt(_bridge.Frames[^1].State.TimeSeconds));
     }
 
     [Fact]
@@ -337,8 +359,8 @@ public sealed class DrivingSessionTests : IDisposable
 
     public void Dispose() => _bridge.Dispose();
 
-    private DrivingSession Session(Func<IController>? controller = null, GamePorts? ports = null) =>
-        new(new DrivingOptions(), (ports ?? _game.Ports) with { Car = _car }, _bridge, controller ?? (() => new NotingController(Left)));
+    private DrivingSession Session(Func<IController>? controller = null, GamePorts? ports = null, DrivingOptions? options = null) =>
+        new(options ?? new DrivingOptions(), (ports ?? _game.Ports) with { Car = _car }, _bridge, controller ?? (() => new NotingController(Left)));
 
     private void Run(DrivingSession session, int ticks)
     {

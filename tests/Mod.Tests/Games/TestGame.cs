@@ -26,6 +26,7 @@ internal sealed partial class TestGame : IGameHost
         AddCameraNatives();
         AddRayNatives();
         AddRoadNatives();
+        AddControlNatives();
         AddInterfaceNatives();
     }
 
@@ -82,6 +83,7 @@ internal sealed partial class TestGame : IGameHost
 
         TimerMilliseconds += IsPaused ? 0 : MillisecondsOfAFrame;
         PassFrame?.Invoke();
+        PassControls();
         ClearDrawings();
     }
 

@@ -1,0 +1,193 @@
+using System;
+using System.Threading.Tasks;
+using Harvester.Capture.Driving;
+using Harvester.Capture.Driving.Bridge;
+using Harvester.Capture.Driving.Controllers;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Settings;
+
+namespace Harvester.Capture.Playing;
+
+/// <summary>Lets a peer drive the car over the live bridge, from one press of a key to the next or until the player takes the wheel.</summary>
+public sealed class BridgeDrive : ILastingFeature, IDisposable
+{
+    private static readonly TimeSpan LongestWaitForTheBridge = TimeSpan.FromSeconds(10);
+    private readonly BridgeSettings _settings;
+    private readonly GamePorts _game;
+    private readonly DrivenCar _car;
+    private readonly IMount _mount;
+    private readonly IDisplay _display;
+    private readonly PlayerMessages _messages;
+    private Task<IDrivingBridge>? _opening;
+    private DrivingSession? _session;
+    private string? _problem;
+    private int _hiddenTicks;
+    private Task _closing = Task.CompletedTask;
+
+    /// <summary>Makes ready.</summary>
+    /// <param name="settings">Over what a peer drives.</param>
+    /// <param name="game">The game; its car is the driven one.</param>
+    /// <param name="car">The car to drive.</param>
+    /// <param name="mount">The camera that sees for the peer.</param>
+    /// <param name="display">The game's own display is hidden, and a line is shown.</param>
+    /// <param name="messages">Tells how drives begin and end.</param>
+    public BridgeDrive(BridgeSettings settings, GamePorts game, DrivenCar car, IMount mount, IDisplay display, PlayerMessages messages)
+    {
+        _settings = settings;
+        _game = game with { Car = car };
+        _car = car;
+        _mount = mount;
+        _display = display;
+        _messages = messages;
+    }
+
+    /// <inheritdoc/>
+    public string Name => "The drive";
+
+    /// <summary>Whether a peer may drive now.</summary>
+    public bool IsOn => _opening is not null;
+
+    /// <summary>Why nobody can drive now; null when a peer can.</summary>
+    public Func<string?> Obstacle { get; init; } = static () => null;
+
+    /// <summary>Whether a picture may be grabbed so soon that nothing of ours may be drawn.</summary>
+    public bool IsPictureNear => _session?.IsPictureNear ?? IsOn;
+
+    /// <inheritdoc/>
+    public bool IsWriting => !_closing.IsCompleted;
+
+    /// <summary>Opens the bridge and gives the car to whoever drives, or ends that.</summary>
+    public void Toggle()
+    {
+        if (IsOn)
+        {
+            End("The drive was stopped. The car is yours.");
+            return;
+        }
+
+        string? obstacle = _settings.Kind == BridgeKind.Off ? "The bridge is off. Change Kind under [Bridge] in GtaDataHarvester.ini." : Obstacle();
+        if (obstacle is not null)
+        {
+            _messages.Tell(obstacle);
+            return;
+        }
+
+        if (!_mount.IsMounted)
+        {
+            _mount.Mount();
+        }
+
+        if (_mount.IsMounted)
+        {
+            _hiddenTicks = 0;
+            Task closing = _closing;
+            _opening = Task.Run(() =>
+            {
+                closing.Wait();
+                return Open();
+            });
+        }
+    }
+
+    /// <summary>Gives the car back to the player, who has pressed a key by which cars are driven.</summary>
+    public void TakeBack()
+    {
+        if (IsOn)
+        {
+            End("You have the wheel.");
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Tick()
+    {
+        if (_opening is not { } opening)
+        {
+            return;
+        }
+
+        // Before the first picture the display must have gone from it.
+        _display.HideGames();
+        _hiddenTicks++;
+        if (!opening.IsCompleted || _hiddenTicks <= _settings.Driving.SettleTicks)
+        {
+            return;
+        }
+
+        if (opening.IsFaulted)
+        {
+            throw opening.Exception!.InnerException!;
+        }
+
+        if (!_mount.IsMounted || Obstacle() is not null)
+        {
+            End("The drive has ended. The car is yours.");
+            return;
+        }
+
+        if (_session is null)
+        {
+            _session = new DrivingSession(_settings.Driving, _game, opening.Result, NewController);
+            _messages.Tell($"The car waits for a peer at {_settings.Place}. Any driving key takes it back.");
+        }
+
+        DrivingStatus status = _session.Tick();
+        if (_session.Problem is { } problem && problem != _problem)
+        {
+            _problem = problem;
+            _messages.Log($"The bridge: {problem}");
+        }
+
+        if (status.Ending is { } ending)
+        {
+            End($"{ending} The car is yours.");
+        }
+        else if (!IsPictureNear)
+        {
+            string who = status.IsPeerAlive ? "DRIVEN by the peer" : "BRAKING, no peer drives";
+            _display.Text(FormattableString.Invariant($"{who} at {_settings.Place}  {status.Frames} frames"), 0.02, 0.02);
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Stop()
+    {
+        if (_opening is not { } opening)
+        {
+            return;
+        }
+
+        _opening = null;
+        DrivingSession? session = _session;
+        _session = null;
+
+        // The bridge's threads may be in the middle of something.
+        _closing = opening.ContinueWith(
+            static opened => (opened.Status == TaskStatus.RanToCompletion ? opened.Result : null)?.Dispose(), TaskScheduler.Default);
+        session?.Stop();
+        _car.GiveBack();
+    }
+
+    /// <summary>Stops, and waits until the bridge is closed, or for as long as a script may take to end.</summary>
+    public void Finish()
+    {
+        Stop();
+        _closing.Wait(LongestWaitForTheBridge);
+    }
+
+    /// <summary>Finishes.</summary>
+    public void Dispose() => Finish();
+
+    private void End(string message)
+    {
+        Stop();
+        _messages.Tell(message);
+    }
+
+    private IDrivingBridge Open() => _settings.Kind == BridgeKind.Folder
+        ? new FolderBridge(_settings.Folder, _settings.Driving.Picture)
+        : new SocketBridge(_settings.Socket, _settings.Driving.Picture);
+
+    private IController NewController() =>
+        _settings.Controller == ControllerKind.Stanley ? new StanleyController(new StanleyOptions()) : new DeepDrivingController();
+}

@@ -1,0 +1,62 @@
+using System;
+using GTA.Native;
+using Harvester.Capture.Playing;
+using Harvester.Geometry;
+
+namespace Harvester.Mod;
+
+/// <summary>The game's controls, by its natives. Numbers of controls are the game's.</summary>
+internal sealed class GameCarControls : ICarControls
+{
+    private const int Player = 0;
+    private const int Steer = 59;
+    private const int Accelerate = 71;
+    private const int Brake = 72;
+    private const int Handbrake = 76;
+
+    // Other controls on the same keys, buttons and sticks, as what is set is read back as if the player held it: steer left and
+    // right, leave the vehicle, and of aircraft throttle up and down.
+    private static readonly int[] _players = [63, 64, 75, 87, 88];
+
+    /// <inheritdoc/>
+    public bool ArePlayers => Array.Exists(_players, static control => Natives.Call<bool>(Hash.IS_CONTROL_PRESSED, Player, control));
+
+    /// <inheritdoc/>
+    public void Set(double steering, double throttle, double brake, bool handbrake)
+    {
+        Set(Steer, steering);
+        Set(Accelerate, throttle);
+        Set(Brake, brake);
+        if (handbrake)
+        {
+            Set(Handbrake, 1);
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Place(int vehicle, Vector3D position, double headingDegrees)
+    {
+        Natives.Call(Hash.SET_ENTITY_COORDS_NO_OFFSET, vehicle, (float)position.X, (float)position.Y, (float)position.Z, false, false, false);
+        Natives.Call(Hash.SET_ENTITY_HEADING, vehicle, (float)headingDegrees);
+        Natives.Call(Hash.SET_ENTITY_VELOCITY, vehicle, 0f, 0f, 0f);
+        Natives.Call(Hash.SET_VEHICLE_ON_GROUND_PROPERLY, vehicle);
+    }
+
+    /// <inheritdoc/>
+    public void KeepWeather(string? weather)
+    {
+        if (weather is null)
+        {
+            Natives.Call(Hash.CLEAR_WEATHER_TYPE_PERSIST);
+        }
+        else
+        {
+            Natives.Call(Hash.SET_WEATHER_TYPE_NOW_PERSIST, weather.ToUpperInvariant());
+        }
+    }
+
+    /// <inheritdoc/>
+    public void SetTimeOfDay(TimeSpan timeOfDay) => Natives.Call(Hash.SET_CLOCK_TIME, timeOfDay.Hours, timeOfDay.Minutes, timeOfDay.Seconds);
+
+    private static void Set(int control, double value) => Natives.Call(Hash.SET_CONTROL_VALUE_NEXT_FRAME, Player, control, (float)value);
+}

@@ -1,0 +1,396 @@
+using System.Globalization;
+using System.Net;
+using System.Net.Sockets;
+using System.Text;
+using System.Text.Json;
+using System.Windows.Forms;
+using Harvester.Capture.Tests.Driving.Bridge;
+using Harvester.Geometry;
+using Harvester.Mod.Tests.Games;
+
+namespace Harvester.Mod.Tests;
+
+/// <summary>A peer drives the car in the test game, which counts 20 frames a second.</summary>
+public sealed class BridgeDriveTests
+{
+    private const int Steer = 59;
+    private const int Accelerate = 71;
+    private const int Brake = 72;
+    private const int Handbrake = 76;
+
+    // Half a second of the test game, and the frame in which it is over.
+    private const int FramesOfPatience = 11;
+    private readonly int _port = FreePort();
+
+    [Fact]
+    public void Controls_of_a_peer_reach_the_games_controls()
+    {
+        using ScriptDriver driver = Driven();
+        using SocketClient peer = Connect();
+        Say(driver, peer, """{"type":"controls","steering":0.25,"throttle":0.5,"brake":0.125}""", () => driver.Game.Controls[Steer] != 0);
+
+        // The wheel's sign is the other way round in the game.
+        Assert.Equal(-0.25f, driver.Game.Controls[Steer]);
+        Assert.Equal(0.5f, driver.Game.Controls[Accelerate]);
+        Assert.Equal(0.125f, driver.Game.Controls[Brake]);
+        Assert.False(driver.Game.Controls.ContainsKey(Handbrake));
+    }
+
+    [Fact]
+    public void Frames_reach_the_peer_with_picture_and_state_and_without_the_games_display()
+    {
+        using ScriptDriver driver = Driven();
+        using SocketClient peer = Connect();
+        Say(driver, peer, """{"type":"requestFrame"}""", () => peer.Stream.DataAvailable);
+        (JsonElement header, byte[] png) = peer.Receive();
+
+        Assert.Equal("frame", header.GetProperty("type").GetString());
+        Assert.Equal(8, header.GetProperty("speedMetresPerSecond").GetDouble());
+        Assert.Equal([100, 200, 0.6], header.GetProperty("position").EnumerateArray().Select(part => Math.Round(part.GetDouble(), 4)));
+        Assert.Equal((280, 210), (BigEndian(png, 16), BigEndian(png, 20)));
+        Assert.Equal(0, driver.Screen.SpoiltPictures);
+    }
+
+    [Fact]
+    public void Indicators_of_a_peer_are_driven_by_the_controller()
+    {
+        using ScriptDriver driver = Driven();
+        using SocketClient peer = Connect();
+
+        // The lane's middle is 0.5 m to the left of the car: DeepDriving steers left by (0 + 0.5 / 8) / 0.541052 / 1.5 = 0.0770, and
+        // then by 2.5 · 0.0770 + 0.75 of it only where it is more than 0.1. At 8 m/s it wants 20, so full throttle.
+        Say(driver, peer, """{"type":"indicators","values":[0,-7,3.5,7,75,75,-9.5,-2.5,1.5,9.5,75,75,75]}""", () => driver.Game.Controls[Steer] != 0);
+
+        Assert.Equal(-0.0770f, driver.Game.Controls[Steer], 4);
+        Assert.Equal(1f, driver.Game.Controls[Accelerate]);
+    }
+
+    [Fact]
+    public void Silence_brakes()
+    {
+        using ScriptDriver driver = Driven();
+        using SocketClient peer = Connect();
+        Say(driver, peer, """{"type":"controls","steering":0.25,"throttle":0.5,"brake":0}""", () => driver.Game.Controls[Steer] != 0);
+        driver.Tick(FramesOfPatience);
+
+        Assert.Equal((0f, 0f, 1f), (driver.Game.Controls[Steer], driver.Game.Controls[Accelerate], driver.Game.Controls[Brake]));
+    }
+
+    [Theory]
+    [InlineData(0)]
+    [InlineData(-2)]
+    public void Brake_of_a_car_that_stands_or_rolls_back_is_the_handbrake_for_the_games_brake_would_drive_it_backward(double speed)
+    {
+        using ScriptDriver driver = Driven();
+        driver.Game.Entities[driver.Game.PlayersVehicle].Velocity = new Vector3D(0, speed, 0);
+        driver.Tick(2);
+
+        Assert.Equal((0f, 1f), (driver.Game.Controls[Brake], driver.Game.Controls[Handbrake]));
+    }
+
+    [Theory]
+    [InlineData(63)]
+    [InlineData(64)]
+    [InlineData(75)]
+    [InlineData(87)]
+    [InlineData(88)]
+    public void Players_control_takes_the_car_back(int control)
+    {
+        using ScriptDriver driver = Driven();
+        driver.Game.PlayersControls.Add(control);
+        driver.Tick(2);
+
+        Assert.Contains("The car is yours.", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Empty(driver.Game.Controls);
+        driver.Game.PlayersControls.Clear();
+        driver.Tick(5);
+        Assert.Empty(driver.Game.Controls);
+    }
+
+    [Theory]
+    [InlineData(Keys.W)]
+    [InlineData(Keys.A)]
+    [InlineData(Keys.S)]
+    [InlineData(Keys.D)]
+    [InlineData(Keys.Space)]
+    public void Players_key_takes_the_car_back_as_soon_as_it_goes_down(Keys key)
+    {
+        using ScriptDriver driver = Driven();
+        driver.Script.RaiseKeyDown(key);
+        driver.Tick(2);
+
+        Assert.Contains("You have the wheel.", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Empty(driver.Game.Controls);
+    }
+
+    [Fact]
+    public void Full_lock_full_throttle_and_handbrake_of_the_peer_are_not_taken_for_the_players()
+    {
+        using ScriptDriver driver = Driven();
+        using SocketClient peer = Connect();
+        Say(driver, peer, """{"type":"controls","steering":1,"throttle":1,"brake":0}""", () => driver.Game.Controls[Steer] != 0);
+        driver.Tick(5);
+        Assert.Equal((-1f, 1f), (driver.Game.Controls[Steer], driver.Game.Controls[Accelerate]));
+        driver.Game.Entities[driver.Game.PlayersVehicle].Velocity = default;
+        driver.Tick(20);
+
+        Assert.Equal(1f, driver.Game.Controls[Handbrake]);
+    }
+
+    [Fact]
+    public void Player_who_leaves_the_car_is_not_driven_on_foot()
+    {
+        using ScriptDriver driver = Driven();
+        driver.Game.PlayersVehicle = 0;
+        driver.Tick(2);
+
+        Assert.Contains("The car is yours.", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Empty(driver.Game.Controls);
+    }
+
+    [Fact]
+    public void Reset_puts_the_car_there_standing_and_environment_is_kept_until_the_drive_ends()
+    {
+        using ScriptDriver driver = Driven();
+        using SocketClient peer = Connect();
+        GameEntity car = driver.Game.Entities[driver.Game.PlayersVehicle];
+        Say(driver, peer, """{"type":"reset","position":[-50,60,31],"headingDegrees":90}""", () => car.Velocity == default);
+        Assert.Equal(new Vector3D(-50, 60, 31), car.Pose.Position);
+        Assert.Equal(90, Angles.HeadingDegrees(car.Pose.Axes.Forward), 4);
+        Assert.True(car.IsOnGround);
+
+        Say(driver, peer, """{"type":"environment","weather":"rain","timeOfDay":"17:30"}""", () => driver.Game.KeptWeather is not null);
+        Assert.Equal(("rain", new TimeSpan(17, 30, 0)), (driver.Game.Environment.Weather, driver.Game.Environment.TimeOfDay));
+        driver.Press(Keys.N);
+        Assert.Null(driver.Game.KeptWeather);
+    }
+
+    [Fact]
+    public void Lock_step_moves_the_world_by_the_step_and_ends_with_the_drive()
+    {
+        using ScriptDriver driver = Driven();
+        using SocketClient peer = Connect();
+        Say(driver, peer, """{"type":"pause","paused":true}""", () => driver.Game.IsPaused);
+        int stood = driver.Game.TimerMilliseconds;
+        Say(driver, peer, """{"type":"step","seconds":0.5}""", () => !driver.Game.IsPaused);
+        driver.Tick(30);
+
+        Assert.True(driver.Game.IsPaused);
+        Assert.Equal(500, driver.Game.TimerMilliseconds - stood);
+        driver.Script.RaiseKeyDown(Keys.W);
+        Assert.False(driver.Game.IsPaused);
+    }
+
+    [Fact]
+    public void Abort_in_the_middle_of_a_step_from_another_thread_gives_all_back()
+    {
+        using ScriptDriver driver = Driven();
+        using (SocketClient peer = Connect())
+        {
+            peer.Send("""{"type":"environment","weather":"fog"}""");
+            Say(driver, peer, """{"type":"environment","weather":"foggy"}""", () => driver.Game.KeptWeather is not null);
+            Say(driver, peer, """{"type":"pause","paused":true}""", () => driver.Game.IsPaused);
+        }
+
+        var loader = new Thread(() =>
+        {
+            driver.Script.RaiseAborted();
+            driver.Script.RaiseAborted();
+        });
+        loader.Start();
+        loader.Join();
+
+        Assert.False(driver.Game.IsPaused);
+        Assert.Null(driver.Game.KeptWeather);
+        Assert.Empty(driver.Game.Cameras);
+        driver.Tick(2);
+        Assert.Empty(driver.Game.Controls);
+
+        // The port is free again.
+        new TcpListener(IPAddress.Loopback, _port).Dispose();
+        using ScriptDriver next = Driven();
+    }
+
+    [Fact]
+    public void Malformed_peers_are_cut_off_while_the_car_brakes_and_the_next_is_served()
+    {
+        using ScriptDriver driver = Driven();
+        var random = new Random(7);
+        for (int i = 0; i < 20; i++)
+        {
+            using SocketClient peer = Connect();
+            byte[] bytes = new byte[random.Next(8, 200)];
+            random.NextBytes(bytes);
+            peer.Stream.Write(bytes);
+            driver.Tick();
+            Assert.Equal((0f, 1f), (driver.Game.Controls.GetValueOrDefault(Accelerate), driver.Game.Controls.GetValueOrDefault(Brake, 1f)));
+        }
+
+        using SocketClient good = Connect();
+        Say(driver, good, """{"type":"controls","steering":0.5,"throttle":0,"brake":0}""", () => driver.Game.Controls[Steer] != 0);
+        Assert.Equal(-0.5f, driver.Game.Controls[Steer]);
+    }
+
+    [Fact]
+    public void Key_again_ends_the_drive_and_once_more_starts_another_at_the_same_place()
+    {
+        using ScriptDriver driver = Driven();
+        for (int again = 0; again < 3; again++)
+        {
+            driver.Press(Keys.N);
+            driver.Tick();
+            Assert.Contains("The car is yours.", driver.Game.Notifications[^1], StringComparison.Ordinal);
+            Assert.Empty(driver.Game.Controls);
+            Start(driver);
+        }
+    }
+
+    [Fact]
+    public void Port_in_use_is_told_and_the_next_try_works()
+    {
+        using var driver = new ScriptDriver(Ini(_port));
+        Street(driver.Game);
+        var other = new TcpListener(IPAddress.Loopback, _port);
+        other.Start();
+        driver.Press(Keys.N);
+        Until(driver, () => driver.Game.Notifications[^1].Contains("The drive failed", StringComparison.Ordinal));
+        other.Dispose();
+        Start(driver);
+    }
+
+    [Fact]
+    public void Address_that_others_reach_without_a_token_is_refused()
+    {
+        using var driver = new ScriptDriver(Ini(_port) + "Address = 0.0.0.0\n");
+        Street(driver.Game);
+        driver.Press(Keys.N);
+        Until(driver, () => driver.Game.Notifications[^1].Contains("needs a token", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void Bridge_that_is_off_is_told()
+    {
+        using var driver = new ScriptDriver("[Bridge]\nKind = Off\n");
+        Street(driver.Game);
+        driver.Press(Keys.N);
+
+        Assert.Contains("Change Kind under [Bridge]", Assert.Single(driver.Game.Notifications), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Harvest_and_drive_do_not_run_at_once()
+    {
+        using ScriptDriver driver = Driven();
+        driver.Press(Keys.J);
+        driver.Tick(2);
+        Assert.Contains(driver.Game.Notifications, message => message.Contains("The drive has ended.", StringComparison.Ordinal));
+        driver.Press(Keys.N);
+
+        Assert.Contains("End the harvest first", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Empty(driver.Game.Controls);
+    }
+
+    [Fact]
+    public void Line_tells_whether_a_peer_drives_and_stays_out_of_the_pictures()
+    {
+        using ScriptDriver driver = Driven("Rate = 1\n");
+        using SocketClient peer = Connect();
+        var lines = new HashSet<string>();
+        void Look(int frames)
+        {
+            for (int frame = 0; frame < frames; frame++)
+            {
+                driver.Tick();
+                lines.UnionWith(driver.Game.Texts);
+            }
+        }
+
+        Look(20);
+        Assert.Contains(lines, line => line.StartsWith("BRAKING, no peer drives at 127.0.0.1:", StringComparison.Ordinal));
+        Say(driver, peer, """{"type":"controls","steering":0.5,"throttle":0,"brake":0}""", () => driver.Game.Controls[Steer] != 0);
+        lines.Clear();
+        peer.Send("""{"type":"requestFrame"}""");
+        Look(5);
+        peer.Send("""{"type":"controls","steering":0.5,"throttle":0,"brake":0}""");
+        Look(40);
+
+        Assert.Contains(lines, line => line.StartsWith("DRIVEN by the peer at 127.0.0.1:", StringComparison.Ordinal));
+        Assert.True(driver.Screen.Grabs >= 3);
+        Assert.Equal(0, driver.Screen.SpoiltPictures);
+    }
+
+    [Fact]
+    public void Shared_folder_of_figure_23_drives_as_well()
+    {
+        using var driver = new ScriptDriver("[Bridge]\nKind = Folder\nFolder = shared\n");
+        Street(driver.Game);
+        Start(driver);
+        string folder = Path.Combine(driver.Folder, "shared");
+        Until(driver, () => File.Exists(Path.Combine(folder, "state.txt")));
+        Drop(folder, "controls.txt", "0.75 0 0\n");
+        Until(driver, () => driver.Game.Controls[Steer] != 0);
+
+        Assert.Equal(-0.75f, driver.Game.Controls[Steer]);
+    }
+
+    /// <summary>A file that appears whole.</summary>
+    internal static void Drop(string folder, string name, string content)
+    {
+        string part = Path.Combine(folder, name + ".part");
+        File.WriteAllText(part, content, new UTF8Encoding(false));
+        File.Move(part, Path.Combine(folder, name), overwrite: true);
+    }
+
+    private static string Ini(int port) => string.Create(CultureInfo.InvariantCulture, $"[Bridge]\nPort = {port}\n");
+
+    private static int FreePort()
+    {
+        using var listener = new TcpListener(IPAddress.Loopback, 0);
+        listener.Start();
+        return ((IPEndPoint)listener.LocalEndpoint).Port;
+    }
+
+    private static int BigEndian(byte[] bytes, int at) => (bytes[at] << 24) | (bytes[at + 1] << 16) | (bytes[at + 2] << 8) | bytes[at + 3];
+
+    private static void Street(TestGame game)
+    {
+        HarvestTests.Street(game);
+        game.Entities[game.PlayersVehicle].Velocity = new Vector3D(0, 8, 0);
+    }
+
+    private static void Start(ScriptDriver driver)
+    {
+        int told = driver.Game.Notifications.Count;
+        driver.Press(Keys.N);
+        Until(driver, () => driver.Game.Notifications.Skip(told).Any(message => message.Contains("The car waits for a peer", StringComparison.Ordinal)));
+        driver.Tick(2);
+        Assert.NotEmpty(driver.Game.Controls);
+    }
+
+    private static void Until(ScriptDriver driver, Func<bool> done)
+    {
+        for (int wait = 0; wait < 2_000 && !done(); wait++)
+        {
+            Thread.Sleep(2);
+            driver.Tick();
+        }
+
+        Assert.True(done());
+    }
+
+    private static void Say(ScriptDriver driver, SocketClient peer, string message, Func<bool> done)
+    {
+        peer.Send(message);
+        Until(driver, done);
+    }
+
+    private ScriptDriver Driven(string more = "")
+    {
+        var driver = new ScriptDriver(Ini(_port) + more);
+        Street(driver.Game);
+        Start(driver);
+        return driver;
+    }
+
+    private SocketClient Connect() => new(new IPEndPoint(IPAddress.Loopback, _port));
+}
