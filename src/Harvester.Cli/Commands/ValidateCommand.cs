@@ -15,8 +15,9 @@ internal static class ValidateCommand
         "Checked are: every line can be read; images and masks are there, whole, and of the size in their label; boxes lie in the image and\n"
         + "within their amodal boxes; fractions are 0 to 1; distances agree with cuboids and focal lengths with fields\n"
         + "of view; an id means one object; frame numbers rise.\n"
-        + "Of an exported dataset: images are whole and as many as export.json counts; labels of kitti, coco and yolo can be read and their boxes\n"
-        + "lie in the image.\n"
+        + "Of an exported dataset: every label of its format can be read, boxes lie in the image, ids are unique and known, images are there with\n"
+        + "their sizes, splits share no frame, calibrations project boxes onto boxes, archives are whole; and there are as many frames as\n"
+        + "export.json counts. docs/exports has the list.\n"
         + "All problems are listed, one a line; the exit code is 1 if there is any.\n\n"
         + "Example:\n"
         + "  harvester validate out";
@@ -59,7 +60,7 @@ internal static class ValidateCommand
             terminal.Out.WriteLine(problem);
         }
 
-        terminal.Out.WriteLine($"{folder}: {validation.Format}, {validation.Images} images, {Verdict(validation.Problems.Count)}");
+        terminal.Out.WriteLine($"{folder}: {validation.Format}, {validation.Frames} frames, {Verdict(validation.Problems.Count)}");
         return validation.Problems.Count == 0 ? ExitCode.Done : ExitCode.BadData;
     }
 

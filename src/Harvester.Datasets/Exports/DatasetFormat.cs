@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Validation;
 
 namespace Harvester.Datasets.Exports;
@@ -10,8 +11,8 @@ namespace Harvester.Datasets.Exports;
 /// <param name="CreateWriter">Makes its writer.</param>
 public sealed record DatasetFormat(string Name, string Description, Func<ExportOptions, IDatasetWriter> CreateWriter)
 {
-    /// <summary>Reads a dataset of this format and says what is wrong with it; null where only images are looked at.</summary>
-    internal Func<string, IEnumerable<SessionProblem>>? Check { get; init; }
+    /// <summary>Looks at a dataset of this format and says what is wrong with it.</summary>
+    internal Func<DatasetContent, IEnumerable<SessionProblem>> Check { get; init; } = _ => [];
 
     /// <summary>Whether it cannot do without instance masks.</summary>
     public bool NeedsMasks { get; init; }
@@ -21,6 +22,9 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
 
     /// <summary>Whether it has no words for a lens that bends lines.</summary>
     public bool NeedsRectilinear { get; init; }
+
+    /// <summary>Whether frames are left out of which it has nothing to say.</summary>
+    public bool LeavesOutFrames { get; init; }
 
     /// <summary>Whether a session stays together as one sequence, so that splits deal out sessions.</summary>
     public bool KeepsSessions { get; init; }

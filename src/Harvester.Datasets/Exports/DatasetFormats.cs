@@ -7,7 +7,6 @@ using Harvester.Datasets.Exports.Csv;
 using Harvester.Datasets.Exports.DeepDriving;
 using Harvester.Datasets.Exports.Kitti;
 using Harvester.Datasets.Exports.Lanes;
-using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Exports.Voc;
 using Harvester.Datasets.Exports.WebDataset;
 using Harvester.Datasets.Exports.Yolo;
@@ -21,18 +20,21 @@ public static class DatasetFormats
     public static IReadOnlyList<DatasetFormat> All { get; } =
     [
         new("kitti", "KITTI object detection: image_2, label_2, calib", _ => new KittiWriter()) { NeedsRectilinear = true, Check = KittiCheck.Problems },
-        new("kitti-tracking", "KITTI tracking: a sequence for each session", _ => new KittiTrackingWriter()) { NeedsRectilinear = true, KeepsSessions = true },
+        new("kitti-tracking", "KITTI tracking: a sequence for each session", _ => new KittiTrackingWriter())
+        {
+            NeedsRectilinear = true, KeepsSessions = true, Check = KittiTrackingCheck.Problems,
+        },
         new("coco", "COCO instances", options => new CocoWriter(options)) { Check = CocoCheck.Problems },
-        new("coco-panoptic", "COCO panoptic segmentation", options => new CocoPanopticWriter(options)) { NeedsMasks = true },
-        new("yolo", "Ultralytics YOLO, boxes", options => new YoloWriter(options)) { Check = YoloCheck.Problems },
-        new("yolo-segment", "Ultralytics YOLO, outlines", options => new YoloSegmentWriter(options)) { NeedsMasks = true, Check = YoloCheck.Problems },
-        new("voc", "Pascal VOC", options => new VocWriter(options)),
-        new("cityscapes", "Maps of instances and classes in the style of Cityscapes", _ => new CityscapesWriter()) { NeedsMasks = true },
-        new("deepdriving", "Images of 280 x 210 and DeepDriving's thirteen indicators", _ => new DeepDrivingWriter()) { NeedsLanes = true },
-        new("tusimple", "TuSimple lanes", options => new TuSimpleWriter(options)) { NeedsLanes = true },
-        new("openlane", "OpenLane 3D lane lines", _ => new OpenLaneWriter()) { NeedsLanes = true },
-        new("webdataset", "Tar archives for streaming readers", _ => new WebDatasetWriter()),
-        new("csv", "Flat tables of frames and objects", _ => new CsvDatasetWriter()),
+        new("coco-panoptic", "COCO panoptic segmentation", options => new CocoPanopticWriter(options)) { NeedsMasks = true, Check = CocoPanopticCheck.Problems },
+        new("yolo", "Ultralytics YOLO, boxes", options => new YoloWriter(options)) { Check = YoloCheck.BoxProblems },
+        new("yolo-segment", "Ultralytics YOLO, outlines", options => new YoloSegmentWriter(options)) { NeedsMasks = true, Check = YoloCheck.OutlineProblems },
+        new("voc", "Pascal VOC", options => new VocWriter(options)) { Check = VocCheck.Problems },
+        new("cityscapes", "Maps of instances and classes in the style of Cityscapes", _ => new CityscapesWriter()) { NeedsMasks = true, Check = CityscapesCheck.Problems },
+        new("deepdriving", "Images of 280 x 210 and DeepDriving's thirteen indicators", _ => new DeepDrivingWriter()) { NeedsLanes = true, Check = DeepDrivingCheck.Problems },
+        new("tusimple", "TuSimple lanes", options => new TuSimpleWriter(options)) { NeedsLanes = true, LeavesOutFrames = true, Check = TuSimpleCheck.Problems },
+        new("openlane", "OpenLane 3D lane lines", _ => new OpenLaneWriter()) { NeedsLanes = true, LeavesOutFrames = true, Check = OpenLaneCheck.Problems },
+        new("webdataset", "Tar archives for streaming readers", _ => new WebDatasetWriter()) { Check = WebDatasetCheck.Problems },
+        new("csv", "Flat tables of frames and objects", _ => new CsvDatasetWriter()) { Check = CsvDatasetCheck.Problems },
     ];
 
     /// <summary>A format by its name, or null.</summary>

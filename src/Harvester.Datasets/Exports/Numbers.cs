@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Globalization;
 using Harvester.Capture.Labels;
 
@@ -20,6 +21,23 @@ internal static class Numbers
         }
 
         return string.Join(' ', texts);
+    }
+
+    /// <summary>The words as finite numbers, or null when one is none.</summary>
+    public static double[]? Parse(IEnumerable<string> words)
+    {
+        var numbers = new List<double>();
+        foreach (string word in words)
+        {
+            if (!double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) || !double.IsFinite(number))
+            {
+                return null;
+            }
+
+            numbers.Add(number);
+        }
+
+        return [.. numbers];
     }
 
     /// <summary>An angle in (-pi, pi].</summary>

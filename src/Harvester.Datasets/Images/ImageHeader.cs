@@ -24,6 +24,14 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
     public static ImageHeader Read(string path)
     {
         using FileStream file = File.OpenRead(path);
+        return Read(file);
+    }
+
+    /// <summary>Reads the header of a PNG or BMP file in a stream that is it and nothing else.</summary>
+    /// <exception cref="DatasetFormatException">It is neither, or cut off; the message speaks of the file as "it".</exception>
+    /// <exception cref="IOException">It cannot be read.</exception>
+    public static ImageHeader Read(Stream file)
+    {
         Span<byte> start = stackalloc byte[PngHeaderLength];
         int length = file.ReadAtLeast(start, start.Length, throwOnEndOfStream: false);
         start = start[..length];
@@ -37,7 +45,7 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
             : throw new DatasetFormatException("it is neither a PNG nor a BMP file, or cut off.");
     }
 
-    private static ImageHeader ReadPng(ReadOnlySpan<byte> start, FileStream file)
+    private static ImageHeader ReadPng(ReadOnlySpan<byte> start, Stream file)
     {
         Span<byte> end = stackalloc byte[PngEnd.Length];
         file.Seek(-end.Length, SeekOrigin.End);
@@ -55,7 +63,7 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
             start[24] * channels);
     }
 
-    private static ImageHeader ReadBmp(ReadOnlySpan<byte> start, FileStream file)
+    private static ImageHeader ReadBmp(ReadOnlySpan<byte> start, Stream file)
     {
         uint length = BinaryPrimitives.ReadUInt32LittleEndian(start[2..]);
         if (file.Length < length)

@@ -8,7 +8,7 @@ using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Images;
 
-/// <summary>Reads PNG pictures (ISO/IEC 15948) of the kinds that sessions have, not interlaced: 8-bit red, green, blue, and 16-bit grey.</summary>
+/// <summary>Reads PNG pictures (ISO/IEC 15948) of the kinds that sessions and datasets have, not interlaced: 8-bit red, green, blue, and grey of 16 or 8 bits.</summary>
 public static class PngDecoder
 {
     private const int SignatureLength = 8;
@@ -40,6 +40,23 @@ public static class PngDecoder
         for (int i = 0; i < map.Ids.Length; i++)
         {
             map.Ids[i] = BinaryPrimitives.ReadUInt16BigEndian(bytes.AsSpan(i * BytesPerGreyPixel));
+        }
+
+        return map;
+    }
+
+    /// <summary>Reads a map of labels, 8 bits each.</summary>
+    /// <exception cref="DatasetFormatException">It is not such a picture, or damaged; the message speaks of the file as "it".</exception>
+    /// <exception cref="IOException">It cannot be read.</exception>
+    public static InstanceMap ReadLabelMap(string path)
+    {
+        ImageSize size = ImageHeader.Read(path).Size;
+        byte[] bytes = new byte[size.PixelCount];
+        Read(path, 8, ColourTypeGrey, "an 8-bit grey", size, 1, bytes);
+        var map = new InstanceMap(size);
+        for (int i = 0; i < bytes.Length; i++)
+        {
+            map.Ids[i] = bytes[i];
         }
 
         return map;

@@ -87,6 +87,19 @@ public readonly struct JsonFields
         return [.. field.EnumerateArray().Select((item, index) => NumberOf(item, $"{path}[{index}]"))];
     }
 
+    /// <summary>A list of finite numbers.</summary>
+    public double[] Numbers(string name) => NumbersOf(Field(name), Path(name));
+
+    /// <summary>A list of lists of finite numbers, each of its own length.</summary>
+    public double[][] Rows(string name)
+    {
+        string path = Path(name);
+        return [.. Items(name, "a list of lists of numbers").Select((row, index) => NumbersOf(row, $"{path}[{index}]"))];
+    }
+
+    /// <summary>Whether a field is a list.</summary>
+    public bool IsList(string name) => Field(name).ValueKind == JsonValueKind.Array;
+
     /// <summary>Either true or false.</summary>
     public bool Truth(string name) => TruthOf(Field(name), Path(name));
 
@@ -162,6 +175,10 @@ public readonly struct JsonFields
             throw new DatasetFormatException($"{Path(other)} is not a field here; the fields are {string.Join(", ", names)}.");
         }
     }
+
+    private static double[] NumbersOf(JsonElement list, string path) => list.ValueKind == JsonValueKind.Array
+        ? [.. list.EnumerateArray().Select((item, index) => NumberOf(item, $"{path}[{index}]"))]
+        : throw Wrong(path, "a list of numbers", list);
 
     private static double NumberOf(JsonElement field, string path) =>
         field.ValueKind == JsonValueKind.Number && field.TryGetDouble(out double value) && double.IsFinite(value)

@@ -6,57 +6,53 @@ namespace Harvester.Datasets.Tests.Exports;
 
 /// <summary>What holds for every format: the same bytes again, in shards, and after a stop in the middle.</summary>
 [Collection(SimulatedSession.Collection)]
-public sealed class DatasetExporterTests(SimulatedSession simulated) : IDisposable
+public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTests
 {
     private static readonly ExportOptions TwoSplits = new() { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 5, 1) };
 
-    private readonly ExportFolder _folder = new();
-
     public static TheoryData<string> Formats => [.. DatasetFormats.All.Select(format => format.Name)];
-
-    public void Dispose() => _folder.Dispose();
 
     [Theory]
     [MemberData(nameof(Formats))]
     public void Export_twice_gives_the_same_bytes(string format)
     {
-        ExportResult result = _folder.Export(format, simulated.Open(), TwoSplits, "a");
-        _folder.Export(format, simulated.Open(), TwoSplits with { Images = ImageTransfer.Copy }, "b");
+        ExportResult result = Folder.Export(format, simulated.Open(), TwoSplits, "a");
+        Folder.Export(format, simulated.Open(), TwoSplits with { Images = ImageTransfer.Copy }, "b");
 
         Assert.Equal(SimulatedSession.Frames, result.Frames);
         Assert.True(result.Objects > SimulatedSession.Frames);
-        Assert.Equal(_folder.Contents("a"), _folder.Contents("b"));
-        Assert.DoesNotContain(_folder.Contents("a").Keys, name => name.Contains("partial", StringComparison.Ordinal) || name.StartsWith('.'));
+        Assert.Equal(Folder.Contents("a"), Folder.Contents("b"));
+        Assert.DoesNotContain(Folder.Contents("a").Keys, name => name.Contains("partial", StringComparison.Ordinal) || name.StartsWith('.'));
     }
 
     [Theory]
     [MemberData(nameof(Formats))]
     public void Merge_of_shards_gives_the_bytes_of_a_single_run(string format)
     {
-        _folder.Export(format, [simulated.Open(), simulated.Open()], TwoSplits, "single");
+        Folder.Export(format, [simulated.Open(), simulated.Open()], TwoSplits, "single");
         for (int number = 1; number <= 3; number++)
         {
             // The first two share a folder, as runs on one file system may.
-            _folder.Export(format, [simulated.Open(), simulated.Open()], TwoSplits, number < 3 ? "a" : "b", new Shard(number, 3));
+            Folder.Export(format, [simulated.Open(), simulated.Open()], TwoSplits, number < 3 ? "a" : "b", new Shard(number, 3));
         }
 
-        DatasetMerger.Merge([_folder.PathOf("a"), _folder.PathOf("b")], _folder.PathOf("merged"), ImageTransfer.Link);
+        DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("merged"), ImageTransfer.Link);
 
-        Assert.Equal(_folder.Contents("single"), _folder.Contents("merged"));
+        Assert.Equal(Folder.Contents("single"), Folder.Contents("merged"));
     }
 
     [Theory]
     [MemberData(nameof(Formats))]
     public void Export_goes_on_after_it_was_killed(string format)
     {
-        _folder.Export(format, simulated.Open(), TwoSplits, "single");
+        Folder.Export(format, simulated.Open(), TwoSplits, "single");
         KillAfter(3, format);
 
         var done = new List<int>();
-        new DatasetExporter(ExportFolder.Plan(format, [simulated.Open()], TwoSplits), _folder.PathOf("killed"), Shard.Whole).Run(done.Add);
+        new DatasetExporter(ExportFolder.Plan(format, [simulated.Open()], TwoSplits), Folder.PathOf("killed"), Shard.Whole).Run(done.Add);
 
         Assert.Equal(4, done[0]);
-        Assert.Equal(_folder.Contents("single"), _folder.Contents("killed"));
+        Assert.Equal(Folder.Contents("single"), Folder.Contents("killed"));
     }
 
     [Fact]
@@ -64,7 +60,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : IDisposab
     {
         KillAfter(2, "csv");
 
-        IOException refused = Assert.Throws<IOException>(() => _folder.Export("csv", simulated.Open(), to: "killed"));
+        IOException refused = Assert.Throws<IOException>(() => Folder.Export("csv", simulated.Open(), to: "killed"));
 
         Assert.Contains("other sessions or options", refused.Message, StringComparison.Ordinal);
     }
@@ -72,28 +68,28 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : IDisposab
     [Fact]
     public void Export_into_a_folder_with_something_else_is_refused()
     {
-        Directory.CreateDirectory(_folder.PathOf("out"));
-        File.WriteAllText(_folder.PathOf("out/thesis.tex"), "mine");
+        Directory.CreateDirectory(Folder.PathOf("out"));
+        File.WriteAllText(Folder.PathOf("out/thesis.tex"), "mine");
 
-        Assert.Throws<IOException>(() => _folder.Export("csv", simulated.Open()));
+        Assert.Throws<IOException>(() => Folder.Export("csv", simulated.Open()));
     }
 
     [Fact]
     public void Export_into_a_finished_dataset_is_refused()
     {
-        _folder.Export("csv", simulated.Open());
+        Folder.Export("csv", simulated.Open());
 
-        Assert.Throws<IOException>(() => _folder.Export("csv", simulated.Open()));
+        Assert.Throws<IOException>(() => Folder.Export("csv", simulated.Open()));
     }
 
     [Fact]
     public void Merge_without_all_shards_is_refused()
     {
-        _folder.Export("csv", simulated.Open(), to: "a", shard: new Shard(1, 3));
-        _folder.Export("csv", simulated.Open(), to: "b", shard: new Shard(3, 3));
+        Folder.Export("csv", simulated.Open(), to: "a", shard: new Shard(1, 3));
+        Folder.Export("csv", simulated.Open(), to: "b", shard: new Shard(3, 3));
 
         DatasetFormatException refused = Assert.Throws<DatasetFormatException>(
-            () => DatasetMerger.Merge([_folder.PathOf("a"), _folder.PathOf("b")], _folder.PathOf("out"), ImageTransfer.Link));
+            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), ImageTransfer.Link));
 
         Assert.Equal("Of 3 shards, 2 is missing. Run it and name its folder too.", refused.Message);
     }
@@ -101,22 +97,22 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : IDisposab
     [Fact]
     public void Merge_of_shards_of_different_exports_is_refused()
     {
-        _folder.Export("csv", simulated.Open(), to: "a", shard: new Shard(1, 2));
-        _folder.Export("csv", simulated.Open(), TwoSplits, "b", new Shard(2, 2));
+        Folder.Export("csv", simulated.Open(), to: "a", shard: new Shard(1, 2));
+        Folder.Export("csv", simulated.Open(), TwoSplits, "b", new Shard(2, 2));
 
-        Assert.Throws<DatasetFormatException>(() => DatasetMerger.Merge([_folder.PathOf("a"), _folder.PathOf("b")], _folder.PathOf("out"), ImageTransfer.Link));
+        Assert.Throws<DatasetFormatException>(() => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), ImageTransfer.Link));
     }
 
     [Fact]
     public void Merge_with_an_unfinished_shard_is_refused()
     {
-        _folder.Export("csv", simulated.Open(), to: "a", shard: new Shard(1, 2));
+        Folder.Export("csv", simulated.Open(), to: "a", shard: new Shard(1, 2));
         using var stop = new CancellationTokenSource();
         Assert.Throws<OperationCanceledException>(() => new DatasetExporter(
-            ExportFolder.Plan("csv", [simulated.Open()]), _folder.PathOf("b"), new Shard(2, 2)).Run(_ => stop.Cancel(), stop.Token));
+            ExportFolder.Plan("csv", [simulated.Open()]), Folder.PathOf("b"), new Shard(2, 2)).Run(_ => stop.Cancel(), stop.Token));
 
         DatasetFormatException refused = Assert.Throws<DatasetFormatException>(
-            () => DatasetMerger.Merge([_folder.PathOf("a"), _folder.PathOf("b")], _folder.PathOf("out"), ImageTransfer.Link));
+            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), ImageTransfer.Link));
 
         Assert.Contains("Shard 2/2", refused.Message, StringComparison.Ordinal);
     }
@@ -124,23 +120,20 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : IDisposab
     [Fact]
     public void Export_with_filters_leaves_the_rest_out()
     {
-        using var session = new TestSession();
-
         // The pedestrian is of another class; the car is seen to (1 - 0)(1 - 0.25) = 0.75.
-        Assert.Equal(3, _folder.Export("csv", session.Open(), new ExportOptions { Classes = [ObjectClass.Car] }, "car").Objects);
-        Assert.Equal(6, _folder.Export("csv", session.Open(), new ExportOptions { MinVisibleFraction = 0.75 }, "seen").Objects);
+        Assert.Equal(3, Folder.Export("csv", Session.Open(), new ExportOptions { Classes = [ObjectClass.Car] }, "car").Objects);
+        Assert.Equal(6, Folder.Export("csv", Session.Open(), new ExportOptions { MinVisibleFraction = 0.75 }, "seen").Objects);
         // Of the pedestrian only the truncation, 0.2, is known.
-        Assert.Equal(3, _folder.Export("csv", session.Open(), new ExportOptions { MinVisibleFraction = 0.76 }, "more").Objects);
-        Assert.Equal(0, _folder.Export("csv", session.Open(), new ExportOptions { MinVisibleFraction = 0.81 }, "most").Objects);
+        Assert.Equal(3, Folder.Export("csv", Session.Open(), new ExportOptions { MinVisibleFraction = 0.76 }, "more").Objects);
+        Assert.Equal(0, Folder.Export("csv", Session.Open(), new ExportOptions { MinVisibleFraction = 0.81 }, "most").Objects);
     }
 
     [Fact]
     public void Export_of_a_malformed_line_names_file_line_and_field()
     {
-        using var session = new TestSession();
-        session.Car(1).Remove("box3d");
+        Session.Car(1).Remove("box3d");
 
-        DatasetFormatException refused = Assert.Throws<DatasetFormatException>(() => _folder.Export("kitti", session.Open()));
+        DatasetFormatException refused = Assert.Throws<DatasetFormatException>(() => Folder.Export("kitti", Session.Open()));
 
         Assert.Equal("labels.jsonl, line 2: objects[0].box3d is missing.", refused.Message);
     }
@@ -148,52 +141,46 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : IDisposab
     [Fact]
     public void Export_of_an_image_outside_the_session_is_refused()
     {
-        using var session = new TestSession();
-        session.Lines[1]["image"] = "../secret.png";
+        Session.Lines[1]["image"] = "../secret.png";
 
-        Assert.Contains("points out of the session", Assert.Throws<DatasetFormatException>(() => _folder.Export("csv", session.Open())).Message, StringComparison.Ordinal);
+        Assert.Contains("points out of the session", Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", Session.Open())).Message, StringComparison.Ordinal);
     }
 
     [Fact]
     public void Export_of_a_missing_image_names_it()
     {
-        using var session = new TestSession();
-        File.Delete(session.PathOf("frames/00000001.png"));
+        File.Delete(Session.PathOf("frames/00000001.png"));
 
-        Assert.Contains("00000001.png' is missing", Assert.Throws<DatasetFormatException>(() => _folder.Export("csv", session.Open())).Message, StringComparison.Ordinal);
+        Assert.Contains("00000001.png' is missing", Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", Session.Open())).Message, StringComparison.Ordinal);
     }
 
     [Fact]
     public void Export_of_a_mask_without_pixels_names_it()
     {
-        using var session = new TestSession();
-
-        Assert.Contains("masks/00000000.png", Assert.Throws<DatasetFormatException>(() => _folder.Export("coco", session.Open())).Message, StringComparison.Ordinal);
+        Assert.Contains("masks/00000000.png", Assert.Throws<DatasetFormatException>(() => Folder.Export("coco", Session.Open())).Message, StringComparison.Ordinal);
     }
 
     [Fact]
     public void Export_without_masks_to_a_format_that_needs_them_is_refused()
     {
-        using var session = new TestSession();
-        session.Lines[0]["mask"] = null;
+        Session.Lines[0]["mask"] = null;
 
-        Assert.Contains("needs one", Assert.Throws<DatasetFormatException>(() => _folder.Export("yolo-segment", session.Open())).Message, StringComparison.Ordinal);
+        Assert.Contains("needs one", Assert.Throws<DatasetFormatException>(() => Folder.Export("yolo-segment", Session.Open())).Message, StringComparison.Ordinal);
     }
 
     [Fact]
     public void Export_of_a_bent_lens_to_kitti_is_refused()
     {
-        using var session = new TestSession();
-        session.Lines[2]["camera"]!["distortion"]!["k1"] = 0.05;
+        Session.Lines[2]["camera"]!["distortion"]!["k1"] = 0.05;
 
-        Assert.Contains("bends straight lines", Assert.Throws<DatasetFormatException>(() => _folder.Export("kitti", session.Open())).Message, StringComparison.Ordinal);
+        Assert.Contains("bends straight lines", Assert.Throws<DatasetFormatException>(() => Folder.Export("kitti", Session.Open())).Message, StringComparison.Ordinal);
     }
 
     /// <summary>Leaves what a process that was killed while it wrote leaves: some frames, and half a line in the journal.</summary>
     private void KillAfter(int frames, string format)
     {
         using var stop = new CancellationTokenSource();
-        var exporter = new DatasetExporter(ExportFolder.Plan(format, [simulated.Open()], TwoSplits), _folder.PathOf("killed"), Shard.Whole);
+        var exporter = new DatasetExporter(ExportFolder.Plan(format, [simulated.Open()], TwoSplits), Folder.PathOf("killed"), Shard.Whole);
         Assert.Throws<OperationCanceledException>(() => exporter.Run(
             done =>
             {
@@ -203,6 +190,6 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : IDisposab
                 }
             },
             stop.Token));
-        File.AppendAllText(_folder.PathOf("killed/.export/journal-1-of-1.jsonl"), "{\"frame\":3,\"split\":\"tra");
+        File.AppendAllText(Folder.PathOf("killed/.export/journal-1-of-1.jsonl"), "{\"frame\":3,\"split\":\"tra");
     }
 }

@@ -19,14 +19,16 @@ internal sealed class CsvDatasetWriter : IDatasetWriter
     private const int Intrinsics = 6;
     private const int Seconds = 6;
 
-    private static readonly string[] FrameColumns =
+    /// <summary>Columns of frames.csv.</summary>
+    public static string[] FrameColumns { get; } =
     [
         "frame", "split", "session", "session_frame", "image", "time_seconds", "weather", "time_of_day", "width", "height", "fx", "fy", "cx", "cy", "k1", "k2",
         .. VectorColumns("camera"), .. VectorColumns("camera_right"), .. VectorColumns("camera_forward"), .. VectorColumns("camera_up"),
         .. VectorColumns("ego"), "ego_heading_degrees", .. VectorColumns("ego_velocity"),
     ];
 
-    private static readonly string[] ObjectColumns =
+    /// <summary>Columns of objects.csv.</summary>
+    public static string[] ObjectColumns { get; } =
     [
         "frame", "id", "class", "model", "name", .. BoxColumns("box2d"), .. BoxColumns("box2d_amodal"), .. BoxColumns("box2d_visible"),
         "truncated_fraction", "occluded_fraction", "visible_fraction", .. VectorColumns("centre"), .. VectorColumns("half_extents"),

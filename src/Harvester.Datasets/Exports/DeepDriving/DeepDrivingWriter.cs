@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Driving;
@@ -17,14 +18,26 @@ internal sealed class DeepDrivingWriter : IDatasetWriter
 {
     private const int Decimals = 6;
 
-    private static readonly ImageSize Size = new(280, 210);
-    private static readonly string Header = string.Join(
+    /// <summary>Size of the network's input.</summary>
+    public static ImageSize Size { get; } = new(280, 210);
+
+    /// <summary>First line of the table, with its end.</summary>
+    public static string Header { get; } = string.Join(
         ',',
         [
             "frame", "split", "image", "status", "fast",
             .. IndicatorOrder.Names, .. IndicatorOrder.Names.Select(name => "valid_" + name), .. IndicatorOrder.Names.Select(name => "torcs_" + name),
             .. IndicatorOrder.Names.Select(name => "normalised_" + name), "normalised_fast",
         ]) + "\n";
+
+    private static readonly Func<double, double>[] Maps =
+    [
+        DeepDrivingNormalisation.Angle,
+        DeepDrivingNormalisation.ToMarkingL, DeepDrivingNormalisation.ToMarkingM, DeepDrivingNormalisation.ToMarkingR,
+        DeepDrivingNormalisation.Dist, DeepDrivingNormalisation.Dist,
+        DeepDrivingNormalisation.ToMarkingLL, DeepDrivingNormalisation.ToMarkingML, DeepDrivingNormalisation.ToMarkingMR, DeepDrivingNormalisation.ToMarkingRR,
+        DeepDrivingNormalisation.Dist, DeepDrivingNormalisation.Dist, DeepDrivingNormalisation.Dist,
+    ];
 
     private readonly PngEncoder _png = new();
     private readonly PixelBuffer _small = new(Size);
@@ -36,7 +49,7 @@ internal sealed class DeepDrivingWriter : IDatasetWriter
         output.File(image, stream => _png.Write(Scaled(frame), stream));
         double[] metres = IndicatorOrder.Values(lanes.Indicators);
         double[] torcs = IndicatorOrder.Values(lanes.TorcsEquivalent);
-        double[] normalised = Normalised(lanes.TorcsEquivalent);
+        double[] normalised = Normalised(torcs);
         output.Text($"indicators/{frame.Name}.txt", Numbers.Row(Decimals, metres) + "\n");
         output.Text($"normalised/{frame.Name}.txt", Numbers.Row(Decimals, normalised) + "\n");
         output.Part("rows", string.Join(
@@ -51,27 +64,12 @@ internal sealed class DeepDrivingWriter : IDatasetWriter
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) =>
         [new("indicators.csv", [AggregateSection.Literal(Header), AggregateSection.Lines("rows")])];
 
+    /// <summary>The loss layer's maps of values in the order of the indicators.</summary>
+    public static double[] Normalised(double[] torcs) => [.. torcs.Zip(Maps, (value, map) => map(value))];
+
     private static string Text(double value) => InvariantNumber.Format(value, Decimals);
 
     private static string Flag(bool value) => value ? "1" : "0";
-
-    /// <summary>The loss layer's maps, in the order of the indicators.</summary>
-    private static double[] Normalised(LaneIndicators torcs) =>
-    [
-        DeepDrivingNormalisation.Angle(torcs.Angle.Value),
-        DeepDrivingNormalisation.ToMarkingL(torcs.ToMarkingL.Value),
-        DeepDrivingNormalisation.ToMarkingM(torcs.ToMarkingM.Value),
-        DeepDrivingNormalisation.ToMarkingR(torcs.ToMarkingR.Value),
-        DeepDrivingNormalisation.Dist(torcs.DistL.Value),
-        DeepDrivingNormalisation.Dist(torcs.DistR.Value),
-        DeepDrivingNormalisation.ToMarkingLL(torcs.ToMarkingLL.Value),
-        DeepDrivingNormalisation.ToMarkingML(torcs.ToMarkingML.Value),
-        DeepDrivingNormalisation.ToMarkingMR(torcs.ToMarkingMR.Value),
-        DeepDrivingNormalisation.ToMarkingRR(torcs.ToMarkingRR.Value),
-        DeepDrivingNormalisation.Dist(torcs.DistLL.Value),
-        DeepDrivingNormalisation.Dist(torcs.DistMM.Value),
-        DeepDrivingNormalisation.Dist(torcs.DistRR.Value),
-    ];
 
     private PixelBuffer Scaled(ExportFrame frame)
     {

@@ -13,6 +13,9 @@ internal sealed record KittiBox
     /// <summary>KITTI counts from the centre of the upper left pixel, conventions.md from its corner.</summary>
     public const double PixelShift = -0.5;
 
+    /// <summary>Pixels have two decimals; a box below this could have none.</summary>
+    private const double LeastPixels = 0.02;
+
     public KittiBox(ObjectLabel label, CameraLabel camera)
     {
         Vector3D centre = camera.Pose.ToLocal(label.Box3D.Centre);
@@ -43,6 +46,9 @@ internal sealed record KittiBox
     public double Alpha { get; }
 
     public Box2D Box { get; }
+
+    /// <summary>Whether it reaches over the centre of a pixel at the image's edge: one that does not has no area in the format.</summary>
+    public bool IsInImage => Box.Width >= LeastPixels && Box.Height >= LeastPixels;
 
     /// <summary>The fields from alpha to rotation_y, as both of KITTI's label files have them.</summary>
     public string Fields() => string.Join(

@@ -29,12 +29,12 @@ internal sealed class KittiTrackingWriter : IDatasetWriter
 
         foreach (ObjectLabel label in frame.Objects)
         {
-            if (KittiClasses.TypeOf(label.Class) is { } type)
+            if (KittiClasses.TypeOf(label.Class) is { } type && new KittiBox(label, camera) is { IsInImage: true } box)
             {
                 output.Part(LabelPrefix + sequence, string.Join(
                     ' ',
                     Numbers.Text(frame.FrameInSession), Numbers.Text(label.Id), type, Numbers.Text(KittiClasses.LevelOf(label.TruncatedFraction)),
-                    Numbers.Text(KittiClasses.OcclusionOf(label)), new KittiBox(label, camera).Fields()));
+                    Numbers.Text(KittiClasses.OcclusionOf(label)), box.Fields()));
             }
         }
     }

@@ -22,7 +22,7 @@ internal sealed class KittiWriter : IDatasetWriter
         parts.Select(part => new AggregateFile($"ImageSets/{part[ListPrefix.Length..]}.txt", [AggregateSection.Lines(part)]));
 
     private static string Line(ObjectLabel label, CameraLabel camera) =>
-        KittiClasses.TypeOf(label.Class) is { } type
-            ? $"{type} {Numbers.Row(KittiDecimals.Fraction, label.TruncatedFraction)} {KittiClasses.OcclusionOf(label)} {new KittiBox(label, camera).Fields()}\n"
+        KittiClasses.TypeOf(label.Class) is { } type && new KittiBox(label, camera) is { IsInImage: true } box
+            ? $"{type} {Numbers.Row(KittiDecimals.Fraction, label.TruncatedFraction)} {KittiClasses.OcclusionOf(label)} {box.Fields()}\n"
             : "";
 }

@@ -11,7 +11,7 @@ using Harvester.Datasets.Validation;
 
 namespace Harvester.Datasets.Exports.Validation;
 
-/// <summary>Looks whether an exported dataset is whole, and whether its labels can be read where the format has a check.</summary>
+/// <summary>Looks whether an exported dataset is whole, and whether its labels are what its format asks for.</summary>
 public static class DatasetValidator
 {
     /// <summary>Whether a folder is a finished dataset.</summary>
@@ -23,43 +23,61 @@ public static class DatasetValidator
     /// <exception cref="DatasetFormatException">export.json is malformed.</exception>
     public static DatasetValidation Validate(string folder, CancellationToken cancellation = default)
     {
-        (DatasetFormat format, int frames) = ReadManifest(Path.Combine(folder, DatasetFolder.Manifest));
-        string[] images = [.. Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories)
-            .Where(file => Path.GetExtension(file) is ".png" or ".bmp").Order(StringComparer.Ordinal)];
+        (DatasetFormat format, ExportOptions options, IReadOnlyDictionary<string, int> framesOfSplits) = ReadManifest(Path.Combine(folder, DatasetFolder.Manifest));
+        var dataset = new DatasetContent(folder, options);
         var problems = new List<SessionProblem>();
-        foreach (string image in images)
+        foreach (SessionProblem problem in ImageProblems(folder).Concat(format.Check(dataset)))
         {
             cancellation.ThrowIfCancellationRequested();
-            try
-            {
-                _ = ImageHeader.Read(image);
-            }
-            catch (DatasetFormatException e)
-            {
-                problems.Add(new SessionProblem(Path.GetRelativePath(folder, image), null, e.Message));
-            }
+            problems.Add(problem);
         }
 
-        if (format.Check is { } check)
+        foreach ((string split, int counted) in framesOfSplits)
         {
-            if (images.Length != frames)
+            int found = dataset.FramesOfSplits.GetValueOrDefault(split);
+            if (found > counted || (found < counted && !format.LeavesOutFrames))
             {
-                problems.Add(new SessionProblem(DatasetFolder.Manifest, null, $"it counts {frames} frames, but there are {images.Length} images."));
+                problems.Add(new SessionProblem(DatasetFolder.Manifest, null, $"it counts {counted} frames in {split}, but there are {found}."));
             }
-
-            problems.AddRange(check(folder));
         }
 
-        return new DatasetValidation(format.Name, images.Length, problems);
+        return new DatasetValidation(format.Name, dataset.FramesOfSplits.Values.Sum(), problems);
     }
 
-    private static (DatasetFormat Format, int Frames) ReadManifest(string path)
+    private static IEnumerable<SessionProblem> ImageProblems(string folder)
+    {
+        IEnumerable<string> images = Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories)
+            .Where(file => Path.GetExtension(file) is ".png" or ".bmp").Order(StringComparer.Ordinal);
+        foreach (string image in images)
+        {
+            if (Damage(image) is { } damage)
+            {
+                yield return new SessionProblem(Path.GetRelativePath(folder, image).Replace('\\', '/'), null, damage);
+            }
+        }
+    }
+
+    private static string? Damage(string image)
+    {
+        try
+        {
+            _ = ImageHeader.Read(image);
+            return null;
+        }
+        catch (DatasetFormatException e)
+        {
+            return e.Message;
+        }
+    }
+
+    private static (DatasetFormat Format, ExportOptions Options, IReadOnlyDictionary<string, int> FramesOfSplits) ReadManifest(string path)
     {
         try
         {
             using JsonDocument manifest = JsonDocument.Parse(File.ReadAllBytes(path));
-            var fields = new JsonFields(manifest.RootElement);
-            return (ExportPlan.Parse(manifest.RootElement.GetProperty("plan").GetRawText()).Format, fields.WholeNumber("frames"));
+            (DatasetFormat format, ExportOptions options) = ExportPlan.Parse(manifest.RootElement.GetProperty("plan").GetRawText());
+            JsonFields frames = new JsonFields(manifest.RootElement).Fields("framesOfSplits");
+            return (format, options, options.Splits.Splits.ToDictionary(split => split.Name, split => frames.WholeNumber(split.Name), StringComparer.Ordinal));
         }
         catch (Exception e) when (e is JsonException or KeyNotFoundException)
         {

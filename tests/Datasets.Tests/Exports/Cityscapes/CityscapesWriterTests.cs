@@ -6,24 +6,20 @@ using Harvester.Geometry.PixelMaps;
 namespace Harvester.Datasets.Tests.Exports.Cityscapes;
 
 [Collection(SimulatedSession.Collection)]
-public sealed class CityscapesWriterTests(SimulatedSession simulated) : IDisposable
+public sealed class CityscapesWriterTests(SimulatedSession simulated) : ExportTests
 {
-    private readonly ExportFolder _folder = new();
-
-    public void Dispose() => _folder.Dispose();
-
     [Fact]
     public void Instance_ids_are_a_thousand_times_the_label_and_a_number()
     {
-        _folder.Export("cityscapes", simulated.Open());
+        Folder.Export("cityscapes", simulated.Open());
         int frame = 0;
         foreach (FrameLabel label in simulated.Open().ReadLabels())
         {
             InstanceMap mask = PngDecoder.ReadInstanceMap(simulated.Open().PathOf(label.Mask!));
             string name = $"out/gtFine/train/session0000/session0000_000000_{frame:D6}_gtFine_";
-            InstanceMap instances = PngDecoder.ReadInstanceMap(_folder.PathOf(name + "instanceIds.png"));
-            Assert.Equal(8, ImageHeader.Read(_folder.PathOf(name + "labelIds.png")).BitsPerPixel);
-            Assert.True(File.Exists(_folder.PathOf($"out/leftImg8bit/train/session0000/session0000_000000_{frame:D6}_leftImg8bit.png")));
+            InstanceMap instances = PngDecoder.ReadInstanceMap(Folder.PathOf(name + "instanceIds.png"));
+            Assert.Equal(8, ImageHeader.Read(Folder.PathOf(name + "labelIds.png")).BitsPerPixel);
+            Assert.True(File.Exists(Folder.PathOf($"out/leftImg8bit/train/session0000/session0000_000000_{frame:D6}_leftImg8bit.png")));
             // One object, one instance id, and the other way round, except for what has no instances.
             foreach (IGrouping<int, (int Id, int Instance)> own in mask.Ids.Zip(instances.Ids, (id, instance) => (Id: (int)id, Instance: (int)instance)).GroupBy(pair => pair.Id))
             {

@@ -7,24 +7,20 @@ using Harvester.Geometry.PixelMaps;
 namespace Harvester.Datasets.Tests.Exports.Coco;
 
 [Collection(SimulatedSession.Collection)]
-public sealed class CocoPanopticWriterTests(SimulatedSession simulated) : IDisposable
+public sealed class CocoPanopticWriterTests(SimulatedSession simulated) : ExportTests
 {
-    private readonly ExportFolder _folder = new();
-
-    public void Dispose() => _folder.Dispose();
-
     [Fact]
     public void Colours_are_the_segments_of_the_masks()
     {
-        _folder.Export("coco-panoptic", simulated.Open());
-        using JsonDocument coco = JsonDocument.Parse(File.ReadAllText(_folder.PathOf("out/annotations/panoptic_train.json")));
+        Folder.Export("coco-panoptic", simulated.Open());
+        using JsonDocument coco = JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/annotations/panoptic_train.json")));
         JsonElement[] annotations = [.. coco.RootElement.GetProperty("annotations").EnumerateArray()];
         FrameLabel[] labels = [.. simulated.Open().ReadLabels()];
         Assert.Equal(labels.Length, annotations.Length);
         foreach ((JsonElement annotation, FrameLabel label) in annotations.Zip(labels))
         {
             InstanceMap mask = PngDecoder.ReadInstanceMap(simulated.Open().PathOf(label.Mask!));
-            PixelBuffer colours = PngDecoder.ReadRgb(_folder.PathOf("out/annotations/panoptic_train/" + annotation.GetProperty("file_name").GetString()));
+            PixelBuffer colours = PngDecoder.ReadRgb(Folder.PathOf("out/annotations/panoptic_train/" + annotation.GetProperty("file_name").GetString()));
             // The format's rgb2id: red + 256 green + 65536 blue.
             int[] ids = [.. colours.Bytes.Chunk(3).Select(rgb => rgb[0] + (256 * rgb[1]) + (65536 * rgb[2]))];
             Assert.Equal(mask.Ids.Select(id => (int)id), ids);

@@ -7,16 +7,12 @@ using Harvester.Geometry.PixelMaps;
 namespace Harvester.Datasets.Tests.Exports.Coco;
 
 [Collection(SimulatedSession.Collection)]
-public sealed class CocoWriterTests(SimulatedSession simulated) : IDisposable
+public sealed class CocoWriterTests(SimulatedSession simulated) : ExportTests
 {
-    private readonly ExportFolder _folder = new();
-
-    public void Dispose() => _folder.Dispose();
-
     [Fact]
     public void Run_lengths_boxes_and_areas_are_those_of_the_masks()
     {
-        _folder.Export("coco", simulated.Open());
+        Folder.Export("coco", simulated.Open());
         using JsonDocument coco = Read("out/annotations/instances_train.json");
         ILookup<int, JsonElement> annotations = coco.RootElement.GetProperty("annotations").EnumerateArray().ToLookup(item => item.GetProperty("image_id").GetInt32());
         int frame = 0;
@@ -37,7 +33,7 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : IDisposable
     [Fact]
     public void Images_are_listed_with_size_and_lie_where_the_split_is()
     {
-        _folder.Export("coco", simulated.Open(), new ExportOptions { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 5, 1) });
+        Folder.Export("coco", simulated.Open(), new ExportOptions { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 5, 1) });
 
         int images = 0;
         foreach (string split in (string[])["train", "val"])
@@ -46,7 +42,7 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : IDisposable
             foreach (JsonElement image in coco.RootElement.GetProperty("images").EnumerateArray())
             {
                 images++;
-                ImageHeader header = ImageHeader.Read(_folder.PathOf($"out/images/{split}/{image.GetProperty("file_name").GetString()}"));
+                ImageHeader header = ImageHeader.Read(Folder.PathOf($"out/images/{split}/{image.GetProperty("file_name").GetString()}"));
                 Assert.Equal(header.Size.Width, image.GetProperty("width").GetInt32());
                 Assert.Equal(header.Size.Height, image.GetProperty("height").GetInt32());
             }
@@ -58,7 +54,7 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : IDisposable
     [Fact]
     public void Ids_are_unique_and_categories_are_declared()
     {
-        _folder.Export("coco", [simulated.Open(), simulated.Open()]);
+        Folder.Export("coco", [simulated.Open(), simulated.Open()]);
         using JsonDocument coco = Read("out/annotations/instances_train.json");
         JsonElement[] annotations = [.. coco.RootElement.GetProperty("annotations").EnumerateArray()];
         HashSet<int> categories = [.. coco.RootElement.GetProperty("categories").EnumerateArray().Select(item => item.GetProperty("id").GetInt32())];
@@ -73,7 +69,7 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : IDisposable
     [Fact]
     public void Polygons_span_the_box()
     {
-        _folder.Export("coco", simulated.Open(), new ExportOptions { Segmentation = SegmentationKind.Polygon });
+        Folder.Export("coco", simulated.Open(), new ExportOptions { Segmentation = SegmentationKind.Polygon });
         using JsonDocument coco = Read("out/annotations/instances_train.json");
 
         foreach (JsonElement item in coco.RootElement.GetProperty("annotations").EnumerateArray())
@@ -91,9 +87,8 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : IDisposable
     [Fact]
     public void Without_masks_boxes_are_those_of_the_labels_and_there_is_no_segmentation()
     {
-        using var session = new TestSession();
-        session.Lines.ForEach(line => line["mask"] = null);
-        _folder.Export("coco", session.Open());
+        Session.Lines.ForEach(line => line["mask"] = null);
+        Folder.Export("coco", Session.Open());
         using JsonDocument coco = Read("out/annotations/instances_train.json");
 
         JsonElement pedestrian = coco.RootElement.GetProperty("annotations")[1];
@@ -138,5 +133,5 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : IDisposable
         Assert.Equal([xMin, yMin, xMax + 1 - xMin, yMax + 1 - yMin], Doubles(item.GetProperty("bbox")));
     }
 
-    private JsonDocument Read(string name) => JsonDocument.Parse(File.ReadAllText(_folder.PathOf(name)));
+    private JsonDocument Read(string name) => JsonDocument.Parse(File.ReadAllText(Folder.PathOf(name)));
 }

@@ -1,20 +1,11 @@
 namespace Harvester.Datasets.Tests.Exports.Csv;
 
-public sealed class CsvDatasetWriterTests : IDisposable
+public sealed class CsvDatasetWriterTests : ExportTests
 {
-    private readonly ExportFolder _folder = new();
-    private readonly TestSession _session = new();
-
-    public void Dispose()
-    {
-        _folder.Dispose();
-        _session.Dispose();
-    }
-
     [Fact]
     public void Objects_have_their_labels_values_and_empty_fields_for_what_is_not_known()
     {
-        _folder.Export("csv", _session.Open());
+        Folder.Export("csv", Session.Open());
 
         IReadOnlyList<Dictionary<string, string>> rows = Read("out/objects.csv");
         Assert.Equal(6, rows.Count);
@@ -29,19 +20,19 @@ public sealed class CsvDatasetWriterTests : IDisposable
     [Fact]
     public void Frames_name_images_that_are_there()
     {
-        _folder.Export("csv", _session.Open());
+        Folder.Export("csv", Session.Open());
 
         IReadOnlyList<Dictionary<string, string>> rows = Read("out/frames.csv");
         Assert.Equal(["0", "1", "2"], rows.Select(row => row["frame"]));
-        Assert.All(rows, row => Assert.True(File.Exists(_folder.PathOf("out/" + row["image"]))));
+        Assert.All(rows, row => Assert.True(File.Exists(Folder.PathOf("out/" + row["image"]))));
         Assert.Equal(("30", "40", "train", "13:05:00"), (rows[0]["fx"], rows[0]["cx"], rows[0]["split"], rows[0]["time_of_day"]));
     }
 
     [Fact]
     public void Names_with_commas_and_quotes_come_back_as_they_are()
     {
-        _session.Car(0)["name"] = "Stop, \"all way\"";
-        _folder.Export("csv", _session.Open());
+        Session.Car(0)["name"] = "Stop, \"all way\"";
+        Folder.Export("csv", Session.Open());
 
         Assert.Equal("Stop, \"all way\"", Read("out/objects.csv")[0]["name"]);
     }
@@ -49,7 +40,7 @@ public sealed class CsvDatasetWriterTests : IDisposable
     /// <summary>RFC 4180: fields between commas, quoted ones may hold commas, and a doubled quote stands for one.</summary>
     private IReadOnlyList<Dictionary<string, string>> Read(string name)
     {
-        List<List<string>> records = [.. _folder.Lines(name).Select(Fields)];
+        List<List<string>> records = [.. Folder.Lines(name).Select(Fields)];
         Assert.All(records, record => Assert.Equal(records[0].Count, record.Count));
         return [.. records.Skip(1).Select(record => records[0].Zip(record).ToDictionary(pair => pair.First, pair => pair.Second))];
     }

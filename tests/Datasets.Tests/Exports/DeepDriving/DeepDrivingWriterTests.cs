@@ -5,21 +5,17 @@ using Harvester.Datasets.Images;
 namespace Harvester.Datasets.Tests.Exports.DeepDriving;
 
 [Collection(SimulatedSession.Collection)]
-public sealed class DeepDrivingWriterTests(SimulatedSession simulated) : IDisposable
+public sealed class DeepDrivingWriterTests(SimulatedSession simulated) : ExportTests
 {
-    private readonly ExportFolder _folder = new();
-
-    public void Dispose() => _folder.Dispose();
-
     [Fact]
     public void Images_are_280_by_210_with_thirteen_numbers_each()
     {
-        _folder.Export("deepdriving", simulated.Open());
+        Folder.Export("deepdriving", simulated.Open());
         FrameLabel[] labels = [.. simulated.Open().ReadLabels()];
         Assert.Contains(labels, label => label.Lanes!.Indicators.ToMarkingML.IsValid);
         for (int frame = 0; frame < labels.Length; frame++)
         {
-            ImageHeader image = ImageHeader.Read(_folder.PathOf($"out/images/{frame:D8}.png"));
+            ImageHeader image = ImageHeader.Read(Folder.PathOf($"out/images/{frame:D8}.png"));
             Assert.Equal((280, 210), (image.Size.Width, image.Size.Height));
             double[] metres = Row($"out/indicators/{frame:D8}.txt");
             double[] normalised = Row($"out/normalised/{frame:D8}.txt");
@@ -36,19 +32,19 @@ public sealed class DeepDrivingWriterTests(SimulatedSession simulated) : IDispos
     [Fact]
     public void Table_has_the_same_numbers()
     {
-        _folder.Export("deepdriving", simulated.Open());
+        Folder.Export("deepdriving", simulated.Open());
 
-        string[][] rows = [.. _folder.Lines("out/indicators.csv").Select(line => line.Split(','))];
+        string[][] rows = [.. Folder.Lines("out/indicators.csv").Select(line => line.Split(','))];
         Assert.Equal(SimulatedSession.Frames + 1, rows.Length);
         Assert.All(rows, row => Assert.Equal(5 + (4 * 13) + 1, row.Length));
         int first = Array.IndexOf(rows[0], "angle");
         for (int frame = 0; frame < SimulatedSession.Frames; frame++)
         {
-            Assert.Equal(File.ReadAllText(_folder.PathOf($"out/indicators/{frame:D8}.txt")).Trim(), string.Join(' ', rows[frame + 1].Skip(first).Take(13)));
-            Assert.True(File.Exists(_folder.PathOf("out/" + rows[frame + 1][Array.IndexOf(rows[0], "image")])));
+            Assert.Equal(File.ReadAllText(Folder.PathOf($"out/indicators/{frame:D8}.txt")).Trim(), string.Join(' ', rows[frame + 1].Skip(first).Take(13)));
+            Assert.True(File.Exists(Folder.PathOf("out/" + rows[frame + 1][Array.IndexOf(rows[0], "image")])));
         }
     }
 
     private double[] Row(string name) =>
-        [.. File.ReadAllText(_folder.PathOf(name)).Split([' ', '\n'], StringSplitOptions.RemoveEmptyEntries).Select(word => double.Parse(word, CultureInfo.InvariantCulture))];
+        [.. File.ReadAllText(Folder.PathOf(name)).Split([' ', '\n'], StringSplitOptions.RemoveEmptyEntries).Select(word => double.Parse(word, CultureInfo.InvariantCulture))];
 }

@@ -6,26 +6,21 @@ using Harvester.Geometry;
 namespace Harvester.Datasets.Tests.Exports.Kitti;
 
 [Collection(SimulatedSession.Collection)]
-public sealed class KittiWriterTests(SimulatedSession simulated) : IDisposable
+public sealed class KittiWriterTests(SimulatedSession simulated) : ExportTests
 {
     /// <summary>Pixels are written with two decimals, metres with three.</summary>
     private const double RoundingPixels = 0.02;
 
-    private readonly ExportFolder _folder = new();
-
-    public void Dispose() => _folder.Dispose();
-
     [Fact]
     public void Label_has_all_fifteen_columns_in_the_camera_frame()
     {
-        using var session = new TestSession();
-        _folder.Export("kitti", session.Open());
+        Folder.Export("kitti", Session.Open());
 
         // The car stands 11 m ahead and looks away from the camera, which looks north: centre (0, 0, 11) with y down, lower face 1 m below.
         // Looking along z is a turn of -90° from x. Boxes count from the centre of the first pixel: half a pixel less.
-        Assert.Equal("Car 0 1 -1.5708 36.5 26.5 42.5 32.5 2 2 2 0 1 11 -1.5708", _folder.Lines("out/training/label_2/000000.txt")[0]);
+        Assert.Equal("Car 0 1 -1.5708 36.5 26.5 42.5 32.5 2 2 2 0 1 11 -1.5708", Folder.Lines("out/training/label_2/000000.txt")[0]);
         // The pedestrian, 6 m to the right and 5 m ahead, is cut at the last column: 79. alpha = -π/2 - atan(6 / 5) = -1.5708 - 0.8761.
-        Assert.Equal("Pedestrian 0.2 3 -2.4469 69.5 23.5 79 35.5 2 2 0 6 1 5 -1.5708", _folder.Lines("out/training/label_2/000000.txt")[1]);
+        Assert.Equal("Pedestrian 0.2 3 -2.4469 69.5 23.5 79 35.5 2 2 0 6 1 5 -1.5708", Folder.Lines("out/training/label_2/000000.txt")[1]);
     }
 
     [Theory]
@@ -35,21 +30,19 @@ public sealed class KittiWriterTests(SimulatedSession simulated) : IDisposable
     [InlineData(-1, 0, 0, -1, 1.5708)]
     public void Rotation_y_is_the_turn_from_the_camera_s_right(int rightX, int rightY, int forwardX, int forwardY, double expected)
     {
-        using var session = new TestSession();
-        session.Car(0)["box3d"]!["right"] = new JsonArray(rightX, rightY, 0);
-        session.Car(0)["box3d"]!["forward"] = new JsonArray(forwardX, forwardY, 0);
-        _folder.Export("kitti", session.Open());
+        Session.Car(0)["box3d"]!["right"] = new JsonArray(rightX, rightY, 0);
+        Session.Car(0)["box3d"]!["forward"] = new JsonArray(forwardX, forwardY, 0);
+        Folder.Export("kitti", Session.Open());
 
-        Assert.Equal(expected, KittiObject.ReadAll(_folder.PathOf("out/training/label_2/000000.txt"))[0].RotationY);
+        Assert.Equal(expected, KittiObject.ReadAll(Folder.PathOf("out/training/label_2/000000.txt"))[0].RotationY);
     }
 
     [Fact]
     public void Calibration_is_the_label_s_camera()
     {
-        using var session = new TestSession();
-        _folder.Export("kitti", session.Open());
+        Folder.Export("kitti", Session.Open());
 
-        string path = _folder.PathOf("out/training/calib/000002.txt");
+        string path = Folder.PathOf("out/training/calib/000002.txt");
         foreach (string name in (string[])["P0", "P1", "P2", "P3"])
         {
             Assert.Equal([30, 0, 39.5, 0, 0, 30, 29.5, 0, 0, 0, 1, 0], KittiObject.ReadMatrix(path, name));
@@ -63,13 +56,13 @@ public sealed class KittiWriterTests(SimulatedSession simulated) : IDisposable
     [Fact]
     public void Boxes_projected_with_the_calibration_fall_onto_the_boxes()
     {
-        _folder.Export("kitti", simulated.Open());
+        Folder.Export("kitti", simulated.Open());
         int compared = 0;
         int frame = 0;
         foreach (FrameLabel label in simulated.Open().ReadLabels())
         {
-            double[] p2 = KittiObject.ReadMatrix(_folder.PathOf($"out/training/calib/{frame:D6}.txt"), "P2");
-            KittiObject[] written = KittiObject.ReadAll(_folder.PathOf($"out/training/label_2/{frame:D6}.txt"));
+            double[] p2 = KittiObject.ReadMatrix(Folder.PathOf($"out/training/calib/{frame:D6}.txt"), "P2");
+            KittiObject[] written = KittiObject.ReadAll(Folder.PathOf($"out/training/label_2/{frame:D6}.txt"));
             ObjectLabel[] labels = [.. label.Objects.Where(item => item.Class is not (ObjectClass.Sign or ObjectClass.TrafficLight))];
             Assert.Equal(labels.Length, written.Length);
             foreach ((KittiObject item, ObjectLabel source) in written.Zip(labels))

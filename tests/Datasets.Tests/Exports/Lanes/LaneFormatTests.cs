@@ -7,18 +7,14 @@ namespace Harvester.Datasets.Tests.Exports.Lanes;
 
 /// <summary>The two formats of lane lines, read as their descriptions have it, against the labels and against each other.</summary>
 [Collection(SimulatedSession.Collection)]
-public sealed class LaneFormatTests(SimulatedSession simulated) : IDisposable
+public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
 {
-    private readonly ExportFolder _folder = new();
-
-    public void Dispose() => _folder.Dispose();
-
     [Fact]
     public void TuSimple_columns_lie_on_the_markings()
     {
-        _folder.Export("tusimple", simulated.Open());
+        Folder.Export("tusimple", simulated.Open());
         FrameLabel[] known = Known();
-        string[] lines = _folder.Lines("out/label_data_train.json");
+        string[] lines = Folder.Lines("out/label_data_train.json");
         Assert.Equal(known.Length, lines.Length);
         foreach ((string line, FrameLabel label) in lines.Zip(known))
         {
@@ -26,7 +22,7 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : IDisposable
             int[] rows = Ints(json.RootElement.GetProperty("h_samples"));
             // 150 rows: from the first multiple of ten in the lower two thirds.
             Assert.Equal([50, 60, 70, 80, 90, 100, 110, 120, 130, 140], rows);
-            Assert.True(File.Exists(_folder.PathOf("out/" + json.RootElement.GetProperty("raw_file").GetString())));
+            Assert.True(File.Exists(Folder.PathOf("out/" + json.RootElement.GetProperty("raw_file").GetString())));
             foreach (JsonElement lane in json.RootElement.GetProperty("lanes").EnumerateArray())
             {
                 int[] columns = Ints(lane);
@@ -45,15 +41,15 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : IDisposable
     [Fact]
     public void OpenLane_points_projected_with_the_intrinsics_fall_onto_their_pixels()
     {
-        _folder.Export("openlane", simulated.Open());
-        string[] list = _folder.Lines("out/train.txt");
+        Folder.Export("openlane", simulated.Open());
+        string[] list = Folder.Lines("out/train.txt");
         Assert.Equal(Known().Length, list.Length);
         int points = 0;
         foreach (string image in list)
         {
-            using JsonDocument json = JsonDocument.Parse(File.ReadAllText(_folder.PathOf("out/lane3d/" + Path.ChangeExtension(image, ".json"))));
+            using JsonDocument json = JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/lane3d/" + Path.ChangeExtension(image, ".json"))));
             Assert.Equal(image, json.RootElement.GetProperty("file_path").GetString());
-            Assert.True(File.Exists(_folder.PathOf("out/images/" + image)));
+            Assert.True(File.Exists(Folder.PathOf("out/images/" + image)));
             double[][] k = Matrix(json.RootElement.GetProperty("intrinsic"));
             foreach (JsonElement line in json.RootElement.GetProperty("lane_lines").EnumerateArray())
             {
@@ -76,9 +72,9 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : IDisposable
     [Fact]
     public void OpenLane_extrinsic_puts_the_camera_on_the_vehicle()
     {
-        _folder.Export("openlane", simulated.Open());
+        Folder.Export("openlane", simulated.Open());
         FrameLabel label = Known()[0];
-        using JsonDocument json = JsonDocument.Parse(File.ReadAllText(_folder.PathOf("out/lane3d/" + Path.ChangeExtension(_folder.Lines("out/train.txt")[0], ".json"))));
+        using JsonDocument json = JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/lane3d/" + Path.ChangeExtension(Folder.Lines("out/train.txt")[0], ".json"))));
         double[][] extrinsic = Matrix(json.RootElement.GetProperty("extrinsic"));
         JsonElement line = json.RootElement.GetProperty("lane_lines")[0];
         double[][] xyz = Matrix(line.GetProperty("xyz"));

@@ -2,23 +2,14 @@ using System.Xml.Linq;
 
 namespace Harvester.Datasets.Tests.Exports.Voc;
 
-public sealed class VocWriterTests : IDisposable
+public sealed class VocWriterTests : ExportTests
 {
-    private readonly ExportFolder _folder = new();
-    private readonly TestSession _session = new();
-
-    public void Dispose()
-    {
-        _folder.Dispose();
-        _session.Dispose();
-    }
-
     [Fact]
     public void Annotation_has_the_fields_of_the_development_kit()
     {
-        _folder.Export("voc", _session.Open());
+        Folder.Export("voc", Session.Open());
 
-        XElement annotation = XDocument.Load(_folder.PathOf("out/Annotations/00000001.xml")).Root!;
+        XElement annotation = XDocument.Load(Folder.PathOf("out/Annotations/00000001.xml")).Root!;
         Assert.Equal("annotation", annotation.Name);
         Assert.Equal("00000001.png", annotation.Element("filename")!.Value);
         Assert.Equal(("80", "60", "3"), (Size("width"), Size("height"), Size("depth")));
@@ -42,19 +33,19 @@ public sealed class VocWriterTests : IDisposable
     [InlineData(37.9, 42.1, "38", "43")]
     public void Boxes_count_pixels_from_one_and_include_the_last(double xMin, double xMax, string first, string last)
     {
-        _session.Car(0)["box2d"]![0] = xMin;
-        _session.Car(0)["box2d"]![2] = xMax;
-        _folder.Export("voc", _session.Open());
+        Session.Car(0)["box2d"]![0] = xMin;
+        Session.Car(0)["box2d"]![2] = xMax;
+        Folder.Export("voc", Session.Open());
 
-        XElement box = XDocument.Load(_folder.PathOf("out/Annotations/00000000.xml")).Descendants("bndbox").First();
+        XElement box = XDocument.Load(Folder.PathOf("out/Annotations/00000000.xml")).Descendants("bndbox").First();
         Assert.Equal((first, "28", last, "33"), (box.Element("xmin")!.Value, box.Element("ymin")!.Value, box.Element("xmax")!.Value, box.Element("ymax")!.Value));
     }
 
     [Fact]
     public void Image_sets_list_the_frames()
     {
-        _folder.Export("voc", _session.Open());
+        Folder.Export("voc", Session.Open());
 
-        Assert.Equal(["00000000", "00000001", "00000002"], _folder.Lines("out/ImageSets/Main/train.txt"));
+        Assert.Equal(["00000000", "00000001", "00000002"], Folder.Lines("out/ImageSets/Main/train.txt"));
     }
 }

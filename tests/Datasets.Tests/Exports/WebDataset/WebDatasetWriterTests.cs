@@ -4,20 +4,16 @@ using System.Text.Json.Nodes;
 namespace Harvester.Datasets.Tests.Exports.WebDataset;
 
 [Collection(SimulatedSession.Collection)]
-public sealed class WebDatasetWriterTests(SimulatedSession simulated) : IDisposable
+public sealed class WebDatasetWriterTests(SimulatedSession simulated) : ExportTests
 {
     private const int Block = 512;
-
-    private readonly ExportFolder _folder = new();
-
-    public void Dispose() => _folder.Dispose();
 
     [Fact]
     public void Archive_has_image_label_and_mask_of_each_frame_next_to_each_other()
     {
-        _folder.Export("webdataset", simulated.Open());
+        Folder.Export("webdataset", simulated.Open());
 
-        (string Name, byte[] Content)[] entries = [.. Entries(File.ReadAllBytes(_folder.PathOf("out/train-000000.tar")))];
+        (string Name, byte[] Content)[] entries = [.. Entries(File.ReadAllBytes(Folder.PathOf("out/train-000000.tar")))];
         string[] labels = File.ReadAllLines(Path.Combine(simulated.Folder, "labels.jsonl"));
         Assert.Equal(3 * SimulatedSession.Frames, entries.Length);
         for (int frame = 0; frame < SimulatedSession.Frames; frame++)

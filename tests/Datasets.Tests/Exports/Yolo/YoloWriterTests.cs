@@ -8,44 +8,38 @@ using Harvester.Geometry.PixelMaps;
 namespace Harvester.Datasets.Tests.Exports.Yolo;
 
 [Collection(SimulatedSession.Collection)]
-public sealed class YoloWriterTests(SimulatedSession simulated) : IDisposable
+public sealed class YoloWriterTests(SimulatedSession simulated) : ExportTests
 {
-    private readonly ExportFolder _folder = new();
-
-    public void Dispose() => _folder.Dispose();
-
     [Fact]
     public void Boxes_are_centre_and_size_in_shares_of_the_image()
     {
-        using var session = new TestSession();
-        _folder.Export("yolo", session.Open());
+        Folder.Export("yolo", Session.Open());
 
         // Car: centre (40, 30), size 6 x 6 of 80 x 60. Pedestrian: centre (75, 30), size 10 x 12; class 6 of all.
-        Assert.Equal(["0 0.5 0.5 0.075 0.1", "6 0.9375 0.5 0.125 0.2"], _folder.Lines("out/labels/train/00000000.txt"));
-        Assert.True(File.Exists(_folder.PathOf("out/images/train/00000000.png")));
+        Assert.Equal(["0 0.5 0.5 0.075 0.1", "6 0.9375 0.5 0.125 0.2"], Folder.Lines("out/labels/train/00000000.txt"));
+        Assert.True(File.Exists(Folder.PathOf("out/images/train/00000000.png")));
     }
 
     [Fact]
     public void Data_file_numbers_the_exported_classes_and_has_train_and_val()
     {
-        using var session = new TestSession();
-        _folder.Export("yolo", session.Open(), new ExportOptions { Classes = [ObjectClass.Pedestrian, ObjectClass.Bus] });
+        Folder.Export("yolo", Session.Open(), new ExportOptions { Classes = [ObjectClass.Pedestrian, ObjectClass.Bus] });
 
         Assert.Equal(
-            ["# Paths are relative to this file.", "train: images/train", "val: images/train", "names:", "  0: bus", "  1: pedestrian"], _folder.Lines("out/data.yaml"));
-        Assert.StartsWith("1 ", Assert.Single(_folder.Lines("out/labels/train/00000000.txt")), StringComparison.Ordinal);
+            ["# Paths are relative to this file.", "train: images/train", "val: images/train", "names:", "  0: bus", "  1: pedestrian"], Folder.Lines("out/data.yaml"));
+        Assert.StartsWith("1 ", Assert.Single(Folder.Lines("out/labels/train/00000000.txt")), StringComparison.Ordinal);
     }
 
     [Fact]
     public void Outlines_span_the_largest_piece_of_the_mask()
     {
-        _folder.Export("yolo-segment", simulated.Open());
+        Folder.Export("yolo-segment", simulated.Open());
         int frame = 0;
         foreach (FrameLabel label in simulated.Open().ReadLabels())
         {
             InstanceMap mask = PngDecoder.ReadInstanceMap(simulated.Open().PathOf(label.Mask!));
             ObjectLabel[] seen = [.. label.Objects.Where(item => mask.Ids.Contains((ushort)item.Id))];
-            string[] lines = _folder.Lines($"out/labels/train/{frame:D8}.txt");
+            string[] lines = Folder.Lines($"out/labels/train/{frame:D8}.txt");
             Assert.Equal(seen.Length, lines.Length);
             foreach ((string line, ObjectLabel item) in lines.Zip(seen))
             {

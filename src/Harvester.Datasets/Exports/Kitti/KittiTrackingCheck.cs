@@ -1,0 +1,56 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Harvester.Datasets.Exports.Validation;
+using Harvester.Datasets.Validation;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Datasets.Exports.Kitti;
+
+/// <summary>What must hold for KITTI tracking: labels, calibration and place in the lists of every sequence.</summary>
+internal static class KittiTrackingCheck
+{
+    private const string Images = "training/image_02";
+    private const string Labels = "training/label_02";
+    private const string Calibrations = "training/calib";
+    private const int Columns = 17;
+
+    public static IEnumerable<SessionProblem> Problems(DatasetContent dataset)
+    {
+        Dictionary<string, int> sequences = dataset.Folders(Images).ToDictionary(folder => Path.GetFileName(folder), folder => dataset.Files(folder).Count);
+        return sequences.Keys.SelectMany(sequence => ProblemsOf(dataset, sequence))
+            .Concat(LabelFiles.Strays(dataset, Labels, sequences.Keys))
+            .Concat(LabelFiles.Strays(dataset, Calibrations, sequences.Keys))
+            .Concat(SplitLists.Problems(dataset, split => $"ImageSets/{split}.txt", sequences));
+    }
+
+    private static IEnumerable<SessionProblem> ProblemsOf(DatasetContent dataset, string sequence)
+    {
+        string labels = $"{Labels}/{sequence}.txt";
+        var calibration = new KittiCalibrationCheck(dataset, $"{Calibrations}/{sequence}.txt", "R_rect", "Tr_velo_cam", "Tr_imu_velo");
+        Dictionary<int, ImageSize?> frames = dataset.Files($"{Images}/{sequence}").ToDictionary(
+            image => int.Parse(Path.GetFileNameWithoutExtension(image), CultureInfo.InvariantCulture), image => dataset.Header(image)?.Size);
+        var tracks = new TrackCheck();
+
+        // A sequence whose objects are all left out has no labels.
+        IEnumerable<SessionProblem> problems = dataset.Has(labels)
+            ? LabelFiles.Problems(dataset, labels, words => ProblemOf(words, frames, calibration.P2, tracks))
+            : [];
+        return calibration.Problems.Concat(problems);
+    }
+
+    private static string? ProblemOf(string[] words, Dictionary<int, ImageSize?> frames, double[]? projection, TrackCheck tracks)
+    {
+        if (words.Length != Columns)
+        {
+            return $"it has {words.Length} columns instead of {Columns}.";
+        }
+
+        return Numbers.Parse(words.Where((_, column) => column != 2)) is not { } numbers ? "a column but the type is not a number."
+            : !frames.TryGetValue((int)numbers[0], out ImageSize? image) || numbers[0] != Math.Floor(numbers[0]) ? $"frame {words[0]} has no image."
+            : numbers[2] is not (0 or 1 or 2) ? "truncated is not 0, 1 or 2."
+            : tracks.ProblemOf((int)numbers[0], words[1], words[2]) ?? KittiColumns.ProblemOf(words[2], numbers.AsSpan(3), image, projection);
+    }
+}

@@ -1,0 +1,121 @@
+using System;
+using System.IO;
+using System.Text.Json;
+
+namespace Harvester.Datasets.Json;
+
+/// <summary>
+/// Reads a file that is one JSON object with lists in it, element by element, so that it may be of any length. Fields that are no lists are
+/// passed over.
+/// </summary>
+internal sealed class JsonListReader : IDisposable
+{
+    private const int FirstBufferBytes = 1 << 16;
+    private const int ElementDepth = 2;
+
+    private readonly FileStream _file;
+    private byte[] _buffer = new byte[FirstBufferBytes];
+    private int _start;
+    private int _end;
+    private bool _isAtEnd;
+    private bool _isInList;
+    private int _line = 1;
+    private JsonReaderState _state;
+
+    public JsonListReader(string path) => _file = File.OpenRead(path);
+
+    /// <summary>Name of the list that the element is in.</summary>
+    public string List { get; private set; } = "";
+
+    /// <summary>Line of the file where the element begins, from 1.</summary>
+    public int Line { get; private set; }
+
+    /// <summary>The element that was read last.</summary>
+    public JsonElement Element { get; private set; }
+
+    /// <summary>Goes to the next element; false when there is none.</summary>
+    /// <exception cref="JsonException">The file is not JSON.</exception>
+    public bool Read()
+    {
+        while (true)
+        {
+            if (TryReadFromBuffer())
+            {
+                return true;
+            }
+
+            if (_isAtEnd)
+            {
+                return false;
+            }
+
+            Fill();
+        }
+    }
+
+    public void Dispose() => _file.Dispose();
+
+    private bool TryReadFromBuffer()
+    {
+        var reader = new Utf8JsonReader(_buffer.AsSpan(_start, _end - _start), _isAtEnd, _state);
+        while (true)
+        {
+            Utf8JsonReader before = reader;
+            if (!reader.Read())
+            {
+                Advance(reader);
+                return false;
+            }
+
+            bool isElement = _isInList && reader.CurrentDepth == ElementDepth;
+            if (isElement && !reader.TrySkip())
+            {
+                Advance(before);
+                return false;
+            }
+
+            if (isElement)
+            {
+                int begin = (int)before.BytesConsumed;
+                ReadOnlyMemory<byte> text = _buffer.AsMemory(_start + begin, (int)reader.BytesConsumed - begin);
+                Line = _line + text.Span[..LeadingBytes(text.Span)].Count((byte)'\n') + _buffer.AsSpan(_start, begin).Count((byte)'\n');
+                using JsonDocument document = JsonDocument.Parse(text[LeadingBytes(text.Span)..]);
+                Element = document.RootElement.Clone();
+                Advance(reader);
+                return true;
+            }
+
+            if (reader.CurrentDepth == 1)
+            {
+                List = reader.TokenType == JsonTokenType.PropertyName ? reader.GetString()! : List;
+                _isInList = reader.TokenType == JsonTokenType.StartArray;
+            }
+        }
+    }
+
+    /// <summary>What stands between the token before and the element: blanks and a comma.</summary>
+    private static int LeadingBytes(ReadOnlySpan<byte> text) => text.IndexOfAnyExcept(" \t\r\n,"u8);
+
+    private void Advance(in Utf8JsonReader reader)
+    {
+        int consumed = (int)reader.BytesConsumed;
+        _line += _buffer.AsSpan(_start, consumed).Count((byte)'\n');
+        _start += consumed;
+        _state = reader.CurrentState;
+    }
+
+    private void Fill()
+    {
+        _buffer.AsSpan(_start, _end - _start).CopyTo(_buffer);
+        _end -= _start;
+        _start = 0;
+        if (_end == _buffer.Length)
+        {
+            Array.Resize(ref _buffer, _buffer.Length * 2);
+        }
+
+        int read = _file.Read(_buffer, _end, _buffer.Length - _end);
+        _end += read;
+        _isAtEnd = read == 0;
+    }
+}

@@ -1,0 +1,68 @@
+using Harvester.Capture.Imaging;
+using Harvester.Datasets.Images;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Datasets.Tests.Exports.Coco;
+
+public sealed class CocoPanopticCheckTests(SimulatedSession simulated) : CheckTests(simulated, "coco-panoptic")
+{
+    private const string Labels = "annotations/panoptic_train.json";
+    private const string Picture = "annotations/panoptic_train/00000000.png";
+
+    [Theory]
+    [InlineData("\"segments_info\":\\[\\{\"id\":\\d+", "\"segments_info\":[{\"id\":60000", "segment 60000 is not in its picture, or there twice.")]
+    [InlineData("\"area\":(\\d+)", "\"area\":1$1", "segment 1 has another area or box than in its picture.")]
+    [InlineData("\"bbox\":\\[(\\d+)", "\"bbox\":[1$1", "segment 1 has another area or box than in its picture.")]
+    [InlineData("\"category_id\":\\d+", "\"category_id\":77", "segment 1 has a category that is not listed")]
+    [InlineData("\"segments_info\":\\[\\{[^}]*\\},", "\"segments_info\":[", "segment 1 of its picture is not listed.")]
+    public void A_damaged_segment_is_found_with_its_line(string pattern, string replacement, string expected)
+    {
+        Export();
+        Damage(Labels, pattern, replacement);
+        AssertFound($"{Labels}, line 10: annotation of image 0: {expected}");
+    }
+
+    [Fact]
+    public void An_image_without_annotation_and_one_with_two_are_found()
+    {
+        Export();
+        Damage(Labels, "\"image_id\":1,", "\"image_id\":0,");
+        AssertFound($"{Labels}, line 11: annotation of image 0: its image has an annotation already.");
+        AssertFound($"{Labels}: image 1 has no annotation.");
+    }
+
+    [Fact]
+    public void A_picture_with_other_pixels_is_found()
+    {
+        Export();
+        PixelBuffer picture = PngDecoder.ReadRgb(Folder.PathOf("out/" + Picture));
+        int at = Array.IndexOf(picture.Bytes, (byte)1);
+        picture.Bytes[at] = 0;
+        Write(picture);
+        AssertFound($"{Labels}, line 10: annotation of image 0: segment 1 has another area or box than in its picture.");
+    }
+
+    [Fact]
+    public void A_picture_of_another_size_is_found()
+    {
+        Export();
+        Write(new PixelBuffer(new ImageSize(20, 15)));
+        AssertFound($"{Labels}, line 10: annotation of image 0: its picture is not of 200 x 150.");
+    }
+
+    [Theory]
+    [InlineData(Picture, Labels + ", line 10: annotation of image 0: '" + Picture + "' is missing.")]
+    [InlineData(Labels, Labels + ": it is missing.")]
+    public void A_missing_file_is_found(string file, string expected)
+    {
+        Export();
+        Delete(file);
+        AssertFound(expected);
+    }
+
+    private void Write(PixelBuffer picture)
+    {
+        using FileStream file = File.Create(Folder.PathOf("out/" + Picture));
+        new PngEncoder().Write(picture, file);
+    }
+}

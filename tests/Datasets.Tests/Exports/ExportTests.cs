@@ -1,0 +1,18 @@
+namespace Harvester.Datasets.Tests.Exports;
+
+/// <summary>Tests that export: a folder for what they write and a session to damage, both gone afterwards.</summary>
+public abstract class ExportTests : IDisposable
+{
+    private TestSession? _session;
+
+    private protected ExportFolder Folder { get; } = new();
+
+    private protected TestSession Session => _session ??= new TestSession();
+
+    public void Dispose()
+    {
+        Folder.Dispose();
+        _session?.Dispose();
+        GC.SuppressFinalize(this);
+    }
+}

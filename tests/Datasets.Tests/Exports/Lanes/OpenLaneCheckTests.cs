@@ -1,0 +1,36 @@
+namespace Harvester.Datasets.Tests.Exports.Lanes;
+
+public sealed class OpenLaneCheckTests(SimulatedSession simulated) : CheckTests(simulated, "openlane")
+{
+    private const string Frame = "train/segment-0000/00000006";
+    private const string Labels = "lane3d/" + Frame + ".json";
+
+    [Theory]
+    [InlineData("^\\{", "", "it is not JSON.")]
+    [InlineData("\"file_path\":\"train", "\"file_path\":\"test", "file_path is not '" + Frame + ".png'.")]
+    [InlineData("\"intrinsic\":\\[\\[", "\"intrinsic\":[[-", "intrinsic is not the matrix of a camera.")]
+    [InlineData("\"extrinsic\":\\[\\[[^,]*", "\"extrinsic\":[[0.5", "extrinsic is not a rotation and a displacement.")]
+    [InlineData("\"visibility\":\\[\\d,", "\"visibility\":[", "lane_lines[0]: uv, xyz and visibility are not of one length.")]
+    [InlineData("\"visibility\":\\[\\d,", "\"visibility\":[2,", "lane_lines[0]: a visibility is not 0 or 1.")]
+    [InlineData("\"attribute\":\\d", "\"attribute\":7", "lane_lines[0]: its attribute, category or track_id")]
+    [InlineData("\"uv\":\\[\\[[^,]*", "\"uv\":[[300", "lane_lines[0]: point 0 does not lie in the image of 200 x 150.")]
+    [InlineData("\"xyz\":\\[\\[[^,]*", "\"xyz\":[[1000", "lane_lines[0]: point 0, projected with intrinsic, does not fall onto its pixel.")]
+    [InlineData("\"xyz\":\\[\\[", "\"xyz\":[[-", "lane_lines[0]: point 0, projected with intrinsic, does not fall onto its pixel.")]
+    public void Damaged_labels_are_found(string pattern, string replacement, string expected)
+    {
+        Export();
+        Damage(Labels, pattern, replacement);
+        AssertFound($"{Labels}: {expected}");
+    }
+
+    [Theory]
+    [InlineData(Labels, Labels + ": it is missing, but its image is there.")]
+    [InlineData("images/" + Frame + ".png", Labels + ": its image is missing.")]
+    [InlineData("train.txt", "*.txt: '" + Frame + ".png' is in no list.")]
+    public void A_missing_file_is_found(string file, string expected)
+    {
+        Export();
+        Delete(file);
+        AssertFound(expected);
+    }
+}

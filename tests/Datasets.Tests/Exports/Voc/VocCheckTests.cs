@@ -1,0 +1,35 @@
+namespace Harvester.Datasets.Tests.Exports.Voc;
+
+public sealed class VocCheckTests(SimulatedSession simulated) : CheckTests(simulated, "voc")
+{
+    private const string Annotation = "Annotations/00000001.xml";
+
+    [Theory]
+    [InlineData("<filename>.*<", "<filename>x.png<", 3, "filename is not '00000001.png'.")]
+    [InlineData("<width>200<", "<width>300<", 4, "its size is not that of the image, 200 x 150.")]
+    [InlineData("<name>.*<", "<name>lorry<", 10, "'lorry' is not a class of the export.")]
+    [InlineData("<truncated>.*<", "<truncated>2<", 10, "truncated is not 0 or 1.")]
+    [InlineData("<difficult>.*<", "<difficult>yes<", 10, "difficult is not 0 or 1.")]
+    [InlineData("<xmin>.*<", "<xmin>0<", 16, "its box does not lie in the image.")]
+    [InlineData("<ymax>.*<", "<ymax>151<", 16, "its box does not lie in the image.")]
+    [InlineData("<ymin>.*<", "<ymin>150<", 16, "its box does not lie in the image.")]
+    [InlineData("</bndbox>", "</box>", 21, "it is not XML from here on.")]
+    public void A_damaged_annotation_is_found_with_its_line(string pattern, string replacement, int line, string expected)
+    {
+        Export();
+        Damage(Annotation, pattern, replacement);
+        AssertFound($"{Annotation}, line {line}: {expected}");
+    }
+
+    [Theory]
+    [InlineData(Annotation, Annotation + ": it is missing, but its image is there.")]
+    [InlineData("JPEGImages/00000001.png", Annotation + ": its image is missing.")]
+    [InlineData("JPEGImages/00000001.png", "ImageSets/Main/train.txt, line 2: '00000001' is not in the dataset.")]
+    [InlineData("ImageSets/Main/train.txt", "ImageSets/Main/*.txt: '00000000' is in no list.")]
+    public void A_missing_file_is_found(string file, string expected)
+    {
+        Export();
+        Delete(file);
+        AssertFound(expected);
+    }
+}
