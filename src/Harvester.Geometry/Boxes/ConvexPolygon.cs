@@ -48,7 +48,10 @@ public static class ConvexPolygon
         return Math.Abs(doubled) / 2;
     }
 
-    /// <summary>The part of a convex polygon within a box, sides included: Sutherland and Hodgman's clipping at the four sides.</summary>
+    /// <summary>
+    /// The part of a polygon within a box, sides included: Sutherland and Hodgman's clipping at the four sides. Where a polygon that is
+    /// not convex falls into parts, they stay joined along the box's sides, which changes neither area nor bounds.
+    /// </summary>
     /// <returns>The clipped polygon; empty when nothing is left.</returns>
     public static IReadOnlyList<Vector2D> Clip(IReadOnlyList<Vector2D> polygon, Box2D box)
     {

@@ -6,13 +6,11 @@ namespace Harvester.Geometry.Boxes;
 
 /// <summary>
 /// Algorithm 1 of the thesis, done right: the twelve edges are clipped at the near plane in the camera's frame, what is left is
-/// projected, its convex hull is the silhouette, and the silhouette is cut with the image.
+/// projected, its convex hull is the outline, and the outline is cut with the image. A lens that bends lines bends the outline after
+/// the hull is taken, for it is only before the lens that the outline of a convex body is convex.
 /// </summary>
 public static class CuboidProjector
 {
-    /// <summary>A lens that bends lines has its extremes between an edge's ends; so many pieces bring the error well under a hundredth of a pixel.</summary>
-    private const int PiecesOfBentEdge = 32;
-
     /// <summary>
     /// Projects a cuboid. One that contains the camera's position covers the whole image; one behind the near plane gives nothing;
     /// one that touches the image only in a line or a point is outside it.
@@ -30,24 +28,28 @@ public static class CuboidProjector
         Guard.NotNull(cuboid, nameof(cuboid));
         Guard.NotNull(edges, nameof(edges));
         Box2D image = camera.Image.Bounds;
-        List<Vector2D> points = VisibleEdgePoints(camera, edges);
-        if (cuboid.Contains(camera.Pose.Position))
+        List<Vector3D> ends = VisibleEdgeEnds(camera, edges);
+        bool isAround = cuboid.Contains(camera.Pose.Position);
+        if (ends.Count == 0 && !isAround)
         {
-            points.Add(new Vector2D(image.XMin, image.YMin));
-            points.Add(new Vector2D(image.XMax, image.YMin));
-            points.Add(new Vector2D(image.XMax, image.YMax));
-            points.Add(new Vector2D(image.XMin, image.YMax));
+            return new CuboidProjection(BoxOutcome.BehindNearPlane, null, null, 0, []);
         }
 
-        if (points.Count == 0)
+        IReadOnlyList<Vector2D> outline = camera.Intrinsics.Lens.IsRectilinear
+            ? ConvexPolygon.Hull(ends.ConvertAll(camera.PixelOf))
+            : BentOutline.Of(camera, ends);
+        if (isAround)
         {
-            return new CuboidProjection(BoxOutcome.BehindNearPlane, null, null, 0, points);
+            outline = ConvexPolygon.Hull(
+            [
+                .. outline, new(image.XMin, image.YMin), new(image.XMax, image.YMin), new(image.XMax, image.YMax), new(image.XMin, image.YMax),
+            ]);
         }
 
-        IReadOnlyList<Vector2D> silhouette = ConvexPolygon.Hull(points);
-        IReadOnlyList<Vector2D> inImage = ConvexPolygon.Clip(silhouette, image);
-        Box2D? amodal = ConvexPolygon.Bounds(silhouette);
-        double area = ConvexPolygon.Area(silhouette);
+        IReadOnlyList<Vector2D> silhouette = camera.Intrinsics.Lens.IsRectilinear ? outline : ConvexPolygon.Hull(outline);
+        IReadOnlyList<Vector2D> inImage = ConvexPolygon.Clip(outline, image);
+        Box2D? amodal = ConvexPolygon.Bounds(outline);
+        double area = ConvexPolygon.Area(outline);
         double areaInImage = ConvexPolygon.Area(inImage);
         if (!(areaInImage > 0))
         {
@@ -62,29 +64,23 @@ public static class CuboidProjector
             : new CuboidProjection(BoxOutcome.InImage, box, amodal?.Union(box.Value), truncated, silhouette);
     }
 
-    private static List<Vector2D> VisibleEdgePoints(Camera camera, IEnumerable<(Vector3D Start, Vector3D End)> edges)
+    /// <summary>The ends of what the near plane leaves of the edges, in the camera's frame.</summary>
+    private static List<Vector3D> VisibleEdgeEnds(Camera camera, IEnumerable<(Vector3D Start, Vector3D End)> edges)
     {
         double near = camera.Intrinsics.NearClip;
-        int pieces = camera.Intrinsics.Lens.IsRectilinear ? 1 : PiecesOfBentEdge;
-        var points = new List<Vector2D>();
+        var ends = new List<Vector3D>();
         foreach ((Vector3D start, Vector3D end) in edges)
         {
             Vector3D a = camera.Pose.ToLocal(start);
             Vector3D b = camera.Pose.ToLocal(end);
-            if (a.Y < near && b.Y < near)
+            if (a.Y >= near || b.Y >= near)
             {
-                continue;
-            }
-
-            Vector3D from = a.Y < near ? AtNearPlane(b, a, near) : a;
-            Vector3D to = b.Y < near ? AtNearPlane(a, b, near) : b;
-            for (int piece = 0; piece <= pieces; piece++)
-            {
-                points.Add(camera.PixelOf(from + ((to - from) * ((double)piece / pieces))));
+                ends.Add(a.Y < near ? AtNearPlane(b, a, near) : a);
+                ends.Add(b.Y < near ? AtNearPlane(a, b, near) : b);
             }
         }
 
-        return points;
+        return ends;
     }
 
     private static Vector3D AtNearPlane(Vector3D front, Vector3D behind, double near)

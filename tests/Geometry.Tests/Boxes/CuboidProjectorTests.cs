@@ -7,7 +7,7 @@ public sealed class CuboidProjectorTests
 {
     private const double Rounding = 1e-9;
 
-    /// <summary>The outline of a bent edge is sampled in 32 pieces; between samples it bulges by less than this, pixels.</summary>
+    /// <summary>The outline is bent in pieces; between their ends it bulges by less than this, pixels.</summary>
     private const double BentEdgePixels = 0.05;
 
     /// <summary>At the origin, looking north; fx = fy = 300, the image's middle at (400, 300).</summary>
@@ -124,15 +124,69 @@ public sealed class CuboidProjectorTests
             for (int k = 0; k < 50; k++)
             {
                 var pixel = new Vector2D(random.Between(0, 800), random.Between(0, 600));
-                Ray ray = Origin.RayThrough(pixel.X, pixel.Y);
-
                 // The ray counts from the near plane on, as the projection does; from inside the cuboid everything is covered.
-                double near = Origin.Intrinsics.NearClip / ray.Direction.Y;
-                bool met = cuboid.Intersect(ray) is { } span && span.Exit >= near;
+                bool met = IsMet(Origin, cuboid, pixel.X, pixel.Y);
 
                 Assert.Equal(met || cuboid.Contains(Vector3D.Zero), ConvexPolygon.Contains(projection.Silhouette, pixel));
             }
         }
+    }
+
+    [Theory]
+    [InlineData(-0.08, 0.01, true)]
+    [InlineData(-0.08, 0.01, false)]
+    [InlineData(0.1, 0, true)]
+    [InlineData(0.1, 0, false)]
+    public void Project_under_a_bent_lens_bounds_what_rays_meet_also_across_the_near_plane(double k1, double k2, bool isAcrossNearPlane)
+    {
+        const double inside = 0.5;
+        const double step = 0.2;
+        Camera camera = Looking(new Lens(1, 0, 0, k1, k2));
+        var random = new Random(7);
+        int seen = 0;
+        while (seen < 25)
+        {
+            var cuboid = new Cuboid(
+                new(random.Between(-6, 6), random.Between(-3, isAcrossNearPlane ? 5 : 20), random.Between(-2, 2)), Half(random), random.Axes());
+            if (cuboid.Contains(Vector3D.Zero)
+                || IsAcrossNearPlane(camera, cuboid) != isAcrossNearPlane
+                || CuboidProjector.Project(camera, cuboid).Box is not { } box)
+            {
+                continue;
+            }
+
+            seen++;
+            for (double u = 2; u < 800; u += 20)
+            {
+                for (double v = 2; v < 600; v += 20)
+                {
+                    Assert.True(!IsMet(camera, cuboid, u, v) || box.Contains(new Box2D(u, v, u, v), BentEdgePixels), $"{cuboid} is outside of {box}");
+                }
+            }
+
+            if (box.Width > 1 && box.Height > 1)
+            {
+                Assert.True(IsMetBetween(box.XMin + inside, box.YMin, box.XMin + inside, box.YMax), $"left of {box} of {cuboid}");
+                Assert.True(IsMetBetween(box.XMax - inside, box.YMin, box.XMax - inside, box.YMax), $"right of {box} of {cuboid}");
+                Assert.True(IsMetBetween(box.XMin, box.YMin + inside, box.XMax, box.YMin + inside), $"top of {box} of {cuboid}");
+                Assert.True(IsMetBetween(box.XMin, box.YMax - inside, box.XMax, box.YMax - inside), $"bottom of {box} of {cuboid}");
+            }
+
+            bool IsMetBetween(double u, double v, double toU, double toV)
+            {
+                int steps = (int)((toU - u + toV - v) / step);
+                return Enumerable.Range(0, steps + 1).Any(i => IsMet(camera, cuboid, u + ((toU - u) * i / steps), v + ((toV - v) * i / steps)));
+            }
+        }
+    }
+
+    private static bool IsAcrossNearPlane(Camera camera, Cuboid cuboid) =>
+        cuboid.EdgesInWorld.Any(edge => (edge.Start.Y < camera.Intrinsics.NearClip) != (edge.End.Y < camera.Intrinsics.NearClip));
+
+    private static bool IsMet(Camera camera, Cuboid cuboid, double u, double v)
+    {
+        Ray ray = camera.RayThrough(u, v);
+        return cuboid.Intersect(ray) is { } span && span.Exit >= camera.Intrinsics.NearClip / ray.Direction.Y;
     }
 
     private static Vector3D Half(Random random) => new(random.Between(0.1, 3), random.Between(0.1, 3), random.Between(0.1, 3));
