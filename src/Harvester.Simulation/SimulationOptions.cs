@@ -26,7 +26,7 @@ public sealed record SimulationOptions
     /// <summary>Traffic lights and street lamps to set up where they are given, in place of made-up ones; null to make them up.</summary>
     public IReadOnlyList<PropPlacement>? Props { get; init; }
 
-    /// <summary>The weather, one of <see cref="Rendering.Weather.Names"/>.</summary>
+    /// <summary>The weather, one of <see cref="WeatherNames.All"/>.</summary>
     public string Weather { get; init; } = "clear";
 
     /// <summary>The hour at the beginning.</summary>

@@ -4,17 +4,20 @@ using Harvester.Capture.Spaces;
 
 namespace Harvester.Capture.Scenes;
 
-/// <summary>The game's names of weathers, by their hashes.</summary>
+/// <summary>The game's names of weathers, in small letters.</summary>
 public static class WeatherNames
 {
-    private static readonly Dictionary<int, string> Known =
-        "extrasunny clear clouds smog foggy overcast rain thunder clearing neutral snow blizzard snowlight xmas halloween"
-            .Split(' ')
-            .ToDictionary(ModelHash.Of);
+    private static readonly string[] Names =
+        "clear extrasunny clouds neutral overcast smog foggy clearing rain thunder snowlight snow xmas blizzard halloween".Split(' ');
 
-    /// <summary>Whether a name is one of the game's, in small letters.</summary>
-    public static bool IsKnown(string name) => Known.ContainsValue(name);
+    private static readonly Dictionary<int, string> Known = Names.ToDictionary(ModelHash.Of);
 
-    /// <summary>The name of a weather; "unknown" for one that is not the game's own.</summary>
+    /// <summary>All of them.</summary>
+    public static IReadOnlyList<string> All => Names;
+
+    /// <summary>Whether a name is one of them.</summary>
+    public static bool IsKnown(string name) => Names.Contains(name);
+
+    /// <summary>The name of the weather with a hash; "unknown" for one that is not the game's own.</summary>
     public static string Of(int hash) => Known.TryGetValue(hash, out string? name) ? name : "unknown";
 }

@@ -6,6 +6,7 @@ using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Scenes;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Harvesting;
 using Harvester.Datasets.Reports;
@@ -15,7 +16,6 @@ using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
-using Harvester.Simulation.Rendering;
 
 namespace Harvester.Cli.Commands;
 
@@ -79,7 +79,7 @@ internal static class HarvestCommand
     private static readonly Option<Vector2D?> Near = ValueParsers.Point("--near", "X,Y", "Where to start, metres [default: the middle of the roads]");
     private static readonly Option<string> WeatherName = new("--weather")
     {
-        Description = "The weather: " + string.Join(", ", Weather.Names),
+        Description = "The weather: " + string.Join(", ", WeatherNames.All),
         HelpName = "W",
         DefaultValueFactory = _ => "clear",
     };
@@ -172,9 +172,9 @@ internal static class HarvestCommand
             Props = [.. parsed.GetRequiredValue(Props).Select(file => file.FullName)],
             Spaces = parsed.GetValue(Spaces)?.FullName,
             Near = parsed.GetValue(Near),
-            Weather = Weather.Names.Contains(weather)
+            Weather = WeatherNames.IsKnown(weather)
                 ? weather
-                : throw new UsageException($"--weather takes one of {string.Join(", ", Weather.Names)}, not '{weather}'."),
+                : throw new UsageException($"--weather takes one of {string.Join(", ", WeatherNames.All)}, not '{weather}'."),
             TimeOfDay = parsed.GetValue(Time) ?? Noon,
             Masks = parsed.GetValue(Masks),
             Shard = parsed.GetValue(ShardOf),

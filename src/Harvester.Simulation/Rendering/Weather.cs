@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
@@ -29,18 +30,15 @@ public static class Weather
         ["halloween"] = (0.9, 0.012, 0.15, 0),
     };
 
-    /// <summary>The game's names of all weathers, in small letters.</summary>
-    public static IReadOnlyCollection<string> Names => Airs.Keys;
-
     /// <summary>The light of a weather at an hour.</summary>
-    /// <param name="weather">One of <see cref="Names"/>.</param>
+    /// <param name="weather">One of <see cref="WeatherNames.All"/>.</param>
     /// <param name="timeOfDay">Time since midnight.</param>
     /// <exception cref="ArgumentException">The game has no such weather.</exception>
     public static Lighting LightingOf(string weather, TimeSpan timeOfDay)
     {
         (double clouds, double fog, double rain, double snow) = Airs.TryGetValue(weather, out var air)
             ? air
-            : throw new ArgumentException($"The weather is one of {string.Join(", ", Names)}, not '{weather}'.");
+            : throw new ArgumentException($"The weather is one of {string.Join(", ", WeatherNames.All)}, not '{weather}'.");
 
         // The sun rises at six in the east, stands highest at noon in the south, and sets at eighteen in the west.
         double hourAngle = (timeOfDay.TotalHours - 12) * Math.PI / 12;

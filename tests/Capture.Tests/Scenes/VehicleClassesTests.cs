@@ -24,13 +24,4 @@ public sealed class VehicleClassesTests
     {
         Assert.Equal(expected, VehicleClasses.Of(ModelHash.Of(model), gameClass));
     }
-
-    [Theory]
-    [InlineData("EXTRASUNNY", "extrasunny")]
-    [InlineData("RAIN", "rain")]
-    [InlineData("someModsWeather", "unknown")]
-    public void Weather_is_named_by_its_hash(string name, string expected)
-    {
-        Assert.Equal(expected, WeatherNames.Of(ModelHash.Of(name)));
-    }
 }

@@ -1,3 +1,4 @@
+using Harvester.Capture.Scenes;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Tests.Rendering;
@@ -10,7 +11,7 @@ public class WeatherTests
     [Fact]
     public void LightingOf_each_name_gives_a_picture_of_its_own()
     {
-        List<(string Name, byte[] Colour)> pictures = [.. Weather.Names.Select(name => (name, PictureOf(name)))];
+        List<(string Name, byte[] Colour)> pictures = [.. WeatherNames.All.Select(name => (name, PictureOf(name)))];
 
         // The names of the game's fifteen weathers.
         Assert.Equal(15, pictures.Count);
@@ -30,7 +31,7 @@ public class WeatherTests
         ArgumentException error = Assert.Throws<ArgumentException>(() => new SimulatedGame(new SimulationOptions { Weather = "sunny" }));
 
         Assert.Contains("'sunny'", error.Message, StringComparison.Ordinal);
-        Assert.All(Weather.Names, name => Assert.Contains(name, error.Message, StringComparison.Ordinal));
+        Assert.All(WeatherNames.All, name => Assert.Contains(name, error.Message, StringComparison.Ordinal));
     }
 
     private static byte[] PictureOf(string weather)
