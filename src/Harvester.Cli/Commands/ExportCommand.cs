@@ -54,6 +54,11 @@ internal static class ExportCommand
     private static readonly Option<double> MinVisible = ValueParsers.Number(
         "--min-visible", "S", "Export objects of which at least this share is seen, 0 to 1", value => value is >= 0 and <= 1, "a number from 0 to 1");
 
+    private static readonly Option<PartSelection> Parts = new("--parts")
+    {
+        Description = "Whether parts of other objects, as the faces of signs, are exported: all objects, none that is a part, or parts only",
+    };
+
     private static readonly Option<SegmentationKind> Segmentation = new("--segmentation") { Description = "How coco describes pixels" };
     private static readonly Option<ImageTransfer> Images = new("--images") { Description = "Whether images are hard links, where that can be done, or copies" };
     private static readonly Option<Shard> ShardOf = ShardOption.Create();
@@ -63,7 +68,7 @@ internal static class ExportCommand
         Block.DefaultValueFactory = _ => 1;
         var command = new Command("export", "Export sessions to a dataset format.")
         {
-            Sessions, Format, Out, Splits, Seed, Block, Classes, MinVisible, Segmentation, Images, ShardOf,
+            Sessions, Format, Out, Splits, Seed, Block, Classes, MinVisible, Parts, Segmentation, Images, ShardOf,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
@@ -94,6 +99,7 @@ internal static class ExportCommand
             Splits = SplitsOf(parsed),
             Classes = ClassList.Parse(parsed.GetValue(Classes)),
             MinVisibleFraction = parsed.GetValue(MinVisible),
+            Parts = parsed.GetValue(Parts),
             Segmentation = parsed.GetValue(Segmentation),
             Images = parsed.GetValue(Images),
         };

@@ -41,6 +41,12 @@ public sealed class DatasetExporter
     public ExportResult Run(Action<int> report, CancellationToken cancellation = default)
     {
         string identity = _plan.Identity;
+        if (_folder.HasLeftovers)
+        {
+            _folder.Finish();
+            return DatasetAssembly.ResultOf(_folder);
+        }
+
         if (_folder.IsFinished)
         {
             throw new IOException($"'{_folder.Path}' holds a finished dataset already. Name another folder.");

@@ -19,6 +19,12 @@ public static class DatasetMerger
     public static ExportResult Merge(IReadOnlyList<string> shards, string folder, ImageTransfer transfer)
     {
         var target = new DatasetFolder(folder);
+        if (target.HasLeftovers)
+        {
+            target.Finish();
+            return DatasetAssembly.ResultOf(target);
+        }
+
         if (target.IsFinished)
         {
             throw new IOException($"'{folder}' holds a finished dataset already. Name another folder.");

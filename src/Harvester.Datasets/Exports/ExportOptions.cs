@@ -18,6 +18,9 @@ public sealed record ExportOptions
     /// <summary>Only objects of which at least this share is seen, 0 to 1. Where occlusion was not determined, the truncation alone counts.</summary>
     public double MinVisibleFraction { get; init; }
 
+    /// <summary>Whether parts of other objects are exported.</summary>
+    public PartSelection Parts { get; init; }
+
     /// <summary>How pixels are described in formats with the choice.</summary>
     public SegmentationKind Segmentation { get; init; }
 
@@ -29,10 +32,17 @@ public sealed record ExportOptions
 
     /// <summary>Whether an object is exported.</summary>
     public bool Includes(ObjectLabel label) =>
-        Includes(label.Class) && (label.VisibleFraction ?? (1 - label.TruncatedFraction)) >= MinVisibleFraction;
+        Includes(label.Class) && Includes(label.Parent) && (label.VisibleFraction ?? (1 - label.TruncatedFraction)) >= MinVisibleFraction;
 
     /// <summary>The classes' names, in order, with commas.</summary>
     internal string ClassNames => string.Join(",", ClassList.Select(JsonName.Of));
+
+    private bool Includes(int? parent) => Parts switch
+    {
+        PartSelection.None => parent is null,
+        PartSelection.Only => parent is not null,
+        _ => true,
+    };
 
     private bool Includes(ObjectClass kind) => Classes?.Contains(kind) ?? true;
 }

@@ -39,6 +39,7 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
         json.WriteNumber("splitBlockFrames", Options.Splits.BlockFrames);
         json.WriteString("classes", Options.ClassNames);
         json.WriteNumber("minVisibleFraction", Options.MinVisibleFraction);
+        json.WriteString("parts", JsonName.Of(Options.Parts));
         json.WriteString("segmentation", JsonName.Of(Options.Segmentation));
         json.WriteEndObject();
     });
@@ -57,6 +58,7 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
             Splits = new SplitPlan(splits, fields.WholeNumber("splitSeed"), fields.WholeNumber("splitBlockFrames")),
             Classes = [.. fields.Text("classes").Split(',', StringSplitOptions.RemoveEmptyEntries).Select(ClassOf)],
             MinVisibleFraction = fields.Number("minVisibleFraction"),
+            Parts = fields.Name<PartSelection>("parts"),
             Segmentation = fields.Name<SegmentationKind>("segmentation"),
         });
     }

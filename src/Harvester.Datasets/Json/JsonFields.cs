@@ -33,7 +33,11 @@ public readonly struct JsonFields
     public bool Has(string name) => _element.TryGetProperty(name, out JsonElement field) && field.ValueKind != JsonValueKind.Null;
 
     /// <summary>A finite number.</summary>
-    public double Number(string name) => NumberOf(Field(name), Path(name));
+    public double Number(string name)
+    {
+        JsonElement field = Field(name);
+        return IsFinite(field, out double value) ? value : throw Wrong(Path(name), "a finite number", field);
+    }
 
     /// <summary>A finite number, or null when the field is absent or null.</summary>
     public double? OptionalNumber(string name) => Has(name) ? Number(name) : null;
@@ -83,43 +87,41 @@ public readonly struct JsonFields
             throw Wrong(Path(name), $"a list of {count} numbers", field);
         }
 
-        string path = Path(name);
-        return [.. field.EnumerateArray().Select((item, index) => NumberOf(item, $"{path}[{index}]"))];
+        return NumbersOf(field, name);
     }
 
     /// <summary>A list of finite numbers.</summary>
-    public double[] Numbers(string name) => NumbersOf(Field(name), Path(name));
+    public double[] Numbers(string name) => NumbersOf(Field(name), name);
 
     /// <summary>A list of lists of finite numbers, each of its own length.</summary>
-    public double[][] Rows(string name)
-    {
-        string path = Path(name);
-        return [.. Items(name, "a list of lists of numbers").Select((row, index) => NumbersOf(row, $"{path}[{index}]"))];
-    }
+    public double[][] Rows(string name) => RowsOf(name, null);
 
     /// <summary>Whether a field is a list.</summary>
     public bool IsList(string name) => Field(name).ValueKind == JsonValueKind.Array;
 
     /// <summary>Either true or false.</summary>
-    public bool Truth(string name) => TruthOf(Field(name), Path(name));
+    public bool Truth(string name) => TruthOf(Field(name), name);
 
     /// <summary>A list of true and false.</summary>
     public bool[] Truths(string name)
     {
-        string path = Path(name);
-        return [.. Items(name, "a list of true and false").Select((item, index) => TruthOf(item, $"{path}[{index}]"))];
+        JsonElement list = Field(name);
+        if (list.ValueKind != JsonValueKind.Array)
+        {
+            throw Wrong(Path(name), "a list of true and false", list);
+        }
+
+        var truths = new List<bool>(list.GetArrayLength());
+        foreach (JsonElement item in list.EnumerateArray())
+        {
+            truths.Add(TruthOf(item, name, truths.Count));
+        }
+
+        return [.. truths];
     }
 
     /// <summary>A list of lists of so many finite numbers each.</summary>
-    public double[][] Rows(string name, int count)
-    {
-        string path = Path(name);
-        string expected = $"a list of lists of {count} numbers";
-        return [.. Items(name, expected).Select((row, index) =>
-            row.ValueKind == JsonValueKind.Array && row.GetArrayLength() == count
-                ? row.EnumerateArray().Select(item => NumberOf(item, $"{path}[{index}]")).ToArray()
-                : throw Wrong($"{path}[{index}]", $"a list of {count} numbers", row))];
-    }
+    public double[][] Rows(string name, int count) => RowsOf(name, count);
 
     /// <summary>A list of three numbers as a vector.</summary>
     public Vector3D Vector(string name)
@@ -176,22 +178,67 @@ public readonly struct JsonFields
         }
     }
 
-    private static double[] NumbersOf(JsonElement list, string path) => list.ValueKind == JsonValueKind.Array
-        ? [.. list.EnumerateArray().Select((item, index) => NumberOf(item, $"{path}[{index}]"))]
-        : throw Wrong(path, "a list of numbers", list);
-
-    private static double NumberOf(JsonElement field, string path) =>
-        field.ValueKind == JsonValueKind.Number && field.TryGetDouble(out double value) && double.IsFinite(value)
-            ? value
-            : throw Wrong(path, "a finite number", field);
-
-    private static bool TruthOf(JsonElement field, string path) =>
-        field.ValueKind is JsonValueKind.True or JsonValueKind.False ? field.GetBoolean() : throw Wrong(path, "true or false", field);
-
-    private JsonElement.ArrayEnumerator Items(string name, string expected)
+    private double[][] RowsOf(string name, int? count)
     {
-        JsonElement field = Field(name);
-        return field.ValueKind == JsonValueKind.Array ? field.EnumerateArray() : throw Wrong(Path(name), expected, field);
+        JsonElement list = Field(name);
+        string numbers = count is null ? "numbers" : $"{count} numbers";
+        if (list.ValueKind != JsonValueKind.Array)
+        {
+            throw Wrong(Path(name), $"a list of lists of {numbers}", list);
+        }
+
+        var rows = new List<double[]>(list.GetArrayLength());
+        foreach (JsonElement row in list.EnumerateArray())
+        {
+            rows.Add(row.ValueKind == JsonValueKind.Array && (count is null || row.GetArrayLength() == count)
+                ? NumbersOf(row, name, rows.Count)
+                : throw Wrong(Place(name, rows.Count), $"a list of {numbers}", row));
+        }
+
+        return [.. rows];
+    }
+
+    private double[] NumbersOf(JsonElement list, string name, params ReadOnlySpan<int> places)
+    {
+        if (list.ValueKind != JsonValueKind.Array)
+        {
+            throw Wrong(Place(name, places), "a list of numbers", list);
+        }
+
+        var numbers = new double[list.GetArrayLength()];
+        int index = 0;
+        foreach (JsonElement item in list.EnumerateArray())
+        {
+            if (!IsFinite(item, out numbers[index]))
+            {
+                throw Wrong(Place(name, [.. places, index]), "a finite number", item);
+            }
+
+            index++;
+        }
+
+        return numbers;
+    }
+
+    private static bool IsFinite(JsonElement field, out double value)
+    {
+        value = 0;
+        return field.ValueKind == JsonValueKind.Number && field.TryGetDouble(out value) && double.IsFinite(value);
+    }
+
+    private bool TruthOf(JsonElement field, string name, params ReadOnlySpan<int> places) =>
+        field.ValueKind is JsonValueKind.True or JsonValueKind.False ? field.GetBoolean() : throw Wrong(Place(name, places), "true or false", field);
+
+    /// <summary>The path of a field's item, as camera.position[2]; made for errors only.</summary>
+    private string Place(string name, params ReadOnlySpan<int> places)
+    {
+        string path = Path(name);
+        foreach (int place in places)
+        {
+            path += FormattableString.Invariant($"[{place}]");
+        }
+
+        return path;
     }
 
     private static DatasetFormatException Wrong(string path, string expected, JsonElement found)

@@ -129,6 +129,31 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     }
 
     [Fact]
+    public void Export_with_or_without_parts_leaves_the_rest_out()
+    {
+        // The pedestrian of the second frame is a part of the car, whatever that may be.
+        Session.Lines[1]["objects"]![1]!["parent"] = 1;
+
+        Assert.Equal(6, Folder.Export("csv", Session.Open(), to: "all").Objects);
+        Assert.Equal(5, Folder.Export("csv", Session.Open(), new ExportOptions { Parts = PartSelection.None }, "none").Objects);
+        Assert.Equal(1, Folder.Export("csv", Session.Open(), new ExportOptions { Parts = PartSelection.Only }, "only").Objects);
+        Assert.EndsWith(",1", Folder.Lines("only/objects.csv")[1], StringComparison.Ordinal);
+        Assert.EndsWith(",", Folder.Lines("none/objects.csv")[1], StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Export_that_was_killed_while_it_took_its_working_folder_away_is_finished()
+    {
+        ExportResult whole = Folder.Export("csv", Session.Open());
+        SortedDictionary<string, string> contents = Folder.Contents("out");
+        Directory.CreateDirectory(Folder.PathOf("out/.export/parts"));
+        File.WriteAllText(Folder.PathOf("out/.export/parts/0"), "left");
+
+        Assert.Equal(whole, Folder.Export("csv", Session.Open()));
+        Assert.Equal(contents, Folder.Contents("out"));
+    }
+
+    [Fact]
     public void Export_of_a_malformed_line_names_file_line_and_field()
     {
         Session.Car(1).Remove("box3d");

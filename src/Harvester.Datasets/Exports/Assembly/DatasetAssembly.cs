@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text;
+using System.Text.Json;
 using Harvester.Datasets.Json;
 
 namespace Harvester.Datasets.Exports.Assembly;
@@ -37,6 +38,14 @@ internal static class DatasetAssembly
         folder.Write(DatasetFolder.Manifest, stream => stream.Write(Encoding.UTF8.GetBytes(ManifestText(plan, frames, objects, splits))));
         folder.Finish();
         return new ExportResult(frames, objects, IsFinished: true);
+    }
+
+    /// <summary>What a finished dataset says of itself.</summary>
+    public static ExportResult ResultOf(DatasetFolder folder)
+    {
+        using JsonDocument manifest = JsonDocument.Parse(File.ReadAllBytes(folder.PathOf(DatasetFolder.Manifest)));
+        var fields = new JsonFields(manifest.RootElement);
+        return new ExportResult(fields.WholeNumber("frames"), fields.WholeNumber("objects"), IsFinished: true);
     }
 
     /// <summary>The entries of all journals by rising number; each journal is in order already.</summary>

@@ -25,7 +25,10 @@ internal sealed class DatasetFolder(string path)
 
     public string Path => path;
 
-    public bool IsFinished => File.Exists(PathOf(Manifest));
+    public bool IsFinished => File.Exists(PathOf(Manifest)) && !IsBegun;
+
+    /// <summary>Whether it is finished, but was stopped before the working folder was gone.</summary>
+    public bool HasLeftovers => IsFinished && Directory.Exists(PathOf(Working));
 
     public bool IsEmpty => !Directory.Exists(path) || !Directory.EnumerateFileSystemEntries(path).Any();
 
@@ -52,7 +55,12 @@ internal sealed class DatasetFolder(string path)
         Write(PlanFile, stream => stream.Write(Encoding.UTF8.GetBytes(plan)));
     }
 
-    public void Finish() => Directory.Delete(PathOf(Working), recursive: true);
+    /// <summary>Takes the working folder away: when the plan is gone, the dataset is finished.</summary>
+    public void Finish()
+    {
+        File.Delete(PathOf(PlanFile));
+        Directory.Delete(PathOf(Working), recursive: true);
+    }
 
     public void Write(string name, Action<Stream> write)
     {

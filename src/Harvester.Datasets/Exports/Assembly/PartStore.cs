@@ -10,7 +10,7 @@ namespace Harvester.Datasets.Exports.Assembly;
 /// <summary>Sorts the parts of all frames by name into files of their own, so that a dataset of any length needs little memory.</summary>
 internal sealed class PartStore
 {
-    private const int MostBufferedCharacters = 32 * 1024 * 1024;
+    private const int MostBufferedCharacters = 4 * 1024 * 1024;
 
     private readonly string _folder;
     private readonly SortedDictionary<string, StringBuilder> _buffers = new(StringComparer.Ordinal);
@@ -52,7 +52,11 @@ internal sealed class PartStore
     {
         foreach ((string name, StringBuilder buffer) in _buffers)
         {
-            File.AppendAllText(_files[name], buffer.ToString());
+            using var file = new StreamWriter(_files[name], append: true);
+            foreach (ReadOnlyMemory<char> chunk in buffer.GetChunks())
+            {
+                file.Write(chunk.Span);
+            }
         }
 
         _buffers.Clear();

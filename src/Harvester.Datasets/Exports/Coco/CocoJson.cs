@@ -3,6 +3,7 @@ using System.Linq;
 using Harvester.Capture.Labels;
 using Harvester.Capture.Scenes;
 using Harvester.Datasets.Json;
+using Harvester.Datasets.Reports;
 
 namespace Harvester.Datasets.Exports.Coco;
 
@@ -43,6 +44,8 @@ internal static class CocoJson
             json.WriteString("name", JsonName.Of(kind));
             json.WriteString("supercategory", SuperCategoryOf(kind));
             json.WriteNumber("isthing", 1);
+            int colour = ClassColours.Of(kind);
+            json.Numbers("color", [colour >> 16, (colour >> 8) & 0xFF, colour & 0xFF], 0);
             json.WriteEndObject();
         }
 

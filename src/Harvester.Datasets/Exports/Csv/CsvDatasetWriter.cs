@@ -32,7 +32,7 @@ internal sealed class CsvDatasetWriter : IDatasetWriter
     [
         "frame", "id", "class", "model", "name", .. BoxColumns("box2d"), .. BoxColumns("box2d_amodal"), .. BoxColumns("box2d_visible"),
         "truncated_fraction", "occluded_fraction", "visible_fraction", .. VectorColumns("centre"), .. VectorColumns("half_extents"),
-        .. VectorColumns("right"), .. VectorColumns("forward"), .. VectorColumns("up"), "distance_metres", .. VectorColumns("velocity"),
+        .. VectorColumns("right"), .. VectorColumns("forward"), .. VectorColumns("up"), "distance_metres", .. VectorColumns("velocity"), "parent",
     ];
 
     public void Write(ExportFrame frame, FrameOutput output)
@@ -77,7 +77,7 @@ internal sealed class CsvDatasetWriter : IDatasetWriter
         .. Of(label.Box2D), .. Of(label.Box2DAmodal), .. Of(label.Box2DVisible),
         .. Of(Fraction, label.TruncatedFraction, label.OccludedFraction, label.VisibleFraction),
         .. Of(label.Box3D.Centre, Metres), .. Of(label.Box3D.HalfExtents, Metres), .. Of(label.Box3D.Axes),
-        .. Of(Metres, label.DistanceMetres), .. Of(label.Velocity, Metres),
+        .. Of(Metres, label.DistanceMetres), .. Of(label.Velocity, Metres), .. Of(0, label.Parent),
     ];
 
     /// <summary>What is not known is an empty field.</summary>

@@ -50,6 +50,9 @@ internal sealed class VocWriter(ExportOptions options) : IDatasetWriter
             xml.WriteStartElement("annotation");
             xml.WriteElementString("folder", "JPEGImages");
             xml.WriteElementString("filename", image);
+            xml.WriteStartElement("source");
+            xml.WriteElementString("database", "GtaDataHarvester");
+            xml.WriteEndElement();
             xml.WriteStartElement("size");
             Write(xml, "width", frame.Label.Camera.Width);
             Write(xml, "height", frame.Label.Camera.Height);

@@ -39,8 +39,10 @@ internal sealed class WebDatasetWriter : IDatasetWriter
         });
     }
 
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => parts.Select(part => new AggregateFile(
-        $"{part}.tar", [AggregateSection.Files(part), AggregateSection.Literal(new string('\0', EndLength))]));
+    /// <summary>Archives of a split are numbered without gaps, as patterns like {000000..000009} need it.</summary>
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => parts.GroupBy(part => part[..part.LastIndexOf('-')]).SelectMany(split =>
+        split.Select((part, number) => new AggregateFile(
+            $"{split.Key}-{number:D6}.tar", [AggregateSection.Files(part), AggregateSection.Literal(new string('\0', EndLength))])));
 
     /// <summary>The session's own line, to the last decimal, less the objects that are not exported.</summary>
     private static string LabelOf(ExportFrame frame)

@@ -6,14 +6,14 @@ public sealed class VocCheckTests(SimulatedSession simulated) : CheckTests(simul
 
     [Theory]
     [InlineData("<filename>.*<", "<filename>x.png<", 3, "filename is not '00000001.png'.")]
-    [InlineData("<width>200<", "<width>300<", 4, "its size is not that of the image, 200 x 150.")]
-    [InlineData("<name>.*<", "<name>lorry<", 10, "'lorry' is not a class of the export.")]
-    [InlineData("<truncated>.*<", "<truncated>2<", 10, "truncated is not 0 or 1.")]
-    [InlineData("<difficult>.*<", "<difficult>yes<", 10, "difficult is not 0 or 1.")]
-    [InlineData("<xmin>.*<", "<xmin>0<", 16, "its box does not lie in the image.")]
-    [InlineData("<ymax>.*<", "<ymax>151<", 16, "its box does not lie in the image.")]
-    [InlineData("<ymin>.*<", "<ymin>150<", 16, "its box does not lie in the image.")]
-    [InlineData("</bndbox>", "</box>", 21, "it is not XML from here on.")]
+    [InlineData("<width>200<", "<width>300<", 7, "its size is not that of the image, 200 x 150.")]
+    [InlineData("<name>.*<", "<name>lorry<", 13, "'lorry' is not a class of the export.")]
+    [InlineData("<truncated>.*<", "<truncated>2<", 13, "truncated is not 0 or 1.")]
+    [InlineData("<difficult>.*<", "<difficult>yes<", 13, "difficult is not 0 or 1.")]
+    [InlineData("<xmin>.*<", "<xmin>0<", 19, "its box does not lie in the image.")]
+    [InlineData("<ymax>.*<", "<ymax>151<", 19, "its box does not lie in the image.")]
+    [InlineData("<ymin>.*<", "<ymin>150<", 19, "its box does not lie in the image.")]
+    [InlineData("</bndbox>", "</box>", 24, "it is not XML from here on.")]
     public void A_damaged_annotation_is_found_with_its_line(string pattern, string replacement, int line, string expected)
     {
         Export();

@@ -1,5 +1,6 @@
 using System.Text;
 using System.Text.Json.Nodes;
+using Harvester.Datasets.Exports;
 
 namespace Harvester.Datasets.Tests.Exports.WebDataset;
 
@@ -22,6 +23,17 @@ public sealed class WebDatasetWriterTests(SimulatedSession simulated) : ExportTe
             Assert.Equal(File.ReadAllBytes(Path.Combine(simulated.Folder, $"frames/{frame:D8}.png")), entries[3 * frame].Content);
             Assert.True(JsonNode.DeepEquals(JsonNode.Parse(labels[frame]), JsonNode.Parse(entries[(3 * frame) + 1].Content)));
         }
+    }
+
+    [Fact]
+    public void Archives_of_a_split_are_numbered_without_gaps()
+    {
+        // Names of parts are the split and the thousand that the frames are among: val has none among the first and the third.
+        IDatasetWriter writer = DatasetFormats.Find("webdataset")!.CreateWriter(new ExportOptions());
+
+        Assert.Equal(
+            ["train-000000.tar", "train-000001.tar", "val-000000.tar", "val-000001.tar"],
+            writer.Aggregates(["train-000000", "train-000002", "val-000001", "val-000003"]).Select(file => file.Path));
     }
 
     /// <summary>Reads ustar as POSIX 1003.1 lays it out: name at 0, size in octal at 124, checksum at 148, type at 156, magic at 257.</summary>
