@@ -8,7 +8,7 @@ namespace Harvester.Mod;
 internal sealed class GameModels : IModels
 {
     /// <inheritdoc/>
-    public bool IsVehicle(int model) => Natives.Call<bool>(Hash.IS_MODEL_IN_CDIMAGE, model) && Natives.Call<bool>(Hash.IS_MODEL_A_VEHICLE, model);
+    public bool IsVehicle(int model) => Natives.ModelExists(model) && Natives.Call<bool>(Hash.IS_MODEL_A_VEHICLE, model);
 
     /// <inheritdoc/>
     public bool Load(int model)

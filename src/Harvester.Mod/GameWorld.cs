@@ -26,13 +26,14 @@ internal sealed class GameWorld : IWorld
     /// <param name="mount">The camera and the vehicle that carries it.</param>
     /// <param name="time">The game's time.</param>
     /// <param name="rays">Where the entities are made known.</param>
+    /// <param name="models">The game's models.</param>
     /// <param name="spaces">The models of signs and traffic lights: the only props that are read.</param>
-    public GameWorld(CameraMount mount, GameTime time, GameRays rays, SpaceTable spaces)
+    public GameWorld(CameraMount mount, GameTime time, GameRays rays, IModels models, SpaceTable spaces)
     {
         _mount = mount;
         _time = time;
         _rays = rays;
-        _models = new KnownModels(new GameModels(), spaces);
+        _models = new KnownModels(models, spaces);
         _props = spaces.Spaces.Select(space => space.Hash).Distinct().Select(hash => new Model(hash)).ToArray();
     }
 

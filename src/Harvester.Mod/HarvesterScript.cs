@@ -11,6 +11,8 @@ using Harvester.Capture.Ports;
 using Harvester.Capture.Roads;
 using Harvester.Capture.Screen;
 using Harvester.Capture.Settings;
+using Harvester.Capture.Spaces;
+using Harvester.Capture.Spaces.Survey;
 using Harvester.Capture.Storage;
 
 namespace Harvester.Mod;
@@ -28,6 +30,7 @@ public sealed class HarvesterScript : Script
     private readonly Harvest _harvest;
     private readonly LensCalibration _calibration;
     private readonly BridgeDrive _drive;
+    private readonly SpaceSurveying _signs;
     private readonly FeatureSet _features;
     private readonly KeyBindings<Keys> _keys;
     private bool _greeted;
@@ -44,6 +47,7 @@ public sealed class HarvesterScript : Script
         _folder = new ModFolder(BaseDirectory);
         _messages = new PlayerMessages(BaseDirectory, message => Notification.Show(message));
         PlayerSettings player = PlayerSettings.Read(_folder.Settings, BaseDirectory);
+        SpaceTable spaces = _folder.SpacesWith(player.SpacesFolder);
         var display = new GameDisplay();
         var time = new GameTime(
             paused => Natives.Call(Hash.SET_GAME_PAUSED, paused), () => Natives.Call<int>(Hash.GET_GAME_TIMER));
@@ -51,22 +55,30 @@ public sealed class HarvesterScript : Script
         var markers = new DrawnMarkers(display);
         var roads = new GrowingRoads(player.LaneWidthMetres);
         var vehicles = new GameVehicles();
-        var car = new TestCar(player, _messages, new GameModels(), vehicles, clock);
-        var mount = new CameraMount(player, _messages, new GameCameras(), vehicles);
-        var game = new GamePorts(new GameWorld(mount, time, rays, _folder.Spaces), rays, screen, time, clock, markers) { Roads = roads };
-        var driven = new DrivenCar(new GameCarControls(), vehicles, mount, game.World);
+        var models = new GameModels();
+        var cameras = new GameCameras();
+        var car = new TestCar(player, _messages, models, vehicles, clock);
+        var mount = new CameraMount(player, _messages, cameras, vehicles);
+        var world = new GameWorld(mount, time, rays, models, spaces);
+        var game = new GamePorts(world, rays, screen, time, clock, markers) { Roads = roads };
+        var driven = new DrivenCar(new GameCarControls(), vehicles, mount, world);
         _drive = new BridgeDrive(player.Bridge, game, driven, mount, display, _messages) { Obstacle = DriveObstacle };
-        _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, display, Origin) { Problem = Problem };
+        _harvest = new Harvest(player.Options with { Spaces = spaces }, player.Folder, _messages, mount, game, display, Origin) { Problem = Problem };
         _calibration = new LensCalibration(_harvest, game, mount, display, _messages, _folder.SettingsPath);
-        var overlay = new Overlay(_harvest, game, _folder.Spaces, _messages, mount, display) { IsPictureNear = IsPictureNear };
+        var overlay = new Overlay(_harvest, game, spaces, _messages, mount, display) { IsPictureNear = IsPictureNear };
         var survey = new RoadSurveying(
             new GameRoadSource(), () => Natives.EntityPosition(Natives.PlayerPed()), player.SurveyFile, roads, _messages, clock)
         {
             GivesLanes = player.RoadFile is null,
             AreLanesWanted = () => player.RoadFile is null && (overlay.IsOn || _drive.IsOn || _harvest.Status is not null),
         };
-        var line = new HarvestLine(_harvest, player.Folder, clock, display) { IsPictureNear = IsPictureNear, SurveyLine = () => survey.Line };
-        _features = new FeatureSet(_messages, car, mount, _harvest, _calibration, markers, survey, _drive, line, overlay);
+        _signs = new SpaceSurveying(
+            new GameStage(models, rays),
+            player.TakesPhotographs ? new SurveyCamera(cameras, screen, () => world.ReadCamera().WindowAspect) : null,
+            SignModels.ToMeasure(_folder.ShippedSpaces, player.FurtherModels),
+            new MeasuredSpaces(player.SpacesFolder), _harvest, mount, display, _messages, clock, player.SurveyBudgetMilliseconds);
+        var line = new HarvestLine(_harvest, player.Folder, clock, display) { IsPictureNear = IsPictureNear, SurveyLines = [() => survey.Line, () => _signs.Line] };
+        _features = new FeatureSet(_messages, car, mount, _harvest, _calibration, markers, survey, _signs, _drive, line, overlay);
         if (player.RoadFile is { } file)
         {
             roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");
@@ -82,6 +94,7 @@ public sealed class HarvesterScript : Script
         _keys.Add("Calibrate", Keys.C, _calibration, _calibration.Toggle);
         _keys.Add("RoadSurvey", Keys.U, survey, survey.Toggle);
         _keys.Add("Drive", Keys.N, _drive, _drive.Toggle);
+        _keys.Add("SpaceSurvey", Keys.F10, _signs, _signs.Toggle);
         Tick += OnTick;
         KeyDown += OnKeyDown;
         KeyUp += OnKeyUp;
@@ -146,9 +159,11 @@ public sealed class HarvesterScript : Script
         }
     }
 
-    private bool IsPictureNear() => _harvest.IsPictureNear || _calibration.IsRunning || _drive.IsPictureNear;
+    private bool IsPictureNear() => _harvest.IsPictureNear || _calibration.IsRunning || _drive.IsPictureNear || _signs.IsPictureNear;
 
-    private string? Problem() => _calibration.IsRunning ? "The calibration is running: wait for its end." : GameBuild.ListProblem;
+    private string? Problem() => _calibration.IsRunning ? "The calibration is running: wait for its end."
+        : _signs.IsRunning ? "The survey of signs is running: wait for its end, or end it by its key."
+        : GameBuild.ListProblem;
 
     private string? DriveObstacle() => _harvest.Status is not null ? "End the harvest first, then let a peer drive." : Problem();
 

@@ -17,6 +17,8 @@ internal static class Natives
 
     public static bool EntityExists(int entity) => Call<bool>(Hash.DOES_ENTITY_EXIST, entity);
 
+    public static bool ModelExists(int model) => Call<bool>(Hash.IS_MODEL_IN_CDIMAGE, model);
+
     public static Vector3D EntityPosition(int entity) => ToWorld(Call<Vector3>(Hash.GET_ENTITY_COORDS, entity, false));
 
     public static int EntityModel(int entity) => Call<int>(Hash.GET_ENTITY_MODEL, entity);

@@ -4,6 +4,7 @@ using GTA.Native;
 using Harvester.Capture.Tests.Roads;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
+using Harvester.Simulation.Tests.Spaces.Survey;
 
 namespace Harvester.Mod.Tests;
 
@@ -140,7 +141,7 @@ public sealed class FaultTests
         int before = driver.Game.Calls.Count;
         for (int repeat = 0; repeat < 30; repeat++)
         {
-            foreach (Keys key in new[] { Keys.NumPad0, Keys.I, Keys.O, Keys.J, Keys.K, Keys.L, Keys.C, Keys.U, Keys.N })
+            foreach (Keys key in new[] { Keys.NumPad0, Keys.I, Keys.O, Keys.J, Keys.K, Keys.L, Keys.C, Keys.U, Keys.N, Keys.F10 })
             {
                 driver.Script.RaiseKeyDown(key);
             }
@@ -246,6 +247,21 @@ public sealed class FaultTests
         return driver.Game.Calls.Distinct().Order().ToArray();
     }
 
+    private static void SurveySigns(ScriptDriver driver)
+    {
+        driver.Game.Props["prop_sign_road_03g"] = KnownProps.All["prop_traffic_03a"];
+        driver.Press(Keys.F10);
+
+        // Its files are read on another thread; it goes on until it is over or a fault has ended it.
+        for (int tick = 0; tick < 200 && !driver.Game.Notifications[^1].Contains("models are surveyed", StringComparison.Ordinal); tick++)
+        {
+            Thread.Sleep(tick < 20 ? 2 : 0);
+            driver.Tick();
+        }
+
+        driver.WaitForDisk();
+    }
+
     /// <summary>Everything that a player can do, once.</summary>
     private static void Play(ScriptDriver driver)
     {
@@ -267,6 +283,7 @@ public sealed class FaultTests
 
         driver.Press(Keys.U);
         driver.WaitForDisk();
+        SurveySigns(driver);
         driver.Press(Keys.L);
         driver.Press(Keys.I);
         driver.Press(Keys.C);

@@ -21,7 +21,7 @@ public sealed class SessionComparisonTests
         SpaceTable spaces = ReadSpaces(out string table);
         using var folder = new TemporaryFolder();
         string direct = Path.Combine(folder.Path, "direct");
-        HarvestDirectly(new SimulatedScene(Options(), spaces), direct);
+        HarvestDirectly(new SimulatedScene(Options(), spaces), spaces, direct);
 
         var scene = new SimulatedScene(Options(), spaces);
         using var driver = new ScriptDriver(Ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock, table);
@@ -56,9 +56,9 @@ public sealed class SessionComparisonTests
 
     private static SimulationOptions Options() => new() { Seed = 12, TrafficDensity = 2, PedestrianDensity = 2 };
 
-    private static void HarvestDirectly(SimulatedScene scene, string directory)
+    private static void HarvestDirectly(SimulatedScene scene, SpaceTable spaces, string directory)
     {
-        var options = new HarvestOptions { Image = new ImageSize(64, 48), RateHz = 5, Masks = true, OcclusionSamples = 16, ProbeLag = false };
+        var options = new HarvestOptions { Image = new ImageSize(64, 48), RateHz = 5, Masks = true, OcclusionSamples = 16, ProbeLag = false, Spaces = spaces };
         using var writer = new SessionWriter(directory, new SessionOrigin { Game = "test", Tool = "test" });
         using var session = new HarvestSession(options, scene.Ports, writer);
         for (int tick = 0; tick < Ticks; tick++)

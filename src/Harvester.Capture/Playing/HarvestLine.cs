@@ -1,11 +1,13 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 
 namespace Harvester.Capture.Playing;
 
-/// <summary>Lines about the harvest and the road survey that run, in moments when no picture is grabbed.</summary>
+/// <summary>Lines about the harvest and the surveys that run, in moments when no picture is grabbed.</summary>
 public sealed class HarvestLine : IFeature
 {
     private const double DiskEveryMilliseconds = 5_000;
@@ -34,8 +36,8 @@ public sealed class HarvestLine : IFeature
     /// <summary>Whether nothing may be drawn now.</summary>
     public Func<bool> IsPictureNear { get; init; } = static () => false;
 
-    /// <summary>What the road survey says of itself; null when it is off.</summary>
-    public Func<string?> SurveyLine { get; init; } = static () => null;
+    /// <summary>What surveys say of themselves; null from one that is off.</summary>
+    public IReadOnlyList<Func<string?>> SurveyLines { get; init; } = [];
 
     /// <inheritdoc/>
     public string Name => "The display";
@@ -43,8 +45,8 @@ public sealed class HarvestLine : IFeature
     /// <inheritdoc/>
     public void Tick()
     {
-        string? survey = SurveyLine();
-        if (_harvest.Status is null && survey is null)
+        string[] surveys = [.. SurveyLines.Select(line => line()).OfType<string>()];
+        if (_harvest.Status is null && surveys.Length == 0)
         {
             _isOff = false;
             return;
@@ -55,9 +57,9 @@ public sealed class HarvestLine : IFeature
             return;
         }
 
-        if (survey is not null)
+        for (int i = 0; i < surveys.Length; i++)
         {
-            _display.Text(survey, 0.02, 0.05);
+            _display.Text(surveys[i], 0.02, 0.05 + (0.03 * i));
         }
 
         if (_harvest.Status is { } status)

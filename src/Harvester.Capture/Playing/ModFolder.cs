@@ -5,6 +5,7 @@ using System.Linq;
 using System.Threading;
 using Harvester.Capture.Settings;
 using Harvester.Capture.Spaces;
+using Harvester.Capture.Spaces.Survey;
 
 namespace Harvester.Capture.Playing;
 
@@ -22,9 +23,7 @@ public sealed class ModFolder
     {
         _folder = folder;
         Settings = Read(ReadSettings, () => IniFile.Read(TextReader.Null), SettingsFile);
-        SpaceTableContent spaces = Read(ReadSpaces, () => new SpaceTableContent(SpaceTable.Empty, []), SpacesFile);
-        _complaints.AddRange(spaces.Problems.Select(problem => $"{SpacesFile}: {problem}"));
-        Spaces = spaces.Table;
+        ShippedSpaces = ReadSpaces(Path.Combine(folder, SpacesFile), SpacesFile);
     }
 
     /// <summary>Where the settings stand.</summary>
@@ -33,11 +32,19 @@ public sealed class ModFolder
     /// <summary>The settings.</summary>
     public IniFile Settings { get; }
 
-    /// <summary>The faces of signs and traffic lights.</summary>
-    public SpaceTable Spaces { get; }
+    /// <summary>The faces of signs and traffic lights that came with the mod.</summary>
+    public SpaceTable ShippedSpaces { get; }
 
     /// <summary>What is wrong with the files, a sentence each; to be asked after all settings.</summary>
     public IEnumerable<string> Complaints => _complaints.Concat(Settings.Complaints.Select(Told));
+
+    /// <summary>The faces of signs and traffic lights: those that the player has measured, and for other models those that came with the mod.</summary>
+    /// <param name="measured">The folder of what the player has measured; it need not be there.</param>
+    public SpaceTable SpacesWith(string measured)
+    {
+        string table = Path.Combine(measured, SurveyFolder.TableName);
+        return File.Exists(table) ? ShippedSpaces.OverriddenBy(ReadSpaces(table, table)) : ShippedSpaces;
+    }
 
     /// <summary>Complains of a setting.</summary>
     public void Complain(string sentence) => _complaints.Add(Told(sentence));
@@ -50,10 +57,18 @@ public sealed class ModFolder
         return IniFile.Read(reader);
     }
 
-    private SpaceTableContent ReadSpaces()
+    private SpaceTable ReadSpaces(string path, string name)
     {
-        using var reader = new StreamReader(Path.Combine(_folder, SpacesFile));
-        return SpaceTableReader.Read(reader);
+        SpaceTableContent content = Read(
+            () =>
+            {
+                using var reader = new StreamReader(path);
+                return SpaceTableReader.Read(reader);
+            },
+            () => new SpaceTableContent(SpaceTable.Empty, []),
+            name);
+        _complaints.AddRange(content.Problems.Select(problem => $"{name}: {problem}"));
+        return content.Table;
     }
 
     private T Read<T>(Func<T> read, Func<T> fallback, string file)

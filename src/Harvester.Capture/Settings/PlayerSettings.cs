@@ -41,6 +41,18 @@ public sealed record PlayerSettings
     /// <summary>Over what a peer drives, and how.</summary>
     public required BridgeSettings Bridge { get; init; }
 
+    /// <summary>The folder of what the player has measured of signs and lights.</summary>
+    public required string SpacesFolder { get; init; }
+
+    /// <summary>Whether the survey of signs takes photographs.</summary>
+    public required bool TakesPhotographs { get; init; }
+
+    /// <summary>Names of further models that the survey of signs measures, separated by commas.</summary>
+    public required string FurtherModels { get; init; }
+
+    /// <summary>Time that the survey of signs may take of a tick, milliseconds.</summary>
+    public required double SurveyBudgetMilliseconds { get; init; }
+
     /// <summary>The settings of a file; what it does not name, or names badly, has its default.</summary>
     /// <param name="ini">The file.</param>
     /// <param name="modFolder">Where relative paths begin.</param>
@@ -67,6 +79,10 @@ public sealed record PlayerSettings
             LaneWidthMetres = ini.Number("Roads", "LaneWidth", RoadGeometry.LaneWidth, 2, 10),
             SurveyFile = Path.Combine(folder, "roads.csv"),
             Bridge = BridgeSettings.Read(ini, Path.Combine(folder, "bridge"), PathOf),
+            SpacesFolder = Path.Combine(folder, "spaces"),
+            TakesPhotographs = ini.Choice("Signs", "Photographs", Switch.On, "On or Off") == Switch.On,
+            FurtherModels = ini.Text("Signs", "Models", string.Empty),
+            SurveyBudgetMilliseconds = ini.Number("Signs", "TickBudget", 8, 0.1, 1000),
         };
 
         string PathOf(string text) => Path.Combine(modFolder, Environment.ExpandEnvironmentVariables(text));

@@ -7,6 +7,9 @@ internal sealed class GameCamera
 {
     public required float VerticalFovDegrees { get; init; }
 
+    /// <summary>Where it stands as long as it is attached to nothing.</summary>
+    public required Pose Pose { get; init; }
+
     public bool IsActive { get; set; }
 
     public int AttachedTo { get; set; }

@@ -1,6 +1,7 @@
 using GTA.Hosting;
 using Harvester.Capture.Spaces;
 using Harvester.Geometry;
+using Harvester.Simulation.Rendering;
 
 namespace Harvester.Mod.Tests.Games;
 
@@ -39,4 +40,12 @@ internal sealed class GameEntity
     public string Plate { get; set; } = string.Empty;
 
     public bool IsOnGround { get; set; }
+
+    public bool IsFrozen { get; set; }
+
+    /// <summary>What rays meet; null for its box.</summary>
+    public Mesh? Shape { get; init; }
+
+    /// <summary>Bones by number, in the model's frame: traffic_light_0 and on.</summary>
+    public IReadOnlyList<Vector3D> Bones { get; init; } = [];
 }

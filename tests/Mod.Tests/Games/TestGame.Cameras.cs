@@ -28,6 +28,11 @@ internal sealed partial class TestGame
                 return Seen(Entities[Player].Pose.Compose(new Pose(new Vector3D(0, -4, 1), Axes.Identity)), OwnVerticalFovDegrees);
             }
 
+            if (camera.AttachedTo == 0)
+            {
+                return Seen(camera.Pose, camera.VerticalFovDegrees);
+            }
+
             return SceneCamera?.Invoke()
                 ?? Seen(Entities[camera.AttachedTo].Pose.Compose(new Pose(camera.Offset, Axes.Identity)), camera.VerticalFovDegrees);
         }
@@ -39,7 +44,11 @@ internal sealed partial class TestGame
     {
         _natives[Hash.CREATE_CAM_WITH_PARAMS] = a =>
         {
-            Cameras[++_lastHandle] = new GameCamera { VerticalFovDegrees = (float)a[7] };
+            Cameras[++_lastHandle] = new GameCamera
+            {
+                Pose = new Pose(ToWorld(a[1], a[2], a[3]), Axes.FromEuler(new EulerAngles((float)a[4], (float)a[5], (float)a[6]))),
+                VerticalFovDegrees = (float)a[7],
+            };
             return _lastHandle;
         };
         _natives[Hash.DOES_CAM_EXIST] = a => Cameras.ContainsKey((int)a[0]);

@@ -2,6 +2,7 @@ using GTA.Native;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Visibility;
+using Harvester.Simulation.Rendering;
 
 namespace Harvester.Mod.Tests.Games;
 
@@ -10,6 +11,7 @@ internal sealed partial class TestGame
 {
     private const int Building = 2_000_000;
     private (RayHit? Hit, Ray Ray) _probe;
+    private (int Handle, SceneRayCaster? Rays) _shown;
     private int _lastBuildingHandle = Building;
 
     /// <summary>What rays meet in a scene; null for the entities of this game and its ground.</summary>
@@ -44,12 +46,28 @@ internal sealed partial class TestGame
     {
         IEnumerable<RayHit> hits = Entities
             .Where(entity => entity.Key != ignored && entity.Key != Player)
-            .Select(entity => (entity.Key, Span: Cuboid.FromModel(entity.Value.ModelMin, entity.Value.ModelMax, entity.Value.Pose).Intersect(ray)))
-            .Where(hit => hit.Span is not null)
-            .Select(hit => new RayHit(hit.Span!.Value.Entry, hit.Key));
+            .Select(entity => (entity.Key, Distance: DistanceTo(entity.Value, entity.Key, ray, maxDistance)))
+            .Where(hit => hit.Distance is not null)
+            .Select(hit => new RayHit(hit.Distance!.Value, hit.Key));
         double toGround = ray.Direction.Z < 0 ? -ray.Origin.Z / ray.Direction.Z : double.PositiveInfinity;
         RayHit first = hits.Append(new RayHit(toGround, RayHit.World)).MinBy(hit => hit.Distance);
         return first.Distance <= maxDistance ? first : null;
+    }
+
+    private double? DistanceTo(GameEntity entity, int handle, Ray ray, double maxDistance)
+    {
+        if (entity.Shape is not { } shape)
+        {
+            return Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose).Intersect(ray)?.Entry;
+        }
+
+        // Its triangles are sorted once for thousands of rays.
+        if (_shown.Handle != handle)
+        {
+            _shown = (handle, new SceneRayCaster(new RenderScene([new MeshInstance(shape, entity.Pose, handle)])));
+        }
+
+        return _shown.Rays!.Cast(ray, maxDistance, RayHit.World)?.Distance;
     }
 
     private int ScriptHandleOf(int entity)

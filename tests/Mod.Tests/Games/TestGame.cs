@@ -23,6 +23,7 @@ internal sealed partial class TestGame : IGameHost
         Entities[Player] = new GameEntity { Pool = PoolKind.Peds, Name = "player_zero", Pose = new Pose(new Vector3D(10, 20, 30), Axes.FromHeading(90)) };
         AddEntityNatives();
         AddVehicleNatives();
+        AddObjectNatives();
         AddCameraNatives();
         AddRayNatives();
         AddRoadNatives();

@@ -1,11 +1,24 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace Harvester.Capture.Spaces.Survey;
 
-/// <summary>Depths of a model over a grid of rays along its y axis, seen from behind (from -y). Cells are squares; row 0 is the lowest.</summary>
+/// <summary>
+/// Depths of a model over a grid of rays along its y axis, seen from behind (from -y). Cells are squares; row 0 is the lowest. Rays go
+/// where they can tell something: between two rays that meet the same surface, or both nothing, none is cast.
+/// </summary>
 internal sealed class DepthGrid
 {
+    /// <summary>Cells between two of the rays that are cast anyway.</summary>
+    private const int Stride = 4;
+
+    /// <summary>One row in so many is cast whole, so that a post thinner than the stride is met. The rows after it look where it was.</summary>
+    private const int WholeEvery = 8 * Stride;
+
+    /// <summary>Two rays that differ less in depth meet the same surface, metres.</summary>
+    private const double SameSurface = 0.002;
+
     private readonly double _left;
     private readonly double _bottom;
     private readonly double?[,] _depths;
@@ -36,13 +49,30 @@ internal sealed class DepthGrid
     /// <summary>Casts the rays, one an element.</summary>
     public IEnumerable<bool> Fill(StageProbe probe)
     {
-        for (int row = 0; row < Rows; row++)
+        int below = 0;
+        for (int row = 0; row < Rows; row = row == Rows - 1 ? Rows : Math.Min(row + Stride, Rows - 1))
         {
-            for (int column = 0; column < Columns; column++)
+            foreach (bool ray in FillRow(probe, row, below))
             {
-                _depths[column, row] = probe.FromBehind(XOf(column + 0.5), ZOf(row + 0.5));
-                yield return true;
+                yield return ray;
             }
+
+            bool isSame = Enumerable.Range(0, Columns).All(column => IsSame(_depths[column, below], _depths[column, row]));
+            for (int between = below + 1; between < row; between++)
+            {
+                if (isSame)
+                {
+                    Copy(below, between);
+                    continue;
+                }
+
+                foreach (bool ray in FillRow(probe, between, below))
+                {
+                    yield return ray;
+                }
+            }
+
+            below = row;
         }
     }
 
@@ -89,5 +119,49 @@ internal sealed class DepthGrid
         }
 
         return first is { } found ? (found, last) : null;
+    }
+
+    private static bool IsSame(double? one, double? other) =>
+        one is { } first && other is { } second ? Math.Abs(first - second) <= SameSurface : one is null && other is null;
+
+    /// <summary>Casts a row: at each stride and where another row changes, and then between those of them that differ.</summary>
+    private IEnumerable<bool> FillRow(StageProbe probe, int row, int other)
+    {
+        bool isWhole = row % WholeEvery == 0;
+        int last = -1;
+        for (int column = 0; column < Columns; column++)
+        {
+            if (!isWhole && column % Stride != 0 && column != Columns - 1 && !Changes(other, column))
+            {
+                continue;
+            }
+
+            _depths[column, row] = probe.FromBehind(XOf(column + 0.5), ZOf(row + 0.5));
+            yield return true;
+            bool isSame = last >= 0 && IsSame(_depths[last, row], _depths[column, row]);
+            for (int between = last + 1; between < column; between++)
+            {
+                _depths[between, row] = isSame ? _depths[last, row] : probe.FromBehind(XOf(between + 0.5), ZOf(row + 0.5));
+                if (!isSame)
+                {
+                    yield return true;
+                }
+            }
+
+            last = column;
+        }
+    }
+
+    /// <summary>Whether a cell of a row differs from one beside it.</summary>
+    private bool Changes(int row, int column) =>
+        (column > 0 && !IsSame(_depths[column - 1, row], _depths[column, row]))
+        || (column < Columns - 1 && !IsSame(_depths[column, row], _depths[column + 1, row]));
+
+    private void Copy(int from, int to)
+    {
+        for (int column = 0; column < Columns; column++)
+        {
+            _depths[column, to] = _depths[column, from];
+        }
     }
 }

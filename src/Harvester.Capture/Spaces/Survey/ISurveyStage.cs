@@ -12,10 +12,23 @@ public interface ISurveyStage
     /// <param name="model">The model's name.</param>
     ModelLoading Load(string model);
 
-    /// <summary>Puts a loaded model up.</summary>
+    /// <summary>Lets the game unload a model that was asked for. Again is no harm.</summary>
     /// <param name="model">The model's name.</param>
-    /// <returns>Null when the game refuses.</returns>
-    StagedModel? PutUp(string model);
+    void Forget(string model);
+
+    /// <summary>Puts a loaded model up where nothing else is.</summary>
+    /// <param name="model">The model's name.</param>
+    /// <returns>The entity's handle; 0 when the game refuses.</returns>
+    int PutUp(string model);
+
+    /// <summary>Keeps what was put up where it is.</summary>
+    /// <param name="entity">The entity's handle.</param>
+    void Hold(int entity);
+
+    /// <summary>Reads a model that was put up.</summary>
+    /// <param name="entity">The entity's handle.</param>
+    /// <param name="model">The model's name.</param>
+    StagedModel Read(int entity, string model);
 
     /// <summary>Takes an entity away that was put up. One that is gone is no harm.</summary>
     void TakeAway(int entity);

@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 
@@ -22,22 +24,28 @@ public sealed class SpaceSurvey : IDisposable
     private readonly ISurveyStage _stage;
     private readonly SurveyFolder _folder;
     private readonly List<SurveyedModel> _models;
-    private readonly int _raysPerTick;
+    private readonly ModelPhotographer? _photographer;
+    private readonly TickBudget _budget;
     private readonly IEnumerator<bool> _run;
-    private int? _standing;
+    private readonly HashSet<string> _asked = new(StringComparer.Ordinal);
+    private string? _next;
+    private int _standing;
 
     /// <summary>Makes a survey; nothing is asked of the game before the first step.</summary>
     /// <param name="stage">Where models are put up.</param>
     /// <param name="models">The models to measure.</param>
     /// <param name="folder">Where the rows go.</param>
-    /// <param name="raysPerTick">Rays that a tick may cast; at least 1.</param>
-    /// <exception cref="ArgumentOutOfRangeException">Fewer than 1 ray.</exception>
-    public SpaceSurvey(ISurveyStage stage, IEnumerable<SurveyedModel> models, SurveyFolder folder, int raysPerTick = 1_000)
+    /// <param name="clock">The player's time.</param>
+    /// <param name="budgetMilliseconds">Time that rays may take of a tick.</param>
+    /// <param name="camera">Takes photographs; null for none.</param>
+    public SpaceSurvey(
+        ISurveyStage stage, IEnumerable<SurveyedModel> models, SurveyFolder folder, IClock clock, double budgetMilliseconds, ISurveyCamera? camera = null)
     {
         _stage = stage ?? throw new ArgumentNullException(nameof(stage));
         _folder = folder ?? throw new ArgumentNullException(nameof(folder));
         _models = [.. models ?? throw new ArgumentNullException(nameof(models))];
-        _raysPerTick = raysPerTick >= 1 ? raysPerTick : throw new ArgumentOutOfRangeException(nameof(raysPerTick), raysPerTick, "A tick needs at least one ray.");
+        _photographer = camera is null ? null : new ModelPhotographer(camera, folder);
+        _budget = new TickBudget(clock, budgetMilliseconds);
         _run = Run().GetEnumerator();
     }
 
@@ -49,6 +57,12 @@ public sealed class SpaceSurvey : IDisposable
 
     /// <summary>Whether there is nothing more to do.</summary>
     public bool IsOver { get; private set; }
+
+    /// <summary>The model that is being measured; empty before the first.</summary>
+    public string Current { get; private set; } = string.Empty;
+
+    /// <summary>Whether the screen is needed for a photograph, so that nothing may be drawn over it.</summary>
+    public bool IsPhotographing => _photographer?.IsAtWork ?? false;
 
     /// <summary>One line that says why the survey ended before its time; null without a fault.</summary>
     public string? Fault { get; private set; }
@@ -63,9 +77,15 @@ public sealed class SpaceSurvey : IDisposable
 
         try
         {
+            _budget.BeginTick();
             if (!_run.MoveNext())
             {
                 End();
+            }
+            else if (_next is { } next)
+            {
+                // While one model is measured the game loads the next.
+                Ask(next);
             }
         }
 #pragma warning disable CA1031 // The game's script loop must not see an exception of ours, whatever its type.
@@ -82,14 +102,15 @@ public sealed class SpaceSurvey : IDisposable
 
     private IEnumerable<bool> Run()
     {
-        foreach (SurveyedModel model in _models)
+        SurveyedModel[] left = [.. _models.Where(model => !_folder.IsDone(model.Name))];
+        Done = _models.Count - left.Length;
+        for (int i = 0; i < left.Length; i++)
         {
-            if (!_folder.IsDone(model.Name))
+            Current = left[i].Name;
+            _next = i + 1 < left.Length ? left[i + 1].Name : null;
+            foreach (bool tick in Measure(left[i]))
             {
-                foreach (bool tick in Measure(model))
-                {
-                    yield return tick;
-                }
+                yield return tick;
             }
 
             Done++;
@@ -98,42 +119,62 @@ public sealed class SpaceSurvey : IDisposable
 
     private IEnumerable<bool> Measure(SurveyedModel model)
     {
-        ModelLoading loading = _stage.Load(model.Name);
+        ModelLoading loading = Ask(model.Name);
         for (int ticks = 0; loading == ModelLoading.Loading && ticks < MostLoadingTicks; ticks++)
         {
             yield return true;
-            loading = _stage.Load(model.Name);
+            loading = Ask(model.Name);
         }
 
-        StagedModel? put = loading == ModelLoading.Loaded ? _stage.PutUp(model.Name) : null;
-        if (put is not { } staged)
+        _standing = loading == ModelLoading.Loaded ? _stage.PutUp(model.Name) : 0;
+        Forget(model.Name);
+        if (_standing == 0)
         {
             _folder.Finish(model.Name, loading == ModelLoading.Missing ? "missing" : "refused", []);
             yield break;
         }
 
-        _standing = staged.Handle;
+        _stage.Hold(_standing);
         for (int ticks = 0; ticks < SettlingTicks; ticks++)
         {
             yield return true;
         }
 
+        StagedModel staged = _stage.Read(_standing, model.Name);
         var probe = new StageProbe(_stage.Rays, staged);
         var faces = new FaceFinder(probe, staged);
         var heads = new HeadFinder(probe, staged);
-        int rays = 0;
-        foreach (bool ray in staged.Heads.Count > 0 ? heads.Run() : faces.Run())
+        bool isLight = staged.Heads.Count > 0;
+        foreach (bool ray in isLight ? heads.Run() : faces.Run())
         {
-            if (++rays % _raysPerTick == 0)
+            if (_budget.IsSpent)
             {
                 yield return ray;
             }
         }
 
+        IReadOnlyList<MeasuredSpace> spaces = isLight ? heads.Heads : faces.Faces;
+        foreach (bool tick in _photographer?.Take(staged, model.Name, spaces) ?? [])
+        {
+            yield return tick;
+        }
+
         TakeAway();
-        SpaceOfInterest[] rows = [.. (staged.Heads.Count > 0 ? heads.Heads : faces.Faces).Select((space, face) => RowOf(model, space, face))];
+        SpaceOfInterest[] rows = [.. spaces.Select((space, face) => RowOf(isLight ? model with { Class = ObjectClass.TrafficLight } : model, space, face))];
         _folder.Finish(model.Name, rows.Length == 0 ? "noFace" : "measured", rows);
         yield return true;
+    }
+
+    private ModelLoading Ask(string model)
+    {
+        _asked.Add(model);
+        return _stage.Load(model);
+    }
+
+    private void Forget(string model)
+    {
+        _stage.Forget(model);
+        _asked.Remove(model);
     }
 
     private static SpaceOfInterest RowOf(SurveyedModel model, MeasuredSpace space, int face) => new(
@@ -151,21 +192,32 @@ public sealed class SpaceSurvey : IDisposable
 
     private void TakeAway()
     {
-        if (_standing is { } entity)
+        int entity = _standing;
+        if (entity != 0)
         {
             _stage.TakeAway(entity);
-            _standing = null;
+            _standing = 0;
         }
     }
 
     private void End()
     {
         IsOver = true;
+        Try(TakeAway);
+        Try(() => _photographer?.LookAway());
+        foreach (string model in _asked.ToArray())
+        {
+            Try(() => Forget(model));
+        }
+    }
+
+    private void Try(Action giveBack)
+    {
         try
         {
-            TakeAway();
+            giveBack();
         }
-#pragma warning disable CA1031 // The first fault is the one to tell.
+#pragma warning disable CA1031 // The first fault is the one to tell, and the rest is to be given back all the same.
         catch (Exception exception)
 #pragma warning restore CA1031
         {

@@ -2,7 +2,6 @@ using Harvester.Capture.Spaces;
 using Harvester.Geometry;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
-using Harvester.Simulation.Tests.Models;
 
 namespace Harvester.Simulation.Tests.Spaces.Survey;
 
@@ -57,7 +56,7 @@ internal static class KnownProps
     {
         (Vector3D Min, Vector3D Max)[] heads = [.. SignalModels.Heads(name)];
         return new Prop(
-            ModelCatalogueTests.Catalogue[name].Mesh,
+            ModelCatalogue.Shared[name].Mesh,
             [.. heads.Select(head => (head.Min + head.Max) * 0.5)],
             [.. heads.Select(head => (head.Min, head.Max with { Y = head.Min.Y }, Facing.Back))]);
     }

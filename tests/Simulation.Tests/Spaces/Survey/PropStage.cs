@@ -13,13 +13,18 @@ internal sealed class PropStage(IReadOnlyDictionary<string, Prop> props, Pose po
         .AddQuad(new(-100, -100, 0), new(100, -100, 0), new(100, 100, 0), new(-100, 100, 0), new Rgb(90, 90, 90)).Build();
 
     private readonly RenderScene _scene = new([new MeshInstance(Ground, pose, RayHit.World)]);
-    private int _ticksToLoad = 3;
+    private readonly Dictionary<string, int> _ticksToLoad = [];
 
     public IRayCaster Rays => this;
 
     public int Standing { get; private set; }
 
     public List<string> PutUpModels { get; } = [];
+
+    public int RaysCast { get; private set; }
+
+    /// <summary>Models that the game was asked for and may not unload.</summary>
+    public IEnumerable<string> Asked => _ticksToLoad.Keys;
 
     /// <summary>Rays until the game fails; null for never.</summary>
     public int? RaysUntilFailure { get; set; }
@@ -31,18 +36,29 @@ internal sealed class PropStage(IReadOnlyDictionary<string, Prop> props, Pose po
             return ModelLoading.Missing;
         }
 
-        _ticksToLoad--;
-        return _ticksToLoad > 0 ? ModelLoading.Loading : ModelLoading.Loaded;
+        int ticks = _ticksToLoad.GetValueOrDefault(model, 3) - 1;
+        _ticksToLoad[model] = ticks;
+        return ticks > 0 ? ModelLoading.Loading : ModelLoading.Loaded;
     }
 
-    public StagedModel? PutUp(string model)
+    public void Forget(string model) => _ticksToLoad.Remove(model);
+
+    public int PutUp(string model)
     {
-        _ticksToLoad = 3;
-        Prop prop = props[model];
-        _scene.SetDynamic([new MeshInstance(prop.Shape, pose, Handle)]);
+        Assert.Equal(0, Standing);
+        Assert.True(_ticksToLoad[model] <= 0);
+        _scene.SetDynamic([new MeshInstance(props[model].Shape, pose, Handle)]);
         Standing++;
         PutUpModels.Add(model);
-        return new StagedModel(Handle, pose, prop.Shape.Min, prop.Shape.Max, prop.Bones);
+        return Handle;
+    }
+
+    public void Hold(int entity) => Assert.Equal(Handle, entity);
+
+    public StagedModel Read(int entity, string model)
+    {
+        Prop prop = props[model];
+        return new StagedModel(entity, pose, prop.Shape.Min, prop.Shape.Max, prop.Bones);
     }
 
     public void TakeAway(int entity)
@@ -52,8 +68,11 @@ internal sealed class PropStage(IReadOnlyDictionary<string, Prop> props, Pose po
         Standing--;
     }
 
-    public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity) =>
-        RaysUntilFailure-- == 0
+    public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
+    {
+        RaysCast++;
+        return RaysUntilFailure == RaysCast
             ? throw new InvalidOperationException("the game is gone")
             : new SceneRayCaster(_scene).Cast(ray, maxDistance, ignoredEntity);
+    }
 }

@@ -1,3 +1,4 @@
+using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Capture.Spaces;
 using Harvester.Capture.Spaces.Survey;
@@ -10,8 +11,14 @@ public sealed class SpaceSurveyTests : IDisposable
     /// <summary>What the project asks of a face's place.</summary>
     private const double ToleranceMetres = 0.02;
 
+    /// <summary>Rays for a sign or for a head; with one in every cell of the grid they would be some 16,000.</summary>
+    private const int MostRays = 5_000;
+
     private static readonly Pose Place = new(new Vector3D(1200, -340, 25), Axes.FromHeading(77));
 
+    private const double BudgetMilliseconds = 4;
+    private const int RaysIntoSecondModel = 2_500;
+    private SurveyFolder? _folder;
     private readonly string _path = Directory.CreateTempSubdirectory("harvester-survey-").FullName;
 
     public static TheoryData<string> Props => [.. KnownProps.All.Keys];
@@ -25,19 +32,20 @@ public sealed class SpaceSurveyTests : IDisposable
         PropStage stage = Run(name);
 
         Prop prop = KnownProps.All[name];
-        IReadOnlyList<SpaceOfInterest> found = new SurveyFolder(_path).Table.Of(name);
+        IReadOnlyList<SpaceOfInterest> found = Reopened().Table.Of(name);
         Assert.Equal(prop.Faces.Count, found.Count);
         Assert.All(prop.Faces, face => Assert.Contains(found, space =>
             space.Facing == face.Facing && Front(space) is var front
             && Largest(face.Min - front.Min) < ToleranceMetres && Largest(face.Max - front.Max) < ToleranceMetres));
         Assert.All(found, space => Assert.Equal(Provenance.Measured, space.Provenance));
         Assert.Equal(0, stage.Standing);
+        Assert.InRange(stage.RaysCast, 1, Math.Max(1, prop.Bones.Count) * MostRays);
     }
 
     [Fact]
     public void Survey_that_was_cut_off_goes_on_with_the_model_it_was_at()
     {
-        var first = new PropStage(KnownProps.All, Place) { RaysUntilFailure = 25_000 };
+        var first = new PropStage(KnownProps.All, Place) { RaysUntilFailure = RaysIntoSecondModel };
         using (SpaceSurvey cut = Start(first, "plate", "octagon", "diamond"))
         {
             ToEnd(cut);
@@ -45,11 +53,12 @@ public sealed class SpaceSurveyTests : IDisposable
         }
 
         Assert.Equal(0, first.Standing);
+        Assert.Empty(first.Asked);
         Assert.Equal(["plate", "octagon"], first.PutUpModels);
         PropStage second = Run("plate", "octagon", "diamond");
 
         Assert.Equal(["octagon", "diamond"], second.PutUpModels);
-        Assert.Equal(["diamond", "octagon", "plate"], new SurveyFolder(_path).Table.Spaces.Select(space => space.Model));
+        Assert.Equal(["diamond", "octagon", "plate"], Reopened().Table.Spaces.Select(space => space.Model));
         Assert.DoesNotContain(Directory.GetFiles(_path), file => file.EndsWith(".partial", StringComparison.Ordinal));
     }
 
@@ -59,7 +68,7 @@ public sealed class SpaceSurveyTests : IDisposable
         PropStage stage = Run("nothing", "plate");
 
         Assert.Equal(["plate"], stage.PutUpModels);
-        Assert.True(new SurveyFolder(_path).IsDone("nothing"));
+        Assert.True(Reopened().IsDone("nothing"));
     }
 
     [Fact]
@@ -74,6 +83,7 @@ public sealed class SpaceSurveyTests : IDisposable
 
         survey.Dispose();
 
+        Assert.Empty(stage.Asked);
         Assert.Equal(0, stage.Standing);
         Assert.True(survey.IsOver);
     }
@@ -98,9 +108,17 @@ public sealed class SpaceSurveyTests : IDisposable
 
     private SpaceSurvey Start(PropStage stage, params string[] names) => new(
         stage,
-        names.Select(name => new SurveyedModel(
-            name, name.StartsWith("prop_traffic", StringComparison.Ordinal) ? ObjectClass.TrafficLight : ObjectClass.Sign, "a name", "")),
-        new SurveyFolder(_path));
+        names.Select(name => new SurveyedModel(name, ObjectClass.Sign, "a name", string.Empty)),
+        _folder = Reopened(),
+        new PlayerClock(),
+        BudgetMilliseconds);
+
+    /// <summary>The folder as another survey finds it.</summary>
+    private SurveyFolder Reopened()
+    {
+        _folder?.Wait(TimeSpan.FromSeconds(30));
+        return new SurveyFolder(_path);
+    }
 
     private static void ToEnd(SpaceSurvey survey)
     {

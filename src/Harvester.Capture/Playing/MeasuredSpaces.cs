@@ -1,0 +1,45 @@
+using System;
+using System.IO;
+using System.Threading.Tasks;
+using Harvester.Capture.Spaces.Survey;
+
+namespace Harvester.Capture.Playing;
+
+/// <summary>The folder of what the player has measured, opened on another thread when it is first asked for.</summary>
+/// <param name="path">The folder.</param>
+public sealed class MeasuredSpaces(string path)
+{
+    private static readonly TimeSpan LongestWaitForTheDisk = TimeSpan.FromSeconds(10);
+    private Task<SurveyFolder>? _opening;
+
+    /// <summary>The folder.</summary>
+    public string Path { get; } = path;
+
+    /// <summary>Whether something is still being read or written.</summary>
+    public bool IsBusy => _opening is { } opening && (!opening.IsCompleted || (!opening.IsFaulted && opening.Result.IsWriting));
+
+    /// <summary>The folder's content; null until it is read.</summary>
+    /// <exception cref="IOException">It cannot be read. The next question tries again.</exception>
+    public SurveyFolder? Open()
+    {
+        _opening ??= Task.Run(() => new SurveyFolder(Path));
+        if (_opening.IsFaulted)
+        {
+            Exception failure = _opening.Exception!.InnerException!;
+            _opening = null;
+            throw new IOException(failure.Message, failure);
+        }
+
+        return _opening.IsCompleted ? _opening.Result : null;
+    }
+
+    /// <summary>Waits until all is written, or for as long as a script may take to end.</summary>
+    /// <exception cref="IOException">Something could not be written.</exception>
+    public void Wait()
+    {
+        if (_opening is { IsCompleted: true, IsFaulted: false } opening)
+        {
+            opening.Result.Wait(LongestWaitForTheDisk);
+        }
+    }
+}

@@ -1,0 +1,78 @@
+using System;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Spaces.Survey;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Capture.Playing;
+
+/// <summary>Photographs with a scripted camera of the game and its screen.</summary>
+/// <param name="cameras">The game's cameras.</param>
+/// <param name="screen">The picture shown.</param>
+/// <param name="windowAspect">Width over height of the game's window.</param>
+public sealed class SurveyCamera(ICameras cameras, IScreen screen, Func<double> windowAspect) : ISurveyCamera
+{
+    /// <summary>Enough to read a sign, and a page with all of them can still be opened.</summary>
+    private const int Side = 320;
+
+    private int _camera;
+
+    /// <inheritdoc/>
+    public bool LookFrom(Pose eye, double verticalFovDegrees)
+    {
+        int camera = cameras.Make(eye, verticalFovDegrees);
+        if (camera == 0)
+        {
+            return false;
+        }
+
+        // The new one first, so that the game's own view does not come between the two.
+        int before = _camera;
+        _camera = camera;
+        cameras.Show(camera);
+        Remove(before);
+        return true;
+    }
+
+    /// <inheritdoc/>
+    public PixelBuffer? Grab()
+    {
+        int width = Math.Max(Side, (int)Math.Round(Side * windowAspect()));
+        var whole = new PixelBuffer(new ImageSize(width, Side));
+        return screen.Grab(whole).IsGood ? Middle(whole) : null;
+    }
+
+    /// <inheritdoc/>
+    public void LookAway()
+    {
+        int camera = _camera;
+        _camera = 0;
+        Remove(camera);
+    }
+
+    private static PixelBuffer Middle(PixelBuffer whole)
+    {
+        var middle = new PixelBuffer(new ImageSize(Side, Side));
+        int left = (whole.Size.Width - Side) / 2;
+        for (int row = 0; row < Side; row++)
+        {
+            Buffer.BlockCopy(
+                whole.Bytes,
+                ((row * whole.Size.Width) + left) * PixelBuffer.BytesPerPixel,
+                middle.Bytes,
+                row * Side * PixelBuffer.BytesPerPixel,
+                Side * PixelBuffer.BytesPerPixel);
+        }
+
+        return middle;
+    }
+
+    private void Remove(int camera)
+    {
+        if (camera != 0)
+        {
+            cameras.Remove(camera);
+        }
+    }
+}

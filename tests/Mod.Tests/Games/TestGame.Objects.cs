@@ -1,0 +1,66 @@
+using GTA.Hosting;
+using GTA.Native;
+using Harvester.Capture.Spaces;
+using Harvester.Geometry;
+using Harvester.Simulation.Tests.Spaces.Survey;
+
+namespace Harvester.Mod.Tests.Games;
+
+/// <summary>The natives about objects that scripts make.</summary>
+internal sealed partial class TestGame
+{
+    /// <summary>The models of objects, by their names.</summary>
+    public Dictionary<string, Prop> Props { get; } = [];
+
+    public bool ObjectPoolIsFull { get; set; }
+
+    public IEnumerable<GameEntity> Objects => Entities.Values.Where(entity => entity.Pool == PoolKind.Props);
+
+    /// <summary>Models that scripts have asked for and not given back.</summary>
+    public int RequestedModels => _ticksUntilLoaded.Count;
+
+    private void AddObjectNatives()
+    {
+        _natives[Hash.CREATE_OBJECT_NO_OFFSET] = a =>
+        {
+            Assert.Equal([false, false, false], a[4..]);
+            return ObjectPoolIsFull ? 0 : CreateObject((int)a[0], ToWorld(a[1], a[2], a[3]));
+        };
+        Do(Hash.FREEZE_ENTITY_POSITION, a => Entities[(int)a[0]].IsFrozen = (bool)a[1]);
+        Do(Hash.DELETE_OBJECT, a =>
+        {
+            Entities.Remove(((OutputArgument)a[0]).GetResult<int>());
+            Write(a[0], 0);
+        });
+        _natives[Hash.GET_ENTITY_BONE_INDEX_BY_NAME] = a =>
+        {
+            int bone = int.Parse(((string)a[1])["traffic_light_".Length..], System.Globalization.CultureInfo.InvariantCulture);
+            return bone < Entities[(int)a[0]].Bones.Count ? bone : -1;
+        };
+        _natives[Hash.GET_WORLD_POSITION_OF_ENTITY_BONE] = a =>
+        {
+            GameEntity entity = Entities[(int)a[0]];
+            return ToGame(entity.Pose.ToWorld(entity.Bones[(int)a[1]]));
+        };
+    }
+
+    private (string Name, Prop Prop)? PropOf(int model) =>
+        Props.Where(prop => ModelHash.Of(prop.Key) == model).Select(prop => ((string, Prop)?)(prop.Key, prop.Value)).FirstOrDefault();
+
+    private int CreateObject(int model, Vector3D place)
+    {
+        (string name, Prop prop) = HasLoaded(model) && PropOf(model) is { } found
+            ? found
+            : throw new InvalidOperationException("An object was made of a model that is not loaded.");
+        return Add(new GameEntity
+        {
+            Pool = PoolKind.Props,
+            Name = name,
+            Pose = new Pose(place, Axes.Identity),
+            Shape = prop.Shape,
+            ModelMin = prop.Shape.Min,
+            ModelMax = prop.Shape.Max,
+            Bones = prop.Bones,
+        });
+    }
+}

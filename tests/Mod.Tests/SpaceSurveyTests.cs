@@ -1,0 +1,270 @@
+using System.Windows.Forms;
+using GTA.Hosting;
+using GTA.Native;
+using Harvester.Capture.Playing;
+using Harvester.Capture.Spaces;
+using Harvester.Capture.Spaces.Survey;
+using Harvester.Geometry;
+using Harvester.Mod.Tests.Games;
+using Harvester.Simulation.Tests.Spaces.Survey;
+
+namespace Harvester.Mod.Tests;
+
+public sealed class SpaceSurveyTests
+{
+    private const string Light = "prop_traffic_01b";
+    private const string Sign = "prop_sign_road_03g";
+    private const string Ini = "[Signs]\nModels = " + Light + "\n";
+
+    /// <summary>What the project asks of a face's place.</summary>
+    private const double ToleranceMetres = 0.02;
+    private const int TicksForAll = 2_000;
+
+    [Fact]
+    public void Key_measures_all_models_of_the_game_and_leaves_nothing_behind()
+    {
+        using ScriptDriver driver = NewDriver();
+        driver.Press(Keys.F10);
+        Until(driver, "All 109 models are surveyed: 3 faces");
+        driver.WaitForDisk();
+
+        SpaceTable table = new SurveyFolder(Folder(driver)).Table;
+        AssertFaces(KnownProps.All["octagon"], table.Of(Sign));
+        AssertFaces(KnownProps.All[Light], table.Of(Light));
+        Assert.Empty(driver.Game.Objects);
+        Assert.Empty(driver.Game.Cameras);
+        Assert.Equal(-1, driver.Game.RenderingCamera);
+        Assert.Equal(0, driver.Game.RequestedModels);
+        Assert.Empty(driver.Game.LeakedScriptHandles);
+    }
+
+    [Fact]
+    public void Models_stand_frozen_in_the_air_over_the_player()
+    {
+        using ScriptDriver driver = NewDriver();
+        driver.Press(Keys.F10);
+        while (!driver.Game.Objects.Any())
+        {
+            driver.Tick();
+        }
+
+        GameEntity prop = Assert.Single(driver.Game.Objects);
+        Assert.True(prop.IsFrozen);
+        Assert.Equal(driver.Game.Entities[TestGame.Player].Pose.Position + new Vector3D(0, 0, 40), prop.Pose.Position);
+    }
+
+    [Fact]
+    public void Photographs_are_taken_from_front_and_back_with_nothing_drawn_over_them()
+    {
+        using ScriptDriver driver = NewDriver();
+        driver.Press(Keys.F10);
+        Until(driver, "models are surveyed");
+        driver.WaitForDisk();
+
+        string folder = Path.Combine(Folder(driver), SurveyPhoto.FolderName);
+        Assert.Equal(
+            [Sign + ".png", Sign + "_back.png", Light + ".png", Light + "_back.png"],
+            Directory.GetFiles(folder).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+        Assert.Equal((4, 0), (driver.Screen.Grabs, driver.Screen.SpoiltPictures));
+        IReadOnlyList<SurveyPhoto> photos = SurveyPhoto.ReadAll(Folder(driver));
+        Assert.Equal(4, photos.Count);
+
+        // The octagon's face looks back, is 2 x 0.4 m x cos 22.5° = 0.74 m wide and lies at y = -0.06: the camera stands 1.5 x 0.37 / tan 25° = 1.19 m before it.
+        SurveyPhoto front = photos.Single(photo => photo.File == Sign + ".png");
+        Assert.Equal(-0.06 - 1.19, front.Camera.Position.Y, 0.02);
+        Assert.Equal(2.3, front.Camera.Position.Z, 0.02);
+        Assert.Equal(1, front.Camera.Axes.Forward.Y, 6);
+        Assert.Equal(-1, photos.Single(photo => photo.File == Sign + "_back.png").Camera.Axes.Forward.Y, 6);
+    }
+
+    [Fact]
+    public void Pictures_that_are_refused_are_left_out_and_the_rest_goes_on()
+    {
+        using ScriptDriver driver = NewDriver();
+        driver.Screen.Refusal = "covered";
+        driver.Press(Keys.F10);
+        Until(driver, "3 faces");
+        driver.WaitForDisk();
+
+        Assert.Empty(Directory.GetFiles(Path.Combine(Folder(driver), SurveyPhoto.FolderName)));
+    }
+
+    [Fact]
+    public void Photographs_can_be_switched_off()
+    {
+        using ScriptDriver driver = NewDriver(Ini + "Photographs = Off\n");
+        driver.Press(Keys.F10);
+        Until(driver, "3 faces");
+
+        Assert.Equal(0, driver.Screen.Grabs);
+        Assert.DoesNotContain(Hash.CREATE_CAM_WITH_PARAMS, driver.Game.Calls);
+    }
+
+    [Fact]
+    public void Line_tells_how_far_it_is()
+    {
+        using ScriptDriver driver = NewDriver();
+        driver.Press(Keys.F10);
+        while (!driver.Game.Objects.Any())
+        {
+            driver.Tick();
+        }
+
+        Assert.Contains(driver.Game.Texts, text => text.StartsWith("SIGNS  ", StringComparison.Ordinal) && text.Contains(" of 109  prop_", StringComparison.Ordinal));
+        driver.Press(Keys.F10);
+        Assert.Contains("was stopped", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Empty(driver.Game.Objects);
+        driver.Tick();
+        Assert.Empty(driver.Game.Texts);
+    }
+
+    [Fact]
+    public void Survey_that_was_stopped_or_aborted_goes_on_with_what_is_left()
+    {
+        using ScriptDriver driver = NewDriver();
+        driver.Press(Keys.F10);
+        while (!driver.Game.Objects.Any(prop => prop.Name == Light))
+        {
+            driver.Tick();
+        }
+
+        var other = new Thread(driver.Script.RaiseAborted);
+        other.Start();
+        other.Join();
+        Assert.Empty(driver.Game.Objects);
+        Assert.Empty(driver.Game.Cameras);
+        Assert.Equal(0, driver.Game.RequestedModels);
+        Assert.Single(new SurveyFolder(Folder(driver)).Table.Spaces);
+
+        driver.Reload();
+        var seen = new HashSet<string>();
+        driver.Game.PassFrame = () => seen.UnionWith(driver.Game.Objects.Select(prop => prop.Name));
+        driver.Press(Keys.F10);
+        Until(driver, "3 faces");
+        Assert.Equal([Light], seen);
+    }
+
+    [Fact]
+    public void Full_pool_of_objects_and_models_that_never_load_are_noted_and_passed_over()
+    {
+        using ScriptDriver driver = NewDriver();
+        driver.Game.ObjectPoolIsFull = true;
+        driver.Press(Keys.F10);
+        Until(driver, "All 109 models are surveyed: 0 faces");
+        driver.WaitForDisk();
+
+        Assert.Contains(Sign + " refused", File.ReadAllLines(Path.Combine(Folder(driver), "models.txt")));
+        Assert.Equal(0, driver.Game.RequestedModels);
+    }
+
+    [Fact]
+    public void Measured_faces_go_before_the_shipped_ones_from_the_next_start_on()
+    {
+        const string shipped = "prop_sign_road_03g,,sign,A SIGN,R1-1,0,-0.4,0.1,2.7,0.4,-0.1,1.9,-y,estimated,test\n";
+        using ScriptDriver driver = NewDriver(spaces: shipped);
+        driver.Press(Keys.F10);
+        Until(driver, "models are surveyed");
+        driver.WaitForDisk();
+        SpaceTable used = new ModFolder(driver.Folder).SpacesWith(Folder(driver));
+
+        SpaceOfInterest face = Assert.Single(used.Of(Sign));
+        Assert.Equal((Provenance.Measured, "A SIGN", "R1-1"), (face.Provenance, face.Name, face.MutcdCode));
+    }
+
+    [Fact]
+    public void Damaged_table_is_told_and_left_as_it_is()
+    {
+        using ScriptDriver driver = NewDriver();
+        Directory.CreateDirectory(Folder(driver));
+        string file = Path.Combine(Folder(driver), SurveyFolder.TableName);
+        File.WriteAllText(file, "prop_sign_road_01a,5,sign\n");
+        driver.Press(Keys.F10);
+        Until(driver, "The survey of signs failed: " + file);
+        driver.Tick(50);
+        driver.WaitForDisk();
+
+        Assert.Equal("prop_sign_road_01a,5,sign\n", File.ReadAllText(file));
+        Assert.Empty(driver.Game.Objects);
+    }
+
+    [Fact]
+    public void Disk_that_refuses_ends_the_survey_with_a_message_and_the_game_goes_on()
+    {
+        using ScriptDriver driver = NewDriver();
+        driver.Press(Keys.F10);
+        while (!driver.Game.Objects.Any())
+        {
+            driver.Tick();
+        }
+
+        // A folder where the file should be written: the system refuses that.
+        driver.WaitForDisk();
+        Directory.CreateDirectory(Path.Combine(Folder(driver), SurveyFolder.TableName + ".partial"));
+        Until(driver, "The survey stopped: ");
+        Assert.Empty(driver.Game.Objects);
+        Assert.Empty(driver.Game.Cameras);
+    }
+
+    [Fact]
+    public void Survey_and_harvest_wait_for_each_other()
+    {
+        using ScriptDriver driver = NewDriver();
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.F10);
+        driver.Press(Keys.J);
+        Assert.Contains("The survey of signs is running", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        driver.Press(Keys.F10);
+        driver.Press(Keys.J);
+        driver.Press(Keys.F10);
+        Assert.Contains("End the harvest first", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        driver.Press(Keys.J);
+        driver.WaitForDisk();
+        driver.Press(Keys.F10);
+        Assert.Contains("Give the camera back first", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        driver.Press(Keys.O);
+        driver.Press(Keys.F10);
+        Assert.Contains("is on", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        driver.Press(Keys.I);
+        driver.Tick();
+        Assert.Contains("because the camera was mounted", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Single(driver.Game.Cameras);
+    }
+
+    private static ScriptDriver NewDriver(string ini = Ini, string? spaces = "# none\n")
+    {
+        var driver = new ScriptDriver(ini, spaces: spaces);
+        driver.Game.Props[Sign] = KnownProps.All["octagon"];
+        driver.Game.Props[Light] = KnownProps.All[Light];
+        return driver;
+    }
+
+    private static string Folder(ScriptDriver driver) => Path.Combine(driver.Output, "spaces");
+
+    private static void AssertFaces(Prop prop, IReadOnlyList<SpaceOfInterest> found)
+    {
+        Assert.Equal(prop.Faces.Count, found.Count);
+        Assert.All(prop.Faces, face => Assert.Contains(found, space =>
+            space.Facing == face.Facing
+            && Math.Abs(space.FrontUpperLeft.X - face.Min.X) < ToleranceMetres && Math.Abs(space.FrontUpperLeft.Z - face.Max.Z) < ToleranceMetres
+            && Math.Abs(space.BackLowerRight.X - face.Max.X) < ToleranceMetres && Math.Abs(space.BackLowerRight.Z - face.Min.Z) < ToleranceMetres
+            && Math.Abs(space.BackLowerRight.Y - face.Min.Y) < ToleranceMetres));
+    }
+
+    private static void Until(ScriptDriver driver, string message)
+    {
+        for (int tick = 0; tick < TicksForAll && !IsTold(); tick++)
+        {
+            // Files are read and written on another thread.
+            if (driver.Game.Objects.All(prop => prop.Pool != PoolKind.Props))
+            {
+                Thread.Sleep(1);
+            }
+
+            driver.Tick();
+        }
+
+        Assert.True(IsTold(), string.Join('\n', driver.Game.Notifications));
+
+        bool IsTold() => driver.Game.Notifications.Any(told => told.Contains(message, StringComparison.Ordinal));
+    }
+}
