@@ -14,7 +14,7 @@ using Harvester.Geometry;
 namespace Harvester.Mod;
 
 /// <summary>What the harvest reads of the game. Only the lists of what is near come from the API's memory; all else is natives.</summary>
-internal sealed class GameWorld : IWorld
+internal sealed class GameWorld : IWorld, IProps
 {
     private readonly CameraMount _mount;
     private readonly GameTime _time;
@@ -71,7 +71,7 @@ internal sealed class GameWorld : IWorld
     /// <inheritdoc/>
     public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range)
     {
-        var place = new Vector3((float)centre.X, (float)centre.Y, (float)centre.Z);
+        Vector3 place = PlaceOf(centre);
         float radius = (float)range;
         var entities = new List<EntityState>();
         Add(World.GetNearbyVehicles(place, radius).Select(vehicle => vehicle.Handle).Where(vehicle => vehicle != _mount.Vehicle), _models.OfVehicle);
@@ -88,9 +88,25 @@ internal sealed class GameWorld : IWorld
     }
 
     /// <inheritdoc/>
+    public int PlayersBody => Natives.PlayerPed();
+
+    /// <inheritdoc/>
+    public EntityState? ReadProp(int entity)
+    {
+        const int prop = 3;
+        return Natives.Call<int>(Hash.GET_ENTITY_TYPE, entity) == prop ? Read(entity, (_, hash) => _models.OfProp(hash)) : null;
+    }
+
+    /// <inheritdoc/>
+    public IReadOnlyList<EntityState> ReadProps(Vector3D centre, double range) =>
+        [.. World.GetNearbyProps(PlaceOf(centre), (float)range).Select(prop => ReadProp(prop.Handle)).OfType<EntityState>()];
+
+    /// <inheritdoc/>
     public EnvironmentState ReadEnvironment() => new(
         WeatherNames.Of(Natives.Call<int>(Hash.GET_PREV_WEATHER_TYPE_HASH_NAME)),
         new TimeSpan(Natives.Call<int>(Hash.GET_CLOCK_HOURS), Natives.Call<int>(Hash.GET_CLOCK_MINUTES), Natives.Call<int>(Hash.GET_CLOCK_SECONDS)));
+
+    private static Vector3 PlaceOf(Vector3D centre) => new((float)centre.X, (float)centre.Y, (float)centre.Z);
 
     private static bool IsOnFoot(int ped) =>
         Natives.EntityExists(ped) && ped != Natives.PlayerPed() && Natives.Call<bool>(Hash.IS_PED_HUMAN, ped) && Natives.VehicleOf(ped) == 0;

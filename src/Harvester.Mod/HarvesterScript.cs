@@ -60,7 +60,12 @@ public sealed class HarvesterScript : Script
         var car = new TestCar(player, _messages, models, vehicles, clock);
         var mount = new CameraMount(player, _messages, cameras, vehicles);
         var world = new GameWorld(mount, time, rays, models, spaces);
-        var game = new GamePorts(world, rays, screen, time, clock, markers) { Roads = roads };
+        var lights = new LightDriving(
+            world, new GameTrafficLights(), player.LightOrder, player.Options.RangeMetres, player.Options.MaxPictureLagTicks + 2)
+        {
+            IsWanted = () => player.DrivesLights && _harvest!.Status is not null,
+        };
+        var game = new GamePorts(world, rays, screen, time, clock, markers) { Roads = roads, Lights = lights };
         var driven = new DrivenCar(new GameCarControls(), vehicles, mount, world);
         _drive = new BridgeDrive(player.Bridge, game, driven, mount, display, _messages) { Obstacle = DriveObstacle };
         _harvest = new Harvest(player.Options with { Spaces = spaces }, player.Folder, _messages, mount, game, display, Origin) { Problem = Problem };
@@ -72,13 +77,16 @@ public sealed class HarvesterScript : Script
             GivesLanes = player.RoadFile is null,
             AreLanesWanted = () => player.RoadFile is null && (overlay.IsOn || _drive.IsOn || _harvest.Status is not null),
         };
+        var measured = new MeasuredSpaces(player.SpacesFolder);
         _signs = new SpaceSurveying(
             new GameStage(models, rays),
             player.TakesPhotographs ? new SurveyCamera(cameras, screen, () => world.ReadCamera().WindowAspect) : null,
             SignModels.ToMeasure(_folder.ShippedSpaces, player.FurtherModels),
-            new MeasuredSpaces(player.SpacesFolder), _harvest, mount, display, _messages, clock, player.SurveyBudgetMilliseconds);
-        var line = new HarvestLine(_harvest, player.Folder, clock, display) { IsPictureNear = IsPictureNear, SurveyLines = [() => survey.Line, () => _signs.Line] };
-        _features = new FeatureSet(_messages, car, mount, _harvest, _calibration, markers, survey, _signs, _drive, line, overlay);
+            measured, _harvest, mount, display, _messages, clock, player.SurveyBudgetMilliseconds);
+        var marking = new SpaceMarking(game, world, SignName.Choices(player.SignNames, _folder.ShippedSpaces), measured, display, _messages) { IsPictureNear = IsPictureNear };
+        var unknown = new UnknownModelsList(world, world, spaces, player.SpacesFolder, _messages) { Problem = Problem };
+        var line = new HarvestLine(_harvest, player.Folder, clock, display) { IsPictureNear = IsPictureNear, SurveyLines = [() => survey.Line, () => _signs.Line, () => marking.Line] };
+        _features = new FeatureSet(_messages, car, mount, _harvest, lights, _calibration, markers, survey, _signs, marking, unknown, _drive, line, overlay);
         if (player.RoadFile is { } file)
         {
             roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");
@@ -95,6 +103,10 @@ public sealed class HarvesterScript : Script
         _keys.Add("RoadSurvey", Keys.U, survey, survey.Toggle);
         _keys.Add("Drive", Keys.N, _drive, _drive.Toggle);
         _keys.Add("SpaceSurvey", Keys.F10, _signs, _signs.Toggle);
+        _keys.Add("MarkCorner", Keys.B, marking, marking.Mark);
+        _keys.Add("NextName", Keys.F9, marking, marking.NextName);
+        _keys.Add("KeepFace", Keys.Y, marking, marking.Keep);
+        _keys.Add("UnknownModels", Keys.F11, unknown, unknown.Look);
         Tick += OnTick;
         KeyDown += OnKeyDown;
         KeyUp += OnKeyUp;

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Harvester.Capture.Labels;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
@@ -197,6 +198,23 @@ public sealed class SimulatedGame
                 _toBeShown.Dequeue();
             }
         }
+    }
+
+    /// <summary>Makes a traffic light show a state until it is told otherwise; traffic does not obey it, as in the game.</summary>
+    /// <param name="light">The light's handle.</param>
+    /// <param name="state">Null or unknown gives the light back.</param>
+    public void DriveLight(int light, LightState? state)
+    {
+        if (state is null or LightState.Unknown)
+        {
+            _world.DrivenLights.Remove(light);
+        }
+        else
+        {
+            _world.DrivenLights[light] = state switch { LightState.Red => SignalState.Red, LightState.Amber => SignalState.Amber, _ => SignalState.Green };
+        }
+
+        _state++;
     }
 
     /// <summary>The picture that is shown, with the true handle and depth of each pixel; it is overwritten by the next one.</summary>

@@ -1,27 +1,23 @@
 using System.Windows.Forms;
 using GTA.Hosting;
 using GTA.Native;
-using Harvester.Capture.Tests.Roads;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
-using Harvester.Simulation.Tests.Spaces.Survey;
 
 namespace Harvester.Mod.Tests;
 
 /// <summary>After every fault the script lives, the game runs, and the player was told in words.</summary>
 public sealed class FaultTests
 {
-    private const string DriveOverFolder = "[Bridge]\nKind = Folder\nFolder = out/bridge\n";
-
     public static TheoryData<Hash> EveryNativeThatTheModCalls => [.. PlayedNatives()];
 
     [Theory]
     [MemberData(nameof(EveryNativeThatTheModCalls))]
     public void Native_that_throws_is_told_and_all_works_again_when_it_does(Hash native)
     {
-        using var driver = new ScriptDriver(DriveOverFolder);
+        using var driver = new ScriptDriver(Playthrough.Ini, spaces: LightTests.TableOfOne);
         driver.Game.Fault = called => called == native ? new InvalidOperationException("The native is broken.") : null;
-        Play(driver);
+        Playthrough.Of(driver);
         Assert.Contains(driver.Game.Notifications, message => message.Contains("The native is broken.", StringComparison.Ordinal));
         Assert.All(driver.Game.Notifications, message => Assert.StartsWith("GtaDataHarvester: ", message, StringComparison.Ordinal));
 
@@ -141,7 +137,7 @@ public sealed class FaultTests
         int before = driver.Game.Calls.Count;
         for (int repeat = 0; repeat < 30; repeat++)
         {
-            foreach (Keys key in new[] { Keys.NumPad0, Keys.I, Keys.O, Keys.J, Keys.K, Keys.L, Keys.C, Keys.U, Keys.N, Keys.F10 })
+            foreach (Keys key in new[] { Keys.NumPad0, Keys.I, Keys.O, Keys.J, Keys.K, Keys.L, Keys.C, Keys.U, Keys.N, Keys.F10, Keys.B, Keys.F9, Keys.Y, Keys.F11 })
             {
                 driver.Script.RaiseKeyDown(key);
             }
@@ -242,80 +238,8 @@ public sealed class FaultTests
 
     private static Hash[] PlayedNatives()
     {
-        using var driver = new ScriptDriver(DriveOverFolder);
-        Play(driver);
+        using var driver = new ScriptDriver(Playthrough.Ini, spaces: LightTests.TableOfOne);
+        Playthrough.Of(driver);
         return driver.Game.Calls.Distinct().Order().ToArray();
-    }
-
-    private static void SurveySigns(ScriptDriver driver)
-    {
-        driver.Game.Props["prop_sign_road_03g"] = KnownProps.All["prop_traffic_03a"];
-        driver.Press(Keys.F10);
-
-        // Its files are read on another thread; it goes on until it is over or a fault has ended it.
-        for (int tick = 0; tick < 200 && !driver.Game.Notifications[^1].Contains("models are surveyed", StringComparison.Ordinal); tick++)
-        {
-            Thread.Sleep(tick < 20 ? 2 : 0);
-            driver.Tick();
-        }
-
-        driver.WaitForDisk();
-    }
-
-    /// <summary>Everything that a player can do, once.</summary>
-    private static void Play(ScriptDriver driver)
-    {
-        driver.Press(Keys.NumPad0);
-        driver.Tick(8);
-        driver.Press(Keys.NumPad0);
-        driver.Tick(8);
-        HarvestTests.Street(driver.Game);
-        HarvestTests.SunkenCar(driver.Game);
-        driver.Game.Roads = new FakeRoadSource(RoadTests.Road());
-        driver.Press(Keys.U);
-
-        // The file of the survey is read on another thread; where a fault has ended the survey nothing comes.
-        for (int tick = 0; tick < 100 && !driver.Game.Calls.Contains(Hash.GET_CLOSEST_ROAD); tick++)
-        {
-            Thread.Sleep(2);
-            driver.Tick();
-        }
-
-        driver.Press(Keys.U);
-        driver.WaitForDisk();
-        SurveySigns(driver);
-        driver.Press(Keys.L);
-        driver.Press(Keys.I);
-        driver.Press(Keys.C);
-        driver.Tick(20);
-        driver.Press(Keys.J);
-        driver.Tick(25);
-        driver.Press(Keys.J);
-        driver.WaitForDisk();
-        PlayDrive(driver);
-        driver.Press(Keys.O);
-    }
-
-    /// <summary>A drive over the shared folder, with each command that calls a native.</summary>
-    private static void PlayDrive(ScriptDriver driver)
-    {
-        string folder = Path.Combine(driver.Output, "bridge");
-        driver.Press(Keys.N);
-        Until(Hash.SET_CONTROL_VALUE_NEXT_FRAME);
-        Directory.CreateDirectory(folder);
-        BridgeDriveTests.Drop(folder, "command.json", """{"type":"reset","position":[1,2,3],"headingDegrees":0}""");
-        Until(Hash.SET_ENTITY_VELOCITY);
-        BridgeDriveTests.Drop(folder, "command.json", """{"type":"environment","weather":"rain","timeOfDay":"08:15"}""");
-        Until(Hash.SET_CLOCK_TIME);
-
-        // Where a fault has ended the drive nothing comes.
-        void Until(Hash native)
-        {
-            for (int tick = 0; tick < 50 && !driver.Game.Calls.Contains(native); tick++)
-            {
-                Thread.Sleep(2);
-                driver.Tick();
-            }
-        }
     }
 }

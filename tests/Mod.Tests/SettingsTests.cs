@@ -55,7 +55,8 @@ public sealed class SettingsTests
         (string Name, Keys Key)[] keys =
         [
             ("SpawnTestCar", Keys.NumPad0), ("MountCamera", Keys.I), ("RestoreCamera", Keys.O), ("Harvest", Keys.J),
-            ("OneFrame", Keys.K), ("Overlay", Keys.L), ("Calibrate", Keys.C), ("RoadSurvey", Keys.U), ("Drive", Keys.N),
+            ("OneFrame", Keys.K), ("Overlay", Keys.L), ("Calibrate", Keys.C), ("RoadSurvey", Keys.U),
+            ("SpaceSurvey", Keys.F10), ("MarkCorner", Keys.B), ("NextName", Keys.F9), ("KeepFace", Keys.Y), ("UnknownModels", Keys.F11), ("Drive", Keys.N),
         ];
         Assert.All(keys, key => Assert.Equal(key.Key, shipped.Choice("Keys", key.Name, Keys.None, "a key")));
         Assert.Empty(shipped.Complaints);

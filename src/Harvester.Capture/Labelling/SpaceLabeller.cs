@@ -26,7 +26,7 @@ internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, IR
 
     /// <summary>Labels the spaces of entities, one an element: null for one that is not in the image or not to be labelled.</summary>
     public IEnumerable<ObjectLabel?> Label(Camera camera, SceneSnapshot snapshot, Func<bool> mayCastRays) =>
-        CandidatesOf(camera, snapshot).Select(candidate => candidate is null ? null : LabelOf(camera, candidate, snapshot.Ego.Handle, mayCastRays));
+        CandidatesOf(camera, snapshot).Select(candidate => candidate is null ? null : LabelOf(camera, candidate, snapshot, mayCastRays));
 
     /// <summary>Passes over a snapshot that is not labelled: the spaces' numbers are remembered as if it were.</summary>
     public void Pass(Camera camera, SceneSnapshot snapshot)
@@ -55,14 +55,14 @@ internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, IR
             : null;
     }
 
-    private ObjectLabel? LabelOf(Camera camera, SpaceCandidate candidate, int egoHandle, Func<bool> mayCastRays)
+    private ObjectLabel? LabelOf(Camera camera, SpaceCandidate candidate, SceneSnapshot snapshot, Func<bool> mayCastRays)
     {
         (SpaceOfInterest space, LabelCandidate face, int parent) = candidate;
         EntityState entity = face.Entity;
         Cuboid cuboid = face.Cuboid;
         double margin = space.Provenance == Provenance.Estimated ? EstimatedMarginMetres : MeasuredMarginMetres;
         OcclusionEstimate occlusion = mayCastRays()
-            ? _occlusion.Estimate(camera, cuboid, face.Projection, entity.Handle, egoHandle, new SpaceRays(rays, entity.Handle, cuboid, margin))
+            ? _occlusion.Estimate(camera, cuboid, face.Projection, entity.Handle, snapshot.Ego.Handle, new SpaceRays(rays, entity.Handle, cuboid, margin))
             : default;
         bool determined = occlusion.Method != OcclusionMethod.None;
         if (determined && occlusion.OccludedFraction > options.MaxOccludedFraction)
@@ -90,12 +90,12 @@ internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, IR
                 space.MutcdCode.Length == 0 ? null : space.MutcdCode,
                 FacingAngleDegrees(space, cuboid, entity.Pose, camera.Pose.Position),
                 space.Provenance,
-                space.Class == ObjectClass.TrafficLight ? LightOf(entity) : null),
+                space.Class == ObjectClass.TrafficLight ? LightOf(entity, snapshot.GameFrame) : null),
         };
     }
 
-    private LightLabel LightOf(EntityState entity) =>
-        lights?.SetStateOf(entity.Handle) is { } state ? new LightLabel(state, LightMethod.Set, null) : LightLabel.Unknown;
+    private LightLabel LightOf(EntityState entity, long gameFrame) =>
+        lights?.SetStateOf(entity.Handle, gameFrame) is { } state ? new LightLabel(state, LightMethod.Set, null) : LightLabel.Unknown;
 
     /// <summary>The angle between two directions by the tangent of its half, which is exact near 0 and 180 degrees as well. A camera in the middle of the face sees it at 0.</summary>
     private static double FacingAngleDegrees(SpaceOfInterest space, Cuboid cuboid, Pose entity, Vector3D eye)

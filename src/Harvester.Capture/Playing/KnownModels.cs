@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using Harvester.Capture.Scenes;
 using Harvester.Capture.Spaces;
+using Harvester.Capture.Spaces.Survey;
 using Harvester.Geometry;
 
 namespace Harvester.Capture.Playing;
@@ -27,7 +28,9 @@ public sealed class KnownModels(IModels models, SpaceTable spaces)
     public ModelFacts OfProp(int hash) => Find(hash, () =>
     {
         IReadOnlyList<SpaceOfInterest> faces = spaces.Of(hash);
-        return faces.Count == 0 ? (ObjectClass.Other, Hexadecimal(hash)) : (faces[0].Class, faces[0].Model.Length > 0 ? faces[0].Model : Hexadecimal(hash));
+        return faces.Count == 0
+            ? SignModels.UnnamedBy(hash) is { } name ? (ObjectClass.Sign, name) : (ObjectClass.Other, Hexadecimal(hash))
+            : (faces[0].Class, faces[0].Model.Length > 0 ? faces[0].Model : Hexadecimal(hash));
     });
 
     private static string Hexadecimal(int hash) => "0x" + hash.ToString("X8", CultureInfo.InvariantCulture);

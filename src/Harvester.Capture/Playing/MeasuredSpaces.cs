@@ -37,7 +37,7 @@ public sealed class MeasuredSpaces(string path)
     /// <exception cref="IOException">Something could not be written.</exception>
     public void Wait()
     {
-        if (_opening is { IsCompleted: true, IsFaulted: false } opening)
+        if (_opening is { } opening && Task.WaitAny([opening], LongestWaitForTheDisk) == 0 && !opening.IsFaulted)
         {
             opening.Result.Wait(LongestWaitForTheDisk);
         }

@@ -5,7 +5,8 @@ namespace Harvester.Capture.Ports;
 /// <summary>The traffic lights that the harvester itself drives. The game tells nobody what its own show.</summary>
 public interface ILights
 {
-    /// <summary>The state to which a light was set and still is; null for one that the game drives.</summary>
+    /// <summary>The state that a light was set to, and shows in the picture of a frame; null for one that the game drives, and around a change, when a picture may show either.</summary>
     /// <param name="entity">The light's handle.</param>
-    LightState? SetStateOf(int entity);
+    /// <param name="gameFrame">The game's count of frames when the scene was read.</param>
+    LightState? SetStateOf(int entity, long gameFrame);
 }

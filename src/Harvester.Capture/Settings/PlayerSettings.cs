@@ -50,6 +50,15 @@ public sealed record PlayerSettings
     /// <summary>Names of further models that the survey of signs measures, separated by commas.</summary>
     public required string FurtherModels { get; init; }
 
+    /// <summary>Names of signs for marking by hand; empty for those of the table.</summary>
+    public required string SignNames { get; init; }
+
+    /// <summary>Whether the traffic lights are driven while a harvest runs.</summary>
+    public required bool DrivesLights { get; init; }
+
+    /// <summary>What the game's numbers of the states of lights mean.</summary>
+    public required LightOrder LightOrder { get; init; }
+
     /// <summary>Time that the survey of signs may take of a tick, milliseconds.</summary>
     public required double SurveyBudgetMilliseconds { get; init; }
 
@@ -82,6 +91,9 @@ public sealed record PlayerSettings
             SpacesFolder = Path.Combine(folder, "spaces"),
             TakesPhotographs = ini.Choice("Signs", "Photographs", Switch.On, "On or Off") == Switch.On,
             FurtherModels = ini.Text("Signs", "Models", string.Empty),
+            SignNames = ini.Text("Signs", "Names", string.Empty),
+            DrivesLights = ini.Choice("Harvest", "DriveLights", Switch.Off, "On or Off") == Switch.On,
+            LightOrder = ini.Choice("Harvest", "LightOrder", LightOrder.GreenRedAmber, "GreenRedAmber or RedAmberGreen"),
             SurveyBudgetMilliseconds = ini.Number("Signs", "TickBudget", 8, 0.1, 1000),
         };
 

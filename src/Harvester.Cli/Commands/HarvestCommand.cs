@@ -70,10 +70,10 @@ internal static class HarvestCommand
         DefaultValueFactory = _ => [],
     };
 
-    private static readonly Option<FileInfo?> Spaces = new("--spaces")
+    private static readonly Option<FileSystemInfo?> Spaces = new("--spaces")
     {
-        Description = "Faces of signs and heads of lights by this table, before the simulated game's own",
-        HelpName = "FILE",
+        Description = "Faces of signs and heads of lights by this table, before the simulated game's own; a survey's folder stands for the table in it",
+        HelpName = "FILE|DIR",
     };
 
     private static readonly Option<Vector2D?> Near = ValueParsers.Point("--near", "X,Y", "Where to start, metres [default: the middle of the roads]");

@@ -1,5 +1,6 @@
 using System.IO;
 using Harvester.Capture.Spaces;
+using Harvester.Capture.Spaces.Survey;
 using Harvester.Datasets;
 
 namespace Harvester.Cli.Spaces;
@@ -7,11 +8,14 @@ namespace Harvester.Cli.Spaces;
 /// <summary>Reads tables of spaces of interest from files.</summary>
 internal static class SpaceFile
 {
+    /// <summary>The table that is meant: a survey's folder stands for the table in it.</summary>
+    public static string TableOf(string path) => Directory.Exists(path) ? Path.Combine(path, SurveyFolder.TableName) : path;
+
     /// <summary>The good rows and why the others were refused.</summary>
     /// <exception cref="IOException">The file cannot be read.</exception>
     public static SpaceTableContent Read(string path)
     {
-        using StreamReader text = File.OpenText(path);
+        using StreamReader text = File.OpenText(TableOf(path));
         return SpaceTableReader.Read(text);
     }
 

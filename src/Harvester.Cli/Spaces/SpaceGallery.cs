@@ -11,11 +11,12 @@ using Harvester.Geometry;
 
 namespace Harvester.Cli.Spaces;
 
-/// <summary>A page that needs nothing beside it: each model of a table with its faces drawn to scale, and its picture where the folder has one.</summary>
+/// <summary>A page that needs nothing beside it: each model of a table with its faces drawn to scale and on its photographs, and the models that were photographed without a face.</summary>
 internal sealed class SpaceGallery(SpaceTable table, string folder)
 {
     private const double PixelsPerMetre = 70;
     private const double MarginMetres = 0.3;
+    private readonly PhotoFigures _photos = new(folder);
 
     /// <summary>Writes the page and says how many models it shows.</summary>
     public int Write(TextWriter page)
@@ -23,22 +24,29 @@ internal sealed class SpaceGallery(SpaceTable table, string folder)
         page.Write(
             "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Spaces of interest</title>\n"
             + "<style>body{font:14px sans-serif;margin:1.5em}main{display:flex;flex-wrap:wrap;gap:1em}article{border:1px solid #bbb;padding:.7em}"
-            + "h2{font-size:1em;margin:0 0 .4em}img{max-width:24em;display:block}.estimated{stroke-dasharray:4}td{padding-right:.8em}</style></head>\n"
-            + "<body><h1>Spaces of interest</h1><p>Seen from the side towards which the first face looks. Ground and origin are the lines; dashed faces are estimated.</p><main>\n");
+            + "h2{font-size:1em;margin:0 0 .4em}img{max-width:24em;display:block}.photo{margin:.3em}article>svg{display:inline-block}.estimated{stroke-dasharray:4}td{padding-right:.8em}</style></head>\n"
+            + "<body><h1>Spaces of interest</h1><p>Seen from the side towards which the first face looks. Ground and origin are the lines; dashed faces are estimated. "
+            + "To mend a name or a corner, edit the table, then <code>harvester spaces check</code> it and make this page anew.</p><main>\n");
         IGrouping<int, SpaceOfInterest>[] models = [.. table.Spaces.GroupBy(space => space.Hash)];
         foreach (IGrouping<int, SpaceOfInterest> model in models)
         {
             WriteModel(page, [.. model]);
         }
 
+        string[] faceless = [.. _photos.Photos.Select(photo => photo.Model).Distinct().Where(model => table.Of(model).Count == 0)];
+        foreach (string model in faceless)
+        {
+            page.Write($"<article id=\"{Text(model)}\"><h2>{Text(model)}</h2>{_photos.Of(model, [])}<p>No face was found.</p></article>\n");
+        }
+
         page.Write("</main></body></html>\n");
-        return models.Length;
+        return models.Length + faceless.Length;
     }
 
     private void WriteModel(TextWriter page, IReadOnlyList<SpaceOfInterest> faces)
     {
         string name = faces[0].Model.Length > 0 ? faces[0].Model : faces[0].Hash.ToString(CultureInfo.InvariantCulture);
-        page.Write($"<article id=\"{Text(name)}\"><h2>{Text(name)}</h2>{Drawing(faces)}");
+        page.Write($"<article id=\"{Text(name)}\"><h2>{Text(name)}</h2>{Drawing(faces)}{_photos.Of(name, faces)}");
         string picture = Path.Combine(folder, name + ".png");
         if (File.Exists(picture))
         {

@@ -13,6 +13,9 @@ internal sealed class SignalProps(Signals signals, HandleCounter handles)
 {
     private readonly List<(Prop Prop, Junction? Junction, RoadArm Arm)> _lights = [];
 
+    /// <summary>The lights that are driven from outside, by their handles. Traffic goes by its own turns all the same.</summary>
+    public Dictionary<int, SignalState> Driven { get; } = [];
+
     public IEnumerable<EntityState> States => _lights.Select(light => light.Prop.State);
 
     /// <summary>A light at the right of each stop line, and one on an arm behind the junction for wide roads.</summary>
@@ -46,7 +49,11 @@ internal sealed class SignalProps(Signals signals, HandleCounter handles)
     /// <summary>The lights as they show at a time.</summary>
     public IEnumerable<MeshInstance> Instances(double timeSeconds) => _lights.Select(light =>
     {
-        SignalState state = light.Junction is null ? SignalState.Green : signals.ColourFor(light.Junction, light.Arm, timeSeconds);
+        if (!Driven.TryGetValue(light.Prop.Handle, out SignalState state))
+        {
+            state = light.Junction is null ? SignalState.Green : signals.ColourFor(light.Junction, light.Arm, timeSeconds);
+        }
+
         return new MeshInstance(light.Prop.Model.Variant((int)state), light.Prop.Pose, light.Prop.Handle);
     });
 

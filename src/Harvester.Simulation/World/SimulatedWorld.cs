@@ -100,6 +100,9 @@ internal sealed class SimulatedWorld
     /// <summary>Puts the ego somewhere, standing.</summary>
     public void ResetEgo(Vector3D position, double headingDegrees) => _traffic.ResetEgo(position, headingDegrees);
 
+    /// <summary>The traffic lights that are driven from outside.</summary>
+    public Dictionary<int, SignalState> DrivenLights => _signalProps.Driven;
+
     public void Advance(double seconds)
     {
         int steps = (int)Math.Ceiling(seconds / LongestTick);

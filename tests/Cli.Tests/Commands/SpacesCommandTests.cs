@@ -66,6 +66,41 @@ public sealed class SpacesCommandTests : IDisposable
     }
 
     [Fact]
+    public void Gallery_draws_cuboids_on_photographs_and_shows_models_without_a_face()
+    {
+        _folder.File("spaces.csv", Good + "\n");
+        Directory.CreateDirectory(_folder.PathOf("photos"));
+        _folder.File(Path.Combine("photos", "prop_sign_road_01a.png"), "a picture");
+        _folder.File(Path.Combine("photos", "prop_sign_road_03g.png"), "another");
+        _folder.File(
+            "photos.csv",
+            "file,model,x,y,z,pitch,roll,yaw,verticalFov\n"
+            + "prop_sign_road_01a.png,prop_sign_road_01a,0,-4.06,2.25,0,0,0,53.13010235\n"
+            + "prop_sign_road_03g.png,prop_sign_road_03g,0,-4,2,0,0,0,50\n"
+            + "prop_sign_road_03h.png,prop_sign_road_03h,0,-4,2,0,0,0,50\n");
+
+        CliRun run = CliRun.Of("spaces", "gallery", _folder.Path);
+
+        // 2 atan(1/2) = 53.13° over 320 pixels: f = 320. The face's near side is 4 m away: its corners lie 0.5 / 4 * 320 = 40 pixels beside
+        // and 0.75 / 4 * 320 = 60 above and below the middle.
+        Assert.Equal($"{_folder.PathOf("gallery.html")}: 2 models shown\n", run.Out);
+        string html = File.ReadAllText(_folder.PathOf("gallery.html"));
+        Assert.Contains("M120,220L200,220", html, StringComparison.Ordinal);
+        Assert.Contains("M120,220L120,100", html, StringComparison.Ordinal);
+        Assert.Contains("<h2>prop_sign_road_03g</h2><svg class=\"photo\"", html, StringComparison.Ordinal);
+        Assert.DoesNotContain("prop_sign_road_03h", html, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Folder_of_a_survey_stands_for_its_table()
+    {
+        _folder.File("spaces.csv", Good + "\n");
+
+        Assert.Contains("1 rows are good", CliRun.Of("spaces", "check", _folder.Path).Out, StringComparison.Ordinal);
+        Assert.Contains("prop_sign_road_01a", CliRun.Of("spaces", "list", _folder.Path).Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Harvest_with_spaces_labels_by_the_files_rows_before_the_games_own()
     {
         string session = _folder.PathOf("session");

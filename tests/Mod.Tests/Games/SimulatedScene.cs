@@ -1,4 +1,5 @@
 using GTA.Hosting;
+using Harvester.Capture.Labels;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Capture.Spaces;
@@ -37,6 +38,13 @@ internal sealed class SimulatedScene
             Show(game);
         };
         game.PauseChanged = paused => (paused ? (Action)_simulation.Ports.Pause.Freeze : _simulation.Ports.Pause.Unfreeze)();
+        game.LightDriven = (light, value) => _simulation.DriveLight(light, value switch
+        {
+            0 => LightState.Green,
+            1 => LightState.Red,
+            2 => LightState.Amber,
+            _ => null,
+        });
         game.BallsDrawn = _simulation.Ports.Markers!.Show;
         Show(game);
     }

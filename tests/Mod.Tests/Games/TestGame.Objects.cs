@@ -19,8 +19,28 @@ internal sealed partial class TestGame
     /// <summary>Models that scripts have asked for and not given back.</summary>
     public int RequestedModels => _ticksUntilLoaded.Count;
 
+    /// <summary>What the traffic lights that scripts drive were told last, by their handles.</summary>
+    public Dictionary<int, int> LightOverrides { get; } = [];
+
+    /// <summary>Told of each light that a script drives, and of the number that it is to show.</summary>
+    public Action<int, int> LightDriven { get; set; } = (_, _) => { };
+
     private void AddObjectNatives()
     {
+        Do(Hash.SET_ENTITY_TRAFFICLIGHT_OVERRIDE, a =>
+        {
+            Assert.True(Entities.ContainsKey((int)a[0]));
+            LightDriven((int)a[0], (int)a[1]);
+            const int gamesOwn = 3;
+            if ((int)a[1] == gamesOwn)
+            {
+                LightOverrides.Remove((int)a[0]);
+            }
+            else
+            {
+                LightOverrides[(int)a[0]] = (int)a[1];
+            }
+        });
         _natives[Hash.CREATE_OBJECT_NO_OFFSET] = a =>
         {
             Assert.Equal([false, false, false], a[4..]);

@@ -99,7 +99,7 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
 
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity) => _rays.Cast(ray, maxDistance, ignoredEntity);
 
-    public LightState? SetStateOf(int entity) => (LightState)(1 + _entities.Single(own => own.State.Handle == entity).Variant);
+    public LightState? SetStateOf(int entity, long gameFrame) => (LightState)(1 + _entities.Single(own => own.State.Handle == entity).Variant);
 
     public void Freeze()
     {

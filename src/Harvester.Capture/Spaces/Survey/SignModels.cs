@@ -8,7 +8,7 @@ namespace Harvester.Capture.Spaces.Survey;
 /// <summary>The models of signs and lights of the game that a survey measures: those of a table, and those whose signs nobody has named yet.</summary>
 public static class SignModels
 {
-    private const string Unnamed =
+    private const string UnnamedModels =
         """
         prop_bus_stop_sign prop_consign_01a prop_consign_01b prop_consign_01c prop_consign_02a prop_rail_sign01 prop_rail_sign02 prop_rail_sign03
         prop_rail_sign04 prop_rail_sign05 prop_rail_sign06 prop_rail_signals01 prop_rail_signals02 prop_rail_signals03 prop_rail_signals04
@@ -29,6 +29,11 @@ public static class SignModels
         """;
 
     private static readonly char[] Blanks = [' ', ',', '\r', '\n'];
+
+    private static readonly Dictionary<int, string> Unnamed = Split(UnnamedModels).ToDictionary(ModelHash.Of);
+
+    /// <summary>The name of a model whose sign nobody has named yet, by its hash; null for any other.</summary>
+    public static string? UnnamedBy(int hash) => Unnamed.TryGetValue(hash, out string? name) ? name : null;
 
     /// <summary>The models to measure: those of a table with what it knows of their signs, then the unnamed ones and further ones that it lacks.</summary>
     /// <param name="table">What is known. Models of which it has only a hash are left out: the survey asks for models by name.</param>
@@ -51,10 +56,12 @@ public static class SignModels
             .GroupBy(space => space.Model)
             .Select(faces => faces.First())
             .Select(space => new SurveyedModel(space.Model, space.Class, space.Name, space.MutcdCode));
-        IEnumerable<SurveyedModel> unnamed = (Unnamed + " " + further.ToLowerInvariant()).Split(Blanks, StringSplitOptions.RemoveEmptyEntries)
+        IEnumerable<SurveyedModel> unnamed = Split(UnnamedModels).Concat(Split(further.ToLowerInvariant()))
             .Distinct()
             .Where(model => table.Of(model).Count == 0)
             .Select(model => new SurveyedModel(model, ObjectClass.Sign, string.Empty, string.Empty));
         return [.. known, .. unnamed];
     }
+
+    private static string[] Split(string models) => models.Split(Blanks, StringSplitOptions.RemoveEmptyEntries);
 }

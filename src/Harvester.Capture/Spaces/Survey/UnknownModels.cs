@@ -8,7 +8,7 @@ using Harvester.Geometry;
 
 namespace Harvester.Capture.Spaces.Survey;
 
-/// <summary>Collects the models of signs and lights that are met and that a table lacks.</summary>
+/// <summary>Collects the models of signs, lights and props of unknown kind that are met and that a table lacks.</summary>
 /// <param name="table">What is known.</param>
 public sealed class UnknownModels(SpaceTable table)
 {
@@ -21,7 +21,7 @@ public sealed class UnknownModels(SpaceTable table)
     /// <summary>Looks at the entities of a moment.</summary>
     public void Look(IEnumerable<EntityState> entities)
     {
-        foreach (EntityState entity in entities.Where(entity => entity.Class is ObjectClass.Sign or ObjectClass.TrafficLight))
+        foreach (EntityState entity in entities.Where(entity => entity.Class is ObjectClass.Sign or ObjectClass.TrafficLight or ObjectClass.Other))
         {
             if (!_met.ContainsKey(entity.Model) && _table.Of(HashOf(entity.Model)).Count == 0)
             {

@@ -1,7 +1,6 @@
 using System.CommandLine;
 using System.IO;
 using System.Text;
-using Harvester.Capture.Spaces.Survey;
 using Harvester.Cli.Spaces;
 
 namespace Harvester.Cli.Commands.Spaces;
@@ -18,8 +17,7 @@ internal static class GalleryCommand
         var command = new Command("gallery", "Show the spaces of a survey or table as one self-contained HTML page.") { source, output };
         command.SetAction(parsed =>
         {
-            string given = parsed.GetRequiredValue(source);
-            string table = Directory.Exists(given) ? Path.Combine(given, SurveyFolder.TableName) : given;
+            string table = SpaceFile.TableOf(parsed.GetRequiredValue(source));
             string folder = Path.GetDirectoryName(Path.GetFullPath(table))!;
             string page = parsed.GetValue(output) ?? Path.Combine(folder, FileName);
             var text = new StringWriter();

@@ -34,7 +34,7 @@ internal static class SpacesCommand
         var command = new Command("check", "Say which rows of a table are refused, and why.") { file };
         command.SetAction(parsed =>
         {
-            string path = parsed.GetRequiredValue(file);
+            string path = SpaceFile.TableOf(parsed.GetRequiredValue(file));
             SpaceTableContent content = SpaceFile.Read(path);
             foreach (SpaceTableProblem problem in content.Problems)
             {
@@ -79,5 +79,5 @@ internal static class SpacesCommand
         JsonName.Of(space.Provenance),
     ];
 
-    private static Argument<string> FileArgument() => new("file") { Description = "The table", HelpName = "FILE" };
+    private static Argument<string> FileArgument() => new("file") { Description = "The table, or a survey's folder", HelpName = "FILE|DIR" };
 }

@@ -1,0 +1,60 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Net;
+using System.Text;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Spaces;
+using Harvester.Capture.Spaces.Survey;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Cli.Spaces;
+
+/// <summary>A survey's photographs as figures of a page, each with the cuboids of its model's faces drawn where its camera saw them.</summary>
+internal sealed class PhotoFigures
+{
+    private const double NearClip = 0.05;
+    private static readonly ImageSize Shown = new(320, 320);
+    private readonly string _folder;
+
+    /// <summary>Looks for photographs.</summary>
+    /// <param name="folder">The folder of the table.</param>
+    public PhotoFigures(string folder)
+    {
+        _folder = Path.Combine(folder, SurveyPhoto.FolderName);
+        Photos = [.. SurveyPhoto.ReadAll(folder).Where(photo => File.Exists(Path.Combine(_folder, photo.File)))];
+    }
+
+    /// <summary>The photographs that are there.</summary>
+    public IReadOnlyList<SurveyPhoto> Photos { get; }
+
+    /// <summary>The figures of a model.</summary>
+    public string Of(string model, IReadOnlyList<SpaceOfInterest> faces)
+    {
+        var figures = new StringBuilder();
+        foreach (SurveyPhoto photo in Photos.Where(photo => photo.Model == model))
+        {
+            string picture = Convert.ToBase64String(File.ReadAllBytes(Path.Combine(_folder, photo.File)));
+            figures
+                .Append(CultureInfo.InvariantCulture, $"<svg class=\"photo\" width=\"{Shown.Width}\" height=\"{Shown.Height}\"><title>{WebUtility.HtmlEncode(photo.File)}</title>")
+                .Append(CultureInfo.InvariantCulture, $"<image width=\"{Shown.Width}\" height=\"{Shown.Height}\" href=\"data:image/png;base64,{picture}\"/>")
+                .AppendJoin(string.Empty, faces.Select(face => Edges(photo, face)))
+                .Append("</svg>");
+        }
+
+        return figures.ToString();
+    }
+
+    private static string Edges(SurveyPhoto photo, SpaceOfInterest face)
+    {
+        var camera = new Camera(photo.Camera, new CameraIntrinsics(photo.VerticalFovDegrees, Shown, Shown.Aspect, NearClip, Lens.Ideal));
+        IEnumerable<string> lines = face.CuboidAt(new Pose(Vector3D.Zero, Axes.Identity)).EdgesInWorld
+            .Select(edge => (Start: camera.Project(edge.Start), End: camera.Project(edge.End)))
+            .Where(line => line.Start.Outcome != ProjectionOutcome.BehindNearPlane && line.End.Outcome != ProjectionOutcome.BehindNearPlane)
+            .Select(line => string.Create(CultureInfo.InvariantCulture, $"M{line.Start.U:0.#},{line.Start.V:0.#}L{line.End.U:0.#},{line.End.V:0.#}"));
+        return $"<path class=\"{JsonName.Of(face.Provenance)}\" fill=\"none\" stroke=\"#f0f\" d=\"{string.Concat(lines)}\"/>";
+    }
+}

@@ -1,0 +1,92 @@
+using System.Windows.Forms;
+using GTA.Native;
+using Harvester.Capture.Tests.Roads;
+using Harvester.Geometry;
+using Harvester.Mod.Tests.Games;
+using Harvester.Simulation.Tests.Spaces.Survey;
+
+namespace Harvester.Mod.Tests;
+
+/// <summary>A play in which every native of the mod is called.</summary>
+internal static class Playthrough
+{
+    /// <summary>The settings that it needs.</summary>
+    public const string Ini = "[Bridge]\nKind = Folder\nFolder = out/bridge\n[Harvest]\nDriveLights = On\n";
+
+    /// <summary>Everything that a player can do, once.</summary>
+    public static void Of(ScriptDriver driver)
+    {
+        driver.Press(Keys.NumPad0);
+        driver.Tick(8);
+        driver.Press(Keys.NumPad0);
+        driver.Tick(8);
+        HarvestTests.Street(driver.Game);
+        HarvestTests.SunkenCar(driver.Game);
+        driver.Game.Add(LightTests.LightAt(new Vector3D(104, 230, 0), Axes.Identity));
+        driver.Game.Roads = new FakeRoadSource(RoadTests.Road());
+        driver.Press(Keys.U);
+
+        // The file of the survey is read on another thread; where a fault has ended the survey nothing comes.
+        for (int tick = 0; tick < 100 && !driver.Game.Calls.Contains(Hash.GET_CLOSEST_ROAD); tick++)
+        {
+            Thread.Sleep(2);
+            driver.Tick();
+        }
+
+        driver.Press(Keys.U);
+        driver.WaitForDisk();
+        SurveySigns(driver);
+        driver.Game.Entities[TestGame.Player].Pose = new Pose(new Vector3D(104, 220, 1), Axes.Identity);
+        driver.Press(Keys.B);
+        driver.Press(Keys.F11);
+        driver.WaitForDisk();
+        driver.Press(Keys.L);
+        driver.Press(Keys.I);
+        driver.Press(Keys.C);
+        driver.Tick(20);
+        driver.Press(Keys.J);
+        driver.Tick(25);
+        driver.Press(Keys.J);
+        driver.WaitForDisk();
+        PlayDrive(driver);
+        driver.Press(Keys.O);
+    }
+
+    private static void SurveySigns(ScriptDriver driver)
+    {
+        driver.Game.Props["prop_sign_road_03g"] = KnownProps.All["prop_traffic_03a"];
+        driver.Press(Keys.F10);
+
+        // Its files are read on another thread; it goes on until it is over or a fault has ended it.
+        for (int tick = 0; tick < 200 && !driver.Game.Notifications[^1].Contains("models are surveyed", StringComparison.Ordinal); tick++)
+        {
+            Thread.Sleep(tick < 20 ? 2 : 0);
+            driver.Tick();
+        }
+
+        driver.WaitForDisk();
+    }
+
+    /// <summary>A drive over the shared folder, with each command that calls a native.</summary>
+    private static void PlayDrive(ScriptDriver driver)
+    {
+        string folder = Path.Combine(driver.Output, "bridge");
+        driver.Press(Keys.N);
+        Until(Hash.SET_CONTROL_VALUE_NEXT_FRAME);
+        Directory.CreateDirectory(folder);
+        BridgeDriveTests.Drop(folder, "command.json", """{"type":"reset","position":[1,2,3],"headingDegrees":0}""");
+        Until(Hash.SET_ENTITY_VELOCITY);
+        BridgeDriveTests.Drop(folder, "command.json", """{"type":"environment","weather":"rain","timeOfDay":"08:15"}""");
+        Until(Hash.SET_CLOCK_TIME);
+
+        // Where a fault has ended the drive nothing comes.
+        void Until(Hash native)
+        {
+            for (int tick = 0; tick < 50 && !driver.Game.Calls.Contains(native); tick++)
+            {
+                Thread.Sleep(2);
+                driver.Tick();
+            }
+        }
+    }
+}
