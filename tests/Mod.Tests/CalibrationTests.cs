@@ -72,6 +72,17 @@ public sealed class CalibrationTests
         Assert.False(driver.Game.IsPaused);
     }
 
+    [Fact]
+    public void Harvest_in_a_game_that_shows_no_markers_goes_on_and_tells_that_nothing_was_checked()
+    {
+        using var driver = new ScriptDriver("[Lens]\nMaxError = 1\n");
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.K);
+        Until(driver, "The harvest ended: 1 frames");
+
+        Assert.Contains(driver.Game.Notifications, told => told.Contains("The camera model was not checked, as none of 20 markers was seen", StringComparison.Ordinal));
+    }
+
     private static void Until(ScriptDriver driver, string message)
     {
         for (int tick = 0; tick < TicksForAll && !IsTold(); tick++)

@@ -10,10 +10,14 @@ namespace Harvester.Capture.Harvesting;
 
 /// <summary>
 /// Holds the camera model of a harvest against a handful of markers before anything is recorded. Games that draw no markers are not
-/// checked.
+/// checked. Where not one marker is seen, the game may not draw them after all: then the harvest goes on with a warning, for nothing is
+/// known against its model, and the session says that it was not checked.
 /// </summary>
 internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
 {
+    /// <summary>How to harvest without the check.</summary>
+    public const string WayWithout = "MaxError = 0 in [Lens] of the ini harvests without this check.";
+
     private const int Columns = 5;
     private const int Rows = 4;
 
@@ -25,8 +29,14 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
     private const double RowsPerRadius = 100;
     private const double SmallestRadiusPixels = 1.5;
 
+    /// <summary>By how much the model was off, pixels; null when it was not checked.</summary>
+    public double? ErrorPixels { get; private set; }
+
+    /// <summary>Why the model was not checked though it should have been; null when all is well.</summary>
+    public string? Warning { get; private set; }
+
     /// <summary>Runs the check over some ticks; the game is frozen meanwhile.</summary>
-    /// <exception cref="HarvestFaultException">The model is off by more than the options allow, or it cannot be checked.</exception>
+    /// <exception cref="HarvestFaultException">The model is off by more than the options allow, or too few markers are seen to tell.</exception>
     public IEnumerable<HarvestPhase> Run()
     {
         if (options.MaxCalibrationErrorPixels is not { } allowed || game.Markers is not { } markers)
@@ -57,12 +67,18 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
         Judge(survey.CameraWith(options.Lens), survey.Sightings, allowed);
     }
 
-    private static void Judge(CameraIntrinsics camera, IReadOnlyList<Sighting> sightings, double allowed)
+    private void Judge(CameraIntrinsics camera, IReadOnlyList<Sighting> sightings, double allowed)
     {
+        if (sightings.Count == 0)
+        {
+            Warning = $"The camera model was not checked, as none of {Columns * Rows} markers was seen: look whether the boxes sit on the things. {WayWithout}";
+            return;
+        }
+
         if (2 * sightings.Count < Columns * Rows)
         {
             throw new HarvestFaultException(
-                $"The camera model cannot be checked, as only {sightings.Count} of {Columns * Rows} markers are seen: give the camera a free view, or switch the check off.");
+                $"The camera model cannot be checked, as only {sightings.Count} of {Columns * Rows} markers are seen: give the camera a free view. {WayWithout}");
         }
 
         double[] errors = [.. sightings.Select(sighting => ReprojectionError.Of(camera, [sighting]).MaxPixels).OrderBy(error => error)];
@@ -70,7 +86,9 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
         if (error > allowed)
         {
             throw new HarvestFaultException(FormattableString.Invariant(
-                $"The camera model is off by {error:0.0} px, more than the {allowed:0.0} px allowed: calibrate the camera first."));
+                $"The camera model is off by {error:0.0} px, more than the {allowed:0.0} px allowed: calibrate the camera first. {WayWithout}"));
         }
+
+        ErrorPixels = error;
     }
 }

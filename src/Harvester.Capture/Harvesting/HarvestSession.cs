@@ -57,6 +57,9 @@ public sealed class HarvestSession : IDisposable
     /// <summary>One line that says why the harvest ended; null without a fault.</summary>
     public string? Fault { get; private set; }
 
+    /// <summary>One line about what could not be made sure of; null when there is none.</summary>
+    public string? Warning { get; private set; }
+
     /// <summary>By how much the picture is behind the state; null when it was not measured.</summary>
     public PictureLag? Lag { get; private set; }
 
@@ -128,14 +131,17 @@ public sealed class HarvestSession : IDisposable
 
     private IEnumerable<HarvestPhase> Run()
     {
-        foreach (HarvestPhase phase in new CalibrationCheck(_options, _game).Run())
+        var check = new CalibrationCheck(_options, _game);
+        foreach (HarvestPhase phase in check.Run())
         {
             yield return phase;
         }
 
+        Warning = check.Warning;
+
         ReadTime();
         _startMilliseconds = _game.Clock.Milliseconds;
-        _sink.Open(new SessionStart(_options, _gameFrame, _timeSeconds, _game.World.ReadCamera()));
+        _sink.Open(new SessionStart(_options, _gameFrame, _timeSeconds, _game.World.ReadCamera()) { CameraErrorPixels = check.ErrorPixels });
         _opened = true;
         var schedule = new FrameSchedule(_options.RateHz);
         var registry = new ObjectRegistry(_sink.FirstObjectId);
@@ -220,7 +226,12 @@ public sealed class HarvestSession : IDisposable
 
     private void Fail(Exception exception)
     {
-        Fault = exception is HarvestFaultException or CalibrationException ? exception.Message : $"The harvest stopped: {OneLine(exception.Message)}";
+        Fault = exception switch
+        {
+            HarvestFaultException => exception.Message,
+            CalibrationException => $"{exception.Message} {CalibrationCheck.WayWithout}",
+            _ => $"The harvest stopped: {OneLine(exception.Message)}",
+        };
         try
         {
             End(HarvestPhase.Faulted);

@@ -169,6 +169,11 @@ public sealed class Harvest : ILastingFeature, IDisposable
         string discards = string.Join(", ", session.Counters.Discards.Select(discard => FormattableString.Invariant($"{discard.Value} {discard.Key}")));
         string counts = FormattableString.Invariant($"{status.Captured} frames")
             + (discards.Length > 0 ? $", discarded: {discards}" : string.Empty);
+        if (session.Warning is { } warning)
+        {
+            _messages.Tell(warning);
+        }
+
         _messages.Tell(status.Fault is { } fault ? $"{fault} ({counts})" : $"The harvest ended: {counts}, in {_folder}.");
     }
 

@@ -50,6 +50,7 @@ internal static class SessionJson
             .Key("gameFrame").Integer(record.Start.GameFrame)
             .Key("timeSeconds").Number(record.Start.TimeSeconds, LabelDecimals.Seconds)
             .Key("recordedUtc").String(record.Origin.RecordedUtc)
+            .Key("cameraErrorPixels").Number(record.Start.CameraErrorPixels, LabelDecimals.Pixels)
             .EndObject();
         JsonLabelWriter.Append(json.Key("camera"), FrameLabels.Of(FrameLabeller.CameraOf(options, record.Start.Camera)));
         AppendEnd(json, record);

@@ -61,7 +61,8 @@ public sealed class SessionJsonTests
               "start": {
                 "gameFrame": 7,
                 "timeSeconds": 0.125,
-                "recordedUtc": null
+                "recordedUtc": null,
+                "cameraErrorPixels": null
               },
               "camera": {
                 "position": [1, 2, 3],

@@ -19,7 +19,9 @@ public sealed class CalibrationCheckTests
 
         Assert.Contains(HarvestPhase.CheckingCalibration, phases);
         Assert.Equal(HarvestPhase.Stopped, phases[^1]);
-        Assert.Equal(1, outcome.Frames);
+        AssertRecorded(outcome, isChecked: true);
+        // Far less than the pixel that is allowed: this lens is the game's own.
+        Assert.InRange(outcome.CameraErrorPixels!.Value, 0, 0.5);
     }
 
     [Fact]
@@ -38,8 +40,8 @@ public sealed class CalibrationCheckTests
     [Fact]
     public void Step_without_the_lens_records_when_the_user_allows_the_error()
     {
-        Assert.Equal(new HarvestOutcome(true, 1, null), Harvest(Game(), Options with { MaxCalibrationErrorPixels = 50 }, []));
-        Assert.Equal(new HarvestOutcome(true, 1, null), Harvest(Game(), Options with { MaxCalibrationErrorPixels = null }, []));
+        AssertRecorded(Harvest(Game(), Options with { MaxCalibrationErrorPixels = 50 }, []), isChecked: true);
+        AssertRecorded(Harvest(Game(), Options with { MaxCalibrationErrorPixels = null }, []), isChecked: false);
     }
 
     [Theory]
@@ -47,14 +49,26 @@ public sealed class CalibrationCheckTests
     [InlineData(160, 120)]
     [InlineData(1280, 720)]
     public void Step_in_images_of_other_sizes_checks_too(int width, int height) =>
-        Assert.Equal(new HarvestOutcome(true, 1, null), Harvest(Game(), Options with { Image = new ImageSize(width, height), Lens = Right }, []));
+        AssertRecorded(Harvest(Game(), Options with { Image = new ImageSize(width, height), Lens = Right }, []), isChecked: true);
 
     [Fact]
-    public void Step_with_the_view_blocked_refuses()
+    public void Step_with_markers_partly_hidden_refuses_and_names_the_way_without_the_check()
     {
-        var game = new RenderedGame { HidesMarkers = true };
+        var game = new RenderedGame { HiddenMarkers = 15 };
 
-        Assert.Matches("only 0 of 20 markers are seen", Harvest(game, Options, []).Fault);
+        HarvestOutcome outcome = Harvest(game, Options, []);
+
+        Assert.False(outcome.IsOpened);
+        Assert.Matches(@"only 5 of 20 markers are seen.*MaxError = 0 in \[Lens\]", outcome.Fault);
+    }
+
+    [Fact]
+    public void Step_in_a_game_that_shows_no_marker_records_with_a_warning_and_says_in_the_session_that_it_was_not_checked()
+    {
+        HarvestOutcome outcome = Harvest(new RenderedGame { HiddenMarkers = int.MaxValue }, Options, []);
+
+        Assert.True(outcome is { IsOpened: true, Frames: 1, Fault: null, CameraErrorPixels: null }, outcome.ToString());
+        Assert.Matches(@"not checked, as none of 20 markers was seen.*MaxError = 0 in \[Lens\]", outcome.Warning);
     }
 
     private static RenderedGame Game() =>
@@ -70,14 +84,20 @@ public sealed class CalibrationCheckTests
             game.Tick();
         }
 
-        return new HarvestOutcome(sink.IsOpened, sink.Frames, session.Fault);
+        return new HarvestOutcome(sink.Start is not null, sink.Frames, session.Fault, session.Warning, sink.Start?.CameraErrorPixels);
     }
 
-    private sealed record HarvestOutcome(bool IsOpened, int Frames, string? Fault);
+    private static void AssertRecorded(HarvestOutcome outcome, bool isChecked)
+    {
+        Assert.True(outcome is { IsOpened: true, Frames: 1, Fault: null, Warning: null }, outcome.ToString());
+        Assert.Equal(isChecked, outcome.CameraErrorPixels is not null);
+    }
+
+    private sealed record HarvestOutcome(bool IsOpened, int Frames, string? Fault, string? Warning, double? CameraErrorPixels);
 
     private sealed class CountingSink : IFrameSink
     {
-        public bool IsOpened { get; private set; }
+        public SessionStart? Start { get; private set; }
 
         public int Frames { get; private set; }
 
@@ -87,7 +107,7 @@ public sealed class CalibrationCheckTests
 
         public int FirstObjectId => 1;
 
-        public void Open(SessionStart start) => IsOpened = true;
+        public void Open(SessionStart start) => Start = start;
 
         public bool TryEnqueue(CapturedFrame frame)
         {

@@ -60,8 +60,8 @@ internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock
     /// <summary>Metres that the camera creeps to the right in a tick.</summary>
     public double Creep { get; init; }
 
-    /// <summary>Whether something hides every marker.</summary>
-    public bool HidesMarkers { get; init; }
+    /// <summary>How many of the markers something hides.</summary>
+    public int HiddenMarkers { get; init; }
 
     public string? Refusal { get; set; }
 
@@ -111,7 +111,7 @@ internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock
             _scene.Lighting = _scene.Lighting with { PrecipitationSeed = (int)GameFrame };
         }
 
-        _scene.SetDynamic(_history[Math.Max(0, _history.Count - 1 - PictureLag)].Where(_ => !HidesMarkers).Select(MarkerModel.Of));
+        _scene.SetDynamic(_history[Math.Max(0, _history.Count - 1 - PictureLag)].Skip(HiddenMarkers).Select(MarkerModel.Of));
         var camera = new RenderCamera(ReadCamera().Pose, VerticalFovDegrees, WindowAspect, 0.1, target.Size.Width, target.Size.Height) { Lens = Lens };
         var picture = new RenderTarget(target.Size.Width, target.Size.Height);
         _renderer.Render(_scene, camera, picture);
