@@ -22,6 +22,9 @@ namespace Harvester.Simulation;
 /// </summary>
 public sealed class SimulatedGame
 {
+    /// <summary>Angle of the ego's front wheels at full lock, radians: 40 degrees.</summary>
+    public const double SteeringLockRadians = 0.6981317;
+
     private const double RealSecondsPerGameMinute = 2;
     /// <summary>What moves farther away is not drawn, metres.</summary>
     private const double SightRange = 350;
@@ -74,6 +77,12 @@ public sealed class SimulatedGame
 
     /// <summary>Whether the world stands still.</summary>
     public bool IsFrozen => Freezing.IsStanding;
+
+    /// <summary>
+    /// Whether a light or somebody who comes first makes the ego stop at a line ahead, as far as that concerns it at its speed. Its own
+    /// driver does stop; who drives it from outside need not.
+    /// </summary>
+    public bool MustEgoGiveWay => _world.MustEgoGiveWay;
 
     /// <summary>The camera's place on the car: 2 m ahead of its origin and 0.4 m above it, unless it is moved. A change takes in the next tick.</summary>
     public Pose CameraMount { get; set; }

@@ -9,8 +9,8 @@ internal sealed record CarLimits
     /// <summary>How far the car's origin lies ahead of its rear axle, metres.</summary>
     public double OriginAheadOfRearAxle { get; init; } = 1.35;
 
-    /// <summary>Angle of the front wheels at full lock, radians: 40 degrees.</summary>
-    public double SteeringLockRadians { get; init; } = 0.6981317;
+    /// <summary>Angle of the front wheels at full lock, radians.</summary>
+    public double SteeringLockRadians { get; init; } = SimulatedGame.SteeringLockRadians;
 
     /// <summary>How fast the front wheels turn at most, radians per second.</summary>
     public double SteeringRate { get; init; } = 1.2;

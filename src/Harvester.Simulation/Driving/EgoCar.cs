@@ -58,6 +58,9 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
         _state = CarState.At(new Vector2D(ground.X, ground.Y), Math.Atan2(forward.Y, forward.X), ego.Speed, _limits);
     }
 
+    /// <summary>Stops it dead, as vehicles on their lanes stop before what is in their way.</summary>
+    public void Stop() => _state = _state with { Speed = 0, YawRate = 0 };
+
     /// <summary>Moves it, by the controls given for this tick or else by its own driver.</summary>
     /// <param name="seconds">Time that passes.</param>
     /// <param name="ownAcceleration">What its own driver would do with the pedals, m/s².</param>

@@ -45,6 +45,9 @@ internal sealed class TrafficFlow
         }
     }
 
+    /// <summary>Whether the ego has to stop at a line ahead.</summary>
+    public bool MustEgoGiveWay { get; private set; }
+
     private Vehicle Ego => _vehicles[0];
 
     /// <summary>The vehicles in the neighbourhood of a place.</summary>
@@ -64,10 +67,18 @@ internal sealed class TrafficFlow
         _occupation.Refresh(_vehicles);
         foreach (Vehicle vehicle in _vehicles)
         {
-            double acceleration = Driver.Acceleration(vehicle, _occupation, _rightOfWay.DistanceToStop(vehicle, timeSeconds), walkersOnRoad);
+            double distanceToStop = _rightOfWay.DistanceToStop(vehicle, timeSeconds);
+            double acceleration = Driver.Acceleration(vehicle, _occupation, distanceToStop, walkersOnRoad);
             Vector3D before = vehicle.Pose.Position;
+            MustEgoGiveWay = vehicle == Ego ? distanceToStop < double.PositiveInfinity : MustEgoGiveWay;
             if (vehicle == Ego && _egoCar.IsLoose)
             {
+                double room = vehicle.Speed * seconds;
+                if (!_egoCar.IsDriven && room > 0 && !IsFree(vehicle, room, walkersOnRoad))
+                {
+                    _egoCar.Stop();
+                }
+
                 _egoCar.Advance(seconds, acceleration, () => IsTaken(vehicle, vehicle.Footprint));
             }
             else

@@ -92,6 +92,9 @@ internal sealed class SimulatedWorld
 
     public EgoState EgoState => new(Ego.Handle, Ego.Model.Name, Ego.Pose, Ego.Velocity) { ModelMin = Ego.Model.Min, ModelMax = Ego.Model.Max };
 
+    /// <summary>Whether the ego has to stop at a line ahead.</summary>
+    public bool MustEgoGiveWay => _traffic.MustEgoGiveWay;
+
     public IReadOnlyList<Vehicle> Vehicles => _vehicles;
 
     /// <summary>A moving entity that is neither seen nor read; 0 for none.</summary>
@@ -132,13 +135,16 @@ internal sealed class SimulatedWorld
     public List<EntityState> EntitiesNear(Vector3D place, double range)
     {
         double squared = range * range;
-        IEnumerable<EntityState> vehicles = _vehicles.Skip(1).Select(vehicle =>
+        IEnumerable<EntityState> vehicles = _vehicles.Skip(1).Where(vehicle => IsNear(vehicle.Pose)).Select(vehicle =>
             new EntityState(vehicle.Handle, vehicle.Model.Class, vehicle.Model.Name, vehicle.Pose, vehicle.Model.Min, vehicle.Model.Max, vehicle.Velocity));
-        IEnumerable<EntityState> walkers = _walkers.Select(walker =>
+        IEnumerable<EntityState> walkers = _walkers.Where(walker => IsNear(walker.Pose)).Select(walker =>
             new EntityState(walker.Handle, walker.Model.Class, walker.Model.Name, walker.Pose, walker.Model.Min, walker.Model.Max, walker.Velocity));
-        return [.. vehicles.Concat(walkers).Concat(_entities.Select(prop => prop.State)).Concat(_signalProps.States)
-            .Where(entity => entity.Handle != HiddenHandle && (entity.Pose.Position - place).LengthSquared < squared)
+        IEnumerable<EntityState> props = _entities.Where(prop => IsNear(prop.Pose)).Select(prop => prop.State);
+        return [.. vehicles.Concat(walkers).Concat(props).Concat(_signalProps.States.Where(signal => IsNear(signal.Pose)))
+            .Where(entity => entity.Handle != HiddenHandle)
             .OrderBy(entity => entity.Handle)];
+
+        bool IsNear(Pose pose) => (pose.Position - place).LengthSquared < squared;
     }
 
     /// <summary>The nearest street lamps and headlights, which light what is seen at night.</summary>

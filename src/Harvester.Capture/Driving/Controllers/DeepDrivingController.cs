@@ -19,16 +19,36 @@ public sealed class DeepDrivingController : IController
     private const double WidestLane = 5.5;
     private const double NoLaneBeyond = 8;
     private const double SteadySteering = 0.2;
+    /// <summary>The published greatest speed, m/s.</summary>
+    public const double MostSpeed = 20;
+
     private const int FramesToClear = 60;
     private const int FramesCarriedOver = 30;
     private const int TrendLength = 5;
 
+    private readonly double _lockShare;
+    private readonly double _mostSpeed;
+    private readonly double _vehicleAllowance;
     private readonly Queue<double> _steerings = new(new double[TrendLength]);
     private readonly LaneClearance _left = new();
     private readonly LaneClearance _right = new();
     private LaneManoeuvre _manoeuvre;
     private double _previousMl = -2;
     private double _previousMr = 2;
+
+    /// <summary>Makes a controller.</summary>
+    /// <param name="steeringLockRadians">Angle of the car's front wheels at full lock, radians; that of TORCS unless given.</param>
+    /// <param name="vehicleAllowanceMetres">
+    /// Taken off the distances to vehicles, metres: the published controller stops 5 m from a vehicle, centre to centre, which is right for the
+    /// short cars of TORCS only.
+    /// </param>
+    /// <param name="mostSpeed">Metres per second; the published controller drives 20.</param>
+    public DeepDrivingController(double steeringLockRadians = SteeringLockRadians, double vehicleAllowanceMetres = 0, double mostSpeed = MostSpeed)
+    {
+        _mostSpeed = mostSpeed;
+        _lockShare = SteeringLockRadians / steeringLockRadians;
+        _vehicleAllowance = vehicleAllowanceMetres;
+    }
 
     /// <inheritdoc/>
     public DrivingControls Drive(DrivingState state)
@@ -57,24 +77,22 @@ public sealed class DeepDrivingController : IController
         return WithSpeed(steering, state, trend);
     }
 
-    private static DrivingControls WithSpeed(double steering, DrivingState state, double trend)
+    private DrivingControls WithSpeed(double steering, DrivingState state, double trend)
     {
-        const double vMax = 20;
-        double desired = state.IsFast ? vMax : Math.Max(10, vMax - (4.5 * Math.Abs(trend)));
-        desired = Math.Min(desired, SpeedBehind(state.TorcsEquivalent.DistMM.Value));
+        double desired = state.IsFast ? MostSpeed : Math.Max(10, MostSpeed - (4.5 * Math.Abs(trend)));
+        desired = Math.Min(Math.Min(desired, _mostSpeed), SpeedBehind(state.TorcsEquivalent.DistMM.Value - _vehicleAllowance));
         double error = desired - state.SpeedMetresPerSecond;
         return error >= 0
-            ? new DrivingControls(steering, 0.2 * (error + 1), 0)
-            : new DrivingControls(steering, 0, 0.1 * -error);
+            ? new DrivingControls(steering * _lockShare, 0.2 * (error + 1), 0)
+            : new DrivingControls(steering * _lockShare, 0, 0.1 * -error);
     }
 
     /// <summary>The speed to follow a vehicle at a distance: 0 at 5 m, 15 m/s at 15 m.</summary>
     private static double SpeedBehind(double distance)
     {
-        const double vMax = 20;
         const double c = 2.772;
         const double d = -0.693;
-        return Math.Max(0, vMax * (1 - Math.Exp((-c / vMax * distance) - d)));
+        return Math.Max(0, MostSpeed * (1 - Math.Exp((-c / MostSpeed * distance) - d)));
     }
 
     private void ChooseManoeuvre(LaneIndicators at, double trend)

@@ -13,4 +13,8 @@ public sealed record DrivingState(
     LaneIndicators TorcsEquivalent,
     bool IsFast,
     double SpeedMetresPerSecond,
-    double CurvaturePerMetre);
+    double CurvaturePerMetre)
+{
+    /// <summary>Where the car points, radians, growing to the left from any zero; null when unknown.</summary>
+    public double? HeadingRadians { get; init; }
+}

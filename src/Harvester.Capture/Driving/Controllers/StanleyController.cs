@@ -1,4 +1,5 @@
 using System;
+using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 
 namespace Harvester.Capture.Driving.Controllers;
@@ -6,22 +7,34 @@ namespace Harvester.Capture.Driving.Controllers;
 /// <summary>
 /// Steers by Stanley's law on the centre of the lane (wheel angle = heading error + atan(k · lateral error / speed), with the road's
 /// curvature fed forward), keeps a time gap to the vehicle ahead by the intelligent driver model, and moves to a free lane when a
-/// slower vehicle blocks its own. Uses all thirteen indicators, in metres, with their valid flags.
+/// slower vehicle blocks its own. Uses all thirteen indicators, in metres, with their valid flags. The angle at the car and the bends
+/// ahead it works out from the angles seen ahead and from how the car has turned since.
 /// </summary>
 public sealed class StanleyController : IController
 {
     private const int FramesToClear = 30;
+
+    /// <summary>A lane beside is worth moving to when it is free for so much further than one's own, metres.</summary>
+    private const double GainOfLane = 15;
+
+    private const double BendStep = 2;
     private readonly StanleyOptions _options;
     private readonly LaneTarget _lane = new();
     private readonly LaneClearance _left = new();
     private readonly LaneClearance _right = new();
+    private readonly LeaderEstimate _leader = new();
+    private readonly RoadMemory _road;
     private double? _centre;
-    private double? _gap;
+    private double? _headingRadians;
+    private double _acceleration;
+    private double _wheelAngle;
+    private double _wantedWheelAngle;
 
     /// <summary>Makes a controller.</summary>
     public StanleyController(StanleyOptions options)
     {
         _options = options ?? throw new ArgumentNullException(nameof(options));
+        _road = new RoadMemory(options.LookAheadMetres);
     }
 
     /// <inheritdoc/>
@@ -31,83 +44,128 @@ public sealed class StanleyController : IController
         LaneIndicators at = state.Indicators;
         _left.Observe(at.DistLL.Value);
         _right.Observe(at.DistRR.Value);
-        ObserveGap(at);
+        ObserveRoad(state);
+        _leader.Observe(Nearest(at), state.SpeedMetresPerSecond, _options.PeriodSeconds);
         ConsiderLaneChange(state);
-        ObserveCentre(at);
-        double steering = Steering(state);
-        double acceleration = Acceleration(state);
-        return acceleration >= 0
-            ? new DrivingControls(steering, acceleration / _options.Acceleration, 0)
-            : new DrivingControls(steering, 0, -acceleration / _options.FullBraking);
+        ObserveCentre(at, state.SpeedMetresPerSecond);
+        _wantedWheelAngle = WheelAngle(state.SpeedMetresPerSecond);
+        _acceleration += _options.PedalWeight * (Acceleration(state) - _acceleration);
+        double steering = _wantedWheelAngle / _options.SteeringLockRadians;
+        return _acceleration >= 0
+            ? new DrivingControls(steering, _acceleration / _options.FullThrottle, 0)
+            : new DrivingControls(steering, 0, -_acceleration / _options.FullBraking);
     }
 
-    private void ObserveCentre(LaneIndicators at)
+    private void ObserveRoad(DrivingState state)
     {
-        double? centre = _lane.Centre(at);
+        double metres = state.SpeedMetresPerSecond * _options.PeriodSeconds;
+        double turned = state.HeadingRadians is { } now && _headingRadians is { } before
+            ? Angles.WrapRadians(now - before)
+            : metres * CurvatureOfCar(state.SpeedMetresPerSecond);
+        _headingRadians = state.HeadingRadians;
+        _road.Advance(metres, turned);
+        if (state.Indicators.Angle.IsValid)
+        {
+            _road.See(state.Indicators.Angle.Value);
+        }
+        else
+        {
+            _road.Forget();
+        }
+    }
+
+    /// <summary>How the car turns by metre, as the bicycle model has it, with the wheels on their way to where they are wanted.</summary>
+    private double CurvatureOfCar(double speed)
+    {
+        double most = _options.SteeringRate * _options.PeriodSeconds;
+        double before = _wheelAngle;
+        double wanted = Math.Max(-_options.SteeringLockRadians, Math.Min(_options.SteeringLockRadians, _wantedWheelAngle));
+        _wheelAngle += Math.Max(-most, Math.Min(most, wanted - _wheelAngle));
+        return Math.Tan((before + _wheelAngle) / 2) / (_options.Wheelbase * Understeer(speed));
+    }
+
+    private double Understeer(double speed) => 1 + (speed * speed / (_options.CharacteristicSpeed * _options.CharacteristicSpeed));
+
+    private void ObserveCentre(LaneIndicators at, double speed)
+    {
+        // A car that points to the right of the road moves to the right, and the middle of the lane to its left.
+        double? predicted = _centre - (speed * _options.PeriodSeconds * Math.Sin(_road.At(0).Angle));
+        double? measured = _lane.Centre(at);
         double laneWidth = at.ToMarkingMR.Value - at.ToMarkingML.Value;
-        bool jumped = centre is { } now && _centre is { } before && Math.Abs(now - before) > laneWidth / 2;
-        _centre = centre is null ? null
-            : _centre is null || jumped ? centre
-            : _centre + (_options.LateralSmoothing * (centre - _centre));
+        bool jumped = measured is { } there && predicted is { } expected && Math.Abs(there - expected) > laneWidth / 2;
+        _centre = measured is null || predicted is null || jumped
+            ? measured
+            : predicted + (_options.LateralWeight * (measured - predicted));
     }
 
-    /// <summary>Noise on a distance is evened out, but a vehicle that comes nearer is believed at once.</summary>
-    private void ObserveGap(LaneIndicators at)
+    private static double? Nearest(LaneIndicators at)
     {
-        Indicator nearest = at.DistMM.IsValid ? at.DistMM
-            : at.DistL.IsValid && at.DistR.IsValid ? Indicator.Of(Math.Min(at.DistL.Value, at.DistR.Value))
-            : at.DistL.IsValid ? at.DistL
-            : at.DistR;
-        double? measured = nearest.IsValid && nearest.Value < IndicatorCalculator.VehicleRange ? nearest.Value : null;
-        const double smoothing = 0.4;
-        _gap = measured is { } now && _gap is { } before && Math.Abs(now - before) < 12
-            ? before + (smoothing * (now - before))
-            : measured;
+        double nearest = Math.Min(DistanceOf(at.DistMM), Math.Min(DistanceOf(at.DistL), DistanceOf(at.DistR)));
+        return nearest < IndicatorCalculator.VehicleRange ? nearest : null;
     }
+
+    private static double DistanceOf(Indicator distance) => distance.IsValid ? distance.Value : double.PositiveInfinity;
 
     private void ConsiderLaneChange(DrivingState state)
     {
         LaneIndicators at = state.Indicators;
         double blockedWithin = Math.Max(20, state.SpeedMetresPerSecond * _options.BlockedWithinSeconds);
-        if (_lane.BoundFor != 0 || !(_gap < blockedWithin) || state.SpeedMetresPerSecond > 0.9 * _options.CruiseSpeed)
+        if (_lane.BoundFor != 0 || !(_leader.Gap < blockedWithin) || state.SpeedMetresPerSecond > 0.9 * _options.CruiseSpeed)
         {
             return;
         }
 
-        if (at.ToMarkingLL.IsValid && _left.IsClear(FramesToClear) && at.DistLL.Value > _gap + 15)
+        if (at.ToMarkingLL.IsValid && _left.IsClear(FramesToClear) && at.DistLL.Value > _leader.Gap + GainOfLane)
         {
             _lane.MoveTo(-1);
             _right.Restart(0);
         }
-        else if (at.ToMarkingRR.IsValid && _right.IsClear(FramesToClear) && at.DistRR.Value > _gap + 15)
+        else if (at.ToMarkingRR.IsValid && _right.IsClear(FramesToClear) && at.DistRR.Value > _leader.Gap + GainOfLane)
         {
             _lane.MoveTo(1);
             _left.Restart(0);
         }
     }
 
-    private double Steering(DrivingState state)
+    private double WheelAngle(double speed)
     {
-        double angle = state.Indicators.Angle.IsValid ? state.Indicators.Angle.Value : 0;
-        double lateral = Math.Atan2(-_options.LateralGain * (_centre ?? 0), state.SpeedMetresPerSecond + _options.SofteningSpeed);
-        double curve = Math.Atan(_options.Wheelbase * state.CurvaturePerMetre);
-        return (angle + lateral + curve) / _options.SteeringLockRadians;
+        double angle = _road.At(0).Angle;
+        double error = Math.Max(-_options.LargestLateralError, Math.Min(_options.LargestLateralError, _centre ?? 0));
+        double lateral = Math.Atan2(-_options.LateralGain * error, speed + _options.SofteningSpeed);
+        lateral = Math.Max(-_options.LargestLateralAngle, Math.Min(_options.LargestLateralAngle, lateral));
+        double curvature = _road.At(speed * _options.SteeringLeadSeconds).Curvature;
+        return angle + lateral + Math.Atan(_options.Wheelbase * Understeer(speed) * curvature);
     }
 
     /// <summary>The intelligent driver model: free acceleration less an interaction with the vehicle ahead.</summary>
     private double Acceleration(DrivingState state)
     {
         double speed = state.SpeedMetresPerSecond;
-        double bend = Math.Abs(state.CurvaturePerMetre);
-        double wanted = bend > 0 ? Math.Min(_options.CruiseSpeed, Math.Sqrt(_options.LateralAcceleration / bend)) : _options.CruiseSpeed;
-        double acceleration = _options.Acceleration * (1 - Math.Pow(speed / wanted, 4));
-        if (_gap is { } gap)
+        double wanted = WantedSpeed(state);
+        double free = speed <= wanted
+            ? _options.Acceleration * (1 - Math.Pow(speed / wanted, 4))
+            : -Math.Min(_options.FullBraking, 2 * (speed - wanted));
+        if (_leader.Gap is { } gap)
         {
-            double kept = _options.StandingDistance + (speed * _options.TimeGap);
-            double room = Math.Max(0.5, gap);
-            acceleration -= _options.Acceleration * (kept / room) * (kept / room);
+            double closing = speed * (speed - _leader.Speed) / (2 * Math.Sqrt(_options.Acceleration * _options.Braking));
+            double kept = _options.StandingDistance + Math.Max(0, (speed * _options.TimeGap) + closing);
+            double share = kept / Math.Max(0.5, gap);
+            free -= _options.Acceleration * share * share;
         }
 
-        return Math.Max(-_options.FullBraking, Math.Min(_options.Acceleration, acceleration));
+        return Math.Max(-_options.FullBraking, Math.Min(_options.Acceleration, free));
+    }
+
+    /// <summary>As fast as the road allows: a bend ahead is reached at its own speed by braking comfortably.</summary>
+    private double WantedSpeed(DrivingState state)
+    {
+        double wanted = state.IsFast ? _options.CruiseSpeed : _options.CautiousSpeed;
+        for (double ahead = 0; ahead <= _options.LookAheadMetres; ahead += BendStep)
+        {
+            double bend = Math.Max(1e-6, Math.Abs(_road.At(ahead).Curvature));
+            wanted = Math.Min(wanted, Math.Sqrt((_options.LateralAcceleration / bend) + (2 * _options.Braking * ahead)));
+        }
+
+        return wanted;
     }
 }

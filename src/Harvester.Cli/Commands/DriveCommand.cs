@@ -1,0 +1,174 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using System.Threading.Tasks;
+using Harvester.Cli.Arguments;
+using Harvester.Cli.Driving;
+using Harvester.Datasets.Roads;
+using Harvester.Driving.Evaluation;
+using Harvester.Driving.Noise;
+using Harvester.Driving.Reports;
+using Harvester.Geometry;
+
+namespace Harvester.Cli.Commands;
+
+/// <summary>harvester drive: a controller drives by the lane indicators and is judged by the truth.</summary>
+internal static class DriveCommand
+{
+    private const string Notes =
+        "The indicators say nothing in junctions and show neither lights nor right of way. There the simulated car's own driver follows its\n"
+        + "route, and gives the wheel back in a lane. docs/driving.md says how it is judged.\n\n"
+        + "Examples:\n"
+        + "  harvester drive --out drive\n"
+        + "  harvester drive --controller deepdriving --noise --distance 3000 --out drive\n"
+        + "  harvester drive --roads nodes.zip --near=-500,1000 --near=0,2700 --out drive";
+
+    private static readonly Option<string> Out = new("--out") { Description = "Folder to write drive.json and report.html to", HelpName = "DIR", Required = true };
+    private static readonly Option<ControllerName> Controller = WithDefault(
+        ValueParsers.Parsed<ControllerName>("--controller", "NAME", "Who drives: stanley or deepdriving", ParseController, "stanley or deepdriving"),
+        ControllerName.Stanley);
+
+    private static readonly Option<int> Seed = WithDefault(
+        ValueParsers.Integer("--seed", "N", "Decides everything that is left to chance", 0, int.MaxValue), 1);
+
+    private static readonly Option<FileInfo?> Roads = new("--roads")
+    {
+        Description = "Drive on the roads of this file or folder instead of a town made from the seed",
+        HelpName = "FILE",
+    };
+
+    private static readonly Option<string[]> Near = new("--near")
+    {
+        Description = "Where to start, metres; may be given more than once, for one drive after the other [default: the middle of the roads]",
+        HelpName = "X,Y",
+        DefaultValueFactory = _ => [],
+    };
+
+    private static readonly Option<double> Distance = WithDefault(Positive("--distance", "M", "Metres to drive from each start"), 1000);
+    private static readonly Option<double> Duration = WithDefault(
+        Positive("--duration", "S", "Seconds of the game's time to drive from each start at most"), 3600);
+
+    private static readonly Option<double> Traffic = WithDefault(
+        ValueParsers.Number("--traffic", "F", "Factor on the number of vehicles", value => value is >= 0 and <= 4, "a number from 0 to 4"), 1);
+
+    private static readonly Option<double?> Speed = ValueParsers.Optional<double>(
+        "--speed",
+        "M/S",
+        "Speed on a free straight road [default: stanley 14, deepdriving 20]",
+        text => ValueParsers.Number(text) is { } value && value is > 0 and <= 40 ? value : null,
+        "a number greater than 0, 40 at most");
+
+    private static readonly Option<bool> Noise = new("--noise")
+    {
+        Description = "Let the indicators err as is published for DeepDriving's network: 0.03 rad, 0.2 m, 3 m on distances to vehicles",
+    };
+
+    private static readonly Option<double?> LookAhead = ValueParsers.Optional<double>(
+        "--look-ahead",
+        "M",
+        "How far ahead the angle is measured, metres [default: stanley 10, deepdriving 4.4]",
+        text => ValueParsers.Number(text) is { } value && value is > 0 and <= 40 ? value : null,
+        "a number greater than 0, 40 at most");
+
+    public static Command Create(Terminal terminal)
+    {
+        var command = new Command("drive", "Drive the simulated car by the lane indicators and judge the drive.")
+        {
+            Out, Controller, Seed, Roads, Near, Distance, Duration, Traffic, Speed, Noise, LookAhead,
+        };
+        HelpWithNotes.AddTo(command, Notes);
+        command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
+        return command;
+    }
+
+    private static int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
+    {
+        DrivePlan plan = PlanOf(parsed);
+        string folder = parsed.GetRequiredValue(Out);
+        Directory.CreateDirectory(folder);
+        IReadOnlyList<DriveSample> samples = new SimulatedDrives(plan).Run(cancellation);
+        DriveRecord record = DriveRecord.Of(SettingsOf(parsed, plan), samples);
+        string report = Path.Combine(folder, DriveReport.FileName);
+        record.Write(Path.Combine(folder, DriveRecord.FileName));
+        DriveReport.Write(report, record, samples);
+        foreach ((string name, string value) in record.Figures.Rows())
+        {
+            terminal.Out.WriteLine($"{name + ":",-19}{value}");
+        }
+
+        terminal.Out.WriteLine($"report  {report}");
+        return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;
+    }
+
+    private static DrivePlan PlanOf(ParseResult parsed)
+    {
+        const double stanleyLookAhead = 10;
+
+        // The published gains steer 4.35 m of angle for each metre of a bend's curvature: 1.5 times the wheelbase of 2.9 m.
+        const double deepDrivingLookAhead = 4.4;
+        ControllerName controller = parsed.GetValue(Controller);
+        return new DrivePlan
+        {
+            Controller = controller,
+            Seed = parsed.GetValue(Seed),
+            Roads = parsed.GetValue(Roads) is { } roads ? RoadImporter.Import(roads.FullName).Network : null,
+            Starts = [.. parsed.GetRequiredValue(Near).Select(ParsePlace)],
+            TrafficDensity = parsed.GetValue(Traffic),
+            Metres = parsed.GetValue(Distance),
+            Seconds = parsed.GetValue(Duration),
+            Speed = parsed.GetValue(Speed),
+            Noise = parsed.GetValue(Noise) ? NoiseLevels.Published : null,
+            LookAheadMetres = parsed.GetValue(LookAhead) ?? (controller == ControllerName.Stanley ? stanleyLookAhead : deepDrivingLookAhead),
+        };
+    }
+
+    private static Dictionary<string, string> SettingsOf(ParseResult parsed, DrivePlan plan)
+    {
+        Dictionary<string, string> settings = new(StringComparer.Ordinal)
+        {
+            ["controller"] = plan.Controller == ControllerName.Stanley ? "stanley" : "deepdriving",
+            ["seed"] = plan.Seed.ToString(CultureInfo.InvariantCulture),
+            ["roads"] = parsed.GetValue(Roads)?.Name ?? "town",
+            ["traffic"] = plan.TrafficDensity.ToString(CultureInfo.InvariantCulture),
+            ["lookAheadMetres"] = plan.LookAheadMetres.ToString(CultureInfo.InvariantCulture),
+            ["noise"] = plan.Noise is { } noise
+                ? FormattableString.Invariant($"{noise.AngleRadians} rad, {noise.MarkingMetres} m, {noise.VehicleMetres} m")
+                : "none",
+        };
+        if (plan.Speed is { } speed)
+        {
+            settings["speed"] = speed.ToString(CultureInfo.InvariantCulture);
+        }
+
+        if (plan.Starts.Count > 0)
+        {
+            settings["near"] = string.Join(' ', plan.Starts.Select(start => FormattableString.Invariant($"{start.X},{start.Y}")));
+        }
+
+        return settings;
+    }
+
+    private static Vector2D ParsePlace(string text) => ValueParsers.Numbers(text, 2) is { } n
+        ? new Vector2D(n[0], n[1])
+        : throw new UsageException($"--near takes two numbers, not '{text}'.");
+
+    private static ControllerName? ParseController(string text) => text switch
+    {
+        "stanley" => ControllerName.Stanley,
+        "deepdriving" => ControllerName.DeepDriving,
+        _ => null,
+    };
+
+    private static Option<double> Positive(string name, string form, string description) =>
+        ValueParsers.Number(name, form, description, value => value is > 0 and <= 1_000_000, "a number greater than 0, 1000000 at most");
+
+    private static Option<T> WithDefault<T>(Option<T> option, T value)
+    {
+        option.DefaultValueFactory = _ => value;
+        return option;
+    }
+}

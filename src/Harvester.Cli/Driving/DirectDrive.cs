@@ -1,0 +1,77 @@
+using System.Collections.Generic;
+using System.Threading;
+using Harvester.Capture.Driving;
+using Harvester.Capture.Driving.Controllers;
+using Harvester.Capture.Labelling;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Scenes;
+using Harvester.Driving.Evaluation;
+using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
+using Harvester.Simulation;
+
+namespace Harvester.Cli.Driving;
+
+/// <summary>
+/// A drive in the simulated game with the controller in the same process and no picture in between. Where the lanes are not known, in
+/// junctions above all, and where the car has to give way, its own driver follows its route.
+/// </summary>
+internal sealed class DirectDrive(SimulatedGame game, IRoads roads, IController controller)
+{
+    private const double TickSeconds = 0.05;
+    private const int TicksPerControl = 2;
+
+    /// <summary>Vehicles further off are in no indicator, metres: their range and the longest half of a vehicle.</summary>
+    private const double VehicleRange = IndicatorCalculator.VehicleRange + 10;
+
+    private readonly LaneTracker _lanes = new(roads, entity => entity.Handle);
+    private readonly DriveSampler _sampler = new(game);
+    private readonly Handover _handover = new();
+
+    /// <summary>Drives so far or so long, whichever is reached first.</summary>
+    public IReadOnlyList<DriveSample> Run(double metres, double seconds, CancellationToken cancellation)
+    {
+        IDrivenCar car = game.Ports.Car!;
+        DrivingControls controls = DrivingControls.Stop;
+        bool isByController = false;
+        for (int tick = 0; _sampler.Metres < metres && game.Ports.World.TimeSeconds < seconds && !cancellation.IsCancellationRequested; tick++)
+        {
+            if (tick % TicksPerControl == 0)
+            {
+                LaneObservation? seen = Look(game.Ports.World.ReadEgo());
+                isByController = _handover.Decide(seen, game.MustEgoGiveWay);
+                controls = controller.Drive(StateOf(seen));
+            }
+
+            if (isByController)
+            {
+                car.Drive(controls);
+            }
+
+            game.Tick(TickSeconds);
+            if (tick % TicksPerControl == TicksPerControl - 1)
+            {
+                _sampler.Take(isByController);
+            }
+        }
+
+        return _sampler.Samples;
+    }
+
+    private LaneObservation? Look(EgoState ego) => _lanes.Observe(ego, game.Ports.World.ReadEntities(ego.Pose.Position, VehicleRange))?.Seen;
+
+    private DrivingState StateOf(LaneObservation? seen)
+    {
+        EgoState ego = game.Ports.World.ReadEgo();
+        LaneIndicators indicators = seen?.Indicators ?? LaneIndicators.Unknown;
+        return new DrivingState(
+            indicators,
+            seen?.Section is { } section ? TorcsEquivalent.Of(indicators, section) : indicators,
+            seen?.IsFast ?? false,
+            ego.Velocity.Length,
+            0)
+        {
+            HeadingRadians = Angles.ToRadians(Angles.HeadingDegrees(ego.Pose.Axes.Forward)),
+        };
+    }
+}

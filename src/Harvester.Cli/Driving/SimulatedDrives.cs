@@ -1,0 +1,80 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Harvester.Capture.Driving.Controllers;
+using Harvester.Capture.Ports;
+using Harvester.Driving.Evaluation;
+using Harvester.Driving.Noise;
+using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
+using Harvester.Simulation;
+
+namespace Harvester.Cli.Driving;
+
+/// <summary>Builds the simulated games of a plan, one for each start, and has them driven through.</summary>
+internal sealed class SimulatedDrives(DrivePlan plan)
+{
+    /// <summary>The simulation's vehicles are up to 8 m longer than the cars of TORCS.</summary>
+    private const double VehicleAllowance = 4;
+
+    private FixedRoads? _roads;
+
+    /// <summary>Drives from each start in turn.</summary>
+    /// <param name="cancellation">Ends the drive with what it has.</param>
+    /// <exception cref="UsageException">There is no road at a start.</exception>
+    public IReadOnlyList<DriveSample> Run(CancellationToken cancellation)
+    {
+        List<DriveSample> samples = [];
+        int starts = Math.Max(1, plan.Starts.Count);
+        for (int i = 0; i < starts && !cancellation.IsCancellationRequested; i++)
+        {
+            SimulatedGame game = Build(plan.Starts.Count > 0 ? plan.Starts[i] : null, plan.Seed + i);
+            DirectDrive drive = new(game, RoadsOf(game), ControllerOf(plan.Seed + i));
+            samples.AddRange(drive.Run(plan.Metres, plan.Seconds, cancellation));
+        }
+
+        return samples;
+    }
+
+    /// <summary>Large roads of a file are made ready once for all starts; each made-up town has its own.</summary>
+    private FixedRoads RoadsOf(SimulatedGame game) => plan.Roads is null
+        ? new FixedRoads(game.Roads, "simulation", LookAhead.OfMetres(plan.LookAheadMetres))
+        : _roads ??= new FixedRoads(game.Roads, "roadFile", LookAhead.OfMetres(plan.LookAheadMetres));
+
+    /// <summary>The controller of the plan, behind its noise.</summary>
+    public IController ControllerOf(int seed)
+    {
+        IController controller = plan.Controller == ControllerName.Stanley
+            ? new StanleyController(Options())
+            : new DeepDrivingController(SimulatedGame.SteeringLockRadians, VehicleAllowance, plan.Speed ?? DeepDrivingController.MostSpeed);
+        return plan.Noise is { } noise ? new NoisyIndicators(controller, noise, seed) : controller;
+    }
+
+    private StanleyOptions Options()
+    {
+        StanleyOptions options = new() { LookAheadMetres = plan.LookAheadMetres, SteeringLockRadians = SimulatedGame.SteeringLockRadians };
+        return plan.Speed is { } speed ? options with { CruiseSpeed = speed, CautiousSpeed = Math.Min(speed, options.CautiousSpeed) } : options;
+    }
+
+    /// <summary>
+    /// A game without people on foot: the indicators do not show them.
+    /// </summary>
+    private SimulatedGame Build(Vector2D? start, int seed)
+    {
+        try
+        {
+            return new SimulatedGame(new SimulationOptions
+            {
+                Seed = seed,
+                Roads = plan.Roads,
+                Near = start,
+                TrafficDensity = plan.TrafficDensity,
+                PedestrianDensity = 0,
+            });
+        }
+        catch (ArgumentException e)
+        {
+            throw new UsageException(e.Message);
+        }
+    }
+}

@@ -1,0 +1,64 @@
+using Harvester.Cli.Driving;
+using Harvester.Datasets.Roads;
+using Harvester.Driving.Evaluation;
+using Harvester.Driving.Noise;
+using Harvester.Geometry;
+using Harvester.TestSupport;
+
+namespace Harvester.Cli.Tests.Driving;
+
+/// <summary>
+/// Ten kilometres by the controller outside of junctions, without a lane departure and without a collision. Starts are given by rule: the
+/// streets, the motorway and the country road of five towns; and places all over the real map, each driven from for the same distance.
+/// </summary>
+[Trait("Category", "Heavy")]
+public sealed class TenKilometresTests
+{
+    private const double Demanded = 10_000;
+
+    private static readonly Vector2D[] PlacesInTown =
+        [new(0, 0), new(-430, -200), new(-430, -400), new(200, -300), new(0, 300)];
+
+    private static readonly Vector2D[] PlacesOnMap =
+    [
+        new(-3000, 500), new(-200, 6300), new(1700, 3700), new(2000, 4900), new(0, 2700),
+        new(-500, 1000), new(2600, 3000), new(2500, -500), new(0, -1000), new(-1100, -1400),
+    ];
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Stanley_on_synthetic_roads(bool isNoisy) => AssertClean(Drive(new DrivePlan
+    {
+        Controller = ControllerName.Stanley,
+        Starts = PlacesInTown,
+        TrafficDensity = 0.5,
+        Metres = 2600,
+        Noise = isNoisy ? NoiseLevels.Published : null,
+    }));
+
+    [RealWorldFact("nodes.zip")]
+    public void Stanley_on_the_real_network_by_the_truth() => AssertClean(DriveOnMap(null));
+
+    [RealWorldFact("nodes.zip")]
+    public void Stanley_on_the_real_network_with_noise() => AssertClean(DriveOnMap(NoiseLevels.Published));
+
+    private static DriveFigures DriveOnMap(NoiseLevels? noise) => Drive(new DrivePlan
+    {
+        Controller = ControllerName.Stanley,
+        Roads = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network,
+        Starts = PlacesOnMap,
+        Metres = 2400,
+        Seconds = 900,
+        Noise = noise,
+    });
+
+    private static DriveFigures Drive(DrivePlan plan) => DriveFigures.Of(new SimulatedDrives(plan).Run(CancellationToken.None));
+
+    private static void AssertClean(DriveFigures figures)
+    {
+        string all = string.Join("; ", figures.Rows().Select(row => $"{row.Name}: {row.Value}"));
+        Assert.True(figures.JudgedMetres >= Demanded, all);
+        Assert.True(figures is { LaneDepartures: 0, Collisions: 0 }, all);
+    }
+}
