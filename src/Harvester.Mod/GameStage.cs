@@ -58,9 +58,12 @@ internal sealed class GameStage(IModels models, GameRays rays) : ISurveyStage
     }
 
     /// <inheritdoc/>
+    public bool IsStanding(int entity) => Natives.EntityExists(entity);
+
+    /// <inheritdoc/>
     public void TakeAway(int entity)
     {
-        if (Natives.EntityExists(entity))
+        if (IsStanding(entity))
         {
             Natives.Delete(entity, Hash.DELETE_OBJECT);
         }

@@ -57,6 +57,7 @@ public sealed class SpaceSurveyTests
     public void Photographs_are_taken_from_front_and_back_with_nothing_drawn_over_them()
     {
         using ScriptDriver driver = NewDriver();
+        driver.Press(Keys.L);
         driver.Press(Keys.F10);
         Until(driver, "models are surveyed");
         driver.WaitForDisk();
@@ -203,6 +204,24 @@ public sealed class SpaceSurveyTests
         Until(driver, "The survey stopped: ");
         Assert.Empty(driver.Game.Objects);
         Assert.Empty(driver.Game.Cameras);
+    }
+
+    [Fact]
+    public void Model_that_the_game_sweeps_away_ends_the_survey_and_is_measured_the_next_time()
+    {
+        using ScriptDriver driver = NewDriver();
+        driver.Press(Keys.F10);
+        while (!driver.Game.Objects.Any(prop => prop.Name == Light))
+        {
+            driver.Tick();
+        }
+
+        driver.Game.Entities.Remove(driver.Game.HandleOf(driver.Game.Objects.Single()));
+        Until(driver, "the game took");
+        Assert.DoesNotContain(driver.Game.Notifications, message => message.Contains("are surveyed", StringComparison.Ordinal));
+        driver.Press(Keys.F10);
+        Until(driver, "All 109 models are surveyed: 3 faces");
+        Assert.Empty(driver.Game.Objects);
     }
 
     [Fact]

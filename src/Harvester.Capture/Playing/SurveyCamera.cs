@@ -27,11 +27,10 @@ public sealed class SurveyCamera(ICameras cameras, IScreen screen, Func<double> 
             return false;
         }
 
-        // The new one first, so that the game's own view does not come between the two.
-        int before = _camera;
+        // The old one first: of two that are active it is the game's choice which one is shown.
+        LookAway();
         _camera = camera;
         cameras.Show(camera);
-        Remove(before);
         return true;
     }
 
@@ -48,7 +47,10 @@ public sealed class SurveyCamera(ICameras cameras, IScreen screen, Func<double> 
     {
         int camera = _camera;
         _camera = 0;
-        Remove(camera);
+        if (camera != 0)
+        {
+            cameras.Remove(camera);
+        }
     }
 
     private static PixelBuffer Middle(PixelBuffer whole)
@@ -66,13 +68,5 @@ public sealed class SurveyCamera(ICameras cameras, IScreen screen, Func<double> 
         }
 
         return middle;
-    }
-
-    private void Remove(int camera)
-    {
-        if (camera != 0)
-        {
-            cameras.Remove(camera);
-        }
     }
 }

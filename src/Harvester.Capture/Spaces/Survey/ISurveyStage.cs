@@ -30,6 +30,10 @@ public interface ISurveyStage
     /// <param name="model">The model's name.</param>
     StagedModel Read(int entity, string model);
 
+    /// <summary>Whether what was put up is still there; a saved game that is loaded sweeps it away.</summary>
+    /// <param name="entity">The entity's handle.</param>
+    bool IsStanding(int entity);
+
     /// <summary>Takes an entity away that was put up. One that is gone is no harm.</summary>
     void TakeAway(int entity);
 }

@@ -140,6 +140,7 @@ public sealed class SpaceSurvey : IDisposable
             yield return true;
         }
 
+        AssertStanding(model.Name);
         StagedModel staged = _stage.Read(_standing, model.Name);
         var probe = new StageProbe(_stage.Rays, staged);
         var faces = new FaceFinder(probe, staged);
@@ -159,10 +160,19 @@ public sealed class SpaceSurvey : IDisposable
             yield return tick;
         }
 
+        AssertStanding(model.Name);
         TakeAway();
         SpaceOfInterest[] rows = [.. spaces.Select((space, face) => RowOf(isLight ? model with { Class = ObjectClass.TrafficLight } : model, space, face))];
         _folder.Finish(model.Name, rows.Length == 0 ? "noFace" : "measured", rows);
         yield return true;
+    }
+
+    private void AssertStanding(string model)
+    {
+        if (!_stage.IsStanding(_standing))
+        {
+            throw new InvalidOperationException($"the game took {model} away while it was measured.");
+        }
     }
 
     private ModelLoading Ask(string model)

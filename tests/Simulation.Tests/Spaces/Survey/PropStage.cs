@@ -61,6 +61,8 @@ internal sealed class PropStage(IReadOnlyDictionary<string, Prop> props, Pose po
         return new StagedModel(entity, pose, prop.Shape.Min, prop.Shape.Max, prop.Bones);
     }
 
+    public bool IsStanding(int entity) => Standing > 0;
+
     public void TakeAway(int entity)
     {
         Assert.Equal(Handle, entity);
