@@ -1,14 +1,16 @@
-"""Reads exported datasets with torchvision and Python's own libraries and compares them with the session."""
+"""Reads exported datasets with torchvision, OpenCV, Pillow and Python's own libraries and compares them with the session."""
 
+import csv
 import io
 import json
 import os
 import sys
 import tarfile
 
+import cv2
 import numpy as np
 from PIL import Image
-from torchvision.datasets import Cityscapes, Kitti
+from torchvision.datasets import Cityscapes, Kitti, VOCDetection
 
 KITTI_TYPES = {
     "car": "Car", "truck": "Truck", "pedestrian": "Pedestrian", "bicycle": "Cyclist",
@@ -21,8 +23,26 @@ def labels_of(folder):
         return [json.loads(line) for line in lines]
 
 
+def json_of(*path):
+    with open(os.path.join(*path), encoding="utf-8") as file:
+        return json.load(file)
+
+
+def lines_of(*path):
+    with open(os.path.join(*path), encoding="utf-8") as file:
+        return file.read().splitlines()
+
+
+def pixels_of(*path):
+    return np.array(Image.open(os.path.join(*path))).astype(np.int64)
+
+
 def mask_of(folder, label):
-    return np.array(Image.open(os.path.join(folder, "session", label["mask"]))).astype(np.int64)
+    return pixels_of(folder, "session", label["mask"])
+
+
+def size_of(label):
+    return label["camera"]["width"], label["camera"]["height"]
 
 
 def read_kitti(folder, labels):
@@ -32,7 +52,7 @@ def read_kitti(folder, labels):
     by_image = {os.path.basename(path): i for i, path in enumerate(dataset.images)}
     for number, label in enumerate(labels):
         image, targets = dataset[by_image[f"{number:06d}.png"]]
-        assert image.size == (label["camera"]["width"], label["camera"]["height"])
+        assert image.size == size_of(label)
         expected = [item for item in label["objects"] if item["class"] in KITTI_TYPES]
         assert [target["type"] for target in targets] == [KITTI_TYPES[item["class"]] for item in expected]
         for target, item in zip(targets, expected):
@@ -52,16 +72,90 @@ def read_cityscapes(folder, labels):
         assert (np.where(instances >= 1000, instances // 1000, instances) == np.array(classes)).all()
 
 
+def read_voc(folder, labels):
+    # The reader puts .jpg behind the names of the image sets: as docs/exports/voc.md says, the images must be converted for it.
+    root = os.path.join(folder, "voc", "VOCdevkit", "VOC2012")
+    for number in range(len(labels)):
+        Image.open(os.path.join(root, "JPEGImages", f"{number:08d}.png")).save(os.path.join(root, "JPEGImages", f"{number:08d}.jpg"))
+    dataset = VOCDetection(os.path.join(folder, "voc"), year="2012", image_set="train")
+    assert len(dataset) == len(labels)
+    for (image, target), label in zip(dataset, labels):
+        assert image.size == size_of(label)
+        objects = target["annotation"].get("object", [])
+        assert [item["name"] for item in objects] == [item["class"] for item in label["objects"]]
+        for item, source in zip(objects, label["objects"]):
+            box = [int(item["bndbox"][side]) for side in ("xmin", "ymin", "xmax", "ymax")]
+            # From the first pixel, which is 1, to the last, which belongs to the box: both hold a part of it.
+            assert (np.abs(np.array(box) - [1, 1, 0, 0] - source["box2d"]) < 1).all()
+
+
 def read_coco(folder, labels):
-    with open(os.path.join(folder, "coco", "annotations", "instances_train.json"), encoding="utf-8") as file:
-        coco = json.load(file)
-    for annotation in coco["annotations"]:
+    for annotation in json_of(folder, "coco", "annotations", "instances_train.json")["annotations"]:
         height, width = annotation["segmentation"]["size"]
         counts = annotation["segmentation"]["counts"]
         values = np.repeat(np.arange(len(counts)) % 2, counts).reshape(width, height).T
         mask = mask_of(folder, labels[annotation["image_id"]])
         assert (values.astype(bool) == (mask == annotation["track_id"])).all()
         assert values.sum() == annotation["area"]
+        assert list(cv2.boundingRect(values.astype(np.uint8))) == annotation["bbox"]
+
+
+def filled(mask):
+    """A mask with its holes filled, by OpenCV's contours."""
+    contours, _ = cv2.findContours(mask.astype(np.uint8), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+    return cv2.drawContours(np.zeros(mask.shape, np.uint8), contours, -1, 1, cv2.FILLED).astype(bool)
+
+
+def inside(polygon, shape):
+    """The pixels whose centres lie inside a polygon along the borders of pixels."""
+    height, width = shape
+    return np.array([[cv2.pointPolygonTest(polygon, (x + 0.5, y + 0.5), False) > 0 for x in range(width)] for y in range(height)])
+
+
+def read_coco_polygons(folder, labels):
+    for annotation in json_of(folder, "coco-polygon", "annotations", "instances_train.json")["annotations"]:
+        if annotation["image_id"] % 4 != 0:
+            continue
+        mask = mask_of(folder, labels[annotation["image_id"]]) == annotation["track_id"]
+        x, y, width, height = (int(side) for side in annotation["bbox"])
+        seen = np.zeros((height, width), bool)
+        for polygon in annotation["segmentation"]:
+            seen |= inside(np.array(polygon, np.float32).reshape(-1, 2) - np.float32([x, y]), seen.shape)
+        assert (seen == filled(mask)[y : y + height, x : x + width]).all()
+
+
+def read_panoptic(folder, labels):
+    for annotation in json_of(folder, "coco-panoptic", "annotations", "panoptic_train.json")["annotations"]:
+        colours = pixels_of(folder, "coco-panoptic", "annotations", "panoptic_train", annotation["file_name"])
+        ids = colours[..., 0] + 256 * colours[..., 1] + 65536 * colours[..., 2]
+        assert (ids == mask_of(folder, labels[annotation["image_id"]])).all()
+        assert {segment["id"]: segment["area"] for segment in annotation["segments_info"]} == {
+            int(value): int(count) for value, count in zip(*np.unique(ids[ids != 0], return_counts=True))}
+
+
+def read_yolo(folder, labels):
+    with open(os.path.join(folder, "yolo", "data.yaml"), encoding="utf-8") as file:
+        names = [line.split(": ")[1].strip() for line in file if line.startswith("  ")]
+    for number, label in enumerate(labels):
+        rows = [line.split() for line in lines_of(folder, "yolo", "labels", "train", f"{number:08d}.txt")]
+        assert [names[int(row[0])] for row in rows] == [item["class"] for item in label["objects"]]
+        size = np.array(size_of(label))
+        for row, item in zip(rows, label["objects"]):
+            centre, extent = np.array(row[1:3], float) * size, np.array(row[3:5], float) * size
+            assert np.allclose(np.concatenate([centre - extent / 2, centre + extent / 2]), item["box2d"], atol=0.002)
+
+
+def read_yolo_outlines(folder, labels):
+    for number, label in enumerate(labels):
+        mask = mask_of(folder, label)
+        seen = [item for item in label["objects"] if (mask == item["id"]).any()]
+        rows = [line.split() for line in lines_of(folder, "yolo-segment", "labels", "train", f"{number:08d}.txt")]
+        assert len(rows) == len(seen)
+        for row, item in zip(rows, seen):
+            corners = np.round(np.array(row[1:], float).reshape(-1, 2) * size_of(label)).astype(np.float32)
+            _, pieces = cv2.connectedComponents((mask == item["id"]).astype(np.uint8), connectivity=4)
+            areas = [filled(pieces == piece).sum() for piece in range(1, pieces.max() + 1)]
+            assert cv2.contourArea(corners) == max(areas)
 
 
 def read_webdataset(folder, labels):
@@ -71,13 +165,49 @@ def read_webdataset(folder, labels):
         for number, label in enumerate(labels):
             image, text, mask = members[3 * number : 3 * number + 3]
             assert json.load(archive.extractfile(text)) == label
-            assert Image.open(io.BytesIO(archive.extractfile(image).read())).size == (label["camera"]["width"], label["camera"]["height"])
+            assert Image.open(io.BytesIO(archive.extractfile(image).read())).size == size_of(label)
             assert (np.array(Image.open(io.BytesIO(archive.extractfile(mask).read()))) == mask_of(folder, label)).all()
+
+
+def read_openlane(folder, labels):
+    points = 0
+    for name in lines_of(folder, "openlane", "train.txt"):
+        frame = json_of(folder, "openlane", "lane3d", os.path.splitext(name)[0] + ".json")
+        for line in frame["lane_lines"]:
+            forward, left, up = np.array(line["xyz"])
+            # OpenCV's camera: x right, y down, z forward.
+            projected, _ = cv2.projectPoints(np.stack([-left, -up, forward], 1), np.zeros(3), np.zeros(3), np.array(frame["intrinsic"], float), None)
+            # Metres have four decimals: at a metre and a focal length of some hundred pixels that is some hundredths.
+            assert np.allclose(projected[:, 0].T, np.array(line["uv"]), atol=0.05)
+            points += len(forward)
+    assert points > 0
+
+
+def read_tusimple(folder, labels):
+    frames = [json.loads(line) for line in lines_of(folder, "tusimple", "label_data_train.json")]
+    assert len(frames) == sum(label["lanes"]["status"] == "known" for label in labels)
+    for frame in frames:
+        height, width, _ = cv2.imread(os.path.join(folder, "tusimple", frame["raw_file"])).shape
+        lanes = np.array(frame["lanes"])
+        assert lanes.shape[1] == len(frame["h_samples"]) and max(frame["h_samples"]) < height
+        assert (((lanes >= 0) & (lanes < width)) | (lanes == -2)).all()
+
+
+def read_csv(folder, labels):
+    with open(os.path.join(folder, "csv", "objects.csv"), encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    expected = [(str(number), str(item["id"]), item["class"], item["name"] or "", str(item["parent"] or ""))
+                for number, label in enumerate(labels) for item in label["objects"]]
+    assert [(row["frame"], row["id"], row["class"], row["name"], row["parent"]) for row in rows] == expected
 
 
 if __name__ == "__main__":
     root = sys.argv[1]
     session = labels_of(root)
-    for reader in (read_kitti, read_cityscapes, read_coco, read_webdataset):
+    readers = (
+        read_kitti, read_cityscapes, read_voc, read_coco, read_coco_polygons, read_panoptic, read_yolo, read_yolo_outlines,
+        read_webdataset, read_openlane, read_tusimple, read_csv,
+    )
+    for reader in readers:
         reader(root, session)
         print(f"{reader.__name__}: {len(session)} frames as in the session")

@@ -1,0 +1,88 @@
+using System.Diagnostics;
+using System.Security.Cryptography;
+using Harvester.Datasets.Exports;
+
+namespace Harvester.Cli.Tests.Commands;
+
+/// <summary>Exports run as processes of their own that are killed in the middle; the same command again must give the bytes of a run that was left alone.</summary>
+public sealed class KilledExportTests : IClassFixture<LongSession>, IDisposable
+{
+    private const int KilledAfterFrames = 20;
+
+    private readonly LongSession _session;
+    private readonly TemporaryFolder _folder = new();
+
+    public KilledExportTests(LongSession session) => _session = session;
+
+    public static TheoryData<string> Formats => [.. DatasetFormats.All.Select(format => format.Name)];
+
+    public void Dispose() => _folder.Dispose();
+
+    [Theory]
+    [Trait("Category", "Heavy")]
+    [MemberData(nameof(Formats))]
+    public void Export_that_was_killed_goes_on_to_the_same_bytes(string format)
+    {
+        using (Process export = Start(format, "killed"))
+        {
+            KillInTheMiddle(export);
+        }
+
+        foreach (string name in (string[])["killed", "whole"])
+        {
+            using Process export = Start(format, name);
+            export.WaitForExit();
+            Assert.Equal(0, export.ExitCode);
+        }
+
+        Assert.Equal(Contents("whole"), Contents("killed"));
+    }
+
+    private void KillInTheMiddle(Process export)
+    {
+        string journal = _folder.PathOf("killed/.export/journal-1-of-1.jsonl");
+        int Done() => File.Exists(journal) ? Lines(journal) : 0;
+        while (Done() < KilledAfterFrames)
+        {
+            Assert.False(export.HasExited, "The export was over before it could be killed.");
+            Thread.Sleep(1);
+        }
+
+        export.Kill();
+        export.WaitForExit();
+        Assert.NotEqual(0, export.ExitCode);
+        Assert.InRange(Done(), KilledAfterFrames, LongSession.Frames - 1);
+        Assert.False(File.Exists(_folder.PathOf("killed/export.json")));
+    }
+
+    private Process Start(string format, string to)
+    {
+        var start = new ProcessStartInfo("dotnet") { RedirectStandardOutput = true, RedirectStandardError = true };
+        string[] arguments =
+        [
+            Path.Combine(AppContext.BaseDirectory, "harvester.dll"), "export", _session.Folder, "--format", format, "--out", _folder.PathOf(to),
+            "--split", "train:0.7,val:0.3",
+        ];
+        Array.ForEach(arguments, start.ArgumentList.Add);
+        return Process.Start(start)!;
+    }
+
+    /// <summary>Lines of a file that another process writes.</summary>
+    private static int Lines(string path)
+    {
+        using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite);
+        using var reader = new StreamReader(file);
+        return reader.ReadToEnd().Count(character => character == '\n');
+    }
+
+    private SortedDictionary<string, string> Contents(string name)
+    {
+        var contents = new SortedDictionary<string, string>(StringComparer.Ordinal);
+        foreach (string file in Directory.EnumerateFiles(_folder.PathOf(name), "*", SearchOption.AllDirectories))
+        {
+            contents.Add(Path.GetRelativePath(_folder.PathOf(name), file), Convert.ToHexString(SHA256.HashData(File.ReadAllBytes(file))));
+        }
+
+        return contents;
+    }
+}
