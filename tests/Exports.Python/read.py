@@ -193,6 +193,32 @@ def read_tusimple(folder, labels):
         assert (((lanes >= 0) & (lanes < width)) | (lanes == -2)).all()
 
 
+# The linear maps of DeepDriving's loss layer, value * factor + shift, in the order of its labels.
+LOSS_LAYER = [
+    (1 / 1.1, 0.5), (0.17778, 1.34445), (0.14545, 0.39091), (0.17778, -0.34445), (1 / 95, 0.12), (1 / 95, 0.12),
+    (0.14545, 1.48181), (0.16, 0.98), (0.16, 0.02), (0.14545, -0.48181), (1 / 95, 0.12), (1 / 95, 0.12), (1 / 95, 0.12),
+]
+
+
+def read_deepdriving(folder, labels):
+    names = ["angle", "toMarkingL", "toMarkingM", "toMarkingR", "distL", "distR",
+             "toMarkingLL", "toMarkingML", "toMarkingMR", "toMarkingRR", "distLL", "distMM", "distRR"]
+    for number, label in enumerate(labels):
+        name = f"{number:08d}"
+        small = cv2.imread(os.path.join(folder, "deepdriving", "images", name + ".png"))
+        assert small.shape == (210, 280, 3)
+        # OpenCV's averaging of areas rounds once, ours may round otherwise by one.
+        whole = cv2.imread(os.path.join(folder, "session", label["image"]))
+        assert np.abs(cv2.resize(whole, (280, 210), interpolation=cv2.INTER_AREA).astype(int) - small).max() <= 1
+        metres = np.array(lines_of(folder, "deepdriving", "indicators", name + ".txt")[0].split(), float)
+        assert np.allclose(metres, [label["lanes"]["indicators"][indicator] for indicator in names], atol=1e-6)
+        torcs = [label["lanes"]["torcsEquivalent"][indicator] for indicator in names]
+        expected = [value * factor + shift for value, (factor, shift) in zip(torcs, LOSS_LAYER)]
+        expected[0] = min(1, max(0, expected[0]))
+        normalised = np.array(lines_of(folder, "deepdriving", "normalised", name + ".txt")[0].split(), float)
+        assert np.allclose(normalised, expected, atol=2e-6)
+
+
 def read_csv(folder, labels):
     with open(os.path.join(folder, "csv", "objects.csv"), encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
@@ -206,7 +232,7 @@ if __name__ == "__main__":
     session = labels_of(root)
     readers = (
         read_kitti, read_cityscapes, read_voc, read_coco, read_coco_polygons, read_panoptic, read_yolo, read_yolo_outlines,
-        read_webdataset, read_openlane, read_tusimple, read_csv,
+        read_deepdriving, read_webdataset, read_openlane, read_tusimple, read_csv,
     )
     for reader in readers:
         reader(root, session)

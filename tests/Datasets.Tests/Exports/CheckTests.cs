@@ -15,6 +15,22 @@ public abstract class CheckTests(SimulatedSession simulated, string format) : Ex
     /// <summary>Exports; images are copies, as tests change them.</summary>
     private protected void Export(ExportOptions? options = null) => Folder.Export(format, simulated.Open(), options ?? Copied);
 
+    /// <summary>Exports, damages a file and looks for the problem.</summary>
+    private protected void AssertDamageIsFound(string file, string pattern, string replacement, string expected)
+    {
+        Export();
+        Damage(file, pattern, replacement);
+        AssertFound(expected);
+    }
+
+    /// <summary>Exports, takes a file away and looks for the problem.</summary>
+    private protected void AssertLossIsFound(string file, string expected)
+    {
+        Export();
+        Delete(file);
+        AssertFound(expected);
+    }
+
     /// <summary>Replaces what a pattern first finds in a file.</summary>
     private protected void Damage(string file, string pattern, string replacement)
     {

@@ -13,12 +13,8 @@ public sealed class CocoCheckTests(SimulatedSession simulated) : CheckTests(simu
     [InlineData("\"file_name\":\"00000000", "\"file_name\":\"77777777", "image '77777777.png' is not in images/train.")]
     [InlineData("\"width\":200", "\"width\":300", "image '00000000.png' is 200 x 150, not 300 x 150.")]
     [InlineData("\"width\":200", "\"width\":\"200\"", "images: width must be a whole number")]
-    public void A_damaged_image_is_found_with_its_line(string pattern, string replacement, string expected)
-    {
-        Export();
-        Damage(File, pattern, replacement);
-        AssertFound($"{File}, line 2: {expected}");
-    }
+    public void A_damaged_image_is_found_with_its_line(string pattern, string replacement, string expected) =>
+        AssertDamageIsFound(File, pattern, replacement, $"{File}, line 2: {expected}");
 
     [Theory]
     [InlineData("(\"id\":\\d+),\"image_id\":\\d+", "$1,\"image_id\":99", "its image is not listed.")]
@@ -95,12 +91,7 @@ public sealed class CocoCheckTests(SimulatedSession simulated) : CheckTests(simu
     [Theory]
     [InlineData(File, File + ": it is missing.")]
     [InlineData("images/train/00000004.png", File + ", line 6: image '00000004.png' is not in images/train.")]
-    public void A_missing_file_is_found(string file, string expected)
-    {
-        Export();
-        Delete(file);
-        AssertFound(expected);
-    }
+    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 
     private int FirstId() =>
         int.Parse(Folder.Lines("out/" + File)[FirstAnnotationLine - 1].Split(':', ',')[1], System.Globalization.CultureInfo.InvariantCulture);

@@ -15,12 +15,8 @@ public sealed class CocoPanopticCheckTests(SimulatedSession simulated) : CheckTe
     [InlineData("\"bbox\":\\[(\\d+)", "\"bbox\":[1$1", "segment 1 has another area or box than in its picture.")]
     [InlineData("\"category_id\":\\d+", "\"category_id\":77", "segment 1 has a category that is not listed")]
     [InlineData("\"segments_info\":\\[\\{[^}]*\\},", "\"segments_info\":[", "segment 1 of its picture is not listed.")]
-    public void A_damaged_segment_is_found_with_its_line(string pattern, string replacement, string expected)
-    {
-        Export();
-        Damage(Labels, pattern, replacement);
-        AssertFound($"{Labels}, line 10: annotation of image 0: {expected}");
-    }
+    public void A_damaged_segment_is_found_with_its_line(string pattern, string replacement, string expected) =>
+        AssertDamageIsFound(Labels, pattern, replacement, $"{Labels}, line 10: annotation of image 0: {expected}");
 
     [Fact]
     public void An_image_without_annotation_and_one_with_two_are_found()
@@ -53,12 +49,7 @@ public sealed class CocoPanopticCheckTests(SimulatedSession simulated) : CheckTe
     [Theory]
     [InlineData(Picture, Labels + ", line 10: annotation of image 0: '" + Picture + "' is missing.")]
     [InlineData(Labels, Labels + ": it is missing.")]
-    public void A_missing_file_is_found(string file, string expected)
-    {
-        Export();
-        Delete(file);
-        AssertFound(expected);
-    }
+    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 
     private void Write(PixelBuffer picture)
     {

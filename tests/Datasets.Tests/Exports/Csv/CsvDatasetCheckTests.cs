@@ -25,12 +25,8 @@ public sealed class CsvDatasetCheckTests(SimulatedSession simulated) : CheckTest
     [InlineData("^(0(,[^,]*){6}),[^,]*", "$1,300", "its box2d does not lie in the image of 200 x 150, or has no area.")]
     [InlineData("^(0(,[^,]*){16}),[^,]*", "$1,1.5", "truncated_fraction is not 0 to 1.")]
     [InlineData("^(0(,[^,]*){16}),[^,]*", "$1,x", "truncated_fraction is not a number.")]
-    public void A_damaged_object_is_found_with_its_line(string pattern, string replacement, string expected)
-    {
-        Export();
-        Damage("objects.csv", pattern, replacement);
-        AssertFound($"objects.csv, line 2: {expected}");
-    }
+    public void A_damaged_object_is_found_with_its_line(string pattern, string replacement, string expected) =>
+        AssertDamageIsFound("objects.csv", pattern, replacement, $"objects.csv, line 2: {expected}");
 
     [Fact]
     public void An_object_that_is_there_twice_is_found()
@@ -44,10 +40,5 @@ public sealed class CsvDatasetCheckTests(SimulatedSession simulated) : CheckTest
     [InlineData("frames.csv", "frames.csv: it is missing.")]
     [InlineData("objects.csv", "objects.csv: it is missing.")]
     [InlineData("images/00000002.png", "frames.csv, line 4: its image 'images/00000002.png' is missing.")]
-    public void A_missing_file_is_found(string file, string expected)
-    {
-        Export();
-        Delete(file);
-        AssertFound(expected);
-    }
+    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 }

@@ -18,34 +18,21 @@ public sealed class DeepDrivingCheckTests(SimulatedSession simulated) : CheckTes
     [InlineData("^(0(,[^,]*){31}),[^,]*", "$1,-6.5", 2, "normalised_toMarking_L is not the map of its value.")]
     [InlineData("^(0(,[^,]*){44}),[^,]*", "$1,0.5", 2, "normalised_toMarking_L is not the map of its value.")]
     [InlineData("^(0,.*),[^,]*$", "$1,0.5", 2, "normalised_fast is not the map of its value.")]
-    public void A_damaged_row_is_found(string pattern, string replacement, int line, string expected)
-    {
-        Export();
-        Damage(Table, pattern, replacement);
-        AssertFound($"{Table}, line {line}: {expected}");
-    }
+    public void A_damaged_row_is_found(string pattern, string replacement, int line, string expected) =>
+        AssertDamageIsFound(Table, pattern, replacement, $"{Table}, line {line}: {expected}");
 
     [Theory]
     [InlineData("indicators/00000003.txt", "^\\S+", "0.5")]
     [InlineData("normalised/00000003.txt", " \\S+$", "")]
-    public void A_damaged_text_is_found(string file, string pattern, string replacement)
-    {
-        Export();
-        Damage(file, pattern, replacement);
-        AssertFound($"{Table}, line 5: {file} is missing, or has other numbers.");
-    }
+    public void A_damaged_text_is_found(string file, string pattern, string replacement) =>
+        AssertDamageIsFound(file, pattern, replacement, $"{Table}, line 5: {file} is missing, or has other numbers.");
 
     [Theory]
     [InlineData(Table, Table + ": it is missing.")]
     [InlineData("images/00000003.png", Table + ", line 5: its image 'images/00000003.png' is missing, or there twice.")]
     [InlineData("images/00000003.png", "indicators/00000003.txt: its image is missing.")]
     [InlineData("normalised/00000003.txt", Table + ", line 5: normalised/00000003.txt is missing, or has other numbers.")]
-    public void A_missing_file_is_found(string file, string expected)
-    {
-        Export();
-        Delete(file);
-        AssertFound(expected);
-    }
+    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 
     [Fact]
     public void An_image_that_no_row_names_is_found()

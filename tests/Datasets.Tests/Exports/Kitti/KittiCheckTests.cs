@@ -16,24 +16,16 @@ public sealed class KittiCheckTests(SimulatedSession simulated) : CheckTests(sim
     [InlineData("^((\\S+ ){6})\\S+", "${1}200", "its box does not lie in the image, or has no area.")]
     [InlineData("^((\\S+ ){8})\\S+", "${1}-1", "its height, width or length is below 0.")]
     [InlineData("^((\\S+ ){12})\\S+", "${1}90", "its 3D box, projected with P2, does not fall onto its 2D box.")]
-    public void A_damaged_label_is_found_with_its_line(string pattern, string replacement, string expected)
-    {
-        Export();
-        Damage(Label, pattern, replacement);
-        AssertFound($"{Label}, line 1: {expected}");
-    }
+    public void A_damaged_label_is_found_with_its_line(string pattern, string replacement, string expected) =>
+        AssertDamageIsFound(Label, pattern, replacement, $"{Label}, line 1: {expected}");
 
     [Theory]
     [InlineData("^P1: .*\n", "", ": P1 is missing.")]
     [InlineData("^P0: \\S+", "P0:", ", line 1: P0 does not have 12 numbers.")]
     [InlineData("^P2: \\S+", "P2: -1", ", line 3: P2 is not the projection of a camera.")]
     [InlineData("^P3:", "P4:", ", line 4: 'P4:' is not a matrix of the format, or there twice.")]
-    public void A_damaged_calibration_is_found(string pattern, string replacement, string expected)
-    {
-        Export();
-        Damage(Calibration, pattern, replacement);
-        AssertFound(Calibration + expected);
-    }
+    public void A_damaged_calibration_is_found(string pattern, string replacement, string expected) =>
+        AssertDamageIsFound(Calibration, pattern, replacement, Calibration + expected);
 
     [Fact]
     public void A_calibration_of_another_camera_is_found()
@@ -50,12 +42,7 @@ public sealed class KittiCheckTests(SimulatedSession simulated) : CheckTests(sim
     [InlineData("training/image_2/000003.png", "ImageSets/train.txt, line 4: '000003' is not in the dataset.")]
     [InlineData("training/image_2/000003.png", "export.json: it counts 7 frames in train, but there are 6.")]
     [InlineData("ImageSets/train.txt", "ImageSets/*.txt: '000000' is in no list.")]
-    public void A_missing_file_is_found(string file, string expected)
-    {
-        Export();
-        Delete(file);
-        AssertFound(expected);
-    }
+    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 
     [Fact]
     public void A_frame_in_two_splits_is_found()

@@ -11,12 +11,8 @@ public sealed class KittiTrackingCheckTests(SimulatedSession simulated) : CheckT
     [InlineData(" [^ ]+$", "", "it has 16 columns instead of 17.")]
     [InlineData("^(\\S+) \\S+", "$1 x", "a column but the type is not a number.")]
     [InlineData("^((\\S+ ){14})\\S+", "${1}90", "its 3D box, projected with P2, does not fall onto its 2D box.")]
-    public void A_damaged_label_is_found_with_its_line(string pattern, string replacement, string expected)
-    {
-        Export();
-        Damage(Labels, pattern, replacement);
-        AssertFound($"{Labels}, line 1: {expected}");
-    }
+    public void A_damaged_label_is_found_with_its_line(string pattern, string replacement, string expected) =>
+        AssertDamageIsFound(Labels, pattern, replacement, $"{Labels}, line 1: {expected}");
 
     [Fact]
     public void A_track_that_is_there_twice_is_found()
@@ -49,10 +45,5 @@ public sealed class KittiTrackingCheckTests(SimulatedSession simulated) : CheckT
     [InlineData("training/calib/0000.txt", "training/calib/0000.txt: P2 is missing.")]
     [InlineData("ImageSets/train.txt", "ImageSets/*.txt: '0000' is in no list.")]
     [InlineData("training/image_02/0000/000006.png", "export.json: it counts 7 frames in train, but there are 6.")]
-    public void A_missing_file_is_found(string file, string expected)
-    {
-        Export();
-        Delete(file);
-        AssertFound(expected);
-    }
+    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 }

@@ -16,21 +16,12 @@ public sealed class OpenLaneCheckTests(SimulatedSession simulated) : CheckTests(
     [InlineData("\"uv\":\\[\\[[^,]*", "\"uv\":[[300", "lane_lines[0]: point 0 does not lie in the image of 200 x 150.")]
     [InlineData("\"xyz\":\\[\\[[^,]*", "\"xyz\":[[1000", "lane_lines[0]: point 0, projected with intrinsic, does not fall onto its pixel.")]
     [InlineData("\"xyz\":\\[\\[", "\"xyz\":[[-", "lane_lines[0]: point 0, projected with intrinsic, does not fall onto its pixel.")]
-    public void Damaged_labels_are_found(string pattern, string replacement, string expected)
-    {
-        Export();
-        Damage(Labels, pattern, replacement);
-        AssertFound($"{Labels}: {expected}");
-    }
+    public void Damaged_labels_are_found(string pattern, string replacement, string expected) =>
+        AssertDamageIsFound(Labels, pattern, replacement, $"{Labels}: {expected}");
 
     [Theory]
     [InlineData(Labels, Labels + ": it is missing, but its image is there.")]
     [InlineData("images/" + Frame + ".png", Labels + ": its image is missing.")]
     [InlineData("train.txt", "*.txt: '" + Frame + ".png' is in no list.")]
-    public void A_missing_file_is_found(string file, string expected)
-    {
-        Export();
-        Delete(file);
-        AssertFound(expected);
-    }
+    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 }

@@ -14,12 +14,8 @@ public sealed class TuSimpleCheckTests(SimulatedSession simulated) : CheckTests(
     [InlineData("\"h_samples\":\\[\\d+", "\"h_samples\":[90", "h_samples are not rising rows of the image of 200 x 150.")]
     [InlineData("140\\],\"raw_file\"", "150],\"raw_file\"", "h_samples are not rising rows of the image of 200 x 150.")]
     [InlineData("clips/0000/", "clips/0007/", "raw_file 'clips/0007/")]
-    public void A_damaged_line_is_found(string pattern, string replacement, string expected)
-    {
-        Export();
-        Damage(Labels, pattern, replacement);
-        AssertFound($"{Labels}, line 1: {expected}");
-    }
+    public void A_damaged_line_is_found(string pattern, string replacement, string expected) =>
+        AssertDamageIsFound(Labels, pattern, replacement, $"{Labels}, line 1: {expected}");
 
     [Fact]
     public void A_frame_in_two_lines_is_found()

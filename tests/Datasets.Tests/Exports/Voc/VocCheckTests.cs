@@ -14,22 +14,13 @@ public sealed class VocCheckTests(SimulatedSession simulated) : CheckTests(simul
     [InlineData("<ymax>.*<", "<ymax>151<", 19, "its box does not lie in the image.")]
     [InlineData("<ymin>.*<", "<ymin>150<", 19, "its box does not lie in the image.")]
     [InlineData("</bndbox>", "</box>", 24, "it is not XML from here on.")]
-    public void A_damaged_annotation_is_found_with_its_line(string pattern, string replacement, int line, string expected)
-    {
-        Export();
-        Damage(Annotation, pattern, replacement);
-        AssertFound($"{Annotation}, line {line}: {expected}");
-    }
+    public void A_damaged_annotation_is_found_with_its_line(string pattern, string replacement, int line, string expected) =>
+        AssertDamageIsFound(Annotation, pattern, replacement, $"{Annotation}, line {line}: {expected}");
 
     [Theory]
     [InlineData(Annotation, Annotation + ": it is missing, but its image is there.")]
     [InlineData("JPEGImages/00000001.png", Annotation + ": its image is missing.")]
     [InlineData("JPEGImages/00000001.png", "ImageSets/Main/train.txt, line 2: '00000001' is not in the dataset.")]
     [InlineData("ImageSets/Main/train.txt", "ImageSets/Main/*.txt: '00000000' is in no list.")]
-    public void A_missing_file_is_found(string file, string expected)
-    {
-        Export();
-        Delete(file);
-        AssertFound(expected);
-    }
+    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 }

@@ -12,33 +12,20 @@ public sealed class YoloCheckTests(SimulatedSession simulated) : CheckTests(simu
     [InlineData(" \\S+$", "", "a box has 4 numbers, not 3.")]
     [InlineData(" \\S+$", " 0", "its box does not lie in the image, or has no area.")]
     [InlineData("^(\\S+) \\S+", "$1 1", "its box does not lie in the image, or has no area.")]
-    public void A_damaged_label_is_found_with_its_line(string pattern, string replacement, string expected)
-    {
-        Export();
-        Damage(Label, pattern, replacement);
-        AssertFound($"{Label}, line 1: {expected}");
-    }
+    public void A_damaged_label_is_found_with_its_line(string pattern, string replacement, string expected) =>
+        AssertDamageIsFound(Label, pattern, replacement, $"{Label}, line 1: {expected}");
 
     [Theory]
     [InlineData("^  9: .*\n", "", "data.yaml: it names 9 classes, but 10 were exported.")]
     [InlineData("^val: .*", "val: images/elsewhere", "data.yaml, line 3: there are no images in images/elsewhere.")]
-    public void A_damaged_data_file_is_found(string pattern, string replacement, string expected)
-    {
-        Export();
-        Damage("data.yaml", pattern, replacement);
-        AssertFound(expected);
-    }
+    public void A_damaged_data_file_is_found(string pattern, string replacement, string expected) =>
+        AssertDamageIsFound("data.yaml", pattern, replacement, expected);
 
     [Theory]
     [InlineData("data.yaml", "data.yaml: it is missing.")]
     [InlineData(Label, Label + ": it is missing, but its image is there.")]
     [InlineData("images/train/00000002.png", Label + ": its image is missing.")]
-    public void A_missing_file_is_found(string file, string expected)
-    {
-        Export();
-        Delete(file);
-        AssertFound(expected);
-    }
+    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 
     [Fact]
     public void A_frame_in_two_splits_is_found()
