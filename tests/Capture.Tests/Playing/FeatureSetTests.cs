@@ -1,0 +1,70 @@
+using Harvester.Capture.Playing;
+
+namespace Harvester.Capture.Tests.Playing;
+
+public sealed class FeatureSetTests : IDisposable
+{
+    private readonly string _folder = Directory.CreateTempSubdirectory("features").FullName;
+    private readonly List<string> _told = [];
+    private readonly List<string> _done = [];
+
+    private PlayerMessages Messages => new(_folder, _told.Add);
+
+    public void Dispose() => Directory.Delete(_folder, recursive: true);
+
+    [Fact]
+    public void Tick_stops_and_tells_a_feature_that_fails_and_lets_the_others_work()
+    {
+        var set = new FeatureSet(Messages, Feature("a"), Feature("b", failsIn: "b ticks"), Feature("c"));
+
+        set.Tick();
+
+        Assert.Equal(["a ticks", "b ticks", "b stops", "c ticks"], _done);
+        Assert.Equal("GtaDataHarvester: b failed: no more More in GtaDataHarvester.log.", Assert.Single(_told));
+        Assert.Contains("InvalidOperationException", File.ReadAllText(Path.Combine(_folder, "GtaDataHarvester.log")), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Do_stops_a_feature_whose_key_fails_also_when_it_fails_to_stop()
+    {
+        IFeature feature = Feature("a", failsIn: "a stops");
+        var set = new FeatureSet(Messages, feature);
+
+        set.Do(feature, () => throw new IOException("key"));
+
+        Assert.Equal(["a stops"], _done);
+        Assert.Equal(["GtaDataHarvester: a failed: key More in GtaDataHarvester.log.", "GtaDataHarvester: a failed: no more More in GtaDataHarvester.log."], _told);
+    }
+
+    [Fact]
+    public void Finish_stops_all_in_the_opposite_order_before_it_waits_for_any()
+    {
+        var set = new FeatureSet(Messages, Feature("a"), Feature("b", failsIn: "b stops"), Feature("c"));
+
+        set.Finish();
+
+        Assert.Equal(["c stops", "b stops", "a stops", "a finishes", "b finishes", "c finishes"], _done);
+    }
+
+    private ScriptedFeature Feature(string name, string? failsIn = null) => new(name, work =>
+    {
+        _done.Add(work);
+        if (work == failsIn)
+        {
+            throw new InvalidOperationException("no more");
+        }
+    });
+
+    private sealed class ScriptedFeature(string name, Action<string> work) : ILastingFeature
+    {
+        public string Name => name;
+
+        public bool IsWriting => false;
+
+        public void Tick() => work($"{name} ticks");
+
+        public void Stop() => work($"{name} stops");
+
+        public void Finish() => work($"{name} finishes");
+    }
+}

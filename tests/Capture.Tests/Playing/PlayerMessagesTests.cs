@@ -1,0 +1,43 @@
+using Harvester.Capture.Playing;
+
+namespace Harvester.Capture.Tests.Playing;
+
+public sealed class PlayerMessagesTests : IDisposable
+{
+    private readonly string _folder = Directory.CreateTempSubdirectory("messages").FullName;
+
+    public void Dispose() => Directory.Delete(_folder, recursive: true);
+
+    [Fact]
+    public void Tell_shows_and_logs_a_message_once_however_often_it_comes_at_once()
+    {
+        var shown = new List<string>();
+        var messages = new PlayerMessages(_folder, shown.Add);
+
+        messages.Tell("one");
+        messages.Tell("one");
+        messages.Tell("two");
+        messages.Tell("one");
+
+        Assert.Equal(["GtaDataHarvester: one", "GtaDataHarvester: two", "GtaDataHarvester: one"], shown);
+        Assert.Equal(3, File.ReadAllLines(Path.Combine(_folder, "GtaDataHarvester.log")).Length);
+    }
+
+    [Fact]
+    public void Tell_without_a_folder_to_log_in_still_shows()
+    {
+        var shown = new List<string>();
+
+        new PlayerMessages(Path.Combine(_folder, "absent"), shown.Add).Tell("one");
+
+        Assert.Single(shown);
+    }
+
+    [Fact]
+    public void Tell_in_a_game_that_shows_nothing_still_logs()
+    {
+        new PlayerMessages(_folder, _ => throw new InvalidOperationException("no screen")).Tell("one");
+
+        Assert.EndsWith(" one", File.ReadAllLines(Path.Combine(_folder, "GtaDataHarvester.log"))[0], StringComparison.Ordinal);
+    }
+}
