@@ -85,6 +85,7 @@ internal static class Application
         var root = new RootCommand(Description);
         root.Subcommands.Add(HarvestCommand.Create(terminal));
         root.Subcommands.Add(DriveCommand.Create(terminal));
+        root.Subcommands.Add(ServeCommand.Create(terminal));
         root.Subcommands.Add(ValidateCommand.Create(terminal));
         root.Subcommands.Add(ReportCommand.Create(terminal));
         root.Subcommands.Add(CalibrateCommand.Create(terminal));

@@ -70,6 +70,9 @@ public sealed class DrivingSession : IDisposable
     public bool IsPictureNear => _ending is null
         && (_pace.IsPaused || _pace.IsStepping || _isFrameAskedFor || _schedule.SecondsUntilDue(_nowSeconds) < (_options.SettleTicks + HalfATick) * _tickSeconds);
 
+    /// <summary>Whether the world goes on only to the end of a step that a peer asked for.</summary>
+    public bool IsStepping => _pace.IsStepping;
+
     /// <summary>Does one tick's share of the drive. After the end it does nothing.</summary>
     public DrivingStatus Tick()
     {
@@ -111,7 +114,7 @@ public sealed class DrivingSession : IDisposable
         SendFrame();
         _quietTicks = IsPictureNear ? _quietTicks + 1 : 0;
         ReadProblem();
-        Status = new DrivingStatus(_frames, _watch.IsPeerAlive, controls, null);
+        Status = new DrivingStatus(_frames, _watch.IsPeerAlive, controls, _view.AreLanesKnown, null);
     }
 
     private void Receive()
@@ -244,7 +247,7 @@ public sealed class DrivingSession : IDisposable
     private void End(string ending)
     {
         _ending = ending;
-        Status = new DrivingStatus(_frames, false, DrivingControls.Stop, ending);
+        Status = new DrivingStatus(_frames, false, DrivingControls.Stop, false, ending);
         Try(_pace.GoOn);
     }
 

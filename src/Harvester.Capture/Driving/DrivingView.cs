@@ -34,6 +34,9 @@ internal sealed class DrivingView
     /// <summary>The picture last taken.</summary>
     public PixelBuffer Picture { get; }
 
+    /// <summary>Whether the lanes were known when a picture was last taken.</summary>
+    public bool AreLanesKnown { get; private set; }
+
     /// <summary>Takes picture and state of this tick.</summary>
     /// <returns>Null when the picture cannot be used.</returns>
     public BridgeState? Take(long frame, out string? refusal)
@@ -47,6 +50,7 @@ internal sealed class DrivingView
         EgoState ego = _game.World.ReadEgo();
         LanesLabel? lanes = ReadLanes(ego);
         _isFast = lanes?.IsFast ?? false;
+        AreLanesKnown = lanes?.Status == LaneStatus.Known;
         return new BridgeState(
             frame,
             _game.World.TimeSeconds,
@@ -55,7 +59,10 @@ internal sealed class DrivingView
             Angles.HeadingDegrees(ego.Pose.Axes.Forward),
             lanes?.Indicators ?? LaneIndicators.Unknown,
             lanes?.TorcsEquivalent ?? LaneIndicators.Unknown,
-            _isFast);
+            _isFast)
+        {
+            AreLanesKnown = AreLanesKnown,
+        };
     }
 
     /// <summary>What a controller knows when a peer has read the indicators off a picture. Lane width and straightness are those last seen on the road.</summary>

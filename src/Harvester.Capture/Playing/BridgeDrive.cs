@@ -2,7 +2,6 @@ using System;
 using System.Threading.Tasks;
 using Harvester.Capture.Driving;
 using Harvester.Capture.Driving.Bridge;
-using Harvester.Capture.Driving.Controllers;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Settings;
 
@@ -84,7 +83,7 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
             _opening = Task.Run(() =>
             {
                 closing.Wait();
-                return Open();
+                return _settings.Open();
             });
         }
     }
@@ -127,7 +126,7 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
 
         if (_session is null)
         {
-            _session = new DrivingSession(_settings.Driving, _game, opening.Result, NewController);
+            _session = new DrivingSession(_settings.Driving, _game, opening.Result, _settings.NewController);
             _messages.Tell($"The car waits for a peer at {_settings.Place}. Any driving key takes it back.");
         }
 
@@ -183,11 +182,4 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
         Stop();
         _messages.Tell(message);
     }
-
-    private IDrivingBridge Open() => _settings.Kind == BridgeKind.Folder
-        ? new FolderBridge(_settings.Folder, _settings.Driving.Picture)
-        : new SocketBridge(_settings.Socket, _settings.Driving.Picture);
-
-    private IController NewController() =>
-        _settings.Controller == ControllerKind.Stanley ? new StanleyController(new StanleyOptions()) : new DeepDrivingController();
 }

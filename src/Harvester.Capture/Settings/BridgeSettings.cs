@@ -2,6 +2,7 @@ using System;
 using System.Net;
 using Harvester.Capture.Driving;
 using Harvester.Capture.Driving.Bridge;
+using Harvester.Capture.Driving.Controllers;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Capture.Settings;
@@ -28,6 +29,23 @@ public sealed record BridgeSettings
 
     /// <summary>Where a peer finds the bridge, for people.</summary>
     public string Place => Kind == BridgeKind.Folder ? Folder : $"{Socket.Address}:{Socket.Port}";
+
+    /// <summary>Opens the bridge. It may take a while, as when the folder is another machine's.</summary>
+    /// <exception cref="System.IO.IOException">The folder cannot be made.</exception>
+    /// <exception cref="UnauthorizedAccessException">The folder may not be made.</exception>
+    /// <exception cref="System.Net.Sockets.SocketException">The address or port cannot be had.</exception>
+    /// <exception cref="ArgumentException">Others can reach the address, and there is no token.</exception>
+    /// <exception cref="InvalidOperationException">The bridge is off.</exception>
+    public IDrivingBridge Open() => Kind switch
+    {
+        BridgeKind.Folder => new FolderBridge(Folder, Driving.Picture),
+        BridgeKind.Socket => new SocketBridge(Socket, Driving.Picture),
+        _ => throw new InvalidOperationException("The bridge is off."),
+    };
+
+    /// <summary>Makes what drives by indicators.</summary>
+    public IController NewController() =>
+        Controller == ControllerKind.Stanley ? new StanleyController(new StanleyOptions()) : new DeepDrivingController();
 
     /// <summary>The settings of a file; what it does not name, or names badly, has its default.</summary>
     /// <param name="ini">The file.</param>

@@ -20,4 +20,8 @@ public sealed record BridgeState(
     double HeadingDegrees,
     LaneIndicators Indicators,
     LaneIndicators TorcsEquivalent,
-    bool IsFast);
+    bool IsFast)
+{
+    /// <summary>Whether the lanes are known, as they are not in junctions and off the road; all indicators are inactive where they are not.</summary>
+    public bool AreLanesKnown { get; init; }
+}

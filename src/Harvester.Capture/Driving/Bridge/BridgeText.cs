@@ -39,7 +39,8 @@ internal static class BridgeText
             .Key("speedMetresPerSecond").Number(state.SpeedMetresPerSecond, Decimals)
             .Key("position").Vector(state.Position, Decimals)
             .Key("headingDegrees").Number(state.HeadingDegrees, Decimals)
-            .Key("fast").Truth(state.IsFast);
+            .Key("fast").Truth(state.IsFast)
+            .Key("lanesKnown").Truth(state.AreLanesKnown);
         AppendIndicators(json.Key("indicators"), state.Indicators);
         AppendIndicators(json.Key("torcsEquivalent"), state.TorcsEquivalent);
         json.EndObject();

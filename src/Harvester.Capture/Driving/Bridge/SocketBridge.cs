@@ -82,7 +82,7 @@ public sealed class SocketBridge : IDrivingBridge
         {
             try
             {
-                SocketPeer.Serve(_listener.AcceptTcpClient(), _options.Token, _inbox, Replace, problem => _problem = problem);
+                SocketPeer.Serve(_listener.AcceptTcpClient(), _options.Token, _inbox, Replace, Leave, problem => _problem = problem);
             }
             catch (Exception e) when (e is SocketException or ObjectDisposedException or InvalidOperationException)
             {
@@ -127,12 +127,34 @@ public sealed class SocketBridge : IDrivingBridge
         {
             earlier = _peer;
             _peer = _stopping ? null : peer;
+            LetGo(earlier);
         }
 
         earlier?.Dispose();
         if (_stopping)
         {
             peer?.Dispose();
+        }
+    }
+
+    private void Leave(SocketPeer peer)
+    {
+        lock (_gate)
+        {
+            if (_peer == peer)
+            {
+                _peer = null;
+                LetGo(peer);
+            }
+        }
+    }
+
+    /// <summary>A world that a peer has stopped goes on when the peer is gone.</summary>
+    private void LetGo(SocketPeer? gone)
+    {
+        if (gone is { HasStoppedWorld: true })
+        {
+            _inbox.TryPut(new PauseMessage(false));
         }
     }
 }

@@ -16,12 +16,13 @@ internal sealed class SocketPeer : IDisposable
     private readonly string? _token;
     private readonly PeerInbox _inbox;
     private readonly Action<SocketPeer> _welcome;
+    private readonly Action<SocketPeer> _leave;
     private readonly Action<string> _report;
     private readonly object _sending = new();
     private bool _isWelcome;
     private volatile bool _isClosed;
 
-    private SocketPeer(TcpClient client, string? token, PeerInbox inbox, Action<SocketPeer> welcome, Action<string> report)
+    private SocketPeer(TcpClient client, string? token, PeerInbox inbox, Action<SocketPeer> welcome, Action<SocketPeer> leave, Action<string> report)
     {
         _client = client;
         _client.NoDelay = true;
@@ -30,13 +31,18 @@ internal sealed class SocketPeer : IDisposable
         _token = token;
         _inbox = inbox;
         _welcome = welcome;
+        _leave = leave;
         _report = report;
     }
 
+    /// <summary>Whether the world stands by this peer's word.</summary>
+    public bool HasStoppedWorld { get; private set; }
+
     /// <summary>Serves a connection on a thread of its own until it ends.</summary>
-    public static void Serve(TcpClient client, string? token, PeerInbox inbox, Action<SocketPeer> welcome, Action<string> report)
+    public static void Serve(
+        TcpClient client, string? token, PeerInbox inbox, Action<SocketPeer> welcome, Action<SocketPeer> leave, Action<string> report)
     {
-        var peer = new SocketPeer(client, token, inbox, welcome, report);
+        var peer = new SocketPeer(client, token, inbox, welcome, leave, report);
         new Thread(peer.Receive) { IsBackground = true, Name = "Harvester socket bridge: receive" }.Start();
     }
 
@@ -91,6 +97,8 @@ internal sealed class SocketPeer : IDisposable
         {
             CutOff($"the peer went away: {e.Message}");
         }
+
+        _leave(this);
     }
 
     private void Take(string header)
@@ -108,7 +116,9 @@ internal sealed class SocketPeer : IDisposable
             return;
         }
 
-        if (!_inbox.TryPut(PeerMessageParser.Parse(header)))
+        PeerMessage message = PeerMessageParser.Parse(header);
+        HasStoppedWorld = message is PauseMessage pause ? pause.IsPaused : HasStoppedWorld || message is StepMessage;
+        if (!_inbox.TryPut(message))
         {
             _report("the peer sends commands faster than the game takes them; the newest are dropped.");
         }

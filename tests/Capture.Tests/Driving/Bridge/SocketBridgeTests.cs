@@ -62,6 +62,31 @@ public sealed class SocketBridgeTests
         Assert.True(first.IsCutOff());
     }
 
+    [Theory]
+    [InlineData("""{"type":"pause","paused":true}""")]
+    [InlineData("""{"type":"step","seconds":1}""")]
+    public void World_that_a_peer_has_stopped_goes_on_when_it_goes_away_or_another_comes(string stopping)
+    {
+        using var bridge = new SocketBridge(AnyPort, Frames.Size);
+        using (var first = new SocketClient(bridge.EndPoint))
+        {
+            first.Send(stopping);
+            Frames.AwaitMessage(bridge);
+        }
+
+        Assert.Equal(new PauseMessage(false), Frames.AwaitMessage(bridge));
+        using var second = new SocketClient(bridge.EndPoint);
+        second.Send(stopping);
+        PeerMessage stopped = Frames.AwaitMessage(bridge);
+        using var third = new SocketClient(bridge.EndPoint);
+        Assert.Equal(new PauseMessage(false), Frames.AwaitMessage(bridge));
+        third.Send(stopping);
+
+        Assert.Equal(stopped, Frames.AwaitMessage(bridge));
+        Assert.True(second.IsCutOff());
+        Assert.False(bridge.TryReceive(out _));
+    }
+
     [Fact]
     public void Peer_without_the_token_is_cut_off_and_does_not_displace_the_welcome_one()
     {

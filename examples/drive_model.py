@@ -1,0 +1,70 @@
+"""Lets a model drive in the place of the truth: drive_model.py MODEL.py [--port N] [--seconds S] [--token WORD]
+
+MODEL.py has a function predict(image): it gets the picture and gives the thirteen indicators of DeepDriving, as a road of TORCS would
+give them, in the order of docs/bridge.md; the game's side drives by them. The picture is an array of height x width x 3 bytes where
+numpy is installed, else a list of rows of bytes, red, green and blue in turn.
+"""
+import argparse
+import importlib.util
+import socket
+import struct
+import time
+import zlib
+
+from drive_loop import receive, send
+
+
+def load(path):
+    spec = importlib.util.spec_from_file_location("model", path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module.predict
+
+
+def decode(png):
+    """The picture of a PNG of 8-bit colours without interlace, as the bridge sends it."""
+    at, compressed = 8, b""
+    while at < len(png):
+        length, kind = struct.unpack(">I4s", png[at:at + 8])
+        chunk = png[at + 8:at + 8 + length]
+        if kind == b"IHDR":
+            width, height = struct.unpack(">II", chunk[:8])
+        elif kind == b"IDAT":
+            compressed += chunk
+        at += length + 12
+    data, stride = zlib.decompress(compressed), width * 3
+    lines = [data[row * (stride + 1):(row + 1) * (stride + 1)] for row in range(height)]
+    if any(line[0] != 2 for line in lines):
+        raise ValueError("a line of the picture is not filtered with Up, as the bridge's are")
+    try:
+        import numpy
+    except ImportError:
+        above, picture = bytes(stride), []
+        for line in lines:
+            above = bytes((a + b) & 255 for a, b in zip(above, line[1:]))
+            picture.append(above)
+        return picture
+    filtered = numpy.frombuffer(data, numpy.uint8).reshape(height, stride + 1)[:, 1:]
+    return numpy.cumsum(filtered, axis=0, dtype=numpy.uint8).reshape(height, width, 3)
+
+
+def drive(predict, port, seconds, token):
+    end = time.monotonic() + seconds
+    with socket.create_connection(("127.0.0.1", port)).makefile("rwb") as stream:
+        if token:
+            send(stream, type="hello", token=token)
+        while time.monotonic() < end:
+            state, png = receive(stream)
+            if state["type"] == "error":
+                raise SystemExit(f"The game refused a message: {state['reason']}")
+            send(stream, type="indicators", frame=state["frame"], values=[float(value) for value in predict(decode(png))])
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description="Lets a model drive in the place of the truth, over the live bridge.")
+    parser.add_argument("model", help="a file with a function predict(image) that gives thirteen indicators")
+    parser.add_argument("--port", type=int, default=4567)
+    parser.add_argument("--seconds", type=float, default=60)
+    parser.add_argument("--token", help="what the game asks peers to show")
+    options = parser.parse_args()
+    drive(load(options.model), options.port, options.seconds, options.token)

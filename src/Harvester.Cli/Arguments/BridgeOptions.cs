@@ -1,0 +1,76 @@
+using System;
+using System.CommandLine;
+using System.IO;
+using System.Net;
+using System.Net.Sockets;
+using Harvester.Capture.Driving;
+using Harvester.Capture.Driving.Bridge;
+
+namespace Harvester.Cli.Arguments;
+
+/// <summary>The options that say over what a peer drives, the same wherever a command has them.</summary>
+internal sealed class BridgeOptions
+{
+    private readonly Option<string?> _folder = new("--folder") { Description = "Share this folder instead of listening at a socket", HelpName = "DIR" };
+    private readonly Option<string> _address = new("--address")
+    {
+        Description = "Where the socket listens; anything but the loopback interface needs a token",
+        HelpName = "ADDRESS",
+        DefaultValueFactory = _ => IPAddress.Loopback.ToString(),
+    };
+
+    private readonly Option<int> _port = ValueParsers.Integer("--port", "N", "The socket's port; 0 for any free one", 0, IPEndPoint.MaxPort);
+    private readonly Option<string?> _token = new("--token") { Description = "What a peer must show", HelpName = "WORD" };
+
+    public BridgeOptions()
+    {
+        _port.DefaultValueFactory = _ => SocketBridgeOptions.DefaultPort;
+    }
+
+    /// <summary>Gives the options to a command.</summary>
+    public void AddTo(Command command)
+    {
+        command.Options.Add(_folder);
+        command.Options.Add(_address);
+        command.Options.Add(_port);
+        command.Options.Add(_token);
+    }
+
+    /// <summary>Opens the bridge of a command line.</summary>
+    /// <param name="parsed">The command line.</param>
+    /// <param name="driving">Size of the pictures.</param>
+    /// <param name="place">Where a peer finds it.</param>
+    /// <exception cref="UsageException">The address is none or needs a token, or the port cannot be had.</exception>
+    public IDrivingBridge Open(ParseResult parsed, DrivingOptions driving, out string place)
+    {
+        if (parsed.GetValue(_folder) is { } folder)
+        {
+            place = Path.GetFullPath(folder);
+            return new FolderBridge(place, driving.Picture);
+        }
+
+        string address = parsed.GetRequiredValue(_address);
+        if (!IPAddress.TryParse(address, out IPAddress? parsedAddress))
+        {
+            throw new UsageException($"--address takes an address as 127.0.0.1, not '{address}'.");
+        }
+
+        string? token = parsed.GetValue(_token);
+        if (!IPAddress.IsLoopback(parsedAddress) && string.IsNullOrEmpty(token))
+        {
+            throw new UsageException($"Others can reach {address}: give a --token that peers must show.");
+        }
+
+        int port = parsed.GetValue(_port);
+        try
+        {
+            var bridge = new SocketBridge(new SocketBridgeOptions(parsedAddress, port, token), driving.Picture);
+            place = bridge.EndPoint.ToString();
+            return bridge;
+        }
+        catch (SocketException e)
+        {
+            throw new UsageException(FormattableString.Invariant($"--port {port} at {address}: {e.Message}."));
+        }
+    }
+}

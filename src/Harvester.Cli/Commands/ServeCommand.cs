@@ -1,0 +1,146 @@
+using System;
+using System.CommandLine;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using System.Threading.Tasks;
+using Harvester.Capture.Driving;
+using Harvester.Capture.Driving.Bridge;
+using Harvester.Capture.Driving.Controllers;
+using Harvester.Capture.Ports;
+using Harvester.Cli.Arguments;
+using Harvester.Cli.Harvesting;
+using Harvester.Cli.Serving;
+using Harvester.Datasets.Roads;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+using Harvester.Simulation;
+using Harvester.Simulation.Rendering;
+
+namespace Harvester.Cli.Commands;
+
+/// <summary>harvester serve: the simulated game at the far end of the live bridge, for a program that drives.</summary>
+internal static class ServeCommand
+{
+    private const string Notes =
+        "What a program sees and says is in docs/bridge.md; examples/ has two in Python. The game keeps the pace of the clock on the wall, except for\n"
+        + "the steps of a program that asks for steps, which are taken as fast as it goes. Without --duration it serves until Ctrl+C.\n\n"
+        + "Examples:\n"
+        + "  harvester serve\n"
+        + "  harvester serve --seed 7 --traffic 0 --port 5000 --duration 600\n"
+        + "  harvester serve --folder shared --roads nodes.zip --near 0,-1000";
+
+    private static readonly BridgeOptions Bridge = new();
+    private static readonly Option<int> Seed = WithDefault(ValueParsers.Integer("--seed", "N", "Decides everything that is left to chance", 0, int.MaxValue), 1);
+    private static readonly Option<FileInfo?> Roads = new("--roads")
+    {
+        Description = "Drive on the roads of this file or folder instead of a town made from the seed",
+        HelpName = "FILE",
+    };
+
+    private static readonly Option<Vector2D?> Near = ValueParsers.Point("--near", "X,Y", "Where to start, metres [default: the middle of the roads]");
+    private static readonly Option<double> Traffic = WithDefault(
+        ValueParsers.Number("--traffic", "F", "Factor on the number of vehicles and people", value => value is >= 0 and <= 10, "a number from 0 to 10"), 1);
+
+    private static readonly Option<string> WeatherName = new("--weather")
+    {
+        Description = "The weather: " + string.Join(", ", Weather.Names),
+        HelpName = "W",
+        DefaultValueFactory = _ => "clear",
+    };
+
+    private static readonly Option<ImageSize> Size = WithDefault(CameraOptions.Size(), new DrivingOptions().Picture);
+    private static readonly Option<double> Hz = WithDefault(
+        ValueParsers.Number(
+            "--hz", "N", "Pictures per second", value => value is > 0 and <= SimulatedHarvest.TicksPerSecond, "a number greater than 0, 60 at most"), 10);
+
+    private static readonly Option<double?> Duration = ValueParsers.Optional<double>(
+        "--duration", "S", "Seconds of the game's time to serve", text => ValueParsers.Number(text) is > 0 and var seconds ? seconds : null, "a number greater than 0");
+
+    private static readonly Option<string> Controller = new("--controller")
+    {
+        Description = "What drives when a program sends indicators: deepdriving, stanley",
+        HelpName = "NAME",
+        DefaultValueFactory = _ => "deepdriving",
+    };
+
+    private static readonly Option<bool> Unassisted = new("--unassisted")
+    {
+        Description = "Let the program drive through junctions too, where the indicators say nothing; else the car's own driver does",
+    };
+
+    public static Command Create(Terminal terminal)
+    {
+        var command = new Command("serve", "Serve the simulated game to a program that drives, over the live bridge.");
+        Bridge.AddTo(command);
+        foreach (Option option in new Option[] { Seed, Roads, Near, Traffic, WeatherName, Size, Hz, Duration, Controller, Unassisted })
+        {
+            command.Options.Add(option);
+        }
+
+        HelpWithNotes.AddTo(command, Notes);
+        command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
+        return command;
+    }
+
+    private static int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
+    {
+        Func<IController> newController = ControllerOf(parsed);
+        SimulatedGame simulated = Build(parsed);
+        var roads = new FixedRoads(simulated.Roads, "simulation");
+        var options = new DrivingOptions { Picture = parsed.GetValue(Size), RateHz = parsed.GetValue(Hz) };
+        using IDrivingBridge bridge = Bridge.Open(parsed, options, out string place);
+        terminal.Out.WriteLine($"Serving at {place}");
+        terminal.Out.Flush();
+        using var game = new ServedGame(simulated, roads, options, bridge, newController, !parsed.GetValue(Unassisted));
+        game.Run(parsed.GetValue(Duration) ?? double.PositiveInfinity, cancellation);
+        terminal.Out.WriteLine(string.Create(
+            CultureInfo.InvariantCulture, $"{game.Status.Frames} frames, {game.Metres:0} m driven in {simulated.Ports.World.TimeSeconds:0.0} s"));
+        if (game.Status.Ending is { } fault)
+        {
+            terminal.WriteError(fault);
+            return ExitCode.HarvestFault;
+        }
+
+        return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;
+    }
+
+    private static SimulatedGame Build(ParseResult parsed)
+    {
+        string weather = parsed.GetRequiredValue(WeatherName);
+        ImageSize size = parsed.GetValue(Size);
+        try
+        {
+            return new SimulatedGame(new SimulationOptions
+            {
+                Seed = parsed.GetValue(Seed),
+                Roads = parsed.GetValue(Roads) is { } roads ? RoadImporter.Import(roads.FullName).Network : null,
+                Near = parsed.GetValue(Near),
+                TrafficDensity = parsed.GetValue(Traffic),
+                PedestrianDensity = parsed.GetValue(Traffic),
+                Weather = Weather.Names.Contains(weather)
+                    ? weather
+                    : throw new UsageException($"--weather takes one of {string.Join(", ", Weather.Names)}, not '{weather}'."),
+                WindowAspect = size.Aspect,
+            });
+        }
+        catch (ArgumentException e)
+        {
+            throw new UsageException(e.Message);
+        }
+    }
+
+    private static Func<IController> ControllerOf(ParseResult parsed) => parsed.GetRequiredValue(Controller) switch
+    {
+        "deepdriving" => static () => new DeepDrivingController(),
+        "stanley" => static () => new StanleyController(new StanleyOptions()),
+        var other => throw new UsageException($"--controller takes deepdriving or stanley, not '{other}'."),
+    };
+
+    private static Option<T> WithDefault<T>(Option<T> option, T value)
+    {
+        option.DefaultValueFactory = _ => value;
+        return option;
+    }
+}

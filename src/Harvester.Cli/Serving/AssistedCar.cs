@@ -1,0 +1,29 @@
+using System;
+using Harvester.Capture.Driving;
+using Harvester.Capture.Ports;
+using Harvester.Geometry;
+
+namespace Harvester.Cli.Serving;
+
+/// <summary>
+/// The simulated car, driven by the peer where the lanes are known. In junctions, where the indicators say nothing, its own driver follows
+/// its route, as long as a peer is there.
+/// </summary>
+/// <param name="car">The car.</param>
+/// <param name="status">How the drive stands.</param>
+internal sealed class AssistedCar(IDrivenCar car, Func<DrivingStatus> status) : IDrivenCar
+{
+    public bool IsTakenByPlayer => car.IsTakenByPlayer;
+
+    public void Drive(DrivingControls controls)
+    {
+        if (status() is not { IsPeerAlive: true, AreLanesKnown: false })
+        {
+            car.Drive(controls);
+        }
+    }
+
+    public void Reset(Vector3D position, double headingDegrees) => car.Reset(position, headingDegrees);
+
+    public void SetEnvironment(string? weather, TimeSpan? timeOfDay) => car.SetEnvironment(weather, timeOfDay);
+}

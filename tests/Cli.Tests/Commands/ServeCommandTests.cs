@@ -1,0 +1,34 @@
+namespace Harvester.Cli.Tests.Commands;
+
+public sealed class ServeCommandTests
+{
+    [Fact]
+    public void Served_game_tells_its_place_and_how_far_it_came()
+    {
+        CliRun run = CliRun.Of("serve", "--port", "0", "--duration", "0.5", "--traffic", "0");
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        // Pictures at 0.0, 0.1 and so on to 0.5 s.
+        Assert.Matches(@"^Serving at 127\.0\.0\.1:\d+\n6 frames, \d+ m driven in 0\.5 s\n$", run.Out);
+    }
+
+    [Fact]
+    public void Shared_folder_gets_pictures_and_state()
+    {
+        using var folder = new TemporaryFolder();
+        CliRun run = CliRun.Of("serve", "--folder", folder.Path, "--duration", "0.5", "--traffic", "0", "--size", "80x60");
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.Equal(13, File.ReadLines(Path.Combine(folder.Path, "state.txt")).First().Split(' ').Length);
+        Assert.NotEmpty(Directory.GetFiles(folder.Path, "frame_*.png"));
+    }
+
+    [Theory]
+    [InlineData("--address", "0.0.0.0", "token")]
+    [InlineData("--address", "here", "'here'")]
+    [InlineData("--controller", "rails", "'rails'")]
+    [InlineData("--weather", "hail", "'hail'")]
+    [InlineData("--duration", "0", "greater than 0")]
+    public void Option_that_cannot_be_is_refused(string option, string value, string message) =>
+        CliRun.Of("serve", option, value).AssertFailed(ExitCode.Usage, message);
+}
