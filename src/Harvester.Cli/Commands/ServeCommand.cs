@@ -1,22 +1,22 @@
-using System;
 using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using System.Threading;
 using System.Threading.Tasks;
-using Harvester.Capture.Driving;
+using System.Threading;
+using System;
 using Harvester.Capture.Driving.Bridge;
 using Harvester.Capture.Driving.Controllers;
+using Harvester.Capture.Driving;
 using Harvester.Capture.Ports;
+using Harvester.Capture.Scenes;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Serving;
 using Harvester.Datasets.Roads;
-using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry;
 using Harvester.Simulation;
-using Harvester.Simulation.Rendering;
 
 namespace Harvester.Cli.Commands;
 
@@ -45,7 +45,7 @@ internal static class ServeCommand
 
     private static readonly Option<string> WeatherName = new("--weather")
     {
-        Description = "The weather: " + string.Join(", ", Weather.Names),
+        Description = "The weather: " + string.Join(", ", WeatherNames.All),
         HelpName = "W",
         DefaultValueFactory = _ => "clear",
     };
@@ -119,9 +119,9 @@ internal static class ServeCommand
                 Near = parsed.GetValue(Near),
                 TrafficDensity = parsed.GetValue(Traffic),
                 PedestrianDensity = parsed.GetValue(Traffic),
-                Weather = Weather.Names.Contains(weather)
+                Weather = WeatherNames.IsKnown(weather)
                     ? weather
-                    : throw new UsageException($"--weather takes one of {string.Join(", ", Weather.Names)}, not '{weather}'."),
+                    : throw new UsageException($"--weather takes one of {string.Join(", ", WeatherNames.All)}, not '{weather}'."),
                 WindowAspect = size.Aspect,
             });
         }
