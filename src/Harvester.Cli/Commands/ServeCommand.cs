@@ -1,21 +1,20 @@
+using System;
 using System.CommandLine;
 using System.Globalization;
 using System.IO;
-using System.Linq;
-using System.Threading.Tasks;
 using System.Threading;
-using System;
+using System.Threading.Tasks;
+using Harvester.Capture.Driving;
 using Harvester.Capture.Driving.Bridge;
 using Harvester.Capture.Driving.Controllers;
-using Harvester.Capture.Driving;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Serving;
 using Harvester.Datasets.Roads;
-using Harvester.Geometry.Cameras;
 using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
 using Harvester.Simulation;
 
 namespace Harvester.Cli.Commands;
