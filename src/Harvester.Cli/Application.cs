@@ -90,6 +90,7 @@ internal static class Application
         root.Subcommands.Add(ReportCommand.Create(terminal));
         root.Subcommands.Add(CalibrateCommand.Create(terminal));
         root.Subcommands.Add(StatsCommand.Create(terminal));
+        root.Subcommands.Add(RelabelCommand.Create(terminal));
         root.Subcommands.Add(ExportCommand.Create(terminal));
         root.Subcommands.Add(MergeCommand.Create(terminal));
         root.Subcommands.Add(ProjectCommand.Create(terminal));

@@ -11,6 +11,9 @@ public readonly record struct Axes
     /// <summary>How far a given vector's length, or the cosine between two, may be off before it is refused: single precision from the game, with room.</summary>
     private const double OrthonormalTolerance = 1e-3;
 
+    /// <summary>What the rounding of doubles leaves of orthonormality.</summary>
+    private const double RoundingTolerance = 1e-14;
+
     private Axes(Vector3D right, Vector3D forward, Vector3D up)
     {
         Right = right;
@@ -35,7 +38,8 @@ public readonly record struct Axes
 
     /// <summary>
     /// Takes three nearly orthonormal vectors, as single-precision sources give them, and makes them exactly so:
-    /// forward keeps its direction, right is made square to it, up follows.
+    /// forward keeps its direction, right is made square to it, up follows. Vectors that are orthonormal but for the rounding of doubles are
+    /// taken as they are, so that an orientation that was written in full is read as it was.
     /// </summary>
     /// <exception cref="ArgumentException">The vectors are not unit, not square to each other or left-handed, by more than 0.001.</exception>
     public static Axes FromVectors(Vector3D right, Vector3D forward, Vector3D up)
@@ -48,6 +52,12 @@ public readonly record struct Axes
             || (right.Cross(forward) - up).Length > 3 * OrthonormalTolerance)
         {
             throw new ArgumentException("The axes must be unit vectors, square to each other and right-handed (right × forward = up).");
+        }
+
+        if (Math.Abs(forward.Length - 1) <= RoundingTolerance && Math.Abs(right.Length - 1) <= RoundingTolerance
+            && Math.Abs(right.Dot(forward)) <= RoundingTolerance && (right.Cross(forward) - up).Length <= RoundingTolerance)
+        {
+            return new Axes(right, forward, up);
         }
 
         Vector3D unitForward = forward.Normalized();

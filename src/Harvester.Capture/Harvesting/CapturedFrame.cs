@@ -1,6 +1,7 @@
 using System;
 using Harvester.Capture.Imaging;
 using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
 using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Capture.Harvesting;
@@ -32,6 +33,9 @@ public sealed class CapturedFrame : IDisposable
 
     /// <summary>Its instance map; null without pixel maps.</summary>
     public InstanceMap? Mask { get; }
+
+    /// <summary>What its labels were made from; null where that is not kept.</summary>
+    public RecordedScene? Scene { get; init; }
 
     /// <inheritdoc />
     public void Dispose()

@@ -2,5 +2,5 @@ using System;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>Ends a harvest with a message for the user. It never leaves the session.</summary>
-internal sealed class HarvestFaultException(string message) : Exception(message);
+/// <summary>Ends a harvest with a message for the user. It never leaves the session; a relabelling throws it to its caller.</summary>
+public sealed class HarvestFaultException(string message) : Exception(message);

@@ -36,6 +36,9 @@ public sealed record HarvestOptions
     /// <summary>Whether instance masks are made.</summary>
     public bool Masks { get; init; }
 
+    /// <summary>Whether the scenes are written too, so that labels can be made again without the game.</summary>
+    public bool Scenes { get; init; } = true;
+
     /// <summary>Rays that a frame's mask may take at most, 0 to 10,000,000. When they are used up the mask is finished from what is known.</summary>
     public int MaskRayBudget { get; init => field = OptionCheck.InRange(value, 0, 10_000_000, nameof(MaskRayBudget)); } = 50_000;
 

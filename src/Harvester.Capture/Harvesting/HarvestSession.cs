@@ -6,6 +6,7 @@ using Harvester.Capture.Imaging;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Labels;
 using Harvester.Capture.Ports;
+using Harvester.Capture.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 
@@ -192,7 +193,10 @@ public sealed class HarvestSession : IDisposable
                 FrameDraft draft = taken with { Labelling = LightObserver.Observe(taken.Labelling, taken.Picture) };
                 FrameLabel label = FrameLabels.Of(
                     _sink.FirstFrame + Counters.Captured, draft, FrameLabeller.CameraOf(_options, draft.Snapshot.Camera), _options.Format);
-                var frame = new CapturedFrame(label, draft.Picture, draft.Labelling.Mask, pool);
+                var frame = new CapturedFrame(label, draft.Picture, draft.Labelling.Mask, pool)
+                {
+                    Scene = _options.Scenes ? new RecordedScene(draft.Snapshot, _options.Lens, draft.Labelling.Ids, draft.Labelling.Occlusions) : null,
+                };
                 while (!_sink.TryEnqueue(frame))
                 {
                     Counters.TicksWaitedForSink++;

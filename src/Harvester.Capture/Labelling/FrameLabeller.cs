@@ -5,7 +5,6 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labels;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
-using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
@@ -15,6 +14,8 @@ namespace Harvester.Capture.Labelling;
 /// <summary>Makes the labels of the objects of one snapshot: boxes by geometry, occlusion and masks by rays.</summary>
 internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, ObjectRegistry registry)
 {
+    private readonly ObjectLabeller _objects = new(options, registry);
+    private readonly List<RecordedOcclusion> _found = [];
     private readonly OcclusionEstimator _occlusion = new(options.OcclusionSamples);
     private readonly PixelMapOptions _mapOptions = new() { RayBudget = options.MaskRayBudget, RayReachMetres = options.RayReachMetres };
 
@@ -36,8 +37,9 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
     /// <param name="mayCastRays">Asked for each object and each ray of a mask; objects that get a no have no occlusion, and a mask ends there.</param>
     public IEnumerable<FrameLabelling?> Label(SceneSnapshot snapshot, Func<bool> mayCastRays)
     {
+        _found.Clear();
         Camera camera = CameraOf(options, snapshot.Camera);
-        List<LabelCandidate> candidates = CandidatesOf(camera, snapshot);
+        List<LabelCandidate> candidates = _objects.CandidatesOf(camera, snapshot);
         FrameLabelling? objects = null;
         foreach (FrameLabelling? slice in options.Masks
             ? LabelByMap(camera, snapshot.Ego.Handle, candidates, mayCastRays)
@@ -48,7 +50,7 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
         }
 
         var spaces = new List<ObjectLabel>();
-        foreach (ObjectLabel? space in Spaces?.Label(camera, snapshot, mayCastRays) ?? [])
+        foreach (ObjectLabel? space in Spaces?.Label(camera, snapshot, _found, mayCastRays) ?? [])
         {
             if (space is not null)
             {
@@ -65,7 +67,13 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
             yield return null;
         }
 
-        yield return objects! with { Objects = [.. objects.Objects.Concat(spaces).OrderBy(label => label.Id)], Lanes = lanes };
+        yield return objects! with
+        {
+            Objects = [.. objects.Objects.Concat(spaces).OrderBy(label => label.Id)],
+            Lanes = lanes,
+            Ids = registry.IdsOf(snapshot.Entities),
+            Occlusions = [.. _found],
+        };
     }
 
     /// <summary>
@@ -75,7 +83,7 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
     public void Pass(SceneSnapshot snapshot)
     {
         Camera camera = CameraOf(options, snapshot.Camera);
-        CandidatesOf(camera, snapshot);
+        _objects.CandidatesOf(camera, snapshot);
         Spaces?.Pass(camera, snapshot);
         Lanes?.Pass(snapshot);
     }
@@ -89,7 +97,8 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
             OcclusionEstimate occlusion = mayCastRays()
                 ? _occlusion.Estimate(camera, candidate.Cuboid, candidate.Projection, candidate.Entity.Handle, egoHandle, rays)
                 : default;
-            if (LabelOf(camera, candidate, occlusion) is { } label)
+            _found.Add(new RecordedOcclusion(candidate.Entity.Handle, null, candidate.Id, occlusion.Method, occlusion.OccludedFraction, null));
+            if (_objects.LabelOf(camera, candidate, occlusion) is { } label)
             {
                 objects.Add(label);
             }
@@ -122,7 +131,8 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
         for (int i = 0; i < targets.Length; i++)
         {
             OcclusionEstimate occlusion = mayCastRays() ? estimator.Estimate(targets[i], map.Methods[targets[i].Number]) : default;
-            if (LabelOf(camera, candidates[i], occlusion) is { } label)
+            _found.Add(new RecordedOcclusion(candidates[i].Entity.Handle, null, candidates[i].Id, occlusion.Method, occlusion.OccludedFraction, null));
+            if (_objects.LabelOf(camera, candidates[i], occlusion) is { } label)
             {
                 objects.Add(label);
                 numbers[targets[i].Number] = (ushort)label.Id;
@@ -141,49 +151,6 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
         yield return new FrameLabelling([.. objects.Select(label => label with { Box2DVisible = bounds[label.Id] })], map.Map)
         {
             PixelMap = new PixelMapLabel(map.ResolutionPixels, map.InterpolatedPixels, map.RaysCast),
-        };
-    }
-
-    private List<LabelCandidate> CandidatesOf(Camera camera, SceneSnapshot snapshot) =>
-        [.. snapshot.Entities.Select(entity => CandidateOf(camera, entity)).OfType<LabelCandidate>()];
-
-    private LabelCandidate? CandidateOf(Camera camera, EntityState entity)
-    {
-        if (options.Classes is { } classes && !classes.Contains(entity.Class))
-        {
-            return null;
-        }
-
-        Cuboid cuboid = Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose);
-        CuboidProjection projection = CuboidProjector.Project(camera, cuboid);
-        return projection is { Box: { } box, AmodalBox: { } amodal }
-            && options.IsLargeEnough(box)
-            ? new LabelCandidate(entity, registry.IdOf(entity), cuboid, projection, box, amodal)
-            : null;
-    }
-
-    private ObjectLabel? LabelOf(Camera camera, LabelCandidate candidate, OcclusionEstimate occlusion)
-    {
-        bool determined = occlusion.Method != OcclusionMethod.None;
-        if (determined && occlusion.OccludedFraction > options.MaxOccludedFraction)
-        {
-            return null;
-        }
-
-        EntityState entity = candidate.Entity;
-        return new ObjectLabel
-        {
-            Id = candidate.Id,
-            Class = entity.Class,
-            Model = entity.Model,
-            Box2D = candidate.Box,
-            Box2DAmodal = candidate.AmodalBox,
-            TruncatedFraction = candidate.Projection.TruncatedFraction,
-            OccludedFraction = determined ? occlusion.OccludedFraction : null,
-            OcclusionMethod = occlusion.Method,
-            Box3D = candidate.Cuboid,
-            DistanceMetres = (candidate.Cuboid.Centre - camera.Pose.Position).Length,
-            Velocity = entity.Velocity,
         };
     }
 }

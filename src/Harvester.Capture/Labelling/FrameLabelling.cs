@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
 using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Capture.Labelling;
@@ -11,6 +12,12 @@ internal sealed record FrameLabelling(IReadOnlyList<ObjectLabel> Objects, Instan
 {
     /// <summary>How well the mask is known; null when none is wanted.</summary>
     public PixelMapLabel? PixelMap { get; init; }
+
+    /// <summary>The numbers of the entities that have one, by handle.</summary>
+    public IReadOnlyDictionary<int, int> Ids { get; init; } = new Dictionary<int, int>();
+
+    /// <summary>What was found of the entities and faces in the image.</summary>
+    public IReadOnlyList<RecordedOcclusion> Occlusions { get; init; } = [];
 
     /// <summary>The lanes; null when no roads are known.</summary>
     public LanesLabel? Lanes { get; init; }

@@ -10,7 +10,7 @@ using Harvester.Geometry.Visibility;
 namespace Harvester.Capture.Labelling;
 
 /// <summary>Makes the label of the lanes of one snapshot; remembers the road from frame to frame.</summary>
-internal sealed class LaneLabeller(IRoads roads, IRayCaster rays, ObjectRegistry registry)
+internal sealed class LaneLabeller(IRoads roads, IRayCaster? rays, ObjectRegistry registry)
 {
     /// <summary>Markings are traced this far, metres along the road.</summary>
     private const double MarkingReach = 70;

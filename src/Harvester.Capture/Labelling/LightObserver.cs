@@ -32,6 +32,9 @@ internal static class LightObserver
         Objects = [.. labelling.Objects.Select(label => IsReadable(label) ? WithState(label, picture) : label)],
     };
 
+    /// <summary>Whether there is a light whose state the picture may show.</summary>
+    public static bool NeedsPicture(FrameLabelling labelling) => labelling.Objects.Any(IsReadable);
+
     private static bool IsReadable(ObjectLabel label) =>
         label.Space is { Light.Method: LightMethod.Unknown } space
         && space.FacingAngleDegrees <= GreatestFacingAngleDegrees

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Scenes;
 
@@ -17,25 +18,60 @@ internal sealed class ObjectRegistry(int firstId)
     private readonly Dictionary<(int Handle, int? Face), (string Model, ObjectClass Class, ushort Id)> _objects = [];
     private int _nextId = firstId;
 
+    /// <summary>Numbers that were given in a harvest whose labels are made again; null for none.</summary>
+    public RecordedIds? Recorded { get; init; }
+
     /// <summary>The number of an entity, or of one of its faces.</summary>
     /// <param name="entity">The entity.</param>
     /// <param name="face">The face's number on its model; null for the entity itself.</param>
     /// <exception cref="HarvestFaultException">All numbers are used up.</exception>
     public ushort IdOf(EntityState entity, int? face = null)
     {
-        if (_objects.TryGetValue((entity.Handle, face), out (string Model, ObjectClass Class, ushort Id) known)
-            && known.Model == entity.Model && known.Class == entity.Class)
+        if (Known(entity, face) is { } known)
         {
-            return known.Id;
+            return known;
         }
 
-        if (_nextId > GreatestId)
+        if (Recorded?.Find(entity, face) is not { } id)
         {
-            throw new HarvestFaultException("This session has used all 65,535 object numbers. Start a new session to go on.");
+            if (_nextId > GreatestId)
+            {
+                throw new HarvestFaultException("This session has used all 65,535 object numbers. Start a new session to go on.");
+            }
+
+            id = (ushort)_nextId++;
         }
 
-        ushort id = (ushort)_nextId++;
         _objects[(entity.Handle, face)] = (entity.Model, entity.Class, id);
         return id;
     }
+
+    /// <summary>The numbers of those entities that have one, by handle.</summary>
+    public IReadOnlyDictionary<int, int> IdsOf(IEnumerable<EntityState> entities) => entities
+        .Select(entity => (entity.Handle, Id: Known(entity, null)))
+        .Where(entity => entity.Id is not null)
+        .ToDictionary(entity => entity.Handle, entity => (int)entity.Id!.Value);
+
+    /// <summary>Takes over the numbers that a scene of a harvest has; they go before those of earlier scenes.</summary>
+    public void Remember(RecordedScene scene)
+    {
+        Dictionary<int, EntityState> entities = scene.Snapshot.Entities.ToDictionary(entity => entity.Handle);
+        foreach (KeyValuePair<int, int> id in scene.Ids)
+        {
+            Remember(entities[id.Key], null, id.Value);
+        }
+
+        foreach (RecordedOcclusion found in scene.Occlusions)
+        {
+            Remember(entities[found.Handle], found.Face, found.Id);
+        }
+    }
+
+    private void Remember(EntityState entity, int? face, int id) => _objects[(entity.Handle, face)] = (entity.Model, entity.Class, (ushort)id);
+
+    private ushort? Known(EntityState entity, int? face) =>
+        _objects.TryGetValue((entity.Handle, face), out (string Model, ObjectClass Class, ushort Id) known)
+        && known.Model == entity.Model && known.Class == entity.Class
+            ? known.Id
+            : null;
 }

@@ -14,7 +14,7 @@ using Harvester.Geometry.Visibility;
 namespace Harvester.Capture.Labelling;
 
 /// <summary>Makes the labels of the parts of objects that matter: faces of signs, heads of traffic lights. Algorithm 3 of the thesis.</summary>
-internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, IRayCaster rays, ILights? lights, ObjectRegistry registry)
+internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, IRayCaster? rays, ILights? lights, ObjectRegistry registry)
 {
     /// <summary>A face's own surface lies in its cuboid up to the rounding of its corners; less than the thickness of a sign's plate.</summary>
     private const double MeasuredMarginMetres = 0.005;
@@ -25,8 +25,27 @@ internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, IR
     private readonly OcclusionEstimator _occlusion = new(options.OcclusionSamples);
 
     /// <summary>Labels the spaces of entities, one an element: null for one that is not in the image or not to be labelled.</summary>
-    public IEnumerable<ObjectLabel?> Label(Camera camera, SceneSnapshot snapshot, Func<bool> mayCastRays) =>
-        CandidatesOf(camera, snapshot).Select(candidate => candidate is null ? null : LabelOf(camera, candidate, snapshot, mayCastRays));
+    /// <param name="camera">The camera of the saved image.</param>
+    /// <param name="snapshot">The scene.</param>
+    /// <param name="found">Gets what rays found of each in the image.</param>
+    /// <param name="mayCastRays">Asked for each; one that gets a no has no occlusion.</param>
+    public IEnumerable<ObjectLabel?> Label(Camera camera, SceneSnapshot snapshot, List<RecordedOcclusion> found, Func<bool> mayCastRays)
+    {
+        foreach (SpaceCandidate? candidate in CandidatesOf(camera, snapshot))
+        {
+            if (candidate is null)
+            {
+                yield return null;
+                continue;
+            }
+
+            OcclusionEstimate occlusion = rays is not null && mayCastRays() ? Estimate(camera, candidate, snapshot.Ego.Handle, rays) : default;
+            LabelCandidate face = candidate.Face;
+            found.Add(new RecordedOcclusion(
+                face.Entity.Handle, candidate.Space.Face, face.Id, occlusion.Method, occlusion.OccludedFraction, lights?.SetStateOf(face.Entity.Handle, snapshot.GameFrame)));
+            yield return LabelOf(camera, snapshot, candidate, occlusion);
+        }
+    }
 
     /// <summary>Passes over a snapshot that is not labelled: the spaces' numbers are remembered as if it were.</summary>
     public void Pass(Camera camera, SceneSnapshot snapshot)
@@ -37,7 +56,8 @@ internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, IR
         }
     }
 
-    private IEnumerable<SpaceCandidate?> CandidatesOf(Camera camera, SceneSnapshot snapshot) =>
+    /// <summary>The spaces of entities, numbered; null for one that is not in the image.</summary>
+    public IEnumerable<SpaceCandidate?> CandidatesOf(Camera camera, SceneSnapshot snapshot) =>
         from entity in snapshot.Entities
         from space in SpacesOf(entity)
         where options.Classes is null || options.Classes.Contains(space.Class)
@@ -55,15 +75,12 @@ internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, IR
             : null;
     }
 
-    private ObjectLabel? LabelOf(Camera camera, SpaceCandidate candidate, SceneSnapshot snapshot, Func<bool> mayCastRays)
+    /// <summary>The label of a space in the image; null when it is hidden so far that it is not listed.</summary>
+    public ObjectLabel? LabelOf(Camera camera, SceneSnapshot snapshot, SpaceCandidate candidate, OcclusionEstimate occlusion)
     {
         (SpaceOfInterest space, LabelCandidate face, int parent) = candidate;
         EntityState entity = face.Entity;
         Cuboid cuboid = face.Cuboid;
-        double margin = space.Provenance == Provenance.Estimated ? EstimatedMarginMetres : MeasuredMarginMetres;
-        OcclusionEstimate occlusion = mayCastRays()
-            ? _occlusion.Estimate(camera, cuboid, face.Projection, entity.Handle, snapshot.Ego.Handle, new SpaceRays(rays, entity.Handle, cuboid, margin))
-            : default;
         bool determined = occlusion.Method != OcclusionMethod.None;
         if (determined && occlusion.OccludedFraction > options.MaxOccludedFraction)
         {
@@ -92,6 +109,14 @@ internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, IR
                 space.Provenance,
                 space.Class == ObjectClass.TrafficLight ? LightOf(entity, snapshot.GameFrame) : null),
         };
+    }
+
+    private OcclusionEstimate Estimate(Camera camera, SpaceCandidate candidate, int egoHandle, IRayCaster caster)
+    {
+        LabelCandidate face = candidate.Face;
+        int parent = face.Entity.Handle;
+        double margin = candidate.Space.Provenance == Provenance.Estimated ? EstimatedMarginMetres : MeasuredMarginMetres;
+        return _occlusion.Estimate(camera, face.Cuboid, face.Projection, parent, egoHandle, new SpaceRays(caster, parent, face.Cuboid, margin));
     }
 
     private LightLabel LightOf(EntityState entity, long gameFrame) =>

@@ -60,6 +60,17 @@ internal sealed class JsonText(bool indented = false)
 
     public JsonText Number(double? value, int decimals) => value is { } known ? Number(known, decimals) : Word("null");
 
+    /// <summary>A number that reads back as the very same double: it may have an exponent.</summary>
+    public JsonText Exact(double value)
+    {
+        // .NET Framework's shortest form does not always read back; seventeen digits do. Minus zero is written as zero.
+        double number = value + 0.0;
+        string shortest = number.ToString("R", CultureInfo.InvariantCulture);
+        return Word(double.Parse(shortest, CultureInfo.InvariantCulture).Equals(number) ? shortest : number.ToString("G17", CultureInfo.InvariantCulture));
+    }
+
+    public JsonText Exact(Vector3D value) => BeginArray().Exact(value.X).Exact(value.Y).Exact(value.Z).EndArray();
+
     public JsonText Integer(long value)
     {
         Separate();
@@ -70,6 +81,8 @@ internal sealed class JsonText(bool indented = false)
     public JsonText Integer(long? value) => value is { } known ? Integer(known) : Word("null");
 
     public JsonText Truth(bool value) => Word(value ? "true" : "false");
+
+    public JsonText Truth(bool? value) => value is { } known ? Truth(known) : Word("null");
 
     public JsonText Null() => Word("null");
 

@@ -61,8 +61,14 @@ public static class HarvestSettings
         new(K2, lens.K2),
     ];
 
-    private static Lens LensOf(IniFile ini)
+    /// <summary>The lens of a settings file; what is missing or out of range is as in a pinhole.</summary>
+    public static Lens LensOf(IniFile ini)
     {
+        if (ini is null)
+        {
+            throw new ArgumentNullException(nameof(ini));
+        }
+
         const double furthestShift = 0.5;
         return new Lens(
             ini.Number(LensSection, FocalScale, 1, 0.5, 2),

@@ -8,6 +8,14 @@ namespace Harvester.Capture.Spaces;
 /// <summary>Writes a table of spaces of interest in the project's own form; corners to the millimetre.</summary>
 public static class SpaceTableWriter
 {
+    /// <summary>The text of the file.</summary>
+    public static string Text(SpaceTable table)
+    {
+        using var text = new StringWriter(CultureInfo.InvariantCulture);
+        Write(table, text);
+        return text.ToString();
+    }
+
     /// <summary>Writes the header and all rows, ordered by model and face.</summary>
     public static void Write(SpaceTable table, TextWriter text)
     {

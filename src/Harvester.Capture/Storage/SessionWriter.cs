@@ -7,6 +7,7 @@ using System.Threading;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Imaging;
 using Harvester.Capture.Labels;
+using Harvester.Capture.Spaces;
 
 namespace Harvester.Capture.Storage;
 
@@ -139,6 +140,15 @@ public sealed class SessionWriter : IFrameSink
             _files.MakeFolder(FramePaths.Masks);
         }
 
+        if (_start.Options.Scenes)
+        {
+            _files.MakeFolder(FramePaths.Scenes);
+            if (_start.Options.Spaces is { } spaces)
+            {
+                WriteText(FramePaths.Spaces, SpaceTableWriter.Text(spaces));
+            }
+        }
+
         string header = SessionJson.Text(new SessionRecord(_origin, _start, null, _framesWritten));
         if (!_before.IsContinuedBy(header))
         {
@@ -167,14 +177,22 @@ public sealed class SessionWriter : IFrameSink
             _files.WriteWhole(path, stream => _png.Write(mask, stream));
         }
 
+        if (frame.Scene is { } scene)
+        {
+            WriteText(FramePaths.Scene(frame.Label.Frame), SceneJson.Text(scene));
+        }
+
         _files.AppendLabel(JsonLabelWriter.Line(frame.Label));
         Volatile.Write(ref _framesWritten, _framesWritten + 1);
     }
 
-    private void WriteHeader(SessionEnd? end)
+    private void WriteHeader(SessionEnd? end) =>
+        WriteText(SessionDirectory.Header, SessionJson.Text(new SessionRecord(_origin, _start!, end, _framesWritten)));
+
+    private void WriteText(string name, string text)
     {
-        byte[] text = new UTF8Encoding(false).GetBytes(SessionJson.Text(new SessionRecord(_origin, _start!, end, _framesWritten)));
-        _files.WriteWhole(SessionDirectory.Header, stream => stream.Write(text, 0, text.Length));
+        byte[] bytes = new UTF8Encoding(false).GetBytes(text);
+        _files.WriteWhole(name, stream => stream.Write(bytes, 0, bytes.Length));
     }
 
     private void Attempt(Action write)

@@ -9,24 +9,33 @@ internal static class LaneOptions
     private const double FarthestMetres = 70;
     private const double LongestSeconds = 5;
 
+    private const string LookAheadName = "--look-ahead";
+    private const string LookAheadForm = "M|Ss";
+    private const string LookAheadPurpose = "How far ahead the lane indicators are measured: metres along the road, or seconds of way as 1s; 0 is at the car";
+    private const string LookAheadRange = "metres from 0 to 70, or seconds from 0 to 5 as 1s";
+    private const string LaneWidthName = "--lane-width";
+    private const string LaneWidthForm = "M";
+    private const string LaneWidthPurpose = "Width of the lanes of ordinary roads, metres";
+    private const string LaneWidthRange = "a number from 2 to 10";
+
     /// <summary>Where the indicators are measured.</summary>
-    public static Option<LookAhead> LookAhead() => ValueParsers.Parsed(
-        "--look-ahead",
-        "M|Ss",
-        "How far ahead the lane indicators are measured: metres along the road, or seconds of way as 1s; 0 is at the car",
-        Parse,
-        "metres from 0 to 70, or seconds from 0 to 5 as 1s");
+    public static Option<LookAhead> LookAhead() => ValueParsers.Parsed(LookAheadName, LookAheadForm, LookAheadPurpose, Parse, LookAheadRange);
+
+    /// <summary>The same where it may be left out.</summary>
+    public static Option<LookAhead?> OtherLookAhead() => ValueParsers.Optional(LookAheadName, LookAheadForm, LookAheadPurpose, Parse, LookAheadRange);
 
     /// <summary>Width of ordinary lanes.</summary>
-    public static Option<double> LaneWidth() => ValueParsers.Number(
-        "--lane-width", "M", "Width of the lanes of ordinary roads, metres", value => value is >= 2 and <= 10, "a number from 2 to 10");
+    public static Option<double> LaneWidth() => ValueParsers.Parsed(LaneWidthName, LaneWidthForm, LaneWidthPurpose, ParseWidth, LaneWidthRange);
+
+    /// <summary>The same where it may be left out.</summary>
+    public static Option<double?> OtherLaneWidth() => ValueParsers.Optional(LaneWidthName, LaneWidthForm, LaneWidthPurpose, ParseWidth, LaneWidthRange);
+
+    private static double? ParseWidth(string text) => ValueParsers.Number(text) is >= 2 and <= 10 and var width ? width : null;
 
     private static LookAhead? Parse(string text)
     {
-        bool isTime = text.EndsWith('s');
-        double? value = ValueParsers.Number(isTime ? text[..^1] : text);
-        return value is not { } number || number < 0 || number > (isTime ? LongestSeconds : FarthestMetres) ? null
-            : isTime ? Geometry.Lanes.LookAhead.OfSeconds(number)
-            : Geometry.Lanes.LookAhead.OfMetres(number);
+        // At one metre a second a time is as many metres as seconds.
+        const double speed = 1;
+        return Geometry.Lanes.LookAhead.Parse(text) is { } asked && asked.DistanceAt(speed) <= (text.EndsWith('s') ? LongestSeconds : FarthestMetres) ? asked : null;
     }
 }

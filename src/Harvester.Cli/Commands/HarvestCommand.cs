@@ -88,6 +88,7 @@ internal static class HarvestCommand
         "--time", "HH:MM", "The hour at the beginning [default: 12:00]", ParseTime, "an hour as 18:30");
 
     private static readonly Option<bool> Masks = new("--masks") { Description = "Write instance masks too" };
+    private static readonly Option<bool> NoScenes = new("--no-scenes") { Description = "Write no scenes; the session cannot be relabelled then" };
     private static readonly Option<double> Range = WithDefault(
         ValueParsers.Number("--range", "M", "Label objects up to this distance, metres", value => value is > 0 and <= GreatestRange, "a number greater than 0, 100000 at most"), 150);
 
@@ -106,7 +107,7 @@ internal static class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, Range, LaneLookAhead, LaneWidth, Classes, Quirks, ShardOf, NoReport,
+            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, NoScenes, Range, LaneLookAhead, LaneWidth, Classes, Quirks, ShardOf, NoReport,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
@@ -177,6 +178,7 @@ internal static class HarvestCommand
                 : throw new UsageException($"--weather takes one of {string.Join(", ", WeatherNames.All)}, not '{weather}'."),
             TimeOfDay = parsed.GetValue(Time) ?? Noon,
             Masks = parsed.GetValue(Masks),
+            Scenes = !parsed.GetValue(NoScenes),
             Shard = parsed.GetValue(ShardOf),
             RangeMetres = parsed.GetValue(Range),
             LookAhead = parsed.GetValue(LaneLookAhead),

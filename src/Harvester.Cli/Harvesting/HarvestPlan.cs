@@ -54,6 +54,9 @@ internal sealed record HarvestPlan
     /// <summary>Whether instance masks are made.</summary>
     public required bool Masks { get; init; }
 
+    /// <summary>Whether the scenes are written, so that the session can be relabelled.</summary>
+    public required bool Scenes { get; init; }
+
     /// <summary>Which of the frames are taken.</summary>
     public required Shard Shard { get; init; }
 

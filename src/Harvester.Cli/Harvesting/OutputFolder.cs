@@ -10,7 +10,7 @@ namespace Harvester.Cli.Harvesting;
 internal static class OutputFolder
 {
     private static readonly string[] Files = [SessionInfo.FileName, SessionReader.LabelsFile, ReportWriter.FileName];
-    private static readonly string[] Folders = [FramePaths.Frames, FramePaths.Masks];
+    private static readonly string[] Folders = [FramePaths.Frames, FramePaths.Masks, FramePaths.Scenes];
 
     /// <summary>Checks that a session may be written to a folder, and changes nothing.</summary>
     /// <exception cref="UsageException">The folder holds something that is not to be replaced.</exception>

@@ -4,9 +4,11 @@ using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using System.Text;
 using System.Threading;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
+using Harvester.Capture.Roads;
 using Harvester.Capture.Scenes;
 using Harvester.Capture.Spaces;
 using Harvester.Capture.Storage;
@@ -43,7 +45,7 @@ internal sealed class SimulatedHarvest
     public static SimulatedHarvest Build(HarvestPlan plan)
     {
         RoadNetwork? roads = plan.Roads is null ? null : RoadImporter.Import(plan.Roads).Network;
-        SpaceTable spaces = plan.Spaces is null ? ModelSpaces.Table : ModelSpaces.Table.OverriddenBy(SpaceFile.ReadWhole(plan.Spaces));
+        SpaceTable spaces = SpaceFile.AsWritten(plan.Spaces is null ? ModelSpaces.Table : ModelSpaces.Table.OverriddenBy(SpaceFile.ReadWhole(plan.Spaces)));
         List<PropPlacement> props = [.. plan.Props.SelectMany(PropPlacementImporter.Import)];
         try
         {
@@ -74,7 +76,8 @@ internal sealed class SimulatedHarvest
     {
         var clock = Stopwatch.StartNew();
         using var writer = new SessionWriter(_plan.Folder, Origin());
-        using var session = new HarvestSession(Options(), Ports(), writer);
+        RoadNetwork roads = _plan.Roads is null ? KeepRoads(_game.Roads) : _game.Roads;
+        using var session = new HarvestSession(Options(), Ports(roads), writer);
         do
         {
             // The game waits for the disk, not the other way round: otherwise its course would depend on the disk's speed.
@@ -99,8 +102,24 @@ internal sealed class SimulatedHarvest
             cancellation.IsCancellationRequested && session.Status.Captured < _plan.Frames);
     }
 
-    private GamePorts Ports() =>
-        _game.Ports with { Roads = new FixedRoads(_game.Roads, _plan.Roads is null ? "simulation" : "roadFile", _plan.LookAhead, _plan.LaneWidth) };
+    /// <summary>Writes the roads of a made-up town beside the scenes; labels are made on them as they are written, so that they can be made again.</summary>
+    private RoadNetwork KeepRoads(RoadNetwork town)
+    {
+        if (!_plan.Scenes)
+        {
+            return town;
+        }
+
+        using var text = new StringWriter(CultureInfo.InvariantCulture);
+        RoadCsvWriter.Write(town, text);
+        string path = Path.Combine(_plan.Folder, FramePaths.Roads);
+        Directory.CreateDirectory(Path.GetDirectoryName(path)!);
+        WholeFile.Write(path, file => file.Write(new UTF8Encoding(false).GetBytes(text.ToString())));
+        return RoadCsvReader.Read(new StringReader(text.ToString()));
+    }
+
+    private GamePorts Ports(RoadNetwork roads) =>
+        _game.Ports with { Roads = new FixedRoads(roads, _plan.Roads is null ? "simulation" : "roadFile", _plan.LookAhead, _plan.LaneWidth) };
 
     private HarvestOptions Options() => new()
     {
@@ -111,6 +130,7 @@ internal sealed class SimulatedHarvest
         RangeMetres = _plan.RangeMetres,
         Classes = _plan.Classes,
         Masks = _plan.Masks,
+        Scenes = _plan.Scenes,
         Spaces = _spaces,
     };
 
@@ -126,6 +146,8 @@ internal sealed class SimulatedHarvest
     {
         yield return new("weather", _plan.Weather);
         yield return new("timeOfDay", _plan.TimeOfDay.ToString(@"hh\:mm", CultureInfo.InvariantCulture));
+        yield return new("lookAhead", _plan.LookAhead.ToString());
+        yield return new("laneWidth", _plan.LaneWidth.ToString(CultureInfo.InvariantCulture));
         if (_plan.Roads is { } roads)
         {
             yield return new("roads", Path.GetFileName(roads));

@@ -19,6 +19,9 @@ internal static class SpaceFile
         return SpaceTableReader.Read(text);
     }
 
+    /// <summary>A table as it is read again when it has been written, with corners to the millimetre.</summary>
+    public static SpaceTable AsWritten(SpaceTable table) => SpaceTableReader.Read(new StringReader(SpaceTableWriter.Text(table))).Table;
+
     /// <summary>A table of which every row is good: a harvest shall not go on with some of them left out.</summary>
     /// <exception cref="IOException">The file cannot be read.</exception>
     /// <exception cref="DatasetFormatException">A row is refused.</exception>

@@ -102,19 +102,19 @@ public readonly struct JsonFields
     /// <summary>Either true or false.</summary>
     public bool Truth(string name) => TruthOf(Field(name), name);
 
-    /// <summary>A list of true and false.</summary>
-    public bool[] Truths(string name)
+    /// <summary>A list of true, false and null.</summary>
+    public bool?[] OptionalTruths(string name)
     {
         JsonElement list = Field(name);
         if (list.ValueKind != JsonValueKind.Array)
         {
-            throw Wrong(Path(name), "a list of true and false", list);
+            throw Wrong(Path(name), "a list of true, false and null", list);
         }
 
-        var truths = new List<bool>(list.GetArrayLength());
+        var truths = new List<bool?>(list.GetArrayLength());
         foreach (JsonElement item in list.EnumerateArray())
         {
-            truths.Add(TruthOf(item, name, truths.Count));
+            truths.Add(item.ValueKind == JsonValueKind.Null ? null : TruthOf(item, name, truths.Count));
         }
 
         return [.. truths];

@@ -47,7 +47,7 @@ internal static class LanesParser
         double[][] points = marking.Rows("points", 3);
         double[][] inCamera = marking.Rows("inCamera", 3);
         double[][] pixels = marking.Rows("pixels", 2);
-        bool[] hidden = marking.Truths("hidden");
+        bool?[] hidden = marking.OptionalTruths("hidden");
         if (inCamera.Length != points.Length || pixels.Length != points.Length || hidden.Length != points.Length)
         {
             throw new DatasetFormatException("points, inCamera, pixels and hidden of a marking must be of one length.");

@@ -5,6 +5,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using System.Text.Json;
+using Harvester.Capture.Harvesting;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Roads;
@@ -43,16 +44,35 @@ public static class SessionMerger
                 lines.WriteLine(line);
                 foreach (string name in FilesOf(line, frames, source))
                 {
-                    string target = Path.Combine(folder, name);
-                    Directory.CreateDirectory(Path.GetDirectoryName(target)!);
-                    FileTransfer.Place(target, source.PathOf(name), transfer);
+                    Place(folder, name, source, transfer);
                 }
 
+                PlaceIfThere(folder, FramePaths.Scene(frames), source, transfer);
                 frames++;
             }
         });
+        foreach (string name in (string[])[FramePaths.Spaces, FramePaths.Roads])
+        {
+            PlaceIfThere(folder, name, sources[0].Session, transfer);
+        }
+
         sources[0].WriteWholeHeader(folder, frames);
         return frames;
+    }
+
+    private static void PlaceIfThere(string folder, string name, SessionReader source, ImageTransfer transfer)
+    {
+        if (File.Exists(source.PathOf(name)))
+        {
+            Place(folder, name, source, transfer);
+        }
+    }
+
+    private static void Place(string folder, string name, SessionReader source, ImageTransfer transfer)
+    {
+        string target = Path.Combine(folder, name);
+        Directory.CreateDirectory(Path.GetDirectoryName(target)!);
+        FileTransfer.Place(target, source.PathOf(name), transfer);
     }
 
     private static IReadOnlyList<SessionShard> Find(IReadOnlyList<string> folders)

@@ -4,5 +4,5 @@ namespace Harvester.Geometry.Lanes;
 /// <param name="World">Metres, world.</param>
 /// <param name="InCamera">Metres in the camera's frame: x right, y forward, z up.</param>
 /// <param name="Pixel">Continuous pixels, within the image.</param>
-/// <param name="IsHidden">Whether something nearer hides it, as far as rays tell.</param>
-public readonly record struct LaneLinePoint(Vector3D World, Vector3D InCamera, Vector2D Pixel, bool IsHidden);
+/// <param name="IsHidden">Whether something nearer hides it, as far as rays tell; null when none was asked.</param>
+public readonly record struct LaneLinePoint(Vector3D World, Vector3D InCamera, Vector2D Pixel, bool? IsHidden);

@@ -21,7 +21,7 @@ public static class LaneLineProjector
     /// <param name="camera">The camera.</param>
     /// <param name="line">The marking.</param>
     /// <param name="ignoredEntity">Handle of an entity that hides nothing, as the car that carries the camera; <see cref="RayHit.World"/> for none.</param>
-    /// <param name="rays">What rays meet; null to mark nothing as hidden.</param>
+    /// <param name="rays">What rays meet; null to leave open what is hidden.</param>
     /// <returns>The runs of the marking within the image; none when it is not in view.</returns>
     public static IReadOnlyList<LaneLineView> Project(Camera camera, LaneLine line, int ignoredEntity, IRayCaster? rays)
     {
@@ -90,8 +90,9 @@ public static class LaneLineProjector
         Vector3D toPoint = point - camera.Pose.Position;
         double distance = toPoint.Length;
         double clear = distance - Math.Max(SurfaceTolerance, SurfaceToleranceFraction * distance);
-        bool isHidden = rays is not null && clear > 0
-            && rays.Cast(new Ray(camera.Pose.Position, toPoint), clear, ignoredEntity) is not null;
+        bool? isHidden = rays is null
+            ? null
+            : clear > 0 && rays.Cast(new Ray(camera.Pose.Position, toPoint), clear, ignoredEntity) is not null;
         return new LaneLinePoint(point, camera.Pose.ToLocal(point), projection.Pixel, isHidden);
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 
 namespace Harvester.Geometry.Lanes;
 
@@ -34,6 +35,17 @@ public readonly record struct LookAhead
     /// <summary>The metres, or the seconds with an s, in the invariant culture.</summary>
     public override string ToString() =>
         _seconds > 0 ? FormattableString.Invariant($"{_seconds}s") : FormattableString.Invariant($"{_metres}");
+
+    /// <summary>Reads what <see cref="ToString"/> writes; null for another text.</summary>
+    public static LookAhead? Parse(string text)
+    {
+        Guard.NotNull(text, nameof(text));
+        bool isTime = text.EndsWith("s", StringComparison.Ordinal);
+        return !double.TryParse(isTime ? text.Substring(0, text.Length - 1) : text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value)
+            || !(value >= 0) || double.IsInfinity(value) ? null
+            : isTime ? OfSeconds(value)
+            : OfMetres(value);
+    }
 
     private static double NotNegative(double value, string name) =>
         Guard.Finite(value, name) >= 0 ? value : throw new ArgumentOutOfRangeException(name, value, $"{name} must be 0 or more.");

@@ -82,7 +82,7 @@ public sealed class LaneLinesInPictureTests
             {
                 LaneLinePoint point = view.Points[i];
                 Vector2D along = view.Points[i + 1].Pixel - view.Points[i - 1].Pixel;
-                if (!point.IsHidden && point.InCamera.Y is >= 5 and <= 50 && along.Length > 0
+                if (point.IsHidden == false && point.InCamera.Y is >= 5 and <= 50 && along.Length > 0
                     && IsStraight(view, i) && IsAlone(view.Index, point.Pixel, along * (1 / along.Length), painted)
                     && paint.OffsetOfPaint(point.Pixel * Fineness, along * (1 / along.Length)) is { } offset)
                 {

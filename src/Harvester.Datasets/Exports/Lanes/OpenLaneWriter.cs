@@ -57,7 +57,7 @@ internal sealed class OpenLaneWriter : IDatasetWriter
     {
         json.WriteStartObject();
         json.WriteNumber("category", UnknownCategory);
-        json.Numbers("visibility", [.. view.Points.Select(point => point.IsHidden ? 0.0 : 1)], 0);
+        json.Numbers("visibility", [.. view.Points.Select(point => point.IsHidden == true ? 0.0 : 1)], 0);
         json.WriteStartArray("uv");
         WriteRow(json, view.Points.Select(point => point.Pixel.X), Pixels);
         WriteRow(json, view.Points.Select(point => point.Pixel.Y), Pixels);

@@ -1,0 +1,133 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Scenes;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Capture.Labelling;
+
+/// <summary>
+/// Makes the labels of recorded scenes again, in their order, with other options and without the game. What is geometry is computed as in
+/// a harvest; what only rays could tell is kept where it still holds, and is not determined elsewhere: docs/relabel.md.
+/// </summary>
+public sealed class FrameRelabeller
+{
+    private readonly HarvestOptions _options;
+    private readonly HarvestOptions _recordedOptions;
+    private readonly ObjectRegistry _registry;
+    private readonly ObjectLabeller _objects;
+    private readonly RecordedLights _lights = new();
+    private readonly SpaceLabeller? _spaces;
+    private readonly LaneLabeller? _lanes;
+
+    /// <summary>Prepares for the scenes of one session.</summary>
+    /// <param name="options">What to label; the lens goes for all frames.</param>
+    /// <param name="recordedOptions">The options of the harvest; its lens is that of each scene.</param>
+    /// <param name="ids">The numbers that all scenes of the session have.</param>
+    /// <param name="roads">The roads to measure lanes on; null to keep the recorded lanes.</param>
+    public FrameRelabeller(HarvestOptions options, HarvestOptions recordedOptions, RecordedIds ids, IRoads? roads)
+    {
+        _options = options ?? throw new ArgumentNullException(nameof(options));
+        _recordedOptions = recordedOptions ?? throw new ArgumentNullException(nameof(recordedOptions));
+        _registry = new ObjectRegistry((ids ?? throw new ArgumentNullException(nameof(ids))).Greatest + 1) { Recorded = ids };
+        _objects = new ObjectLabeller(options, _registry);
+        _spaces = options.Spaces is { } table ? new SpaceLabeller(table, options, null, _lights, _registry) : null;
+        _lanes = roads is null ? null : new LaneLabeller(roads, null, _registry);
+    }
+
+    /// <summary>
+    /// Whether a frame's mask still holds: rays were cast through the lens of the harvest, so what they found is elsewhere in the picture
+    /// than another lens says; a mask of another tool was made from the picture itself.
+    /// </summary>
+    /// <param name="scene">The frame's scene.</param>
+    /// <param name="recorded">The label that the harvest made.</param>
+    /// <param name="lens">The lens to label with.</param>
+    public static bool KeepsMask(RecordedScene scene, FrameLabel recorded, Lens lens) =>
+        recorded?.Mask is not null && (scene?.Lens == lens || recorded.PixelMap is null);
+
+    /// <summary>Makes the label of a frame again.</summary>
+    /// <param name="scene">The frame's scene.</param>
+    /// <param name="recorded">The label that the harvest made.</param>
+    /// <param name="picture">Reads the frame's picture, when the state of a light is to be seen in it; null from it where that cannot be done.</param>
+    /// <exception cref="HarvestFaultException">All object numbers are used up.</exception>
+    public FrameLabel Relabel(RecordedScene scene, FrameLabel recorded, Func<PixelBuffer?> picture)
+    {
+        if (scene is null)
+        {
+            throw new ArgumentNullException(nameof(scene));
+        }
+
+        if (recorded is null)
+        {
+            throw new ArgumentNullException(nameof(recorded));
+        }
+
+        bool isLensSame = scene.Lens == _options.Lens;
+        bool keepsMask = KeepsMask(scene, recorded, _options.Lens);
+        SceneSnapshot snapshot = Begin(scene, out Camera camera);
+        var occlusions = new RecordedOcclusions(scene, recorded, _recordedOptions, isLensSame);
+        IEnumerable<ObjectLabel?> objects = _objects.CandidatesOf(camera, snapshot).Select(candidate =>
+            _objects.LabelOf(camera, candidate, occlusions.Of(candidate)) is { } label
+                ? label with { Box2DVisible = keepsMask ? occlusions.LabelOf(label.Id)?.Box2DVisible : null }
+                : null);
+        List<ObjectLabel?> all = [.. objects];
+        foreach (SpaceCandidate candidate in (_spaces?.CandidatesOf(camera, snapshot) ?? []).OfType<SpaceCandidate>())
+        {
+            all.Add(_spaces!.LabelOf(camera, snapshot, candidate, occlusions.Of(candidate)));
+        }
+
+        var labelling = new FrameLabelling([.. all.OfType<ObjectLabel>().OrderBy(label => label.Id)], null);
+        labelling = LightObserver.NeedsPicture(labelling) && picture() is { } seen ? LightObserver.Observe(labelling, seen) : labelling;
+        return recorded with
+        {
+            Mask = keepsMask ? recorded.Mask : null,
+            PixelMap = keepsMask ? recorded.PixelMap : null,
+            Camera = FrameLabels.Of(camera),
+            Objects = labelling.Objects,
+            Lanes = LanesOf(snapshot, camera, recorded.Lanes, isLensSame),
+        };
+    }
+
+    /// <summary>Passes over a scene that another shard labels: numbers and the road are remembered as if it had been labelled.</summary>
+    /// <exception cref="HarvestFaultException">All object numbers are used up.</exception>
+    public void Pass(RecordedScene scene)
+    {
+        if (scene is null)
+        {
+            throw new ArgumentNullException(nameof(scene));
+        }
+
+        SceneSnapshot snapshot = Begin(scene, out Camera camera);
+        _objects.CandidatesOf(camera, snapshot);
+        _spaces?.Pass(camera, snapshot);
+        _lanes?.Pass(snapshot);
+    }
+
+    private SceneSnapshot Begin(RecordedScene scene, out Camera camera)
+    {
+        _registry.Remember(scene);
+        _lights.Show(scene);
+        camera = FrameLabeller.CameraOf(_options, scene.Snapshot.Camera);
+        return _options.RangeMetres >= _recordedOptions.RangeMetres ? scene.Snapshot : WithinRange(scene.Snapshot);
+    }
+
+    private SceneSnapshot WithinRange(SceneSnapshot snapshot) => snapshot with
+    {
+        Entities = [.. snapshot.Entities.Where(entity => (entity.Pose.Position - snapshot.Camera.Pose.Position).Length < _options.RangeMetres)],
+    };
+
+    private LanesLabel? LanesOf(SceneSnapshot snapshot, Camera camera, LanesLabel? recorded, bool isLensSame)
+    {
+        if (_lanes is null)
+        {
+            return recorded is null || isLensSame ? recorded : RecordedLanes.SeenBy(camera, recorded);
+        }
+
+        LanesLabel? lanes = _lanes.Label(snapshot, camera, static () => false).LastOrDefault();
+        return lanes is null ? null : RecordedLanes.WithHidden(lanes, recorded);
+    }
+}

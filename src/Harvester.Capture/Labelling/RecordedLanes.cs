@@ -1,0 +1,67 @@
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Labels;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Lanes;
+
+namespace Harvester.Capture.Labelling;
+
+/// <summary>What recorded lanes lend to a label that is made again without rays and perhaps without roads.</summary>
+internal static class RecordedLanes
+{
+    /// <summary>Lanes that were measured again, with what the recorded ones say of hidden points: of a point that is not among theirs nothing is known.</summary>
+    public static LanesLabel WithHidden(LanesLabel lanes, LanesLabel? recorded)
+    {
+        var known = new Dictionary<string, bool?>();
+        foreach (LaneLinePoint point in recorded?.Markings.SelectMany(marking => marking.Points) ?? [])
+        {
+            known[PlaceOf(point)] = point.IsHidden;
+        }
+
+        return lanes with
+        {
+            Markings = [.. lanes.Markings.Select(marking => marking with
+            {
+                Points = [.. marking.Points.Select(point => point with { IsHidden = known.TryGetValue(PlaceOf(point), out bool? hidden) ? hidden : null })],
+            })],
+        };
+    }
+
+    /// <summary>The recorded lanes as another lens shows their markings: points that it shows no more are left out.</summary>
+    public static LanesLabel SeenBy(Camera camera, LanesLabel recorded) =>
+        recorded with { Markings = [.. recorded.Markings.SelectMany(marking => RunsOf(camera, marking))] };
+
+    private static IEnumerable<LaneLineView> RunsOf(Camera camera, LaneLineView marking)
+    {
+        var run = new List<LaneLinePoint>();
+        foreach (LaneLinePoint point in marking.Points)
+        {
+            Projection projection = camera.Project(point.World);
+            if (projection.Outcome == ProjectionOutcome.InImage)
+            {
+                run.Add(point with { Pixel = projection.Pixel });
+                continue;
+            }
+
+            if (run.Count > 1)
+            {
+                yield return marking with { Points = run };
+            }
+
+            run = [];
+        }
+
+        if (run.Count > 1)
+        {
+            yield return marking with { Points = run };
+        }
+    }
+
+    /// <summary>The place of a point as labels have it.</summary>
+    private static string PlaceOf(LaneLinePoint point)
+    {
+        Vector3D place = point.World;
+        return string.Join(" ", new[] { place.X, place.Y, place.Z }.Select(value => InvariantNumber.Format(value, LabelDecimals.Metres)));
+    }
+}

@@ -1,0 +1,57 @@
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+using Harvester.Capture.Spaces;
+using Harvester.Geometry.Visibility;
+
+namespace Harvester.Capture.Labelling;
+
+/// <summary>
+/// The occlusions that a harvest found in one frame, as far as they still hold. The same place seen from the same place is hidden by the
+/// same things, so they hold for every entity, and for a face whose place on its model is the same. Through another lens the share of the
+/// image's part is another: there they hold for what is wholly in the image, and what is hidden altogether stays so.
+/// </summary>
+internal sealed class RecordedOcclusions(RecordedScene scene, FrameLabel recorded, HarvestOptions recordedOptions, bool isLensSame)
+{
+    private readonly Dictionary<(int Handle, int? Face), RecordedOcclusion> _found =
+        scene.Occlusions.ToDictionary(found => (found.Handle, found.Face));
+
+    private readonly Dictionary<int, ObjectLabel> _labels = recorded.Objects.ToDictionary(label => label.Id);
+
+    /// <summary>The recorded label with a number; null when that was not listed.</summary>
+    public ObjectLabel? LabelOf(int id) => _labels.TryGetValue(id, out ObjectLabel? label) ? label : null;
+
+    /// <summary>The occlusion of an entity in the image.</summary>
+    public OcclusionEstimate Of(LabelCandidate candidate)
+    {
+        ObjectLabel? label = LabelOf(candidate.Id);
+        return isLensSame && label is { OcclusionMethod: OcclusionMethod.Imported, OccludedFraction: { } imported }
+            ? new OcclusionEstimate(imported, 0, 0, OcclusionMethod.Imported)
+            : Found(candidate, null, label);
+    }
+
+    /// <summary>The occlusion of a face in the image.</summary>
+    public OcclusionEstimate Of(SpaceCandidate candidate)
+    {
+        SpaceOfInterest space = candidate.Space;
+        SpaceOfInterest? before = recordedOptions.Spaces?.Of(space.Hash).FirstOrDefault(each => each.Face == space.Face);
+        bool isPlaceSame = before is not null
+            && (before.FrontUpperLeft, before.BackLowerRight, before.Facing, before.Provenance)
+                == (space.FrontUpperLeft, space.BackLowerRight, space.Facing, space.Provenance);
+        return isPlaceSame ? Found(candidate.Face, space.Face, LabelOf(candidate.Face.Id)) : default;
+    }
+
+    private OcclusionEstimate Found(LabelCandidate candidate, int? face, ObjectLabel? label)
+    {
+        if (!_found.TryGetValue((candidate.Entity.Handle, face), out RecordedOcclusion? found) || found.Method == OcclusionMethod.None)
+        {
+            return default;
+        }
+
+        bool isHiddenAltogether = found.OccludedFraction > recordedOptions.MaxOccludedFraction;
+        bool isWhole = candidate.Projection.TruncatedFraction == 0 && label?.TruncatedFraction == 0;
+        return isLensSame || isHiddenAltogether || isWhole ? new OcclusionEstimate(found.OccludedFraction, 0, 0, found.Method) : default;
+    }
+}

@@ -1,0 +1,14 @@
+using Harvester.Capture.Labels;
+using Harvester.Geometry.Visibility;
+
+namespace Harvester.Capture.Scenes;
+
+/// <summary>What a harvest found out of an entity in the image, or of one of its faces, that only the game could tell it.</summary>
+/// <param name="Handle">The entity's handle.</param>
+/// <param name="Face">Number of the face on its model; null for the entity itself.</param>
+/// <param name="Id">Its number in labels, also when it was not listed because it is hidden.</param>
+/// <param name="Method">How the occlusion was come by.</param>
+/// <param name="OccludedFraction">Share of its silhouette in the image that is hidden, 0 to 1; 0 when it was not determined.</param>
+/// <param name="SetLight">The state to which the harvester itself had set this traffic light; null for all else.</param>
+public sealed record RecordedOcclusion(
+    int Handle, int? Face, int Id, OcclusionMethod Method, double OccludedFraction, LightState? SetLight);

@@ -1,0 +1,111 @@
+using System;
+using System.CommandLine;
+using System.IO;
+using System.Threading;
+using System.Threading.Tasks;
+using Harvester.Capture.Harvesting;
+using Harvester.Cli.Arguments;
+using Harvester.Cli.Harvesting;
+using Harvester.Cli.Relabelling;
+using Harvester.Cli.Spaces;
+using Harvester.Datasets.Exports;
+using Harvester.Datasets.Relabelling;
+using Harvester.Datasets.Reports;
+using Harvester.Datasets.Roads;
+using Harvester.Datasets.Sessions;
+using Harvester.Geometry.Lanes;
+
+namespace Harvester.Cli.Commands;
+
+/// <summary>harvester relabel: a recorded session with its labels made again in another way, without the game.</summary>
+internal static class RelabelCommand
+{
+    private const string Notes =
+        "The recorded session stays as it is. What is not asked for otherwise stays as it was recorded; docs/relabel.md says which fields are\n"
+        + "computed again, which are kept, and which are null because only the game could tell. A calibration is a file with the lines that\n"
+        + "harvester calibrate prints, or the mod's ini file.\n\n"
+        + "Examples:\n"
+        + "  harvester relabel out --out wide --lane-width 3.7 --look-ahead 1s\n"
+        + "  harvester relabel out --out near --range 60 --classes car,truck,bus\n"
+        + "  harvester relabel drive --out calibrated --calibration GtaDataHarvester.ini --spaces signs.csv";
+
+    private static readonly Argument<string> Session = SessionArgument.Create();
+    private static readonly Option<string> Out = new("--out") { Description = "Folder to write the new session to", HelpName = "DIR", Required = true };
+    private static readonly Option<bool> Overwrite = new("--overwrite") { Description = "Replace the session that lies in that folder" };
+    private static readonly Option<double?> Range = Number("--range", "M", "Label objects up to this distance, metres", value => value > 0, "a number greater than 0");
+    private static readonly Option<string?> Classes = ClassList.Option("Label");
+    private static readonly Option<double?> MinArea = Number("--min-box-area", "PX2", "Label objects whose box in the image has at least this area, square pixels", value => value >= 0, "a number of at least 0");
+    private static readonly Option<double?> MinSide = Number("--min-box-side", "PX", "Label objects whose box in the image has at least these sides, pixels", value => value >= 0, "a number of at least 0");
+    private static readonly Option<double?> MaxOccluded = Number("--max-occluded", "S", "Label objects that are hidden by at most this share, 0 to 1", value => value is >= 0 and <= 1, "a number from 0 to 1");
+    private static readonly Option<FileInfo?> Calibration = File("--calibration", "Label through the lens of this calibration");
+    private static readonly Option<FileInfo?> Spaces = File("--spaces", "Faces of signs and heads of lights by this table, before the recorded one");
+    private static readonly Option<FileInfo?> Roads = File("--roads", "Measure lanes on the roads of this file or folder");
+    private static readonly Option<LookAhead?> LaneLookAhead = LaneOptions.OtherLookAhead();
+    private static readonly Option<double?> LaneWidth = LaneOptions.OtherLaneWidth();
+    private static readonly Option<ImageTransfer> Images = new("--images") { Description = "Whether pictures are hard links, where that can be done, or copies" };
+    private static readonly Option<Shard> ShardOf = ShardOption.Create();
+    private static readonly Option<bool> NoReport = ReportOption.Create();
+
+    public static Command Create(Terminal terminal)
+    {
+        var command = new Command("relabel", "Make the labels of a recorded session again in another way.")
+        {
+            Session, Out, Overwrite, Range, Classes, MinArea, MinSide, MaxOccluded, Calibration, Spaces, Roads, LaneLookAhead, LaneWidth, Images, ShardOf, NoReport,
+        };
+        HelpWithNotes.AddTo(command, Notes);
+        command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
+        return command;
+    }
+
+    private static int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
+    {
+        var session = new SessionReader(parsed.GetRequiredValue(Session));
+        string folder = parsed.GetRequiredValue(Out);
+        if (string.Equals(Path.GetFullPath(folder), Path.GetFullPath(session.Folder), StringComparison.Ordinal))
+        {
+            throw new UsageException("--out is the recorded session itself, which stays as it is. Name another folder.");
+        }
+
+        OutputFolder.Check(folder, parsed.GetValue(Overwrite));
+        RelabelOptions changes = ChangesOf(parsed);
+        var relabeller = new SessionRelabeller(session, changes);
+        OutputFolder.Clear(folder);
+        int frames = new FrameProgress(terminal, session.CountLines() / changes.Shard.Count).Run(report => relabeller.Run(folder, report, cancellation));
+        if (changes.Shard.Count > 1)
+        {
+            terminal.Out.WriteLine($"{folder}: shard {changes.Shard}, {frames} frames. When all are done: harvester merge");
+            return ExitCode.Done;
+        }
+
+        if (!parsed.GetValue(NoReport))
+        {
+            new ReportWriter(new SessionReader(folder)).Write(Path.Combine(folder, ReportWriter.FileName));
+        }
+
+        terminal.Out.WriteLine($"{folder}: {frames} frames");
+        return ExitCode.Done;
+    }
+
+    private static RelabelOptions ChangesOf(ParseResult parsed) => new()
+    {
+        RangeMetres = parsed.GetValue(Range),
+        Classes = ClassList.Parse(parsed.GetValue(Classes)),
+        MinBoxAreaPixels = parsed.GetValue(MinArea),
+        MinBoxSidePixels = parsed.GetValue(MinSide),
+        MaxOccludedFraction = parsed.GetValue(MaxOccluded),
+        Lens = parsed.GetValue(Calibration) is { } calibration ? LensFile.Read(calibration.FullName) : null,
+        Spaces = parsed.GetValue(Spaces) is { } spaces ? SpaceFile.AsWritten(SpaceFile.ReadWhole(spaces.FullName)) : null,
+        SpacesName = parsed.GetValue(Spaces)?.Name,
+        Roads = parsed.GetValue(Roads) is { } roads ? RoadImporter.Import(roads.FullName).Network : null,
+        RoadsName = parsed.GetValue(Roads)?.Name,
+        LookAhead = parsed.GetValue(LaneLookAhead),
+        LaneWidthMetres = parsed.GetValue(LaneWidth),
+        Images = parsed.GetValue(Images),
+        Shard = parsed.GetValue(ShardOf),
+    };
+
+    private static Option<double?> Number(string name, string form, string description, Func<double, bool> isAllowed, string allowed) =>
+        ValueParsers.Optional<double>(name, form, description, text => ValueParsers.Number(text) is { } value && isAllowed(value) ? value : null, allowed);
+
+    private static Option<FileInfo?> File(string name, string description) => new(name) { Description = description, HelpName = "FILE" };
+}

@@ -1,0 +1,38 @@
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using Harvester.Capture.Settings;
+using Harvester.Datasets;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Cli.Relabelling;
+
+/// <summary>Reads the lens that a calibration found: the lines that harvester calibrate prints, or an ini file with a section [Lens].</summary>
+internal static class LensFile
+{
+    private const string Section = $"[{HarvestSettings.LensSection}]";
+
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    /// <exception cref="DatasetFormatException">A value is missing, or none that a lens can have.</exception>
+    public static Lens Read(string path)
+    {
+        string text = File.ReadAllText(path);
+        IniFile ini = IniFile.Read(new StringReader(text.Contains(Section, System.StringComparison.OrdinalIgnoreCase) ? text : $"{Section}\n{text}"));
+        Lens lens = HarvestSettings.LensOf(ini);
+        foreach (KeyValuePair<string, double> value in HarvestSettings.ValuesOf(lens))
+        {
+            string found = ini.Text(HarvestSettings.LensSection, value.Key, "");
+            if (found.Length == 0)
+            {
+                throw new DatasetFormatException($"{path}: {value.Key} is missing. A calibration has a line for each value of the lens, as harvester calibrate prints them.");
+            }
+
+            if (!double.TryParse(found, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) || number != value.Value)
+            {
+                throw new DatasetFormatException($"{path}: {value.Key} is '{found}', which no lens has.");
+            }
+        }
+
+        return lens;
+    }
+}

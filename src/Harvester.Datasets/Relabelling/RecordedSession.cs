@@ -1,0 +1,139 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Labelling;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Roads;
+using Harvester.Capture.Scenes;
+using Harvester.Capture.Spaces;
+using Harvester.Datasets.Json;
+using Harvester.Datasets.Sessions;
+using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Datasets.Relabelling;
+
+/// <summary>A session with the scenes that its labels were made from, and with what was asked for when they were.</summary>
+internal sealed class RecordedSession
+{
+    private RecordedSession(SessionReader session, HarvestOptions options, LookAhead lookAhead, double laneWidthMetres)
+    {
+        Session = session;
+        Options = options;
+        LookAhead = lookAhead;
+        LaneWidthMetres = laneWidthMetres;
+    }
+
+    /// <summary>The session.</summary>
+    public SessionReader Session { get; }
+
+    /// <summary>The options of the harvest; the lens is each scene's own.</summary>
+    public HarvestOptions Options { get; }
+
+    /// <summary>Where the lane indicators were measured.</summary>
+    public LookAhead LookAhead { get; }
+
+    /// <summary>Width of the lanes of an ordinary road, metres.</summary>
+    public double LaneWidthMetres { get; }
+
+    /// <summary>Opens a session.</summary>
+    /// <exception cref="DatasetFormatException">It has no scenes, or its session.json or table of spaces is not as it should be.</exception>
+    public static RecordedSession Open(SessionReader session)
+    {
+        if (!Directory.Exists(session.PathOf(FramePaths.Scenes)))
+        {
+            throw new DatasetFormatException(
+                $"'{session.Folder}' has no {FramePaths.Scenes}: it was harvested without them, or is itself relabelled. Relabel the session that was harvested.");
+        }
+
+        if (SessionHeader.Read(session).Shard is { } shard)
+        {
+            throw new DatasetFormatException($"'{session.Folder}' is shard {shard} of a session. Merge it with the others, then relabel the whole.");
+        }
+
+        using JsonDocument document = JsonDocument.Parse(File.ReadAllBytes(session.PathOf(SessionInfo.FileName)));
+        var header = new JsonFields(document.RootElement);
+        JsonFields options = header.Fields("options");
+        JsonFields settings = header.Fields("settings");
+        string[] classes = [.. document.RootElement.GetProperty("classes").EnumerateArray().Select(name => name.ToString())];
+        string? lookAhead = settings.OptionalText("lookAhead");
+        return new RecordedSession(
+            session,
+            options.Checked(() => new HarvestOptions
+            {
+                Image = session.ReadInfo().Image,
+                Format = header.Fields("image").Name<ImageFormat>("format"),
+                RangeMetres = options.Number("rangeMetres"),
+                Masks = options.Truth("masks"),
+                MinBoxAreaPixels = options.Number("minBoxAreaPixels"),
+                MinBoxSidePixels = options.Number("minBoxSidePixels"),
+                MaxOccludedFraction = options.Number("maxOccludedFraction"),
+                Classes = [.. classes.Select(ClassOf)],
+                Spaces = ReadSpaces(session),
+            }),
+            lookAhead is null ? LookAhead.Thesis : LookAhead.Parse(lookAhead)
+                ?? throw new DatasetFormatException($"{SessionInfo.FileName}: settings.lookAhead must be metres, or seconds as 1s, not '{lookAhead}'."),
+            settings.OptionalText("laneWidth") is { } width ? double.Parse(width, CultureInfo.InvariantCulture) : RoadGeometry.LaneWidth);
+    }
+
+    /// <summary>The roads that lie in the session, and null for one that has none.</summary>
+    /// <exception cref="DatasetFormatException">The file is malformed.</exception>
+    public RoadNetwork? ReadRoads()
+    {
+        string path = Session.PathOf(FramePaths.Roads);
+        if (!File.Exists(path))
+        {
+            return null;
+        }
+
+        try
+        {
+            using StreamReader text = File.OpenText(path);
+            return RoadCsvReader.Read(text);
+        }
+        catch (FormatException e)
+        {
+            throw new DatasetFormatException($"{path}: {e.Message}", e);
+        }
+    }
+
+    /// <summary>The frames with their scenes, in order.</summary>
+    /// <exception cref="DatasetFormatException">A label or a scene is malformed.</exception>
+    /// <exception cref="IOException">A scene cannot be read.</exception>
+    public IEnumerable<(FrameLabel Label, RecordedScene Scene)> Frames() =>
+        Session.ReadLabels().Select(label => (label, SceneParser.Read(Session.PathOf(FramePaths.Scene(label.Frame)), label)));
+
+    /// <summary>The numbers that objects have in it.</summary>
+    public RecordedIds ReadIds()
+    {
+        var ids = new RecordedIds();
+        foreach ((FrameLabel _, RecordedScene scene) in Frames())
+        {
+            ids.Add(scene);
+        }
+
+        return ids;
+    }
+
+    private static ObjectClass ClassOf(string name) => JsonNames.TryRead(name, out ObjectClass kind)
+        ? kind
+        : throw new DatasetFormatException($"{SessionInfo.FileName}: '{name}' is no class.");
+
+    private static SpaceTable? ReadSpaces(SessionReader session)
+    {
+        string path = session.PathOf(FramePaths.Spaces);
+        if (!File.Exists(path))
+        {
+            return null;
+        }
+
+        using StreamReader text = File.OpenText(path);
+        SpaceTableContent content = SpaceTableReader.Read(text);
+        return content.Problems.Count == 0 ? content.Table : throw new DatasetFormatException($"{path}: {content.Problems[0]}");
+    }
+}
