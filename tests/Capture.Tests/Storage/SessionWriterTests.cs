@@ -49,8 +49,8 @@ public sealed class SessionWriterTests : IDisposable
         IReadOnlyDictionary<string, byte[]> first = _folder.Files();
         IReadOnlyDictionary<string, byte[]> second = other.Files();
 
-        // 6 pictures, 6 masks, labels and header.
-        Assert.Equal(14, first.Count);
+        // 6 pictures, 6 masks, 6 scenes, labels and header.
+        Assert.Equal(20, first.Count);
         Assert.Equal(first.Keys.Order(), second.Keys.Order());
         Assert.All(first, file => Assert.Equal(file.Value, second[file.Key]));
     }
@@ -81,17 +81,18 @@ public sealed class SessionWriterTests : IDisposable
         Assert.Single(Directory.GetFileSystemEntries(_folder.Session));
     }
 
-    // The writes of one frame with a mask: picture, mask, label; before the first comes the header.
+    // The writes of one frame with a mask: picture, mask, scene, label; before the first comes the header.
     [Theory]
     [InlineData(1, 0)]
     [InlineData(2, 0)]
     [InlineData(3, 0)]
     [InlineData(4, 0)]
-    [InlineData(5, 1)]
+    [InlineData(5, 0)]
     [InlineData(6, 1)]
     [InlineData(7, 1)]
-    [InlineData(13, 3)]
-    [InlineData(14, 4)]
+    [InlineData(9, 1)]
+    [InlineData(17, 3)]
+    [InlineData(18, 4)]
     public void Harvest_onto_a_disk_that_fills_up_leaves_whole_frames(int failingWrite, int wholeFrames)
     {
         var files = new FailingFiles(_folder.Session, failingWrite);

@@ -14,7 +14,9 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
 
         Assert.Equal($"{_folder.PathOf("merged/session")}: 8 frames\n", merge.Out);
         string[] files = Files(harvested.PathOf("whole/session"));
-        Assert.Equal(8 + 8 + 3, files.Length);
+
+        // Of each frame picture, mask and scene; labels, header and report; roads and faces.
+        Assert.Equal((8 * 3) + 3 + 2, files.Length);
         Assert.Equal(files, Files(_folder.PathOf("merged/session")));
         Assert.All(files, file => Assert.Equal(
             File.ReadAllBytes(harvested.PathOf($"whole/session/{file}")), File.ReadAllBytes(_folder.PathOf($"merged/session/{file}"))));

@@ -1,0 +1,103 @@
+using Harvester.Capture.Labels;
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Cli.Tests.Commands;
+
+public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixture<HarvestedShards>, IDisposable
+{
+    private const string Lens = "; of a calibration\nFocalScale = 1.02\nCentreOffsetX = 0.001\nCentreOffsetY = 0\nK1 = -0.03\nK2 = 0\n";
+
+    private readonly TemporaryFolder _folder = new();
+
+    private string Session => harvested.PathOf("whole/session");
+
+    private string Made => _folder.PathOf("made");
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Relabel_without_options_gives_the_same_labels_on_the_roads_that_the_session_keeps()
+    {
+        CliRun run = Relabel();
+
+        Assert.Equal((ExitCode.Done, $"{Made}: 8 frames\n", ""), (run.ExitCode, run.Out, run.Error));
+        Assert.Equal(File.ReadAllBytes(Path.Combine(Session, "labels.jsonl")), File.ReadAllBytes(Path.Combine(Made, "labels.jsonl")));
+        Assert.All(Directory.GetFiles(Path.Combine(Session, "masks")), mask =>
+            Assert.Equal(File.ReadAllBytes(mask), File.ReadAllBytes(Path.Combine(Made, "masks", Path.GetFileName(mask)))));
+        Assert.Equal(
+            File.ReadAllText(Path.Combine(Session, "session.json")),
+            Without("relabelledBy", File.ReadAllText(Path.Combine(Made, "session.json"))));
+        Assert.True(File.Exists(Path.Combine(Made, "report.html")));
+    }
+
+    [Fact]
+    public void Relabel_in_shards_merges_to_the_bytes_of_one_run()
+    {
+        string[] options = ["--lane-width", "3.7", "--look-ahead", "1s", "--range", "70"];
+        Relabel(options);
+        foreach (string number in (string[])["1", "2"])
+        {
+            string part = _folder.PathOf("part-" + number);
+            CliRun run = CliRun.Of(["relabel", Session, "--out", part, .. options, "--shard", number + "/2"]);
+            Assert.Equal($"{part}: shard {number}/2, 4 frames. When all are done: harvester merge\n", run.Out);
+        }
+
+        CliRun.Of("merge", _folder.PathOf("part-2"), _folder.PathOf("part-1"), "--out", _folder.PathOf("merged/made"));
+
+        foreach (string file in Directory.EnumerateFiles(Made, "*", SearchOption.AllDirectories))
+        {
+            Assert.Equal(File.ReadAllBytes(file), File.ReadAllBytes(Path.Combine(_folder.PathOf("merged/made"), Path.GetRelativePath(Made, file))));
+        }
+    }
+
+    [Theory]
+    [InlineData("")]
+    [InlineData("[Harvest]\nRate = 5\n[Lens]\n")]
+    public void Relabel_by_a_calibration_moves_the_camera_and_drops_the_masks(string before)
+    {
+        CliRun run = Relabel("--calibration", _folder.File("lens.ini", before + Lens));
+
+        Assert.Equal("", run.Error);
+        Assert.All(new SessionReader(Made).ReadLabels(), label => Assert.Equal(
+            (new DistortionLabel(1.02, -0.03, 0), 80.16, null), (label.Camera.Distortion, label.Camera.Cx, label.Mask)));
+        Assert.Equal(ExitCode.Done, CliRun.Of("validate", Made).ExitCode);
+    }
+
+    [Theory]
+    [InlineData("K1 = -0.03\n", "", "K1 is missing")]
+    [InlineData("FocalScale = 1.02", "FocalScale = 12", "FocalScale is '12', which no lens has")]
+    [InlineData("FocalScale = 1.02", "FocalScale = wide", "FocalScale is 'wide', which no lens has")]
+    public void Relabel_by_a_calibration_without_a_lens_is_an_error_of_the_data(string good, string bad, string message) =>
+        Relabel("--calibration", _folder.File("lens.txt", Lens.Replace(good, bad, StringComparison.Ordinal))).AssertFailed(ExitCode.BadData, message);
+
+    [Fact]
+    public void Relabel_onto_the_session_itself_is_refused() =>
+        CliRun.Of("relabel", Session, "--out", Session + "/.", "--overwrite").AssertFailed(ExitCode.Usage, "is the recorded session itself");
+
+    [Fact]
+    public void Relabel_onto_another_session_asks_for_overwrite()
+    {
+        Relabel("--classes", "car");
+
+        Relabel("--classes", "bus").AssertFailed(ExitCode.Usage, "--overwrite");
+        Assert.Equal(ExitCode.Done, Relabel("--classes", "bus", "--overwrite", "--no-report").ExitCode);
+        Assert.False(File.Exists(Path.Combine(Made, "report.html")));
+    }
+
+    [Fact]
+    public void Relabel_of_a_shard_asks_to_merge_first() =>
+        CliRun.Of("relabel", harvested.PathOf("part-1"), "--out", Made).AssertFailed(ExitCode.BadData, "is shard 1/3 of a session. Merge it");
+
+    [Theory]
+    [InlineData("--range", "0", "--range takes a number greater than 0")]
+    [InlineData("--max-occluded", "2", "--max-occluded takes a number from 0 to 1")]
+    [InlineData("--lane-width", "1", "--lane-width takes a number from 2 to 10")]
+    [InlineData("--look-ahead", "6s", "--look-ahead takes metres from 0 to 70, or seconds from 0 to 5 as 1s")]
+    public void Relabel_with_an_option_that_makes_no_sense_says_what_it_takes(string option, string value, string message) =>
+        Relabel(option, value).AssertFailed(ExitCode.Usage, message);
+
+    private CliRun Relabel(params string[] options) => CliRun.Of(["relabel", Session, "--out", Made, .. options]);
+
+    private static string Without(string setting, string header) =>
+        System.Text.RegularExpressions.Regex.Replace(header, $",\n    \"{setting}\": \"[^\"]*\"", "");
+}

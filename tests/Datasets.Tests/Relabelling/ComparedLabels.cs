@@ -1,0 +1,34 @@
+using Harvester.Capture.Labels;
+using Harvester.Datasets.Sessions;
+using Harvester.Geometry.Visibility;
+
+namespace Harvester.Datasets.Tests.Relabelling;
+
+/// <summary>
+/// Labels as lines that are the same for the same things, whatever numbers objects have: another harvest may give others. Everything else stays in,
+/// except what a test says that only the game could tell.
+/// </summary>
+internal static class ComparedLabels
+{
+    public static string[] Of(SessionReader session, Func<ObjectLabel, ObjectLabel>? objects = null, Func<LanesLabel, LanesLabel>? lanes = null) =>
+        [.. session.ReadLabels().Select(label => JsonLabelWriter.Line(label with
+        {
+            Objects = [.. label.Objects.Select(item => Numberless(objects?.Invoke(item) ?? item)).OrderBy(PlaceOf)],
+            Lanes = label.Lanes is { } seen ? Numberless(lanes?.Invoke(seen) ?? seen) : null,
+        }))];
+
+    public static ObjectLabel WithoutOcclusion(ObjectLabel item) =>
+        item with { OccludedFraction = null, OcclusionMethod = OcclusionMethod.None, Box2DVisible = null };
+
+    public static LanesLabel WithoutHidden(LanesLabel lanes) => lanes with
+    {
+        Markings = [.. lanes.Markings.Select(marking => marking with { Points = [.. marking.Points.Select(point => point with { IsHidden = null })] })],
+    };
+
+    private static ObjectLabel Numberless(ObjectLabel item) => item with { Id = 0, Parent = item.Parent is null ? null : 0 };
+
+    private static LanesLabel Numberless(LanesLabel lanes) => lanes with { Vehicles = [.. lanes.Vehicles.Select(vehicle => vehicle with { Id = 0 })] };
+
+    private static (double X, double Y, double Z, int Face, string Model) PlaceOf(ObjectLabel item) =>
+        (item.Box3D.Centre.X, item.Box3D.Centre.Y, item.Box3D.Centre.Z, item.Space?.Face ?? -1, item.Model);
+}
