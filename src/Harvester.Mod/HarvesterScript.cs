@@ -53,7 +53,7 @@ public sealed class HarvesterScript : Script
             paused => Natives.Call(Hash.SET_GAME_PAUSED, paused), () => Natives.Call<int>(Hash.GET_GAME_TIMER));
         var rays = new GameRays();
         var markers = new DrawnMarkers(display);
-        var roads = new GrowingRoads(player.LaneWidthMetres);
+        var roads = new GrowingRoads(player.LaneWidthMetres, player.NarrowLaneWidthMetres);
         var vehicles = new GameVehicles();
         var models = new GameModels();
         var cameras = new GameCameras();

@@ -15,14 +15,20 @@ public sealed class FixedRoads : IRoads
     /// <param name="source">Where they are from, as a short camelCase word for the labels.</param>
     /// <param name="lookAhead">Where the indicators are measured; the thesis's ten metres when null.</param>
     /// <param name="laneWidth">Width of the lanes of an ordinary road, metres.</param>
-    public FixedRoads(RoadNetwork network, string source, LookAhead? lookAhead = null, double laneWidth = RoadGeometry.LaneWidth)
+    /// <param name="narrowLaneWidth">Width of the lanes of a narrow road, metres.</param>
+    public FixedRoads(
+        RoadNetwork network,
+        string source,
+        LookAhead? lookAhead = null,
+        double laneWidth = RoadGeometry.LaneWidth,
+        double narrowLaneWidth = RoadGeometry.NarrowLaneWidth)
     {
         if (network is null)
         {
             throw new ArgumentNullException(nameof(network));
         }
 
-        var observer = new LaneObserver(new RoadCurves(network), new LaneModel(network, laneWidth), lookAhead);
+        var observer = new LaneObserver(new RoadCurves(network), new LaneModel(network, laneWidth, narrowLaneWidth), lookAhead);
         _roads = new KnownRoads(observer, source);
     }
 

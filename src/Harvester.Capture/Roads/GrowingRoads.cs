@@ -11,7 +11,8 @@ namespace Harvester.Capture.Roads;
 /// grows. All calls come from the game's thread.
 /// </summary>
 /// <param name="laneWidth">Width of the lanes of an ordinary road, metres.</param>
-public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth) : IRoads
+/// <param name="narrowLaneWidth">Width of the lanes of a narrow road, metres.</param>
+public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth, double narrowLaneWidth = RoadGeometry.NarrowLaneWidth) : IRoads
 {
     private Task<KnownRoads?>? _preparing;
     private KnownRoads? _known;
@@ -49,7 +50,7 @@ public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth) : IR
             _preparing = Task.Run<KnownRoads?>(() =>
             {
                 RoadNetwork network = read();
-                return network.Links.Count > 0 ? new FixedRoads(network, source, null, laneWidth).Near(default) : null;
+                return network.Links.Count > 0 ? new FixedRoads(network, source, null, laneWidth, narrowLaneWidth).Near(default) : null;
             });
         }
     }

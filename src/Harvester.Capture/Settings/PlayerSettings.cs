@@ -35,6 +35,9 @@ public sealed record PlayerSettings
     /// <summary>Width of the lanes of an ordinary road, metres.</summary>
     public required double LaneWidthMetres { get; init; }
 
+    /// <summary>Width of the lanes of a narrow road, metres.</summary>
+    public required double NarrowLaneWidthMetres { get; init; }
+
     /// <summary>The file of the road survey.</summary>
     public required string SurveyFile { get; init; }
 
@@ -86,6 +89,7 @@ public sealed record PlayerSettings
             Folder = folder,
             RoadFile = roads.Length > 0 ? PathOf(roads) : null,
             LaneWidthMetres = ini.Number("Roads", "LaneWidth", RoadGeometry.LaneWidth, 2, 10),
+            NarrowLaneWidthMetres = ini.Number("Roads", "NarrowLaneWidth", RoadGeometry.NarrowLaneWidth, 2, 10),
             SurveyFile = Path.Combine(folder, "roads.csv"),
             Bridge = BridgeSettings.Read(ini, Path.Combine(folder, "bridge"), PathOf),
             SpacesFolder = Path.Combine(folder, "spaces"),

@@ -30,6 +30,10 @@ internal static class LaneOptions
     /// <summary>The same where it may be left out.</summary>
     public static Option<double?> OtherLaneWidth() => ValueParsers.Optional(LaneWidthName, LaneWidthForm, LaneWidthPurpose, ParseWidth, LaneWidthRange);
 
+    /// <summary>Width of narrow lanes.</summary>
+    public static Option<double> NarrowLaneWidth() =>
+        ValueParsers.Parsed("--narrow-lane-width", LaneWidthForm, "Width of the lanes of narrow roads, metres", ParseWidth, LaneWidthRange);
+
     private static double? ParseWidth(string text) => ValueParsers.Number(text) is >= 2 and <= 10 and var width ? width : null;
 
     private static LookAhead? Parse(string text)

@@ -36,19 +36,20 @@ internal static class LanesCommand
         ValueParsers.Number("--speed", "V", "The car's speed, metres per second; for a look-ahead in seconds", value => value is >= 0 and <= 100, "a number from 0 to 100"), 10);
 
     private static readonly Option<double> LaneWidth = WithDefault(LaneOptions.LaneWidth(), RoadGeometry.LaneWidth);
+    private static readonly Option<double> NarrowLaneWidth = WithDefault(LaneOptions.NarrowLaneWidth(), RoadGeometry.NarrowLaneWidth);
 
     public static Command Create(Terminal terminal)
     {
         var command = new Command("lanes", "Write the lane indicators of a car at a place as JSON.")
         {
-            Roads, Position, Heading, Vehicles, Length, LaneLookAhead, Speed, LaneWidth,
+            Roads, Position, Heading, Vehicles, Length, LaneLookAhead, Speed, LaneWidth, NarrowLaneWidth,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(parsed =>
         {
             RoadNetwork network = RoadImporter.Import(parsed.GetRequiredValue(Roads).FullName).Network;
             var observer = new LaneObserver(
-                new RoadCurves(network), new LaneModel(network, parsed.GetValue(LaneWidth)), parsed.GetValue(LaneLookAhead));
+                new RoadCurves(network), new LaneModel(network, parsed.GetValue(LaneWidth), parsed.GetValue(NarrowLaneWidth)), parsed.GetValue(LaneLookAhead));
             LaneObservation seen = observer.Observe(
                 parsed.GetRequiredValue(Position), parsed.GetRequiredValue(Heading), parsed.GetValue(Speed), parsed.GetValue(Length), ReadVehicles(parsed.GetValue(Vehicles)), null);
             using JsonDocument lanes = JsonDocument.Parse(JsonLabelWriter.Lanes(LanesLabel.Of(seen, "roadFile", [])));

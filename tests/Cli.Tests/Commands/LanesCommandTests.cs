@@ -40,6 +40,25 @@ public sealed class LanesCommandTests : IDisposable
     }
 
     [Fact]
+    public void Lanes_of_narrow_roads_have_a_width_of_their_own()
+    {
+        string narrow = _folder.PathOf("narrow.csv");
+        File.WriteAllText(narrow, File.ReadAllText(_roads).Replace(",2,2,0,,", ",2,2,0,narrowRoad,", StringComparison.Ordinal));
+
+        Assert.Equal((4, "narrowConstant"), Width("--roads", narrow, "--lane-width", "5"));
+        Assert.Equal((3.5, "narrowConstant"), Width("--roads", narrow, "--narrow-lane-width", "3.5"));
+        Assert.Equal((5, "constant"), Width("--roads", _roads, "--lane-width", "5", "--narrow-lane-width", "3.5"));
+
+        static (double, string?) Width(params string[] options)
+        {
+            CliRun run = CliRun.Of(["lanes", "--position", "1,50,0", "--heading", "0", .. options]);
+            Assert.Equal("", run.Error);
+            JsonElement lanes = JsonDocument.Parse(run.Out).RootElement;
+            return (lanes.GetProperty("laneWidthMetres").GetDouble(), lanes.GetProperty("laneWidthSource").GetString());
+        }
+    }
+
+    [Fact]
     public void Lanes_takes_vehicles_of_a_file()
     {
         string vehicles = _folder.PathOf("vehicles.csv");
