@@ -121,4 +121,12 @@ public sealed class AxesTests
 
     private static void AssertClose(Vector3D expected, Vector3D actual, double tolerance) =>
         Assert.True((expected - actual).Length <= tolerance * Math.Sqrt(3), $"expected {expected}, got {actual}");
+
+    [Fact]
+    public void FromVectors_of_axes_that_were_made_by_a_factory_is_the_very_same()
+    {
+        Axes axes = Axes.FromEuler(new EulerAngles(-7.3, 11.9, 143.2));
+
+        Assert.Equal(axes, Axes.FromVectors(axes.Right, axes.Forward, axes.Up));
+    }
 }

@@ -1,6 +1,7 @@
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
 
 namespace Harvester.Capture.Tests.Labelling;
 
@@ -31,4 +32,37 @@ public sealed class ObjectRegistryTests
         // Back to the first model: the first object has gone, this is a third one.
         Assert.Equal(4, registry.IdOf(Car));
     }
+
+    [Fact]
+    public void IdOf_an_object_that_a_harvest_had_numbered_later_is_that_number_and_a_new_one_follows_the_greatest()
+    {
+        var ids = new RecordedIds();
+        ids.Add(SceneOf(Car with { Handle = 12 }, 3));
+        ids.Add(SceneOf(Car, 7));
+        var registry = new ObjectRegistry(ids.Greatest + 1) { Recorded = ids };
+
+        Assert.Equal(7, registry.IdOf(Car));
+        Assert.Equal(8, registry.IdOf(Car with { Handle = 11 }));
+        Assert.Equal(3, registry.IdOf(Car with { Handle = 12 }));
+        Assert.Equal(9, registry.IdOf(Car, face: 0));
+    }
+
+    [Fact]
+    public void Remember_goes_before_what_an_earlier_scene_had()
+    {
+        // The handle came to another car of the same model, which a resumed harvest gave a number of its own.
+        var registry = new ObjectRegistry(20);
+        registry.Remember(SceneOf(Car, 4));
+        registry.Remember(SceneOf(Car, 9));
+
+        Assert.Equal(9, registry.IdOf(Car));
+        Assert.Equal(20, registry.IdOf(Car with { Handle = 11 }));
+    }
+
+    private static RecordedScene SceneOf(EntityState entity, int id) => new(
+        new SceneSnapshot(
+            0, 0, new CameraState(entity.Pose, 50, 0.1, 1), new EgoState(0, "", entity.Pose, Vector3D.Zero), [entity], new EnvironmentState("clear", TimeSpan.Zero)),
+        Lens.Ideal,
+        new Dictionary<int, int> { [entity.Handle] = id },
+        []);
 }
