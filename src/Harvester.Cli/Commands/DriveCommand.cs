@@ -25,9 +25,10 @@ internal static class DriveCommand
         + "Examples:\n"
         + "  harvester drive --out drive\n"
         + "  harvester drive --controller deepdriving --noise --distance 3000 --out drive\n"
+        + "  harvester drive --bridge socket --role game --out drive        and elsewhere: harvester drive --bridge socket --role peer\n"
         + "  harvester drive --roads nodes.zip --near=-500,1000 --near=0,2700 --out drive";
 
-    private static readonly Option<string> Out = new("--out") { Description = "Folder to write drive.json and report.html to", HelpName = "DIR", Required = true };
+    private static readonly Option<string?> Out = new("--out") { Description = "Folder to write drive.json and report.html to", HelpName = "DIR" };
     private static readonly Option<ControllerName> Controller = WithDefault(
         ValueParsers.Parsed<ControllerName>("--controller", "NAME", "Who drives: stanley or deepdriving", ParseController, "stanley or deepdriving"),
         ControllerName.Stanley);
@@ -80,6 +81,11 @@ internal static class DriveCommand
         {
             Out, Controller, Seed, Roads, Near, Distance, Duration, Traffic, Speed, Noise, LookAhead,
         };
+        foreach (Option option in DriveBridgeOptions.All)
+        {
+            command.Options.Add(option);
+        }
+
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
         return command;
@@ -87,8 +93,21 @@ internal static class DriveCommand
 
     private static int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
     {
-        DrivePlan plan = PlanOf(parsed);
-        string folder = parsed.GetRequiredValue(Out);
+        string? folder = parsed.GetValue(Out);
+        BridgePlan bridge = DriveBridgeOptions.Parse(parsed, folder);
+        DrivePlan plan = PlanOf(parsed) with { Bridge = bridge.Kind == BridgeName.Direct ? null : bridge };
+        if (bridge.Role == DriveRole.Peer)
+        {
+            (long frames, double metres) = new BridgedDrives(bridge).RunPeer(new SimulatedDrives(plan).ControllerOf(plan.Seed), plan.Seconds, cancellation);
+            terminal.Out.WriteLine(FormattableString.Invariant($"{frames} frames answered, {metres:0} m driven"));
+            return ExitCode.Done;
+        }
+
+        if (folder is null)
+        {
+            throw new UsageException("Option '--out' is required.");
+        }
+
         Directory.CreateDirectory(folder);
         IReadOnlyList<DriveSample> samples = new SimulatedDrives(plan).Run(cancellation);
         DriveRecord record = DriveRecord.Of(SettingsOf(parsed, plan), samples);
@@ -132,6 +151,7 @@ internal static class DriveCommand
         {
             ["controller"] = plan.Controller == ControllerName.Stanley ? "stanley" : "deepdriving",
             ["seed"] = plan.Seed.ToString(CultureInfo.InvariantCulture),
+            ["bridge"] = plan.Bridge is { } bridge ? (bridge.Kind == BridgeName.Folder ? "folder" : "socket") : "direct",
             ["roads"] = parsed.GetValue(Roads)?.Name ?? "town",
             ["traffic"] = plan.TrafficDensity.ToString(CultureInfo.InvariantCulture),
             ["lookAheadMetres"] = plan.LookAheadMetres.ToString(CultureInfo.InvariantCulture),

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Threading;
 using Harvester.Capture.Driving;
@@ -16,7 +17,7 @@ namespace Harvester.Cli.Driving;
 /// A drive in the simulated game with the controller in the same process and no picture in between. Where the lanes are not known, in
 /// junctions above all, and where the car has to give way, its own driver follows its route.
 /// </summary>
-internal sealed class DirectDrive(SimulatedGame game, IRoads roads, IController controller)
+internal sealed class DirectDrive(SimulatedGame game, IRoads roads, Func<IController> newController)
 {
     private const double TickSeconds = 0.05;
     private const int TicksPerControl = 2;
@@ -26,7 +27,8 @@ internal sealed class DirectDrive(SimulatedGame game, IRoads roads, IController 
 
     private readonly LaneTracker _lanes = new(roads, entity => entity.Handle);
     private readonly DriveSampler _sampler = new(game);
-    private readonly Handover _handover = new();
+    private Handover _handover = new();
+    private IController _controller = newController();
 
     /// <summary>Drives so far or so long, whichever is reached first.</summary>
     public IReadOnlyList<DriveSample> Run(double metres, double seconds, CancellationToken cancellation)
@@ -40,7 +42,7 @@ internal sealed class DirectDrive(SimulatedGame game, IRoads roads, IController 
             {
                 LaneObservation? seen = Look(game.Ports.World.ReadEgo());
                 isByController = _handover.Decide(seen, game.MustEgoGiveWay);
-                controls = controller.Drive(StateOf(seen));
+                controls = _controller.Drive(StateOf(seen));
             }
 
             if (isByController)
@@ -52,6 +54,13 @@ internal sealed class DirectDrive(SimulatedGame game, IRoads roads, IController 
             if (tick % TicksPerControl == TicksPerControl - 1)
             {
                 _sampler.Take(isByController);
+                if (_sampler.Samples[^1].IsElsewhere)
+                {
+                    // The car was put elsewhere; what was known of the road before does not hold there.
+                    _lanes.Forget();
+                    _handover = new Handover();
+                    _controller = newController();
+                }
             }
         }
 

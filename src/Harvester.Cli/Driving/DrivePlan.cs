@@ -37,4 +37,7 @@ internal sealed record DrivePlan
 
     /// <summary>Speed on a free straight road, m/s; null for the controller's own.</summary>
     public double? Speed { get; init; }
+
+    /// <summary>What lies between game and controller; null for nothing.</summary>
+    public BridgePlan? Bridge { get; init; }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Threading;
+using Harvester.Capture.Driving;
 using Harvester.Capture.Driving.Controllers;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Evaluation;
@@ -28,9 +29,11 @@ internal sealed class SimulatedDrives(DrivePlan plan)
         int starts = Math.Max(1, plan.Starts.Count);
         for (int i = 0; i < starts && !cancellation.IsCancellationRequested; i++)
         {
-            SimulatedGame game = Build(plan.Starts.Count > 0 ? plan.Starts[i] : null, plan.Seed + i);
-            DirectDrive drive = new(game, RoadsOf(game), ControllerOf(plan.Seed + i));
-            samples.AddRange(drive.Run(plan.Metres, plan.Seconds, cancellation));
+            int seed = plan.Seed + i;
+            SimulatedGame game = Build(plan.Starts.Count > 0 ? plan.Starts[i] : null, seed);
+            samples.AddRange(plan.Bridge is { } bridge
+                ? new BridgedDrives(bridge).Run(game, RoadsOf(game), () => ControllerOf(seed), plan.Metres, plan.Seconds, cancellation)
+                : new DirectDrive(game, RoadsOf(game), () => ControllerOf(seed)).Run(plan.Metres, plan.Seconds, cancellation));
         }
 
         return samples;
@@ -68,6 +71,7 @@ internal sealed class SimulatedDrives(DrivePlan plan)
                 Seed = seed,
                 Roads = plan.Roads,
                 Near = start,
+                WindowAspect = plan.Bridge is null ? 1 : new DrivingOptions().Picture.Aspect,
                 TrafficDensity = plan.TrafficDensity,
                 PedestrianDensity = 0,
             });

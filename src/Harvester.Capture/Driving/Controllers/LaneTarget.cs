@@ -40,13 +40,13 @@ internal sealed class LaneTarget
     private double InLane(LaneIndicators at)
     {
         double own = (at.ToMarkingML.Value + at.ToMarkingMR.Value) / 2;
-        if (_boundFor < 0 && at.ToMarkingLL.IsValid && own < _lastLaneCentre + LaneWidth(at) / 2)
+        if (_boundFor < 0 && at.ToMarkingLL.IsValid && own > _lastLaneCentre - LaneWidth(at) / 2)
         {
             _lastLaneCentre = own;
             return (at.ToMarkingLL.Value + at.ToMarkingML.Value) / 2;
         }
 
-        if (_boundFor > 0 && at.ToMarkingRR.IsValid && own > _lastLaneCentre - LaneWidth(at) / 2)
+        if (_boundFor > 0 && at.ToMarkingRR.IsValid && own < _lastLaneCentre + LaneWidth(at) / 2)
         {
             _lastLaneCentre = own;
             return (at.ToMarkingRR.Value + at.ToMarkingMR.Value) / 2;

@@ -17,6 +17,9 @@ public sealed class StanleyController : IController
     /// <summary>A lane beside is worth moving to when it is free for so much further than one's own, metres.</summary>
     private const double GainOfLane = 15;
 
+    /// <summary>No car turns by more between two frames, radians; it was put elsewhere.</summary>
+    private const double LargestTurn = 0.5;
+
     private const double BendStep = 2;
     private readonly StanleyOptions _options;
     private readonly LaneTarget _lane = new();
@@ -63,6 +66,11 @@ public sealed class StanleyController : IController
             ? Angles.WrapRadians(now - before)
             : metres * CurvatureOfCar(state.SpeedMetresPerSecond);
         _headingRadians = state.HeadingRadians;
+        if (Math.Abs(turned) > LargestTurn)
+        {
+            _road.Forget();
+        }
+
         _road.Advance(metres, turned);
         if (state.Indicators.Angle.IsValid)
         {
@@ -101,7 +109,7 @@ public sealed class StanleyController : IController
     private static double? Nearest(LaneIndicators at)
     {
         double nearest = Math.Min(DistanceOf(at.DistMM), Math.Min(DistanceOf(at.DistL), DistanceOf(at.DistR)));
-        return nearest < IndicatorCalculator.VehicleRange ? nearest : null;
+        return nearest < TorcsEquivalent.VehicleRange ? nearest : null;
     }
 
     private static double DistanceOf(Indicator distance) => distance.IsValid ? distance.Value : double.PositiveInfinity;

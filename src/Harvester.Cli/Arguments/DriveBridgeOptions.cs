@@ -1,0 +1,62 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.IO;
+using System.Net;
+using Harvester.Capture.Driving.Bridge;
+using Harvester.Cli.Driving;
+
+namespace Harvester.Cli.Arguments;
+
+/// <summary>The options that say over what bridge a drive goes, and from which side.</summary>
+internal static class DriveBridgeOptions
+{
+    private static readonly Option<string> Bridge = Word("--bridge", "B", "What lies between game and controller: direct, folder, socket", "direct");
+    private static readonly Option<string> Role = Word("--role", "R", "What this process is of a bridge: both, game, peer", "both");
+    private static readonly Option<DirectoryInfo?> Folder = new("--folder") { Description = "The shared folder of a folder bridge [default: bridge in the folder of --out]", HelpName = "DIR" };
+    private static readonly Option<string?> At = new("--at") { Description = "Where a socket bridge listens, or where the game is [default: 127.0.0.1:4567]", HelpName = "ADDRESS:PORT" };
+    private static readonly Option<string?> Token = new("--token") { Description = "What a peer on another machine has to show", HelpName = "WORD" };
+
+    public static IEnumerable<Option> All => [Bridge, Role, Folder, At, Token];
+
+    /// <summary>What they ask for.</summary>
+    /// <exception cref="UsageException">They do not fit each other.</exception>
+    public static BridgePlan Parse(ParseResult parsed, string? outFolder)
+    {
+        BridgeName kind = parsed.GetRequiredValue(Bridge) switch
+        {
+            "direct" => BridgeName.Direct,
+            "folder" => BridgeName.Folder,
+            "socket" => BridgeName.Socket,
+            string other => throw new UsageException($"--bridge takes direct, folder or socket, not '{other}'."),
+        };
+        DriveRole role = parsed.GetRequiredValue(Role) switch
+        {
+            "both" => DriveRole.Both,
+            "game" => DriveRole.Game,
+            "peer" => DriveRole.Peer,
+            string other => throw new UsageException($"--role takes both, game or peer, not '{other}'."),
+        };
+        if (kind == BridgeName.Direct && role != DriveRole.Both)
+        {
+            throw new UsageException("--role game and peer need a bridge: --bridge folder or socket.");
+        }
+
+        string? folder = parsed.GetValue(Folder)?.FullName ?? (outFolder is null ? null : Path.Combine(outFolder, "bridge"));
+        if (kind == BridgeName.Folder && folder is null)
+        {
+            throw new UsageException("--bridge folder needs --folder.");
+        }
+
+        return new BridgePlan(kind, role, folder ?? "", parsed.GetValue(At) is { } at ? ParsePlace(at) : null, parsed.GetValue(Token));
+    }
+
+    /// <summary>Where a socket bridge is when nothing is said.</summary>
+    public static IPEndPoint Usual { get; } = new(IPAddress.Loopback, SocketBridgeOptions.DefaultPort);
+
+    private static IPEndPoint ParsePlace(string text) => IPEndPoint.TryParse(text, out IPEndPoint? place) && place.Port > 0
+        ? place
+        : throw new UsageException($"--at takes an address with a port as 127.0.0.1:4567, not '{text}'.");
+
+    private static Option<string> Word(string name, string form, string description, string value) =>
+        new(name) { Description = description, HelpName = form, DefaultValueFactory = _ => value };
+}

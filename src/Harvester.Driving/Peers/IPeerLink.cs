@@ -1,0 +1,20 @@
+using System;
+using Harvester.Capture.Driving;
+
+namespace Harvester.Driving.Peers;
+
+/// <summary>The far end of a bridge to a game.</summary>
+public interface IPeerLink : IDisposable
+{
+    /// <summary>Waits for the next frame.</summary>
+    /// <param name="patience">How long.</param>
+    /// <returns>Null when there was none.</returns>
+    /// <exception cref="System.IO.IOException">The bridge is gone.</exception>
+    PeerFrame? Receive(TimeSpan patience);
+
+    /// <summary>Answers a frame.</summary>
+    void Send(DrivingControls controls, long frame);
+
+    /// <summary>Lets the world go on for so long and stop then.</summary>
+    void Step(double seconds);
+}

@@ -1,0 +1,9 @@
+using Harvester.Capture.Driving.Controllers;
+
+namespace Harvester.Driving.Peers;
+
+/// <summary>What a frame of a bridge tells a peer, but for the picture.</summary>
+/// <param name="Frame">Its number.</param>
+/// <param name="TimeSeconds">The game's time, seconds.</param>
+/// <param name="State">What a controller drives by.</param>
+public sealed record PeerFrame(long Frame, double TimeSeconds, DrivingState State);
