@@ -20,6 +20,9 @@ public sealed class StanleyController : IController
     /// <summary>No car turns by more between two frames, radians; it was put elsewhere.</summary>
     private const double LargestTurn = 0.5;
 
+    /// <summary>Who stands in a queue stays in it: a change of lane would end across the marking, m/s.</summary>
+    private const double SlowestToChange = 3;
+
     private const double BendStep = 2;
     private readonly StanleyOptions _options;
     private readonly LaneTarget _lane = new();
@@ -118,7 +121,8 @@ public sealed class StanleyController : IController
     {
         LaneIndicators at = state.Indicators;
         double blockedWithin = Math.Max(20, state.SpeedMetresPerSecond * _options.BlockedWithinSeconds);
-        if (_lane.BoundFor != 0 || !(_leader.Gap < blockedWithin) || state.SpeedMetresPerSecond > 0.9 * _options.CruiseSpeed)
+        if (_lane.BoundFor != 0 || !(_leader.Gap < blockedWithin)
+            || state.SpeedMetresPerSecond < SlowestToChange || state.SpeedMetresPerSecond > 0.9 * _options.CruiseSpeed)
         {
             return;
         }
