@@ -33,7 +33,7 @@ public sealed class TenKilometresTests
         Controller = ControllerName.Stanley,
         Starts = PlacesInTown,
         TrafficDensity = 0.5,
-        Metres = 2600,
+        Metres = 2800,
         Noise = isNoisy ? NoiseLevels.Published : null,
     }));
 
