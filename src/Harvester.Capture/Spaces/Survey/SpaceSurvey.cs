@@ -115,6 +115,14 @@ public sealed class SpaceSurvey : IDisposable
 
             Done++;
         }
+
+        // A slow disk may refuse the last model's rows when all are measured.
+        while (_folder.IsWriting)
+        {
+            yield return true;
+        }
+
+        _folder.Wait(TimeSpan.Zero);
     }
 
     private IEnumerable<bool> Measure(SurveyedModel model)
