@@ -19,7 +19,7 @@ internal sealed class SocketPeer : IDisposable
     private readonly Action<SocketPeer> _leave;
     private readonly Action<string> _report;
     private readonly object _sending = new();
-    private bool _isWelcome;
+    private volatile bool _isWelcome;
     private volatile bool _isClosed;
 
     private SocketPeer(TcpClient client, string? token, PeerInbox inbox, Action<SocketPeer> welcome, Action<SocketPeer> leave, Action<string> report)
@@ -70,15 +70,13 @@ internal sealed class SocketPeer : IDisposable
 
     private void Receive()
     {
+        // A limit of a single read would not do: a peer that trickles its bytes never keeps one waiting.
+        using Timer? deadline = _token is null ? null : new Timer(_ => EndWait(), null, Patience, Timeout.Infinite);
         try
         {
             if (_token is null)
             {
                 Welcome();
-            }
-            else
-            {
-                _client.ReceiveTimeout = Patience;
             }
 
             while (SocketFraming.ReadHeader(_stream) is { } header)
@@ -111,7 +109,6 @@ internal sealed class SocketPeer : IDisposable
                 throw new BridgeException("the first message must be a hello with the right token.");
             }
 
-            _client.ReceiveTimeout = 0;
             Welcome();
             return;
         }
@@ -121,6 +118,14 @@ internal sealed class SocketPeer : IDisposable
         if (!_inbox.TryPut(message))
         {
             _report("the peer sends commands faster than the game takes them; the newest are dropped.");
+        }
+    }
+
+    private void EndWait()
+    {
+        if (!_isWelcome)
+        {
+            CutOff("a peer was cut off that did not show the token in time.");
         }
     }
 

@@ -40,6 +40,23 @@ internal sealed class SocketClient : IDisposable
         return (JsonDocument.Parse(header).RootElement, payload);
     }
 
+    /// <summary>Ends this side of the connection, and gives all that came until the other side's end.</summary>
+    public string SayNoMore()
+    {
+        _client.Client.Shutdown(SocketShutdown.Send);
+        using var rest = new MemoryStream();
+        try
+        {
+            Stream.CopyTo(rest);
+        }
+        catch (IOException e) when (e.InnerException is SocketException { SocketErrorCode: SocketError.ConnectionReset })
+        {
+            // Cut off with something unread.
+        }
+
+        return Encoding.UTF8.GetString(rest.ToArray());
+    }
+
     public bool IsCutOff()
     {
         try
