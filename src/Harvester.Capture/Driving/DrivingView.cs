@@ -66,12 +66,19 @@ internal sealed class DrivingView
     }
 
     /// <summary>What a controller knows when a peer has read the indicators off a picture. Lane width and straightness are those last seen on the road.</summary>
-    public DrivingState StateOf(LaneIndicators torcsEquivalent) => new(
-        TorcsEquivalent.InMetres(torcsEquivalent, _section),
-        torcsEquivalent,
-        _isFast,
-        _game.World.ReadEgo().Velocity.Length,
-        0);
+    public DrivingState StateOf(LaneIndicators torcsEquivalent)
+    {
+        EgoState ego = _game.World.ReadEgo();
+        return new DrivingState(
+            TorcsEquivalent.InMetres(torcsEquivalent, _section),
+            torcsEquivalent,
+            _isFast,
+            ego.Velocity.Length,
+            0)
+        {
+            HeadingRadians = Angles.ToRadians(Angles.HeadingDegrees(ego.Pose.Axes.Forward)),
+        };
+    }
 
     /// <summary>Forgets where the car was.</summary>
     public void Forget() => _lanes?.Forget();

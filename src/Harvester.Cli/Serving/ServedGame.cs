@@ -25,14 +25,14 @@ internal sealed class ServedGame : IDisposable
     /// <param name="options">Rate and size of the pictures.</param>
     /// <param name="bridge">To the peer.</param>
     /// <param name="newController">Makes what drives by a peer's indicators.</param>
-    /// <param name="isAssisted">Whether the car's own driver drives through junctions.</param>
+    /// <param name="isAssisted">Whether the car's own driver drives through junctions and gives way.</param>
     public ServedGame(
         SimulatedGame game, IRoads roads, DrivingOptions options, IDrivingBridge bridge, Func<IController> newController, bool isAssisted)
     {
         _game = game;
         DrivingSession? session = null;
         IDrivenCar car = game.Ports.Car!;
-        GamePorts ports = game.Ports with { Roads = roads, Car = isAssisted ? new AssistedCar(car, () => session!.Status) : car };
+        GamePorts ports = game.Ports with { Roads = roads, Car = isAssisted ? new AssistedCar(car, () => session!.Status, () => game.MustEgoGiveWay) : car };
 
         // The picture of the simulated game is never behind.
         session = new DrivingSession(options with { SettleTicks = 0 }, ports, bridge, newController);
