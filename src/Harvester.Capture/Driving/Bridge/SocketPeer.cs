@@ -56,8 +56,9 @@ internal sealed class SocketPeer : IDisposable
                 SocketFraming.Write(_stream, header, payload);
             }
         }
-        catch (Exception e) when (e is IOException or ObjectDisposedException)
+        catch (Exception e) when (e is IOException or InvalidOperationException)
         {
+            // A stream that another thread has just closed is disposed, or says that it does not support writing.
             CutOff($"the peer did not take a frame: {e.Message}");
         }
     }
@@ -91,7 +92,7 @@ internal sealed class SocketPeer : IDisposable
             Send(BridgeText.Error(e.Message), default);
             CutOff($"the peer was cut off: {e.Message}");
         }
-        catch (Exception e) when (e is IOException or ObjectDisposedException)
+        catch (Exception e) when (e is IOException or InvalidOperationException)
         {
             CutOff($"the peer went away: {e.Message}");
         }
