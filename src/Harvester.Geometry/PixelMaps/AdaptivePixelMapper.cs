@@ -16,6 +16,9 @@ public sealed class AdaptivePixelMapper
     /// <summary>Of a cell that is not understood, about this share of the pixels would be painted wrong.</summary>
     private const double WrongShare = 0.25;
 
+    /// <summary>How often parts are searched that the map misses; what one search finds tells the next where to look closer.</summary>
+    private const int MostSearches = 2;
+
     private readonly Camera _camera;
     private readonly PixelMapOptions _options;
     private readonly int _ignoredEntity;
@@ -27,12 +30,13 @@ public sealed class AdaptivePixelMapper
     private readonly CellExaminer _examiner;
     private readonly CellQueue _queue = new();
     private readonly List<MapCell> _settled = [];
-    private readonly Queue<Place> _firstPlaces = new();
-    private readonly int _openPixels;
+    private readonly FragmentSearch _search;
+    private readonly Queue<Place> _places = new();
+    private int _openPixels;
     private MapCell? _current;
     private MapperPhase _phase = MapperPhase.FirstPlaces;
     private UnmetTargets? _unmet;
-    private bool _counted;
+    private int _searches;
 
     /// <summary>Starts a map. No ray is cast before the first <see cref="Step"/>.</summary>
     /// <param name="camera">The camera.</param>
@@ -53,7 +57,7 @@ public sealed class AdaptivePixelMapper
         _samples = new PixelSamples(camera, _targets, ignoredEntity, rays);
         foreach (MapTarget target in _targets)
         {
-            if (NearestDistance(target) > _options.RayReachMetres)
+            if (SilhouettePainter.DistanceOf(camera, target) - target.Cuboid.HalfExtents.Length > _options.RayReachMetres)
             {
                 _beyondReach.Add(target);
             }
@@ -63,11 +67,9 @@ public sealed class AdaptivePixelMapper
             }
         }
 
-        foreach (TargetView view in _views)
-        {
-            _openPixels += _samples.Open(view.Spans);
-        }
+        _views.ForEach(view => _openPixels += _samples.Open(view.Spans));
 
+        _search = new FragmentSearch(camera, _views, _samples, _options.UnsearchedFraction);
         _examiner = new CellExaminer(_samples, _views, _options);
         List<MapCell> cells = CellGrid.Cells(camera.Image, _options.CellSize, _views);
         cells.ForEach(cell => _queue.Add(double.PositiveInfinity, cell));
@@ -75,13 +77,13 @@ public sealed class AdaptivePixelMapper
         {
             foreach (Place place in view.FirstPlaces())
             {
-                _firstPlaces.Enqueue(place);
+                _places.Enqueue(place);
             }
         }
 
         foreach (Place place in CellGrid.Corners(cells, _options.CellSize))
         {
-            _firstPlaces.Enqueue(place);
+            _places.Enqueue(place);
         }
     }
 
@@ -155,26 +157,38 @@ public sealed class AdaptivePixelMapper
         return new AdaptivePixelMap(map, RaysCast, IsComplete, resolution, _openPixels - _samples.PixelsCast, methods);
     }
 
-    private double NearestDistance(MapTarget target) =>
-        Math.Max(0, SilhouettePainter.DistanceOf(_camera, target) - target.Cuboid.HalfExtents.Length);
+    private static double PriorityOf(MapCell cell, double weight) => WrongShare * cell.Width * cell.Height * weight;
 
     private Place? NextPlace()
     {
-        if (_phase == MapperPhase.FirstPlaces)
+        do
         {
-            while (_firstPlaces.Count > 0)
+            while (_places.Count > 0)
             {
-                Place place = _firstPlaces.Dequeue();
-                if (!_samples.IsKnown(place))
+                Place place = _places.Dequeue();
+                if (_samples.IsUnasked(place))
                 {
                     return place;
                 }
             }
 
-            _views.ForEach(view => view.EstimateVisible(_samples));
-            _phase = MapperPhase.Cells;
-        }
+            if (_phase == MapperPhase.FirstPlaces)
+            {
+                _views.ForEach(view => view.EstimateVisible(_samples));
+                _phase = MapperPhase.Cells;
+            }
 
+            if (NextPlaceOfCells() is { } wanted)
+            {
+                return wanted;
+            }
+        }
+        while (Search());
+        return null;
+    }
+
+    private Place? NextPlaceOfCells()
+    {
         while (_current is not null || _queue.Count > 0 || Review())
         {
             if (_current is not { } cell)
@@ -202,41 +216,26 @@ public sealed class AdaptivePixelMapper
             }
             else
             {
-                Divide(cell, verdict.Weight);
+                _examiner.Border.AssumeMiddles();
+                foreach (MapCell part in cell.Quarters())
+                {
+                    _queue.Add(PriorityOf(part, verdict.Weight), part);
+                }
             }
         }
 
         return null;
     }
 
-    private void Divide(MapCell cell, double weight)
-    {
-        int column = (cell.Left + cell.Right) / 2;
-        int row = (cell.Top + cell.Bottom) / 2;
-        AddPart(new MapCell(cell.Left, cell.Top, column, row), weight);
-        AddPart(new MapCell(column, cell.Top, cell.Right, row), weight);
-        AddPart(new MapCell(cell.Left, row, column, cell.Bottom), weight);
-        AddPart(new MapCell(column, row, cell.Right, cell.Bottom), weight);
-    }
-
-    private void AddPart(MapCell cell, double weight) => _queue.Add(WrongShare * cell.Width * cell.Height * weight, cell);
-
-    // What was settled may not fit what its neighbours have learnt since. The first time, the visible pixels are counted as well.
+    // What was settled may not fit what its neighbours or a search have learnt since.
     private bool Review()
     {
-        if (!_counted)
-        {
-            CountVisible();
-            _counted = true;
-        }
-
         List<MapCell> settled = [.. _settled];
         _settled.Clear();
         foreach (MapCell cell in settled)
         {
             CellVerdict verdict = _examiner.Examine(cell);
-            double weight = verdict.Wanted is null ? verdict.Weight : _examiner.BorderWeight();
-            double priority = WrongShare * cell.Width * cell.Height * weight;
+            double priority = PriorityOf(cell, verdict.Wanted is null ? verdict.Weight : _examiner.BorderWeight());
             if (verdict.IsUnderstood || priority < _options.CellErrorFraction)
             {
                 _settled.Add(cell);
@@ -250,15 +249,24 @@ public sealed class AdaptivePixelMapper
         return _queue.Count > 0;
     }
 
-    private void CountVisible()
+    // A search that finds nothing is followed by a review all the same, since the visible pixels have been counted anew.
+    private bool Search()
     {
-        var counts = new int[ushort.MaxValue + 1];
-        foreach (ushort number in Paint().Ids)
+        if (_searches == MostSearches)
         {
-            counts[number]++;
+            return false;
         }
 
+        _searches++;
+        InstanceMap map = Paint();
+        int[] counts = map.PixelCounts();
         _views.ForEach(view => view.SetVisible(counts[view.Target.Number]));
+        foreach (Place place in _search.Places(map))
+        {
+            _places.Enqueue(place);
+        }
+
+        return true;
     }
 
     private InstanceMap Paint()

@@ -12,9 +12,6 @@ internal sealed class CellExaminer
     /// <summary>A cell whose border shows more runs than this is divided at once.</summary>
     private const int MostRuns = 8;
 
-    /// <summary>Cells of this side or less are not divided only to search for unseen fragments.</summary>
-    private const int SmallestSearchedSide = 4;
-
     /// <summary>The mean distance, in pixels, of a line between two changes known to the pixel from the true one.</summary>
     private const double MeanLineError = 0.2;
     private const int MostHalvings = 3;
@@ -23,7 +20,6 @@ internal sealed class CellExaminer
     private const double AlignedPixels = 0.9;
 
     private readonly PixelSamples _samples;
-    private readonly IReadOnlyList<TargetView> _views;
     private readonly PixelMapOptions _options;
     private readonly Dictionary<int, TargetView> _byNumber = [];
     private readonly CellBorder _border;
@@ -31,7 +27,6 @@ internal sealed class CellExaminer
     public CellExaminer(PixelSamples samples, IReadOnlyList<TargetView> views, PixelMapOptions options)
     {
         _samples = samples;
-        _views = views;
         _options = options;
         var spans = new List<SilhouetteSpans>();
         foreach (TargetView view in views)
@@ -60,14 +55,8 @@ internal sealed class CellExaminer
             return CellVerdict.Understood(weight);
         }
 
-        bool outlineTooShort = _border.Runs.Count > 1 && cell.Width * cell.Height * weight > _options.StraightCellFraction;
-        if (cell.Width > SmallestSearchedSide)
-        {
-            weight = Math.Max(weight, UnsearchedWeight(cell, out bool unsearched));
-            outlineTooShort |= unsearched;
-        }
-
-        if (outlineTooShort || _border.Runs.Count > MostRuns)
+        bool outlineTooLong = _border.Runs.Count > 1 && cell.Width * cell.Height * weight > _options.StraightCellFraction;
+        if (outlineTooLong || _border.Runs.Count > MostRuns)
         {
             return CellVerdict.Divide(weight);
         }
@@ -123,27 +112,6 @@ internal sealed class CellExaminer
     }
 
     private double WeightOf(int number) => _byNumber.TryGetValue(number, out TargetView view) ? view.Weight : 0;
-
-    // Whether the cell leaves more of an object's silhouette unasked than may stay so, where it does not show that object all around.
-    private double UnsearchedWeight(MapCell cell, out bool unsearched)
-    {
-        double weight = 0;
-        foreach (TargetView view in _views)
-        {
-            bool shownAllAround = _border.Runs.Count == 1 && _border.Runs[0].Number == view.Target.Number;
-            double pixels = (cell.Width + 1) * (cell.Height + 1);
-            if (!shownAllAround
-                && pixels * view.SearchWeight > _options.UnsearchedFraction
-                && view.Spans.BoxMeets(cell)
-                && view.Spans.PixelsIn(cell) * view.SearchWeight > _options.UnsearchedFraction)
-            {
-                weight = Math.Max(weight, view.SearchWeight);
-            }
-        }
-
-        unsearched = weight > 0;
-        return weight;
-    }
 
     private int Halvings(MapCell cell, double weight)
     {

@@ -29,6 +29,18 @@ public sealed class InstanceMap
         set => _ids[(row * Image.Width) + column] = value;
     }
 
+    /// <summary>For each number, also 0, the number of pixels that show it.</summary>
+    internal int[] PixelCounts()
+    {
+        var counts = new int[ushort.MaxValue + 1];
+        foreach (ushort number in _ids)
+        {
+            counts[number]++;
+        }
+
+        return counts;
+    }
+
     /// <summary>The pixels of one object.</summary>
     public PixelMap MapOf(ushort id)
     {

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace Harvester.Geometry.PixelMaps;
 
@@ -14,6 +15,26 @@ internal readonly record struct MapCell(int Left, int Top, int Right, int Bottom
 
     /// <summary>The number of pixels on its border when walked around once; a cell of one pixel has that.</summary>
     public int BorderLength => Math.Max(1, 2 * (Width + Height));
+
+    /// <summary>The cell's four parts, which share its middle column and row.</summary>
+    public IEnumerable<MapCell> Quarters()
+    {
+        int column = (Left + Right) / 2;
+        int row = (Top + Bottom) / 2;
+        yield return new MapCell(Left, Top, column, row);
+        yield return new MapCell(column, Top, Right, row);
+        yield return new MapCell(Left, row, column, Bottom);
+        yield return new MapCell(column, row, Right, Bottom);
+    }
+
+    /// <summary>The steps of the walk around the border at the middles of the sides, where the parts' corners are.</summary>
+    public IEnumerable<int> SideMiddles()
+    {
+        yield return Width / 2;
+        yield return Width + (Height / 2);
+        yield return (2 * Width) + Height - (Width / 2);
+        yield return (2 * Width) + (2 * Height) - (Height / 2);
+    }
 
     /// <summary>The pixel at a step of a walk around the border, clockwise on the screen from the upper left corner.</summary>
     public (int Column, int Row) Border(int step)

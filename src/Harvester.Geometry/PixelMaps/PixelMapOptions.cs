@@ -10,13 +10,13 @@ public sealed record PixelMapOptions
     public int CellSize { get; init; } = 32;
 
     /// <summary>The error that may remain in one cell, as a share of the visible pixels of the smallest object in it; greater than 0.</summary>
-    public double CellErrorFraction { get; init; } = 0.0004;
+    public double CellErrorFraction { get; init; } = 0.0005;
 
     /// <summary>The greatest area of a cell across which an outline is taken to be straight, as a share of the visible pixels of the smallest object in it; greater than 0.</summary>
-    public double StraightCellFraction { get; init; } = 0.017;
+    public double StraightCellFraction { get; init; } = 0.027;
 
-    /// <summary>The greatest part of an object's silhouette in which no pixel is asked whether more of it shows, as a share of its visible pixels; greater than 0.</summary>
-    public double UnsearchedFraction { get; init; } = 0.06;
+    /// <summary>How large a part of an object, as a share of its visible pixels, stands around each place that is asked whether more of it shows; greater than 0.</summary>
+    public double UnsearchedFraction { get; init; } = 0.022;
 
     /// <summary>Beyond this distance rays are known not to meet entities, which are then drawn by their cuboids; metres, greater than 0.</summary>
     public double RayReachMetres { get; init; } = double.PositiveInfinity;

@@ -18,6 +18,7 @@ internal sealed class PixelSamples
     private readonly Dictionary<int, ushort> _numbers = [];
     private readonly int[] _known;
     private readonly float[] _distances;
+    private readonly bool[] _assumed;
     private readonly Dictionary<long, int> _between = [];
 
     public PixelSamples(Camera camera, IReadOnlyList<MapTarget> targets, int ignoredEntity, IRayCaster rays)
@@ -27,6 +28,7 @@ internal sealed class PixelSamples
         _ignoredEntity = ignoredEntity;
         _known = new int[camera.Image.PixelCount];
         _distances = new float[_known.Length];
+        _assumed = new bool[_known.Length];
         foreach (MapTarget target in targets)
         {
             _numbers[target.Entity] = target.Number;
@@ -55,12 +57,26 @@ internal sealed class PixelSamples
         return opened;
     }
 
-    public bool IsKnown(Place pixel) => IsKnown(pixel.FineX / Fine, pixel.FineY / Fine);
-
+    /// <summary>Whether a pixel's number is known or taken for known.</summary>
     public bool IsKnown(int column, int row) => _known[Index(column, row)] != Unknown;
 
     /// <summary>Whether a ray was cast through this pixel's centre.</summary>
     public bool IsCast(int column, int row) => _distances[Index(column, row)] > 0;
+
+    /// <summary>Whether a pixel's number is taken from those around it, until it is asked.</summary>
+    public bool IsAssumed(int column, int row) => _assumed[Index(column, row)];
+
+    /// <summary>Whether a ray through this pixel's centre would tell something new.</summary>
+    public bool IsUnasked(int column, int row) => !IsKnown(column, row) || IsAssumed(column, row);
+
+    public bool IsUnasked(Place pixel) => IsUnasked(pixel.FineX / Fine, pixel.FineY / Fine);
+
+    /// <summary>Takes the number of a pixel that is not known from those around it.</summary>
+    public void Assume(int column, int row, int number)
+    {
+        _known[Index(column, row)] = number;
+        _assumed[Index(column, row)] = true;
+    }
 
     public int Number(int column, int row) => _known[Index(column, row)];
 
@@ -85,6 +101,7 @@ internal sealed class PixelSamples
         {
             int index = Index(place.FineX / Fine, place.FineY / Fine);
             _known[index] = number;
+            _assumed[index] = false;
             PixelsCast++;
             _distances[index] = hit is { } at ? Math.Max((float)at.Distance, float.Epsilon) : float.PositiveInfinity;
         }

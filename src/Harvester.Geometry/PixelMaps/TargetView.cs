@@ -6,6 +6,10 @@ namespace Harvester.Geometry.PixelMaps;
 /// <summary>A target together with the pixels of its cuboid's silhouette and what is known of how much of it shows.</summary>
 internal sealed class TargetView
 {
+    /// <summary>Steps of the R2 sequence, the inverse powers of the plastic number 1.3247...</summary>
+    public const double StepX = 0.5698402909980532;
+    public const double StepY = 0.7548776662466927;
+
     /// <summary>From this many visible pixels on, an error counts by its share of them; smaller objects may be rougher.</summary>
     private const int SmallPixels = 230;
 
@@ -13,30 +17,23 @@ internal sealed class TargetView
     private const double SmallAllowance = 3;
     private const double TinyPixels = 400;
 
-    /// <summary>What part of an object's silhouette at least counts as visible when fragments of it are searched for: hidden objects must not cost more than seen ones.</summary>
-    private const double SearchedShare = 0.35;
-
-    /// <summary>Steps of the R2 sequence, the inverse powers of the plastic number 1.3247...</summary>
-    private const double StepX = 0.5698402909980532;
-    private const double StepY = 0.7548776662466927;
-    private const int Seeds = 4;
+    private const int Seeds = 2;
 
     public TargetView(MapTarget target, SilhouetteSpans spans)
     {
         Target = target;
         Spans = spans;
-        Weight = SearchWeight = 1;
     }
 
     public MapTarget Target { get; }
 
     public SilhouetteSpans Spans { get; }
 
-    /// <summary>What one wrong pixel counts: the inverse of the visible pixels.</summary>
-    public double Weight { get; private set; }
+    /// <summary>The visible pixels of which errors are counted as shares: more than there are for small objects.</summary>
+    public double CountedPixels { get; private set; } = 1;
 
-    /// <summary>What one pixel of the silhouette counts while it is not known whether the object shows there.</summary>
-    public double SearchWeight { get; private set; }
+    /// <summary>What one wrong pixel counts.</summary>
+    public double Weight => 1 / CountedPixels;
 
     /// <summary>The first pixels to ask: the middle of the silhouette and a few spread over it.</summary>
     public IEnumerable<Place> FirstPlaces()
@@ -80,12 +77,8 @@ internal sealed class TargetView
         SetVisible(Spans.PixelCount * (met + 0.3) / (asked + 1));
     }
 
-    public void SetVisible(double pixels)
-    {
-        double counted = pixels >= SmallPixels ? pixels : Math.Max(TinyPixels, SmallAllowance * pixels);
-        Weight = 1 / counted;
-        SearchWeight = 1 / Math.Max(counted, SearchedShare * Spans.PixelCount);
-    }
+    public void SetVisible(double pixels) =>
+        CountedPixels = pixels >= SmallPixels ? pixels : Math.Max(TinyPixels, SmallAllowance * pixels);
 
     private static double Fraction(double value) => value - Math.Floor(value);
 }

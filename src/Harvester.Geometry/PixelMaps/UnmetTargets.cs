@@ -14,9 +14,9 @@ internal sealed class UnmetTargets
     private const int SuspiciousRays = 4;
 
     /// <summary>So many probes must meet nothing of it.</summary>
-    private const int Probes = 24;
+    private const int Probes = 64;
 
-    private readonly Queue<(TargetView View, EntityProbe Probe, Queue<(int Column, int Row)> Pixels)> _suspects = new();
+    private readonly Queue<(TargetView View, EntityProbe Probe, Queue<Ray> Rays)> _suspects = new();
 
     public UnmetTargets(
         Camera camera, IReadOnlyList<TargetView> views, PixelSamples samples, InstanceMap map, int ignoredEntity, IRayCaster rays)
@@ -27,7 +27,7 @@ internal sealed class UnmetTargets
             if (!shown.Contains(view.Target.Number) && IsSuspicious(camera, view, samples))
             {
                 var probe = new EntityProbe(camera, view, ignoredEntity, rays);
-                _suspects.Enqueue((view, probe, new Queue<(int, int)>(probe.Spread(Probes, (_, _) => false))));
+                _suspects.Enqueue((view, probe, new Queue<Ray>(probe.Through(Probes))));
             }
         }
     }
@@ -43,17 +43,16 @@ internal sealed class UnmetTargets
     {
         while (_suspects.Count > 0)
         {
-            (TargetView view, EntityProbe probe, Queue<(int Column, int Row)> pixels) = _suspects.Peek();
-            if (pixels.Count == 0)
+            (TargetView view, EntityProbe probe, Queue<Ray> towards) = _suspects.Peek();
+            if (towards.Count == 0)
             {
                 Unmet.Add(view.Target);
                 _suspects.Dequeue();
                 continue;
             }
 
-            (int column, int row) = pixels.Dequeue();
             RaysCast++;
-            if (probe.Meets(column, row))
+            if (probe.Meets(towards.Dequeue()))
             {
                 _suspects.Dequeue();
             }

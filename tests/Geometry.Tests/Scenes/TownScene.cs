@@ -11,6 +11,9 @@ namespace Harvester.Geometry.Tests.Scenes;
 /// </summary>
 internal sealed class TownScene : IRayCaster
 {
+    /// <summary>The seed of scene 0 of those that issue and documentation speak of.</summary>
+    public const int FirstSeed = 1000;
+
     private readonly List<SolidThing> _things = [];
 
     public TownScene(int seed, int objects, ImageSize image)
@@ -36,7 +39,7 @@ internal sealed class TownScene : IRayCaster
     private IEnumerable<SolidThing> Entities => _things.Where(thing => thing.Entity != RayHit.World);
 
     /// <summary>The scenes that issue and documentation speak of: 5 to 80 objects.</summary>
-    public static TownScene Numbered(int number, ImageSize image) => new(1000 + number, ObjectsOf(number), image);
+    public static TownScene Numbered(int number, ImageSize image) => new(FirstSeed + number, ObjectsOf(number), image);
 
     /// <summary>How many objects a numbered scene has: 5 in scene 0, 80 in scene 49.</summary>
     public static int ObjectsOf(int number) => 5 + (number * 75 / 49);

@@ -1,0 +1,90 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Geometry.PixelMaps;
+
+/// <summary>
+/// Where to ask whether a map misses a part of an object or a gap in it. The places are scattered, few of them on one row or column,
+/// so that an arm of one pixel is met as soon as a compact part of its size. A sparser set is a part of a denser one, and all objects
+/// share them.
+/// </summary>
+internal sealed class FragmentSearch(Camera camera, IReadOnlyList<TargetView> views, PixelSamples samples, double unsearchedFraction)
+{
+    /// <summary>At least this share of a silhouette counts as visible while looking for more of it in the open.</summary>
+    private const double OpenShare = 0.07;
+
+    /// <summary>The same where something nearer is seen; there an object shows only through gaps, and so many times fewer places are asked.</summary>
+    private const double HiddenShare = 0.5;
+    private const double HiddenRarity = 7.7;
+
+    /// <summary>Gaps in what is seen are narrower than fragments: so many times as many places are asked.</summary>
+    private const double GapDensity = 1.65;
+
+    /// <summary>Pixels asked within this distance along rows and columns, half a first cell, tell how far away a place is.</summary>
+    private const int Reach = 16;
+
+    /// <summary>The places that have not been asked yet, in the order of the objects.</summary>
+    /// <param name="map">What is shown so far.</param>
+    public IEnumerable<Place> Places(InstanceMap map)
+    {
+        foreach (TargetView view in views)
+        {
+            SilhouetteSpans spans = view.Spans;
+            double open = 1 / (unsearchedFraction * Math.Max(view.CountedPixels, OpenShare * spans.PixelCount));
+            double hidden = 1 / (HiddenRarity * unsearchedFraction * Math.Max(view.CountedPixels, HiddenShare * spans.PixelCount));
+            double inside = GapDensity / (unsearchedFraction * view.CountedPixels);
+            double densest = Math.Max(open, inside);
+            for (int row = spans.FirstRow; row <= spans.LastRow; row++)
+            {
+                (int first, int last) = spans.Row(row);
+                for (int column = first; column <= last; column++)
+                {
+                    double rank = Rank(column, row);
+                    if (rank < densest && samples.IsUnasked(column, row) && rank < Density(column, row))
+                    {
+                        yield return Place.OfPixel(column, row);
+                    }
+                }
+            }
+
+            double Density(int column, int row) =>
+                map[column, row] == view.Target.Number ? inside : IsHidden(view, map, column, row) ? hidden : open;
+        }
+    }
+
+    // The pixels of the least ranks, however many, are spread evenly: steps of the R2 sequence along rows and columns.
+    private static double Rank(int column, int row)
+    {
+        double value = (column * TargetView.StepY) + (row * TargetView.StepX);
+        return value - Math.Floor(value);
+    }
+
+    // Whether all that was asked nearby of what the pixel shows lies before the object's cuboid.
+    private bool IsHidden(TargetView view, InstanceMap map, int column, int row)
+    {
+        if (view.Target.Cuboid.Intersect(camera.RayThrough(column + 0.5, row + 0.5)) is not { } span)
+        {
+            return true;
+        }
+
+        bool anyNearer = false;
+        for (int r = Math.Max(0, row - Reach); r <= Math.Min(camera.Image.Height - 1, row + Reach); r++)
+        {
+            for (int c = Math.Max(0, column - Reach); c <= Math.Min(camera.Image.Width - 1, column + Reach); c++)
+            {
+                if (samples.IsCast(c, r) && samples.Number(c, r) == map[column, row])
+                {
+                    if (samples.Distance(c, r) > span.Entry)
+                    {
+                        return false;
+                    }
+
+                    anyNearer = true;
+                }
+            }
+        }
+
+        return anyNearer;
+    }
+}
