@@ -16,10 +16,10 @@ internal sealed class GameCarControls : ICarControls
 
     // Other controls on the same keys, buttons and sticks, as what is set is read back as if the player held it: steer left and
     // right, leave the vehicle, and of aircraft throttle up and down.
-    private static readonly int[] _players = [63, 64, 75, 87, 88];
+    private static readonly int[] PlayersControls = [63, 64, 75, 87, 88];
 
     /// <inheritdoc/>
-    public bool ArePlayers => Array.Exists(_players, static control => Natives.Call<bool>(Hash.IS_CONTROL_PRESSED, Player, control));
+    public bool ArePlayers => Array.Exists(PlayersControls, static control => Natives.Call<bool>(Hash.IS_CONTROL_PRESSED, Player, control));
 
     /// <inheritdoc/>
     public void Set(double steering, double throttle, double brake, bool handbrake)

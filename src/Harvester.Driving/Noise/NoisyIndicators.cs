@@ -40,7 +40,11 @@ public sealed class NoisyIndicators : IController
         {
             TorcsEquivalent = torcs with
             {
-                DistL = Cut(metres.DistL), DistR = Cut(metres.DistR), DistLL = Cut(metres.DistLL), DistMM = Cut(metres.DistMM), DistRR = Cut(metres.DistRR),
+                DistL = Cut(metres.DistL),
+                DistR = Cut(metres.DistR),
+                DistLL = Cut(metres.DistLL),
+                DistMM = Cut(metres.DistMM),
+                DistRR = Cut(metres.DistRR),
             },
             Indicators = metres,
         });

@@ -39,12 +39,21 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
         ObjectClass[] classes = [ObjectClass.Car, ObjectClass.Sign];
         SessionReader harvested = drive.Harvest("narrow", RecordedDrive.Options with
         {
-            RangeMetres = 70, Classes = classes, MinBoxAreaPixels = 40, MinBoxSidePixels = 5, MaxOccludedFraction = 0.5,
+            RangeMetres = 70,
+            Classes = classes,
+            MinBoxAreaPixels = 40,
+            MinBoxSidePixels = 5,
+            MaxOccludedFraction = 0.5,
         });
 
         SessionReader made = Relabel(drive.Session, new RelabelOptions
         {
-            RangeMetres = 70, Classes = classes, MinBoxAreaPixels = 40, MinBoxSidePixels = 5, MaxOccludedFraction = 0.5, Roads = drive.Roads,
+            RangeMetres = 70,
+            Classes = classes,
+            MinBoxAreaPixels = 40,
+            MinBoxSidePixels = 5,
+            MaxOccludedFraction = 0.5,
+            Roads = drive.Roads,
         });
 
         Assert.Equal(ComparedLabels.Of(harvested), ComparedLabels.Of(made));
