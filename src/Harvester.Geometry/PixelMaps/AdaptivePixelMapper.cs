@@ -68,7 +68,6 @@ public sealed class AdaptivePixelMapper
         }
 
         _views.ForEach(view => _openPixels += _samples.Open(view.Spans));
-
         _search = new FragmentSearch(camera, _views, _samples, _options.UnsearchedFraction);
         _examiner = new CellExaminer(_samples, _views, _options);
         List<MapCell> cells = CellGrid.Cells(camera.Image, _options.CellSize, _views);

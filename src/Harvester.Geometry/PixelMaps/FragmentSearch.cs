@@ -21,7 +21,7 @@ internal sealed class FragmentSearch(Camera camera, IReadOnlyList<TargetView> vi
     /// <summary>Gaps in what is seen are narrower than fragments: so many times as many places are asked.</summary>
     private const double GapDensity = 1.65;
 
-    /// <summary>Pixels asked within this distance along rows and columns, half a first cell, tell how far away a place is.</summary>
+    /// <summary>What was asked so many rows and columns away at most, half a first cell, tells how far away a place is.</summary>
     private const int Reach = 16;
 
     /// <summary>The places that have not been asked yet, in the order of the objects.</summary>
