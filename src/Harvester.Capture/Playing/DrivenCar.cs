@@ -39,7 +39,7 @@ public sealed class DrivenCar : IDrivenCar
     {
         EgoState ego = _world.ReadEgo();
         bool stands = ego.Velocity.Dot(ego.Pose.Axes.Forward) < StandingSpeed;
-        bool holds = stands && controls.Brake > 0;
+        bool holds = stands && controls.Brake > controls.Throttle;
         _controls.Set(-controls.Steering, holds ? 0 : controls.Throttle, stands ? 0 : controls.Brake, holds);
     }
 

@@ -174,9 +174,10 @@ public sealed class RoadSurvey
         Vector3D start = PathGrid.Truncate(_network.Node(road.From).Position);
         Vector3D end = PathGrid.Truncate(_network.Node(road.To).Position);
 
-        // Far away the game no longer has the node, and would tell the edge of another.
+        // Far away the game has no node, and would tell the edge of another: such a link waits until the car is near both its ends.
         if ((start - place).Length > Range || (end - place).Length > Range)
         {
+            _unmeasured.Enqueue((link, rounds));
             return;
         }
 

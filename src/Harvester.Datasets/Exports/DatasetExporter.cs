@@ -119,9 +119,10 @@ public sealed class DatasetExporter
             throw frame.Problem($"it has no lanes, and {_plan.Format.Name} is about nothing else. Harvest with roads, or choose another format.");
         }
 
-        if (_plan.Format.NeedsRectilinear && frame.Label.Camera.Distortion is not { K1: 0, K2: 0 })
+        if (_plan.Format.NeedsRectilinear && LensBend.PixelsOf(frame.Label.Camera) is var bend and > LensBend.MostPixels)
         {
-            throw frame.Problem($"its lens bends straight lines, and {_plan.Format.Name} has no words for that. Choose another format.");
+            throw frame.Problem(FormattableString.Invariant(
+                $"its lens bends straight lines by {bend:0.0} pixels, and {_plan.Format.Name} has no words for that. Choose another format."));
         }
     }
 }

@@ -130,6 +130,27 @@ public sealed class EdgeSurveyTests : IDisposable
         Assert.All(ticks.GroupBy(asked => asked.Item1), asked => Assert.Equal(2, asked.Select(one => one.Item2).Distinct().Count()));
     }
 
+    [Fact]
+    public void Step_on_a_drive_asks_for_the_edges_of_links_that_were_met_from_afar()
+    {
+        var survey = new RoadSurvey(new FakeRoadSource(Street()) { LaneWidth = LaneWidth });
+        // From here the game knows the nodes at 840 and 860 m; the one at 820 m is an end of a link that is met, but 155 m away.
+        Vector3D far = new(-400, 975, 5);
+        for (int i = 0; i < 20; i++)
+        {
+            survey.Step(far);
+        }
+
+        Assert.Equal(2, survey.ToNetwork().Links.Count);
+        Assert.Equal(4, survey.ToNetwork().Edges.Count);
+        for (int i = 0; i < 20; i++)
+        {
+            survey.Step(Place);
+        }
+
+        AssertCalibrated(survey.ToNetwork());
+    }
+
     private static Vector3D Place => new(-400, 830, 5);
 
     private static RoadNetwork Surveyed(FakeRoadSource game, RoadNetwork? earlier = null)

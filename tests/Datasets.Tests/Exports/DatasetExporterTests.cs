@@ -201,6 +201,15 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Assert.Contains("bends straight lines", Assert.Throws<DatasetFormatException>(() => Folder.Export("kitti", Session.Open())).Message, StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void Export_of_a_lens_that_bends_by_less_than_a_pixel_to_kitti_is_made()
+    {
+        // What a calibration finds of a straight lens: 0.0002 · r³ · f is under 0.1 pixels in the corner of an image of 90 degrees.
+        Session.Lines[2]["camera"]!["distortion"]!["k1"] = 0.0002;
+
+        Folder.Export("kitti", Session.Open());
+    }
+
     /// <summary>Leaves what a process that was killed while it wrote leaves: some frames, and half a line in the journal.</summary>
     private void KillAfter(int frames, string format)
     {

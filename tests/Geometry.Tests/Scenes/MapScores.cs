@@ -48,7 +48,7 @@ internal sealed class MapScores
                     Medium.Add(agreement);
                     break;
                 case >= 16:
-                    SmallFound.Add(shown[id] > 0);
+                    SmallFound.Add(shared[id] > 0);
                     break;
             }
         }

@@ -170,7 +170,9 @@ public sealed class SpaceSurvey : IDisposable
 
         AssertStanding(model.Name);
         TakeAway();
-        SpaceOfInterest[] rows = [.. spaces.Select((space, face) => RowOf(isLight ? model with { Class = ObjectClass.TrafficLight } : model, space, face))];
+        bool isGuess = model.Class == ObjectClass.TrafficLight && !isLight;
+        SurveyedModel shown = isLight ? model with { Class = ObjectClass.TrafficLight } : model;
+        SpaceOfInterest[] rows = [.. spaces.Select((space, face) => RowOf(shown, space, face, isGuess))];
         _folder.Finish(model.Name, rows.Length == 0 ? "noFace" : "measured", rows);
         yield return true;
     }
@@ -195,7 +197,7 @@ public sealed class SpaceSurvey : IDisposable
         _asked.Remove(model);
     }
 
-    private static SpaceOfInterest RowOf(SurveyedModel model, MeasuredSpace space, int face) => new(
+    private static SpaceOfInterest RowOf(SurveyedModel model, MeasuredSpace space, int face, bool isGuess) => new(
         model.Name,
         ModelHash.Of(model.Name),
         model.Class,
@@ -205,8 +207,8 @@ public sealed class SpaceSurvey : IDisposable
         new Vector3D(space.Min.X, space.Max.Y, space.Max.Z),
         new Vector3D(space.Max.X, space.Min.Y, space.Min.Z),
         space.Facing,
-        space.IsWholeModel ? Provenance.Derived : Provenance.Measured,
-        space.IsWholeModel ? "rays found no post: the whole model" : "rays in the game");
+        space.IsWholeModel || isGuess ? Provenance.Derived : Provenance.Measured,
+        isGuess ? "a light without bones of its heads: its widest part" : space.IsWholeModel ? "rays found no post: the whole model" : "rays in the game");
 
     private void TakeAway()
     {

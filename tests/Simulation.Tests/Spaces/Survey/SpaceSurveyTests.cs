@@ -72,6 +72,19 @@ public sealed class SpaceSurveyTests : IDisposable
     }
 
     [Fact]
+    public void Survey_of_a_light_without_bones_of_its_heads_does_not_call_its_rows_measured()
+    {
+        var stage = new PropStage(KnownProps.All, Place);
+        using (var survey = new SpaceSurvey(
+            stage, [new SurveyedModel("octagon", ObjectClass.TrafficLight, string.Empty, string.Empty)], _folder = Reopened(), new PlayerClock(), BudgetMilliseconds))
+        {
+            ToEnd(survey);
+        }
+
+        Assert.Equal(Provenance.Derived, Assert.Single(Reopened().Table.Spaces).Provenance);
+    }
+
+    [Fact]
     public void Survey_that_is_disposed_leaves_nothing_standing()
     {
         var stage = new PropStage(KnownProps.All, Place);
