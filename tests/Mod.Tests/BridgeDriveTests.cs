@@ -10,17 +10,11 @@ using Harvester.Mod.Tests.Games;
 
 namespace Harvester.Mod.Tests;
 
-/// <summary>A peer drives the car in the test game, which counts 20 frames a second.</summary>
-public sealed class BridgeDriveTests
+/// <summary>What a peer and the player see of a drive over the bridge, from its first frame to its end.</summary>
+public sealed class BridgeDriveTests : BridgedGame
 {
-    private const int Steer = 59;
-    private const int Accelerate = 71;
-    private const int Brake = 72;
-    private const int Handbrake = 76;
-
     // Half a second of the test game, and the frame in which it is over.
     private const int FramesOfPatience = 11;
-    private readonly int _port = FreePort();
 
     [Fact]
     public void Controls_of_a_peer_reach_the_games_controls()
@@ -88,64 +82,15 @@ public sealed class BridgeDriveTests
         Assert.Equal((0f, 1f), (driver.Game.Controls[Brake], driver.Game.Controls[Handbrake]));
     }
 
-    [Theory]
-    [InlineData(63)]
-    [InlineData(64)]
-    [InlineData(75)]
-    [InlineData(87)]
-    [InlineData(88)]
-    public void Players_control_takes_the_car_back(int control)
-    {
-        using ScriptDriver driver = Driven();
-        driver.Game.PlayersControls.Add(control);
-        driver.Tick(2);
-
-        Assert.Contains("The car is yours.", driver.Game.Notifications[^1], StringComparison.Ordinal);
-        Assert.Empty(driver.Game.Controls);
-        driver.Game.PlayersControls.Clear();
-        driver.Tick(5);
-        Assert.Empty(driver.Game.Controls);
-    }
-
-    [Theory]
-    [InlineData(Keys.W)]
-    [InlineData(Keys.A)]
-    [InlineData(Keys.S)]
-    [InlineData(Keys.D)]
-    [InlineData(Keys.Space)]
-    public void Players_key_takes_the_car_back_as_soon_as_it_goes_down(Keys key)
-    {
-        using ScriptDriver driver = Driven();
-        driver.Script.RaiseKeyDown(key);
-        driver.Tick(2);
-
-        Assert.Contains("You have the wheel.", driver.Game.Notifications[^1], StringComparison.Ordinal);
-        Assert.Empty(driver.Game.Controls);
-    }
-
     [Fact]
-    public void Full_lock_full_throttle_and_handbrake_of_the_peer_are_not_taken_for_the_players()
+    public void Slight_brake_does_not_hold_a_standing_car_that_is_told_to_start()
     {
         using ScriptDriver driver = Driven();
         using SocketClient peer = Connect();
-        Say(driver, peer, """{"type":"controls","steering":1,"throttle":1,"brake":0}""", () => driver.Game.Controls[Steer] != 0);
-        driver.Tick(5);
-        Assert.Equal((-1f, 1f), (driver.Game.Controls[Steer], driver.Game.Controls[Accelerate]));
         driver.Game.Entities[driver.Game.PlayersVehicle].Velocity = default;
-        driver.Tick(20);
+        Say(driver, peer, """{"type":"controls","steering":0.25,"throttle":0.5,"brake":0.125}""", () => driver.Game.Controls[Steer] != 0);
 
-        Assert.Equal(1f, driver.Game.Controls[Handbrake]);
-    }
-
-    [Fact]
-    public void Player_who_leaves_the_car_is_not_driven_on_foot()
-    {
-        using ScriptDriver driver = Driven();
-        driver.Game.PlayersVehicle = 0;
-        driver.Tick(2);
-
-        Assert.Contains("The car is yours.", driver.Game.Notifications[^1], StringComparison.Ordinal);
-        Assert.Empty(driver.Game.Controls);
+        Assert.Equal((0.5f, 0f), (driver.Game.Controls[Accelerate], driver.Game.Controls[Brake]));
     }
 
     [Fact]
@@ -207,7 +152,7 @@ public sealed class BridgeDriveTests
         Assert.Empty(driver.Game.Controls);
 
         // The port is free again.
-        new TcpListener(IPAddress.Loopback, _port).Dispose();
+        new TcpListener(IPAddress.Loopback, Port).Dispose();
         using ScriptDriver next = Driven();
     }
 
@@ -248,9 +193,9 @@ public sealed class BridgeDriveTests
     [Fact]
     public void Port_in_use_is_told_and_the_next_try_works()
     {
-        using var driver = new ScriptDriver(Ini(_port));
+        using var driver = new ScriptDriver(Ini(Port));
         Street(driver.Game);
-        var other = new TcpListener(IPAddress.Loopback, _port);
+        var other = new TcpListener(IPAddress.Loopback, Port);
         other.Start();
         driver.Press(Keys.N);
         Until(driver, () => driver.Game.Notifications[^1].Contains("The drive failed", StringComparison.Ordinal));
@@ -261,7 +206,7 @@ public sealed class BridgeDriveTests
     [Fact]
     public void Address_that_others_reach_without_a_token_is_refused()
     {
-        using var driver = new ScriptDriver(Ini(_port) + "Address = 0.0.0.0\n");
+        using var driver = new ScriptDriver(Ini(Port) + "Address = 0.0.0.0\n");
         Street(driver.Game);
         driver.Press(Keys.N);
         Until(driver, () => driver.Game.Notifications[^1].Contains("needs a token", StringComparison.Ordinal));
@@ -332,65 +277,4 @@ public sealed class BridgeDriveTests
 
         Assert.Equal(-0.75f, driver.Game.Controls[Steer]);
     }
-
-    /// <summary>A file that appears whole.</summary>
-    internal static void Drop(string folder, string name, string content)
-    {
-        string part = Path.Combine(folder, name + ".part");
-        File.WriteAllText(part, content, new UTF8Encoding(false));
-        File.Move(part, Path.Combine(folder, name), overwrite: true);
-    }
-
-    private static string Ini(int port) => string.Create(CultureInfo.InvariantCulture, $"[Bridge]\nPort = {port}\n");
-
-    private static int FreePort()
-    {
-        using var listener = new TcpListener(IPAddress.Loopback, 0);
-        listener.Start();
-        return ((IPEndPoint)listener.LocalEndpoint).Port;
-    }
-
-    private static int BigEndian(byte[] bytes, int at) => (bytes[at] << 24) | (bytes[at + 1] << 16) | (bytes[at + 2] << 8) | bytes[at + 3];
-
-    private static void Street(TestGame game)
-    {
-        HarvestTests.Street(game);
-        game.Entities[game.PlayersVehicle].Velocity = new Vector3D(0, 8, 0);
-    }
-
-    private static void Start(ScriptDriver driver)
-    {
-        int told = driver.Game.Notifications.Count;
-        driver.Press(Keys.N);
-        Until(driver, () => driver.Game.Notifications.Skip(told).Any(message => message.Contains("The car waits for a peer", StringComparison.Ordinal)));
-        driver.Tick(2);
-        Assert.NotEmpty(driver.Game.Controls);
-    }
-
-    private static void Until(ScriptDriver driver, Func<bool> done)
-    {
-        for (int wait = 0; wait < 2_000 && !done(); wait++)
-        {
-            Thread.Sleep(2);
-            driver.Tick();
-        }
-
-        Assert.True(done());
-    }
-
-    private static void Say(ScriptDriver driver, SocketClient peer, string message, Func<bool> done)
-    {
-        peer.Send(message);
-        Until(driver, done);
-    }
-
-    private ScriptDriver Driven(string more = "")
-    {
-        var driver = new ScriptDriver(Ini(_port) + more);
-        Street(driver.Game);
-        Start(driver);
-        return driver;
-    }
-
-    private SocketClient Connect() => new(new IPEndPoint(IPAddress.Loopback, _port));
 }

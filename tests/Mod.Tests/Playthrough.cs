@@ -74,9 +74,9 @@ internal static class Playthrough
         driver.Press(Keys.N);
         Until(Hash.SET_CONTROL_VALUE_NEXT_FRAME);
         Directory.CreateDirectory(folder);
-        BridgeDriveTests.Drop(folder, "command.json", """{"type":"reset","position":[1,2,3],"headingDegrees":0}""");
+        BridgedGame.Drop(folder, "command.json", """{"type":"reset","position":[1,2,3],"headingDegrees":0}""");
         Until(Hash.SET_ENTITY_VELOCITY);
-        BridgeDriveTests.Drop(folder, "command.json", """{"type":"environment","weather":"rain","timeOfDay":"08:15"}""");
+        BridgedGame.Drop(folder, "command.json", """{"type":"environment","weather":"rain","timeOfDay":"08:15"}""");
         Until(Hash.SET_CLOCK_TIME);
 
         // Where a fault has ended the drive nothing comes.

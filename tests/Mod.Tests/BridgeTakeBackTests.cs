@@ -1,0 +1,68 @@
+using System.Windows.Forms;
+using Harvester.Capture.Tests.Driving.Bridge;
+
+namespace Harvester.Mod.Tests;
+
+/// <summary>The player takes the car back from a peer, and nothing that the peer does is taken for the player.</summary>
+public sealed class BridgeTakeBackTests : BridgedGame
+{
+    [Theory]
+    [InlineData(63)]
+    [InlineData(64)]
+    [InlineData(75)]
+    [InlineData(87)]
+    [InlineData(88)]
+    public void Players_control_takes_the_car_back(int control)
+    {
+        using ScriptDriver driver = Driven();
+        driver.Game.PlayersControls.Add(control);
+        driver.Tick(2);
+
+        Assert.Contains("The car is yours.", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Empty(driver.Game.Controls);
+        driver.Game.PlayersControls.Clear();
+        driver.Tick(5);
+        Assert.Empty(driver.Game.Controls);
+    }
+
+    [Theory]
+    [InlineData(Keys.W)]
+    [InlineData(Keys.A)]
+    [InlineData(Keys.S)]
+    [InlineData(Keys.D)]
+    [InlineData(Keys.Space)]
+    public void Players_key_takes_the_car_back_as_soon_as_it_goes_down(Keys key)
+    {
+        using ScriptDriver driver = Driven();
+        driver.Script.RaiseKeyDown(key);
+        driver.Tick(2);
+
+        Assert.Contains("You have the wheel.", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Empty(driver.Game.Controls);
+    }
+
+    [Fact]
+    public void Full_lock_full_throttle_and_handbrake_of_the_peer_are_not_taken_for_the_players()
+    {
+        using ScriptDriver driver = Driven();
+        using SocketClient peer = Connect();
+        Say(driver, peer, """{"type":"controls","steering":1,"throttle":1,"brake":0}""", () => driver.Game.Controls[Steer] != 0);
+        driver.Tick(5);
+        Assert.Equal((-1f, 1f), (driver.Game.Controls[Steer], driver.Game.Controls[Accelerate]));
+        driver.Game.Entities[driver.Game.PlayersVehicle].Velocity = default;
+        driver.Tick(20);
+
+        Assert.Equal(1f, driver.Game.Controls[Handbrake]);
+    }
+
+    [Fact]
+    public void Player_who_leaves_the_car_is_not_driven_on_foot()
+    {
+        using ScriptDriver driver = Driven();
+        driver.Game.PlayersVehicle = 0;
+        driver.Tick(2);
+
+        Assert.Contains("The car is yours.", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Empty(driver.Game.Controls);
+    }
+}
