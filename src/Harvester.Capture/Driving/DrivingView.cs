@@ -73,8 +73,7 @@ internal sealed class DrivingView
             TorcsEquivalent.InMetres(torcsEquivalent, _section),
             torcsEquivalent,
             _isFast,
-            ego.Velocity.Length,
-            0)
+            ego.Velocity.Length)
         {
             HeadingRadians = Angles.ToRadians(Angles.HeadingDegrees(ego.Pose.Axes.Forward)),
         };

@@ -77,8 +77,7 @@ internal sealed class DirectDrive(SimulatedGame game, IRoads roads, Func<IContro
             indicators,
             seen?.Section is { } section ? TorcsEquivalent.Of(indicators, section) : indicators,
             seen?.IsFast ?? false,
-            ego.Velocity.Length,
-            0)
+            ego.Velocity.Length)
         {
             HeadingRadians = Angles.ToRadians(Angles.HeadingDegrees(ego.Pose.Axes.Forward)),
         };

@@ -79,7 +79,7 @@ public sealed class FolderLink(string folder) : IPeerLink
         LaneIndicators torcs = PeerIndicators.Of(numbers[..IndicatorOrder.Count]);
         const int frame = IndicatorOrder.Count, time = frame + 1, speed = frame + 2, fast = frame + 3;
         return new PeerFrame((long)numbers[frame], numbers[time], new DrivingState(
-            TorcsEquivalent.InMetres(torcs, PeerIndicators.Ordinary), torcs, numbers[fast] > 0, numbers[speed], 0));
+            TorcsEquivalent.InMetres(torcs, PeerIndicators.Ordinary), torcs, numbers[fast] > 0, numbers[speed]));
     }
 
     private void WriteWhole(string name, string text)

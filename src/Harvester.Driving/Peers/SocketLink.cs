@@ -68,8 +68,7 @@ public sealed class SocketLink : IPeerLink
             TorcsEquivalent.InMetres(indicators, PeerIndicators.SectionOf(torcs, Numbers(root, "indicators"))),
             indicators,
             root.GetProperty("fast").GetBoolean(),
-            root.GetProperty("speedMetresPerSecond").GetDouble(),
-            0)
+            root.GetProperty("speedMetresPerSecond").GetDouble())
         {
             HeadingRadians = Angles.ToRadians(root.GetProperty("headingDegrees").GetDouble()),
         });

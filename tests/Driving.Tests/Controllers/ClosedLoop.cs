@@ -47,6 +47,6 @@ internal sealed class ClosedLoop(IController controller, LaneSection section, do
     {
         VehicleAhead[] vehicles = Lead is { } lead ? [new(lead.Lane, lead.Along - Along)] : [];
         LaneIndicators at = IndicatorCalculator.Compute(-Yaw, Offset, section, vehicles);
-        return new DrivingState(at, TorcsEquivalent.Of(at, section), IsFast: true, Speed, CurvaturePerMetre: 0);
+        return new DrivingState(at, TorcsEquivalent.Of(at, section), IsFast: true, Speed);
     }
 }

@@ -44,7 +44,7 @@ public sealed class NoisyIndicatorsTests
         var noisy = new NoisyIndicators(controller, NoiseLevels.Published, 1);
         for (int i = 0; i < Frames; i++)
         {
-            noisy.Drive(new DrivingState(truth, TorcsEquivalent.Of(truth, section), true, 10, 0));
+            noisy.Drive(new DrivingState(truth, TorcsEquivalent.Of(truth, section), true, 10));
         }
 
         return controller.Seen;

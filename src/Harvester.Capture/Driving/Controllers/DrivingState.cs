@@ -7,13 +7,11 @@ namespace Harvester.Capture.Driving.Controllers;
 /// <param name="TorcsEquivalent">The same as a road of TORCS would give them.</param>
 /// <param name="IsFast">Whether more than 60 m of straight road lie ahead.</param>
 /// <param name="SpeedMetresPerSecond">The car's speed, m/s; 0 or more.</param>
-/// <param name="CurvaturePerMetre">Curvature of the road at the look-ahead point, 1/m, positive to the left; 0 when unknown.</param>
 public sealed record DrivingState(
     LaneIndicators Indicators,
     LaneIndicators TorcsEquivalent,
     bool IsFast,
-    double SpeedMetresPerSecond,
-    double CurvaturePerMetre)
+    double SpeedMetresPerSecond)
 {
     /// <summary>Where the car points, radians, growing to the left from any zero; null when unknown.</summary>
     public double? HeadingRadians { get; init; }
