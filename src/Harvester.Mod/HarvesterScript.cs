@@ -68,7 +68,7 @@ public sealed class HarvesterScript : Script
         var game = new GamePorts(world, rays, screen, time, clock, markers) { Roads = roads, Lights = lights };
         var driven = new DrivenCar(new GameCarControls(), vehicles, mount, world);
         _drive = new BridgeDrive(player.Bridge, game, driven, mount, display, _messages) { Obstacle = DriveObstacle };
-        _harvest = new Harvest(player.Options with { Spaces = spaces }, player.Folder, _messages, mount, game, display, Origin) { Problem = Problem };
+        _harvest = new Harvest(player.Options with { Spaces = spaces }, player.Folder, _messages, mount, game, display, () => Origin(player)) { Problem = Problem };
         _calibration = new LensCalibration(_harvest, game, mount, display, _messages, _folder.SettingsPath);
         var overlay = new Overlay(_harvest, game, spaces, _messages, mount, display) { IsPictureNear = IsPictureNear };
         var survey = new RoadSurveying(
@@ -179,10 +179,11 @@ public sealed class HarvesterScript : Script
 
     private string? DriveObstacle() => _harvest.Status is not null ? "End the harvest first, then let a peer drive." : Problem();
 
-    private static SessionOrigin Origin() => new()
+    private static SessionOrigin Origin(PlayerSettings player) => new()
     {
         Game = $"GTA V {Game.Version}",
         Tool = $"GtaDataHarvester {typeof(HarvesterScript).Assembly.GetName().Version}",
         RecordedUtc = DateTime.UtcNow.ToString("yyyy-MM-ddTHH:mm:ssZ", CultureInfo.InvariantCulture),
+        Settings = player.LaneSettings,
     };
 }

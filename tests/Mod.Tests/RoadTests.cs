@@ -93,7 +93,7 @@ public sealed class RoadTests
         using var folder = new TemporaryFolder();
         string file = Path.Combine(folder.Path, "mine.csv");
         RoadSurveyFile.Save(file, Road());
-        using var driver = new ScriptDriver($"[Roads]\nFile = {file}\n[Harvest]\nClasses = Bus\n");
+        using var driver = new ScriptDriver($"[Roads]\nFile = {file}\nNarrowLaneWidth = 3.5\n[Harvest]\nClasses = Bus\n");
         HarvestTests.Street(driver.Game);
         driver.Press(Keys.I);
         driver.Press(Keys.L);
@@ -103,6 +103,8 @@ public sealed class RoadTests
         driver.Tick(20);
         driver.WaitForDisk();
 
+        string header = File.ReadAllText(Assert.Single(Directory.GetFiles(driver.Folder, "session.json", SearchOption.AllDirectories)));
+        Assert.Contains("\"laneWidth\": \"5.4\",\n    \"narrowLaneWidth\": \"3.5\"", header, StringComparison.Ordinal);
         Assert.Contains("\"source\":\"roadFile\"", Assert.Single(driver.Labels()).Replace(" ", string.Empty, StringComparison.Ordinal), StringComparison.Ordinal);
         Assert.DoesNotContain(GTA.Native.Hash.GET_CLOSEST_ROAD, driver.Game.Calls);
     }

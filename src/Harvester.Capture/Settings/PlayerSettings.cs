@@ -1,7 +1,10 @@
 using System;
+using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using Harvester.Capture.Harvesting;
 using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Capture.Settings;
@@ -37,6 +40,14 @@ public sealed record PlayerSettings
 
     /// <summary>Width of the lanes of a narrow road, metres.</summary>
     public required double NarrowLaneWidthMetres { get; init; }
+
+    /// <summary>What a session says of how its lanes were measured, so that they can be measured so again.</summary>
+    public IReadOnlyList<KeyValuePair<string, string>> LaneSettings =>
+    [
+        new("lookAhead", LookAhead.Thesis.ToString()),
+        new("laneWidth", LaneWidthMetres.ToString(CultureInfo.InvariantCulture)),
+        new("narrowLaneWidth", NarrowLaneWidthMetres.ToString(CultureInfo.InvariantCulture)),
+    ];
 
     /// <summary>The file of the road survey.</summary>
     public required string SurveyFile { get; init; }

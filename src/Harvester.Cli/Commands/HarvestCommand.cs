@@ -15,7 +15,6 @@ using Harvester.Datasets.Statistics;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
-using Harvester.Geometry.Roads;
 
 namespace Harvester.Cli.Commands;
 
@@ -70,11 +69,7 @@ internal static class HarvestCommand
         DefaultValueFactory = _ => [],
     };
 
-    private static readonly Option<FileSystemInfo?> Spaces = new("--spaces")
-    {
-        Description = "Faces of signs and heads of lights by this table, before the simulated game's own; a survey's folder stands for the table in it",
-        HelpName = "FILE|DIR",
-    };
+    private static readonly Option<FileSystemInfo?> Spaces = SpacesOption.Create("the simulated game's own");
 
     private static readonly Option<Vector2D?> Near = ValueParsers.Point("--near", "X,Y", "Where to start, metres [default: the middle of the roads]");
     private static readonly Option<string> WeatherName = new("--weather")
@@ -92,8 +87,9 @@ internal static class HarvestCommand
     private static readonly Option<double> Range = WithDefault(
         ValueParsers.Number("--range", "M", "Label objects up to this distance, metres", value => value is > 0 and <= GreatestRange, "a number greater than 0, 100000 at most"), 150);
 
-    private static readonly Option<LookAhead> LaneLookAhead = WithDefault(LaneOptions.LookAhead(), LookAhead.Thesis);
-    private static readonly Option<double> LaneWidth = WithDefault(LaneOptions.LaneWidth(), RoadGeometry.LaneWidth);
+    private static readonly Option<LookAhead> LaneLookAhead = LaneOptions.LookAhead();
+    private static readonly Option<double> LaneWidth = LaneOptions.LaneWidth();
+    private static readonly Option<double> NarrowLaneWidth = LaneOptions.NarrowLaneWidth();
 
     private static readonly Option<string?> Classes = ClassList.Option("Label");
 
@@ -107,7 +103,7 @@ internal static class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, NoScenes, Range, LaneLookAhead, LaneWidth, Classes, Quirks, ShardOf, NoReport,
+            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, NoScenes, Range, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, Quirks, ShardOf, NoReport,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
@@ -171,7 +167,7 @@ internal static class HarvestCommand
             RateHz = parsed.GetValue(Hz),
             Roads = parsed.GetValue(Roads)?.FullName,
             Props = [.. parsed.GetRequiredValue(Props).Select(file => file.FullName)],
-            Spaces = parsed.GetValue(Spaces)?.FullName,
+            Spaces = parsed.GetValue(Spaces) is { } spaces ? Path.TrimEndingDirectorySeparator(spaces.FullName) : null,
             Near = parsed.GetValue(Near),
             Weather = WeatherNames.IsKnown(weather)
                 ? weather
@@ -183,6 +179,7 @@ internal static class HarvestCommand
             RangeMetres = parsed.GetValue(Range),
             LookAhead = parsed.GetValue(LaneLookAhead),
             LaneWidth = parsed.GetValue(LaneWidth),
+            NarrowLaneWidth = parsed.GetValue(NarrowLaneWidth),
             Classes = ClassList.Parse(parsed.GetValue(Classes)),
             Quirks = QuirkList.Parse(parsed.GetValue(Quirks)),
             QuirksAsked = parsed.GetValue(Quirks),

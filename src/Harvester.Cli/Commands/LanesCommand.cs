@@ -31,12 +31,12 @@ internal static class LanesCommand
 
     private static readonly Option<FileInfo?> Vehicles = new("--vehicles") { Description = "Other vehicles", HelpName = "FILE" };
     private static readonly Option<double> Length = WithDefault(Metres("--length", "The car's length, metres"), 4.5);
-    private static readonly Option<LookAhead> LaneLookAhead = WithDefault(LaneOptions.LookAhead(), LookAhead.Thesis);
+    private static readonly Option<LookAhead> LaneLookAhead = LaneOptions.LookAhead();
     private static readonly Option<double> Speed = WithDefault(
         ValueParsers.Number("--speed", "V", "The car's speed, metres per second; for a look-ahead in seconds", value => value is >= 0 and <= 100, "a number from 0 to 100"), 10);
 
-    private static readonly Option<double> LaneWidth = WithDefault(LaneOptions.LaneWidth(), RoadGeometry.LaneWidth);
-    private static readonly Option<double> NarrowLaneWidth = WithDefault(LaneOptions.NarrowLaneWidth(), RoadGeometry.NarrowLaneWidth);
+    private static readonly Option<double> LaneWidth = LaneOptions.LaneWidth();
+    private static readonly Option<double> NarrowLaneWidth = LaneOptions.NarrowLaneWidth();
 
     public static Command Create(Terminal terminal)
     {

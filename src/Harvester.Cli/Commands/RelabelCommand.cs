@@ -38,10 +38,11 @@ internal static class RelabelCommand
     private static readonly Option<double?> MinSide = Number("--min-box-side", "PX", "Label objects whose box in the image has at least these sides, pixels", value => value >= 0, "a number of at least 0");
     private static readonly Option<double?> MaxOccluded = Number("--max-occluded", "S", "Label objects that are hidden by at most this share, 0 to 1", value => value is >= 0 and <= 1, "a number from 0 to 1");
     private static readonly Option<FileInfo?> Calibration = File("--calibration", "Label through the lens of this calibration");
-    private static readonly Option<FileInfo?> Spaces = File("--spaces", "Faces of signs and heads of lights by this table, before the recorded one");
+    private static readonly Option<FileSystemInfo?> Spaces = SpacesOption.Create("the recorded one");
     private static readonly Option<FileInfo?> Roads = File("--roads", "Measure lanes on the roads of this file or folder");
     private static readonly Option<LookAhead?> LaneLookAhead = LaneOptions.OtherLookAhead();
     private static readonly Option<double?> LaneWidth = LaneOptions.OtherLaneWidth();
+    private static readonly Option<double?> NarrowLaneWidth = LaneOptions.OtherNarrowLaneWidth();
     private static readonly Option<ImageTransfer> Images = new("--images") { Description = "Whether pictures are hard links, where that can be done, or copies" };
     private static readonly Option<Shard> ShardOf = ShardOption.Create();
     private static readonly Option<bool> NoReport = ReportOption.Create();
@@ -50,7 +51,7 @@ internal static class RelabelCommand
     {
         var command = new Command("relabel", "Make the labels of a recorded session again in another way.")
         {
-            Session, Out, Overwrite, Range, Classes, MinArea, MinSide, MaxOccluded, Calibration, Spaces, Roads, LaneLookAhead, LaneWidth, Images, ShardOf, NoReport,
+            Session, Out, Overwrite, Range, Classes, MinArea, MinSide, MaxOccluded, Calibration, Spaces, Roads, LaneLookAhead, LaneWidth, NarrowLaneWidth, Images, ShardOf, NoReport,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
@@ -100,6 +101,7 @@ internal static class RelabelCommand
         RoadsName = parsed.GetValue(Roads)?.Name,
         LookAhead = parsed.GetValue(LaneLookAhead),
         LaneWidthMetres = parsed.GetValue(LaneWidth),
+        NarrowLaneWidthMetres = parsed.GetValue(NarrowLaneWidth),
         Images = parsed.GetValue(Images),
         Shard = parsed.GetValue(ShardOf),
     };

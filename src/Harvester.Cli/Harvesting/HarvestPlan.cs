@@ -69,6 +69,9 @@ internal sealed record HarvestPlan
     /// <summary>Width of the lanes of an ordinary road, metres.</summary>
     public required double LaneWidth { get; init; }
 
+    /// <summary>Width of the lanes of a narrow road, metres.</summary>
+    public required double NarrowLaneWidth { get; init; }
+
     /// <summary>The classes to label; null for all.</summary>
     public required IReadOnlyList<ObjectClass>? Classes { get; init; }
 

@@ -119,7 +119,7 @@ internal sealed class SimulatedHarvest
     }
 
     private GamePorts Ports(RoadNetwork roads) =>
-        _game.Ports with { Roads = new FixedRoads(roads, _plan.Roads is null ? "simulation" : "roadFile", _plan.LookAhead, _plan.LaneWidth) };
+        _game.Ports with { Roads = new FixedRoads(roads, _plan.Roads is null ? "simulation" : "roadFile", _plan.LookAhead, _plan.LaneWidth, _plan.NarrowLaneWidth) };
 
     private HarvestOptions Options() => new()
     {
@@ -148,6 +148,7 @@ internal sealed class SimulatedHarvest
         yield return new("timeOfDay", _plan.TimeOfDay.ToString(@"hh\:mm", CultureInfo.InvariantCulture));
         yield return new("lookAhead", _plan.LookAhead.ToString());
         yield return new("laneWidth", _plan.LaneWidth.ToString(CultureInfo.InvariantCulture));
+        yield return new("narrowLaneWidth", _plan.NarrowLaneWidth.ToString(CultureInfo.InvariantCulture));
         if (_plan.Roads is { } roads)
         {
             yield return new("roads", Path.GetFileName(roads));

@@ -21,12 +21,15 @@ namespace Harvester.Datasets.Relabelling;
 /// <summary>A session with the scenes that its labels were made from, and with what was asked for when they were.</summary>
 internal sealed class RecordedSession
 {
-    private RecordedSession(SessionReader session, HarvestOptions options, LookAhead lookAhead, double laneWidthMetres)
+    private RecordedSession(SessionReader session, HarvestOptions options, JsonFields settings)
     {
         Session = session;
         Options = options;
-        LookAhead = lookAhead;
-        LaneWidthMetres = laneWidthMetres;
+        string? lookAhead = settings.OptionalText("lookAhead");
+        LookAhead = lookAhead is null ? LookAhead.Thesis : LookAhead.Parse(lookAhead)
+            ?? throw new DatasetFormatException($"{SessionInfo.FileName}: settings.lookAhead must be metres, or seconds as 1s, not '{lookAhead}'.");
+        LaneWidthMetres = Width(settings, "laneWidth", RoadGeometry.LaneWidth);
+        NarrowLaneWidthMetres = Width(settings, "narrowLaneWidth", RoadGeometry.NarrowLaneWidth);
     }
 
     /// <summary>The session.</summary>
@@ -40,6 +43,9 @@ internal sealed class RecordedSession
 
     /// <summary>Width of the lanes of an ordinary road, metres.</summary>
     public double LaneWidthMetres { get; }
+
+    /// <summary>Width of the lanes of a narrow road, metres.</summary>
+    public double NarrowLaneWidthMetres { get; }
 
     /// <summary>Opens a session.</summary>
     /// <exception cref="DatasetFormatException">It has no scenes, or its session.json or table of spaces is not as it should be.</exception>
@@ -59,9 +65,7 @@ internal sealed class RecordedSession
         using JsonDocument document = JsonDocument.Parse(File.ReadAllBytes(session.PathOf(SessionInfo.FileName)));
         var header = new JsonFields(document.RootElement);
         JsonFields options = header.Fields("options");
-        JsonFields settings = header.Fields("settings");
         string[] classes = [.. document.RootElement.GetProperty("classes").EnumerateArray().Select(name => name.ToString())];
-        string? lookAhead = settings.OptionalText("lookAhead");
         return new RecordedSession(
             session,
             options.Checked(() => new HarvestOptions
@@ -76,9 +80,7 @@ internal sealed class RecordedSession
                 Classes = [.. classes.Select(ClassOf)],
                 Spaces = ReadSpaces(session),
             }),
-            lookAhead is null ? LookAhead.Thesis : LookAhead.Parse(lookAhead)
-                ?? throw new DatasetFormatException($"{SessionInfo.FileName}: settings.lookAhead must be metres, or seconds as 1s, not '{lookAhead}'."),
-            settings.OptionalText("laneWidth") is { } width ? double.Parse(width, CultureInfo.InvariantCulture) : RoadGeometry.LaneWidth);
+            header.Fields("settings"));
     }
 
     /// <summary>The roads that lie in the session, and null for one that has none.</summary>
@@ -118,6 +120,14 @@ internal sealed class RecordedSession
         }
 
         return ids;
+    }
+
+    private static double Width(JsonFields settings, string name, double usual)
+    {
+        string? text = settings.OptionalText(name);
+        return text is null ? usual
+            : double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double metres) && metres > 0 && double.IsFinite(metres) ? metres
+            : throw new DatasetFormatException($"{SessionInfo.FileName}: settings.{name} must be metres above 0, not '{text}'.");
     }
 
     private static ObjectClass ClassOf(string name) => JsonNames.TryRead(name, out ObjectClass kind)

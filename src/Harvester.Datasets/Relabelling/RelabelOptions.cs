@@ -48,6 +48,9 @@ public sealed record RelabelOptions
     /// <summary>Width of the lanes of an ordinary road, metres.</summary>
     public double? LaneWidthMetres { get; init; }
 
+    /// <summary>Width of the lanes of a narrow road, metres.</summary>
+    public double? NarrowLaneWidthMetres { get; init; }
+
     /// <summary>How pictures come into the new session.</summary>
     public ImageTransfer Images { get; init; }
 

@@ -24,6 +24,7 @@ internal sealed class RelabelledHeader(RecordedSession recorded, RelabelOptions 
         header.Shard = null;
         Set(settings, "lookAhead", changes.LookAhead?.ToString());
         Set(settings, "laneWidth", changes.LaneWidthMetres?.ToString(CultureInfo.InvariantCulture));
+        Set(settings, "narrowLaneWidth", changes.NarrowLaneWidthMetres?.ToString(CultureInfo.InvariantCulture));
         Set(settings, "roads", changes.RoadsName);
         Set(settings, "spaces", changes.SpacesName);
         Set(settings, "relabelledBy", $"harvester {typeof(RelabelledHeader).Assembly.GetName().Version!.ToString(3)}");

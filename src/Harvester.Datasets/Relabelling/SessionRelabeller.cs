@@ -131,13 +131,17 @@ public sealed class SessionRelabeller
             return Fixed(recorded, "simulation");
         }
 
-        return _changes.LookAhead is null && _changes.LaneWidthMetres is null
+        return _changes.LookAhead is null && _changes.LaneWidthMetres is null && _changes.NarrowLaneWidthMetres is null
             ? null
             : throw new DatasetFormatException($"'{_recorded.Session.Folder}' does not keep its roads: for other lanes name their file with --roads.");
     }
 
-    private FixedRoads Fixed(RoadNetwork roads, string source) =>
-        new(roads, source, _changes.LookAhead ?? _recorded.LookAhead, _changes.LaneWidthMetres ?? _recorded.LaneWidthMetres);
+    private FixedRoads Fixed(RoadNetwork roads, string source) => new(
+        roads,
+        source,
+        _changes.LookAhead ?? _recorded.LookAhead,
+        _changes.LaneWidthMetres ?? _recorded.LaneWidthMetres,
+        _changes.NarrowLaneWidthMetres ?? _recorded.NarrowLaneWidthMetres);
 
     private PixelBuffer? Picture(FrameLabel label) =>
         _recorded.Options.Format == ImageFormat.Png ? PngDecoder.ReadRgb(_recorded.Session.PathOf(label.Image)) : null;

@@ -1,5 +1,8 @@
 using Harvester.Capture.Labels;
+using Harvester.Capture.Roads;
 using Harvester.Datasets.Sessions;
+using Harvester.Geometry;
+using Harvester.Geometry.Roads;
 
 namespace Harvester.Cli.Tests.Commands;
 
@@ -71,6 +74,55 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
         Relabel("--calibration", _folder.File("lens.txt", Lens.Replace(good, bad, StringComparison.Ordinal))).AssertFailed(ExitCode.BadData, message);
 
     [Fact]
+    public void Lanes_of_narrow_roads_have_the_width_that_harvest_and_relabel_are_told()
+    {
+        string roads = _folder.File("roads.csv", NarrowStreet());
+        string session = _folder.PathOf("session");
+        string[] harvest = ["harvest", "--out", session, "--roads", roads, "--frames", "2", "--size", "64x48", "--no-report"];
+        Assert.Equal("", CliRun.Of([.. harvest, "--narrow-lane-width", "3.5"]).Error);
+
+        CliRun kept = CliRun.Of("relabel", session, "--out", _folder.PathOf("kept"), "--roads", roads);
+        CliRun narrower = CliRun.Of("relabel", session, "--out", _folder.PathOf("narrower"), "--roads", roads, "--narrow-lane-width", "3");
+
+        Assert.Equal(("", ""), (kept.Error, narrower.Error));
+        Assert.Equal([3.5], Widths("session"));
+        Assert.Equal([3.5], Widths("kept"));
+        Assert.Equal([3.0], Widths("narrower"));
+        Assert.Contains("\"narrowLaneWidth\": \"3\"", File.ReadAllText(Path.Combine(_folder.PathOf("narrower"), "session.json")), StringComparison.Ordinal);
+
+        IEnumerable<double?> Widths(string name) =>
+            new SessionReader(_folder.PathOf(name)).ReadLabels().Select(label => label.Lanes!.LaneWidthMetres).Distinct();
+    }
+
+    [Theory]
+    [InlineData("metres")]
+    [InlineData("0")]
+    public void Relabel_of_a_session_whose_lane_width_is_none_says_so(string width)
+    {
+        string session = _folder.PathOf("session");
+        CliRun.Of("harvest", "--out", session, "--frames", "1", "--size", "64x48", "--no-report");
+        string header = Path.Combine(session, "session.json");
+        File.WriteAllText(header, File.ReadAllText(header).Replace("\"laneWidth\": \"5.4\"", $"\"laneWidth\": \"{width}\"", StringComparison.Ordinal));
+
+        CliRun.Of("relabel", session, "--out", Made).AssertFailed(ExitCode.BadData, $"settings.laneWidth must be metres above 0, not '{width}'");
+    }
+
+    [Fact]
+    public void Relabel_takes_the_folder_of_a_survey_for_the_table_in_it_as_harvest_does()
+    {
+        string survey = Directory.CreateDirectory(_folder.PathOf("survey")).FullName + Path.DirectorySeparatorChar;
+        File.WriteAllText(Path.Combine(survey, "spaces.csv"), "# none\n");
+        string session = _folder.PathOf("session");
+
+        CliRun harvest = CliRun.Of("harvest", "--out", session, "--frames", "1", "--size", "64x48", "--no-report", "--spaces", survey);
+        CliRun relabel = Relabel("--spaces", survey);
+
+        Assert.Equal(("", ""), (harvest.Error, relabel.Error));
+        Assert.All([session, Made], folder =>
+            Assert.Contains("\"spaces\": \"survey\"", File.ReadAllText(Path.Combine(folder, "session.json")), StringComparison.Ordinal));
+    }
+
+    [Fact]
     public void Relabel_onto_the_session_itself_is_refused() =>
         CliRun.Of("relabel", Session, "--out", Session + "/.", "--overwrite").AssertFailed(ExitCode.Usage, "is the recorded session itself");
 
@@ -95,6 +147,15 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
     [InlineData("--look-ahead", "6s", "--look-ahead takes metres from 0 to 70, or seconds from 0 to 5 as 1s")]
     public void Relabel_with_an_option_that_makes_no_sense_says_what_it_takes(string option, string value, string message) =>
         Relabel(option, value).AssertFailed(ExitCode.Usage, message);
+
+    private static string NarrowStreet()
+    {
+        RoadNode[] nodes = [.. Enumerable.Range(0, 31).Select(i => new RoadNode(0, i, new Vector3D(0, 10 * i, 0), "", RoadNodeFlags.None))];
+        var street = new RoadNetwork(nodes, [.. Enumerable.Range(0, 30).Select(i => new RoadLink(i, i + 1, 2, 2, 0, RoadLinkFlags.NarrowRoad))]);
+        using var text = new StringWriter();
+        RoadCsvWriter.Write(street, text);
+        return text.ToString();
+    }
 
     private CliRun Relabel(params string[] options) => CliRun.Of(["relabel", Session, "--out", Made, .. options]);
 

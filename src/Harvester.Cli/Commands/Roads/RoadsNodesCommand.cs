@@ -13,8 +13,8 @@ internal static class RoadsNodesCommand
     {
         Argument<string> from = RoadSourceArgument.Create();
         Option<string> output = RoadSourceArgument.Output("Csv to write");
-        Option<double> laneWidth = Width("--lane-width", "Width of a lane of an ordinary road", RoadGeometry.LaneWidth);
-        Option<double> narrow = Width("--narrow-lane-width", "Width of a lane of a narrow road", RoadGeometry.NarrowLaneWidth);
+        Option<double> laneWidth = LaneOptions.LaneWidth();
+        Option<double> narrow = LaneOptions.NarrowLaneWidth();
         var command = new Command("nodes", "Write the node database: where the road lies at every node, for each direction.") { from, output, laneWidth, narrow };
         command.SetAction(parsed =>
         {
@@ -31,12 +31,5 @@ internal static class RoadsNodesCommand
             return ExitCode.Done;
         });
         return command;
-    }
-
-    private static Option<double> Width(string name, string description, double fallback)
-    {
-        Option<double> option = ValueParsers.Number(name, "METRES", $"{description}, metres [default: {fallback:0.0}]", value => value is > 0 and < 50, "a width in metres above 0 and below 50");
-        option.DefaultValueFactory = _ => fallback;
-        return option;
     }
 }
