@@ -113,8 +113,8 @@ public sealed class HarvesterScript : Script
         Aborted += OnAborted;
     }
 
-    /// <summary>Whether a file is still being written.</summary>
-    internal bool IsWriting => _features.IsWriting;
+    /// <summary>Whether work goes on on another thread.</summary>
+    internal bool IsBusy => _features.IsBusy;
 
     private void OnTick(object? sender, EventArgs e)
     {

@@ -17,6 +17,9 @@ public abstract class BridgedGame
     private protected const int Brake = 72;
     private protected const int Handbrake = 76;
 
+    /// <summary>Time that a peer has between ticks.</summary>
+    internal const int PeersPauseMilliseconds = 2;
+
     private protected int Port { get; } = FreePort();
 
     /// <summary>A file that appears whole.</summary>
@@ -53,16 +56,7 @@ public abstract class BridgedGame
         Assert.NotEmpty(driver.Game.Controls);
     }
 
-    private protected static void Until(ScriptDriver driver, Func<bool> done)
-    {
-        for (int wait = 0; wait < 2_000 && !done(); wait++)
-        {
-            Thread.Sleep(2);
-            driver.Tick();
-        }
-
-        Assert.True(done());
-    }
+    private protected static void Until(ScriptDriver driver, Func<bool> done) => driver.Until(done, PeersPauseMilliseconds);
 
     private protected static void Say(ScriptDriver driver, SocketClient peer, string message, Func<bool> done)
     {

@@ -12,7 +12,6 @@ namespace Harvester.Mod.Tests;
 public sealed class CalibrationTests
 {
     private const string Ini = "[Harvest]\nWidth = 400\nHeight = 300\n[Lens]\n; mine\nK2 = 0\nMaxError = 0.5\n";
-    private const int TicksForAll = 200;
 
     [Fact]
     public void Harvest_refuses_a_lens_that_is_off_until_the_key_has_calibrated_it()
@@ -21,14 +20,14 @@ public sealed class CalibrationTests
         var scene = new SimulatedScene(options, SpaceTable.Empty);
         using var driver = new ScriptDriver(Ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock);
         driver.Press(Keys.J);
-        Until(driver, "The camera model is off by");
+        driver.UntilTold("The camera model is off by");
         Assert.False(driver.Game.IsPaused);
         driver.WaitForDisk();
 
         driver.Press(Keys.C);
         driver.Tick();
         Assert.True(driver.Game.IsHudHidden);
-        Until(driver, "Calibrated: the error was");
+        driver.UntilTold("Calibrated: the error was");
         driver.WaitForDisk();
         Assert.False(driver.Game.IsPaused);
         driver.Tick();
@@ -40,7 +39,7 @@ public sealed class CalibrationTests
 
         // The check at the start of the harvest is the judge of the lens: half a pixel.
         driver.Press(Keys.K);
-        Until(driver, "The harvest ended: 1 frames");
+        driver.UntilTold("The harvest ended: 1 frames");
     }
 
     [Fact]
@@ -66,7 +65,7 @@ public sealed class CalibrationTests
         HarvestTests.Street(driver.Game);
         string ini = File.ReadAllText(Path.Combine(driver.Folder, "GtaDataHarvester.ini"));
         driver.Press(Keys.C);
-        Until(driver, "does not determine the lens");
+        driver.UntilTold("does not determine the lens");
 
         Assert.Equal(ini, File.ReadAllText(Path.Combine(driver.Folder, "GtaDataHarvester.ini")));
         Assert.False(driver.Game.IsPaused);
@@ -78,20 +77,8 @@ public sealed class CalibrationTests
         using var driver = new ScriptDriver("[Lens]\nMaxError = 1\n");
         HarvestTests.Street(driver.Game);
         driver.Press(Keys.K);
-        Until(driver, "The harvest ended: 1 frames");
+        driver.UntilTold("The harvest ended: 1 frames");
 
         Assert.Contains(driver.Game.Notifications, told => told.Contains("The camera model was not checked, as none of 20 markers was seen", StringComparison.Ordinal));
-    }
-
-    private static void Until(ScriptDriver driver, string message)
-    {
-        for (int tick = 0; tick < TicksForAll && !IsTold(); tick++)
-        {
-            driver.Tick();
-        }
-
-        Assert.True(IsTold(), string.Join('\n', driver.Game.Notifications));
-
-        bool IsTold() => driver.Game.Notifications.Any(told => told.Contains(message, StringComparison.Ordinal));
     }
 }

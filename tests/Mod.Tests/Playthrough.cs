@@ -13,6 +13,9 @@ internal static class Playthrough
     /// <summary>The settings that it needs.</summary>
     public const string Ini = "[Bridge]\nKind = Folder\nFolder = out/bridge\n[Harvest]\nDriveLights = On\n";
 
+    private const string Failed = " failed: ";
+    private const string Stopped = " stopped: ";
+
     /// <summary>Everything that a player can do, once.</summary>
     public static void Of(ScriptDriver driver)
     {
@@ -25,14 +28,8 @@ internal static class Playthrough
         driver.Game.Add(LightTests.LightAt(new Vector3D(104, 230, 0), Axes.Identity));
         driver.Game.Roads = new FakeRoadSource(RoadTests.Road());
         driver.Press(Keys.U);
-
-        // The file of the survey is read on another thread; where a fault has ended the survey nothing comes.
-        for (int tick = 0; tick < 100 && !driver.Game.Calls.Contains(Hash.GET_CLOSEST_ROAD); tick++)
-        {
-            Thread.Sleep(2);
-            driver.Tick();
-        }
-
+        driver.WaitForDisk();
+        driver.Tick(5);
         driver.Press(Keys.U);
         driver.WaitForDisk();
         SurveySigns(driver);
@@ -55,22 +52,17 @@ internal static class Playthrough
     private static void SurveySigns(ScriptDriver driver)
     {
         driver.Game.Props["prop_sign_road_03g"] = KnownProps.All["prop_traffic_03a"];
+        int told = driver.Game.Notifications.Count;
         driver.Press(Keys.F10);
-
-        // Its files are read on another thread; it goes on until it is over or a fault has ended it.
-        for (int tick = 0; tick < 200 && !driver.Game.Notifications[^1].Contains("models are surveyed", StringComparison.Ordinal); tick++)
-        {
-            Thread.Sleep(tick < 20 ? 2 : 0);
-            driver.Tick();
-        }
-
+        driver.Until(() => IsToldSince(driver, told, "models are surveyed", Failed, Stopped));
         driver.WaitForDisk();
     }
 
-    /// <summary>A drive over the shared folder, with each command that calls a native.</summary>
+    /// <summary>A drive over the shared folder, with each command that calls a native; a fault ends it.</summary>
     private static void PlayDrive(ScriptDriver driver)
     {
         string folder = Path.Combine(driver.Output, "bridge");
+        int told = driver.Game.Notifications.Count;
         driver.Press(Keys.N);
         Until(Hash.SET_CONTROL_VALUE_NEXT_FRAME);
         Directory.CreateDirectory(folder);
@@ -79,14 +71,9 @@ internal static class Playthrough
         BridgedGame.Drop(folder, "command.json", """{"type":"environment","weather":"rain","timeOfDay":"08:15"}""");
         Until(Hash.SET_CLOCK_TIME);
 
-        // Where a fault has ended the drive nothing comes.
-        void Until(Hash native)
-        {
-            for (int tick = 0; tick < 50 && !driver.Game.Calls.Contains(native); tick++)
-            {
-                Thread.Sleep(2);
-                driver.Tick();
-            }
-        }
+        void Until(Hash native) => driver.Until(() => driver.Game.Calls.Contains(native) || IsToldSince(driver, told, Failed, Stopped), BridgedGame.PeersPauseMilliseconds);
     }
+
+    private static bool IsToldSince(ScriptDriver driver, int told, params string[] words) =>
+        driver.Game.Notifications.Skip(told).Any(message => words.Any(word => message.Contains(word, StringComparison.Ordinal)));
 }

@@ -19,7 +19,7 @@ public sealed class RoadTests
         HarvestTests.Street(driver.Game);
         driver.Game.Roads = new FakeRoadSource(Road());
         driver.Press(Keys.U);
-        Until(driver, () => driver.Game.Texts.Any(text => text.StartsWith("SURVEY  2 nodes  1 links  0 waiting", StringComparison.Ordinal)));
+        driver.Until(() => driver.Game.Texts.Any(text => text.StartsWith("SURVEY  2 nodes  1 links  0 waiting", StringComparison.Ordinal)));
         driver.Press(Keys.U);
         driver.WaitForDisk();
         string file = Path.Combine(driver.Output, "roads.csv");
@@ -32,7 +32,7 @@ public sealed class RoadTests
         driver.Game.Roads = null;
         driver.Reload();
         driver.Press(Keys.U);
-        Until(driver, () => driver.Game.Texts.Any(text => text.StartsWith("SURVEY  2 nodes  1 links", StringComparison.Ordinal)));
+        driver.Until(() => driver.Game.Texts.Any(text => text.StartsWith("SURVEY  2 nodes  1 links", StringComparison.Ordinal)));
     }
 
     [Fact]
@@ -44,7 +44,7 @@ public sealed class RoadTests
         File.WriteAllText(file, "my notes\n");
         driver.Game.Roads = new FakeRoadSource(Road());
         driver.Press(Keys.U);
-        Until(driver, () => driver.Game.Notifications.Any(text => text.Contains("The road survey failed", StringComparison.Ordinal)));
+        driver.Until(() => driver.Game.Notifications.Any(text => text.Contains("The road survey failed", StringComparison.Ordinal)));
         driver.Tick(10);
         driver.WaitForDisk();
 
@@ -59,7 +59,7 @@ public sealed class RoadTests
         driver.Game.Roads = new FakeRoadSource(Road());
         driver.Press(Keys.I);
         driver.Press(Keys.L);
-        Until(driver, () => driver.Game.Rectangles.Count > 0);
+        driver.Until(() => driver.Game.Rectangles.Count > 0);
 
         AssertLinesOfTheRoad(driver.Game.Rectangles);
     }
@@ -71,11 +71,11 @@ public sealed class RoadTests
         HarvestTests.Street(driver.Game);
         driver.Game.Roads = new FakeRoadSource(Road()) { LaneWidth = 4.5 };
         driver.Press(Keys.U);
-        Until(driver, () => driver.Game.Texts.Any(text => text.StartsWith("SURVEY  2 nodes  1 links  0 waiting", StringComparison.Ordinal)));
+        driver.Until(() => driver.Game.Texts.Any(text => text.StartsWith("SURVEY  2 nodes  1 links  0 waiting", StringComparison.Ordinal)));
         driver.Press(Keys.I);
         driver.Press(Keys.L);
         driver.Clock.Milliseconds += 6_000;
-        Until(driver, () => Places(driver.Game.Rectangles).Any(place => Math.Abs(place - (97.375 + 4.5)) < SinglePrecision));
+        driver.Until(() => Places(driver.Game.Rectangles).Any(place => Math.Abs(place - (97.375 + 4.5)) < SinglePrecision));
         AssertLinesOfTheRoad(driver.Game.Rectangles, laneWidth: 4.5);
         driver.Press(Keys.K);
         driver.Tick(20);
@@ -97,7 +97,7 @@ public sealed class RoadTests
         HarvestTests.Street(driver.Game);
         driver.Press(Keys.I);
         driver.Press(Keys.L);
-        Until(driver, () => driver.Game.Rectangles.Count > 0);
+        driver.Until(() => driver.Game.Rectangles.Count > 0);
         AssertLinesOfTheRoad(driver.Game.Rectangles);
         driver.Press(Keys.K);
         driver.Tick(20);
@@ -117,7 +117,7 @@ public sealed class RoadTests
         File.WriteAllText(file, "not roads\n");
         using var driver = new ScriptDriver($"[Roads]\nFile = {file}\n");
         HarvestTests.Street(driver.Game);
-        Until(driver, () => driver.Game.Notifications.Any(text => text.Contains("Reading the roads failed", StringComparison.Ordinal)));
+        driver.Until(() => driver.Game.Notifications.Any(text => text.Contains("Reading the roads failed", StringComparison.Ordinal)));
         driver.Press(Keys.K);
         driver.Tick(20);
         driver.WaitForDisk();
@@ -154,16 +154,4 @@ public sealed class RoadTests
             .Select(dot => new Vector2D((dot.XMin + dot.XMax) / 2, (dot.YMin + dot.YMax) / 2))
             .Select(point => 100 + ((point.X - 0.5) / (point.Y - 0.5) * (4.0 / 3))),
     ];
-
-    private static void Until(ScriptDriver driver, Func<bool> isSo)
-    {
-        // Files and curves are read on another thread.
-        for (int tick = 0; tick < 2_000 && !isSo(); tick++)
-        {
-            Thread.Sleep(5);
-            driver.Tick();
-        }
-
-        Assert.True(isSo());
-    }
 }

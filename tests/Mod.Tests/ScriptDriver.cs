@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Windows.Forms;
 using GTA.Hosting;
 using Harvester.Capture.Ports;
@@ -11,6 +12,7 @@ namespace Harvester.Mod.Tests;
 /// </summary>
 internal sealed class ScriptDriver : IDisposable
 {
+    private static readonly TimeSpan HangingAfter = TimeSpan.FromMinutes(1);
     private readonly TemporaryFolder _folder = new();
     private readonly IScreen _screen;
     private readonly IClock _clock;
@@ -76,14 +78,32 @@ internal sealed class ScriptDriver : IDisposable
         Script = Load();
     }
 
-    /// <summary>Lets ticks go by until what was harvested is written.</summary>
+    /// <summary>Waits until everything that the script does on other threads is done: what was harvested is written, what it asked for is read.</summary>
     public void WaitForDisk()
     {
-        while (Script.IsWriting)
+        while (Script.IsBusy)
         {
             Thread.Sleep(1);
         }
     }
+
+    /// <summary>Lets ticks go by until something is so, however slow the machine is.</summary>
+    /// <param name="isSo">Asked before each tick.</param>
+    /// <param name="pauseMilliseconds">Time between ticks for those who are outside the script: the peers of a drive.</param>
+    public void Until(Func<bool> isSo, int pauseMilliseconds = 0)
+    {
+        var hanging = Stopwatch.StartNew();
+        while (!isSo())
+        {
+            Assert.True(hanging.Elapsed < HangingAfter, "It never comes.\n" + string.Join('\n', Game.Notifications));
+            WaitForDisk();
+            Thread.Sleep(pauseMilliseconds);
+            Tick();
+        }
+    }
+
+    /// <summary>Lets ticks go by until the player is told something.</summary>
+    public void UntilTold(string message) => Until(() => Game.Notifications.Any(told => told.Contains(message, StringComparison.Ordinal)));
 
     public void Dispose()
     {

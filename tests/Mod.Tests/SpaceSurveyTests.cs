@@ -18,14 +18,13 @@ public sealed class SpaceSurveyTests
 
     /// <summary>What the project asks of a face's place.</summary>
     private const double ToleranceMetres = 0.02;
-    private const int TicksForAll = 2_000;
 
     [Fact]
     public void Key_measures_all_models_of_the_game_and_leaves_nothing_behind()
     {
         using ScriptDriver driver = NewDriver();
         driver.Press(Keys.F10);
-        Until(driver, "All 109 models are surveyed: 3 faces");
+        driver.UntilTold("All 109 models are surveyed: 3 faces");
         driver.WaitForDisk();
 
         SpaceTable table = new SurveyFolder(Folder(driver)).Table;
@@ -43,10 +42,7 @@ public sealed class SpaceSurveyTests
     {
         using ScriptDriver driver = NewDriver();
         driver.Press(Keys.F10);
-        while (!driver.Game.Objects.Any())
-        {
-            driver.Tick();
-        }
+        driver.Until(() => driver.Game.Objects.Any());
 
         GameEntity prop = Assert.Single(driver.Game.Objects);
         Assert.True(prop.IsFrozen);
@@ -59,7 +55,7 @@ public sealed class SpaceSurveyTests
         using ScriptDriver driver = NewDriver();
         driver.Press(Keys.L);
         driver.Press(Keys.F10);
-        Until(driver, "models are surveyed");
+        driver.UntilTold("models are surveyed");
         driver.WaitForDisk();
 
         string folder = Path.Combine(Folder(driver), SurveyPhoto.FolderName);
@@ -84,7 +80,7 @@ public sealed class SpaceSurveyTests
         using ScriptDriver driver = NewDriver();
         driver.Screen.Refusal = "covered";
         driver.Press(Keys.F10);
-        Until(driver, "3 faces");
+        driver.UntilTold("3 faces");
         driver.WaitForDisk();
 
         Assert.Empty(Directory.GetFiles(Path.Combine(Folder(driver), SurveyPhoto.FolderName)));
@@ -95,7 +91,7 @@ public sealed class SpaceSurveyTests
     {
         using ScriptDriver driver = NewDriver(Ini + "Photographs = Off\n");
         driver.Press(Keys.F10);
-        Until(driver, "3 faces");
+        driver.UntilTold("3 faces");
 
         Assert.Equal(0, driver.Screen.Grabs);
         Assert.DoesNotContain(Hash.CREATE_CAM_WITH_PARAMS, driver.Game.Calls);
@@ -106,10 +102,7 @@ public sealed class SpaceSurveyTests
     {
         using ScriptDriver driver = NewDriver();
         driver.Press(Keys.F10);
-        while (!driver.Game.Objects.Any())
-        {
-            driver.Tick();
-        }
+        driver.Until(() => driver.Game.Objects.Any());
 
         Assert.Contains(driver.Game.Texts, text => text.StartsWith("SIGNS  ", StringComparison.Ordinal) && text.Contains(" of 109  prop_", StringComparison.Ordinal));
         driver.Press(Keys.F10);
@@ -124,10 +117,7 @@ public sealed class SpaceSurveyTests
     {
         using ScriptDriver driver = NewDriver();
         driver.Press(Keys.F10);
-        while (!driver.Game.Objects.Any(prop => prop.Name == Light))
-        {
-            driver.Tick();
-        }
+        driver.Until(() => driver.Game.Objects.Any(prop => prop.Name == Light));
 
         var other = new Thread(driver.Script.RaiseAborted);
         other.Start();
@@ -141,7 +131,7 @@ public sealed class SpaceSurveyTests
         var seen = new HashSet<string>();
         driver.Game.PassFrame = () => seen.UnionWith(driver.Game.Objects.Select(prop => prop.Name));
         driver.Press(Keys.F10);
-        Until(driver, "3 faces");
+        driver.UntilTold("3 faces");
         Assert.Equal([Light], seen);
     }
 
@@ -151,7 +141,7 @@ public sealed class SpaceSurveyTests
         using ScriptDriver driver = NewDriver();
         driver.Game.ObjectPoolIsFull = true;
         driver.Press(Keys.F10);
-        Until(driver, "All 109 models are surveyed: 0 faces");
+        driver.UntilTold("All 109 models are surveyed: 0 faces");
         driver.WaitForDisk();
 
         Assert.Contains(Sign + " refused", File.ReadAllLines(Path.Combine(Folder(driver), "models.txt")));
@@ -164,7 +154,7 @@ public sealed class SpaceSurveyTests
         const string shipped = "prop_sign_road_03g,,sign,A SIGN,R1-1,0,-0.4,0.1,2.7,0.4,-0.1,1.9,-y,estimated,test\n";
         using ScriptDriver driver = NewDriver(spaces: shipped);
         driver.Press(Keys.F10);
-        Until(driver, "models are surveyed");
+        driver.UntilTold("models are surveyed");
         driver.WaitForDisk();
         SpaceTable used = new ModFolder(driver.Folder).SpacesWith(Folder(driver));
 
@@ -180,7 +170,7 @@ public sealed class SpaceSurveyTests
         string file = Path.Combine(Folder(driver), SurveyFolder.TableName);
         File.WriteAllText(file, "prop_sign_road_01a,5,sign\n");
         driver.Press(Keys.F10);
-        Until(driver, "The survey of signs failed: " + file);
+        driver.UntilTold("The survey of signs failed: " + file);
         driver.Tick(50);
         driver.WaitForDisk();
 
@@ -193,15 +183,12 @@ public sealed class SpaceSurveyTests
     {
         using ScriptDriver driver = NewDriver();
         driver.Press(Keys.F10);
-        while (!driver.Game.Objects.Any())
-        {
-            driver.Tick();
-        }
+        driver.Until(() => driver.Game.Objects.Any());
 
         // A folder where the file should be written: the system refuses that.
         driver.WaitForDisk();
         Directory.CreateDirectory(Path.Combine(Folder(driver), SurveyFolder.TableName + ".partial"));
-        Until(driver, "The survey stopped: ");
+        driver.UntilTold("The survey stopped: ");
         Assert.Empty(driver.Game.Objects);
         Assert.Empty(driver.Game.Cameras);
     }
@@ -211,16 +198,13 @@ public sealed class SpaceSurveyTests
     {
         using ScriptDriver driver = NewDriver();
         driver.Press(Keys.F10);
-        while (!driver.Game.Objects.Any(prop => prop.Name == Light))
-        {
-            driver.Tick();
-        }
+        driver.Until(() => driver.Game.Objects.Any(prop => prop.Name == Light));
 
         driver.Game.Entities.Remove(driver.Game.HandleOf(driver.Game.Objects.Single()));
-        Until(driver, "the game took");
+        driver.UntilTold("the game took");
         Assert.DoesNotContain(driver.Game.Notifications, message => message.Contains("are surveyed", StringComparison.Ordinal));
         driver.Press(Keys.F10);
-        Until(driver, "All 109 models are surveyed: 3 faces");
+        driver.UntilTold("All 109 models are surveyed: 3 faces");
         Assert.Empty(driver.Game.Objects);
     }
 
@@ -267,23 +251,5 @@ public sealed class SpaceSurveyTests
             && Math.Abs(space.FrontUpperLeft.X - face.Min.X) < ToleranceMetres && Math.Abs(space.FrontUpperLeft.Z - face.Max.Z) < ToleranceMetres
             && Math.Abs(space.BackLowerRight.X - face.Max.X) < ToleranceMetres && Math.Abs(space.BackLowerRight.Z - face.Min.Z) < ToleranceMetres
             && Math.Abs(space.BackLowerRight.Y - face.Min.Y) < ToleranceMetres));
-    }
-
-    private static void Until(ScriptDriver driver, string message)
-    {
-        for (int tick = 0; tick < TicksForAll && !IsTold(); tick++)
-        {
-            // Files are read and written on another thread.
-            if (driver.Game.Objects.All(prop => prop.Pool != PoolKind.Props))
-            {
-                Thread.Sleep(1);
-            }
-
-            driver.Tick();
-        }
-
-        Assert.True(IsTold(), string.Join('\n', driver.Game.Notifications));
-
-        bool IsTold() => driver.Game.Notifications.Any(told => told.Contains(message, StringComparison.Ordinal));
     }
 }

@@ -25,11 +25,7 @@ public sealed class SurveyPhotoTests
         screen.Game = driver.Game;
         driver.Game.Props[Sign] = KnownProps.All[shape];
         driver.Press(Keys.F10);
-        while (!driver.Game.Notifications[^1].Contains("are surveyed", StringComparison.Ordinal))
-        {
-            Thread.Sleep(1);
-            driver.Tick();
-        }
+        driver.UntilTold("are surveyed");
 
         driver.WaitForDisk();
         string folder = Path.Combine(driver.Output, "spaces");

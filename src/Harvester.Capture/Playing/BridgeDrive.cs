@@ -53,7 +53,7 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
     public bool IsPictureNear => _session?.IsPictureNear ?? IsOn;
 
     /// <inheritdoc/>
-    public bool IsWriting => !_closing.IsCompleted;
+    public bool IsBusy => _opening is { IsCompleted: false } || !_closing.IsCompleted;
 
     /// <summary>Opens the bridge and gives the car to whoever drives, or ends that.</summary>
     public void Toggle()

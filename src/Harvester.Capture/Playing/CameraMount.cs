@@ -35,7 +35,7 @@ public sealed class CameraMount : ILastingFeature, IMount
     public bool IsMounted => Vehicle != 0;
 
     /// <inheritdoc/>
-    public bool IsWriting => false;
+    public bool IsBusy => false;
 
     /// <summary>The vehicle that carries the camera; 0 when it is not mounted.</summary>
     public int Vehicle { get; private set; }

@@ -11,8 +11,8 @@ namespace Harvester.Capture.Playing;
 /// <param name="features">The features, in the order of their ticks.</param>
 public sealed class FeatureSet(PlayerMessages messages, params IFeature[] features)
 {
-    /// <summary>Whether a file is still being written.</summary>
-    public bool IsWriting => features.OfType<ILastingFeature>().Any(feature => feature.IsWriting);
+    /// <summary>Whether work of any of them goes on on another thread.</summary>
+    public bool IsBusy => features.OfType<ILastingFeature>().Any(feature => feature.IsBusy);
 
     /// <summary>Does one frame's work.</summary>
     public void Tick()

@@ -63,7 +63,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
     public bool IsPictureNear => Status is { } status && (!Options.Freeze || status.Phase is not (HarvestPhase.Waiting or HarvestPhase.WaitingForSink));
 
     /// <summary>Whether an ended harvest is still being written.</summary>
-    public bool IsWriting => !_closing.IsCompleted;
+    public bool IsBusy => !_closing.IsCompleted;
 
     /// <summary>Starts a harvest in a folder of its own, or ends the one that runs.</summary>
     public void Toggle()
@@ -133,7 +133,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
 
     private void Start(HarvestOptions options, string folder, bool resume)
     {
-        if (IsWriting)
+        if (IsBusy)
         {
             _messages.Tell("The last harvest is still being written. Try again in a moment.");
             return;

@@ -45,7 +45,7 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
     public bool IsRunning => _session is not null;
 
     /// <summary>Whether the settings file is being written.</summary>
-    public bool IsWriting => !_writing.IsCompleted;
+    public bool IsBusy => !_writing.IsCompleted;
 
     /// <summary>Starts a calibration, or ends the one that runs.</summary>
     public void Toggle()

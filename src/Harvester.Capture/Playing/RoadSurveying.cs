@@ -68,8 +68,8 @@ public sealed class RoadSurveying : ILastingFeature
     /// <summary>Whether the lanes are those of the survey; false when the roads are known from elsewhere.</summary>
     public bool GivesLanes { get; init; } = true;
 
-    /// <summary>Whether the file is being written.</summary>
-    public bool IsWriting => !_saving.IsCompleted;
+    /// <summary>Whether the file is being read or written, or roads are being prepared.</summary>
+    public bool IsBusy => _loading is { IsCompleted: false } || !_saving.IsCompleted || _roads.IsPreparing;
 
     /// <summary>Switches it on or off, and tells so.</summary>
     public void Toggle()

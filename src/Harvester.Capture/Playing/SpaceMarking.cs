@@ -50,7 +50,7 @@ public sealed class SpaceMarking : ILastingFeature
     public string Name => "Marking by hand";
 
     /// <inheritdoc/>
-    public bool IsWriting => _measured.IsBusy;
+    public bool IsBusy => _measured.IsBusy;
 
     /// <summary>Whether nothing may be drawn now.</summary>
     public Func<bool> IsPictureNear { get; init; } = static () => false;

@@ -64,7 +64,7 @@ public sealed class SpaceSurveying : ILastingFeature
     public bool IsRunning => _isOn;
 
     /// <inheritdoc/>
-    public bool IsWriting => _measured.IsBusy;
+    public bool IsBusy => _measured.IsBusy;
 
     /// <summary>Whether a photograph is taken, so that nothing may be drawn over the picture.</summary>
     public bool IsPictureNear => _survey?.IsPhotographing ?? false;

@@ -39,7 +39,7 @@ public sealed class TestCar : ILastingFeature
     public string Name => "The test car";
 
     /// <inheritdoc/>
-    public bool IsWriting => false;
+    public bool IsBusy => false;
 
     /// <summary>Asks for a car; it appears when the game has loaded its model, some ticks later.</summary>
     public void Spawn()

@@ -41,7 +41,7 @@ public sealed class UnknownModelsList : ILastingFeature
     public string Name => "The list of unknown models";
 
     /// <inheritdoc/>
-    public bool IsWriting => _disk.IsBusy;
+    public bool IsBusy => _disk.IsBusy;
 
     /// <summary>Why this game cannot list what is near; null when it can.</summary>
     public Func<string?> Problem { get; init; } = static () => null;

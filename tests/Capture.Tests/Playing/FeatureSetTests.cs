@@ -59,7 +59,7 @@ public sealed class FeatureSetTests : IDisposable
     {
         public string Name => name;
 
-        public bool IsWriting => false;
+        public bool IsBusy => false;
 
         public void Tick() => work($"{name} ticks");
 

@@ -46,7 +46,7 @@ public sealed class RoadSurveyingTests : IDisposable
         _clock.Milliseconds += 31_000;
         Until(surveying, () => EdgesInFile() == 4);
 
-        int? EdgesInFile() => surveying.IsWriting ? null : RoadSurveyFile.Load(FilePath)?.Edges.Count;
+        int? EdgesInFile() => surveying.IsBusy ? null : RoadSurveyFile.Load(FilePath)?.Edges.Count;
     }
 
     [Fact]
