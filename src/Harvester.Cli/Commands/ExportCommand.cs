@@ -18,8 +18,9 @@ internal static class ExportCommand
     private static readonly string Notes =
         "Formats (docs/exports has a page on each):\n"
         + string.Concat(DatasetFormats.All.Select(format => $"  {format.Name,-16}{format.Description}\n"))
-        + "\nAn export that was stopped goes on when the same command is given again. Shards of one export may be written to one folder or to\n"
-        + "several; harvester merge makes the dataset of them. The same sessions and options give the same bytes.\n\n"
+        + "\nAn option that would do nothing in the format is refused. An export that was stopped goes on when the same command is given again.\n"
+        + "Shards of one export may be written to one folder or to several; harvester merge makes the dataset of them. The same sessions and\n"
+        + "options give the same bytes.\n\n"
         + "Examples:\n"
         + "  harvester export out --format kitti --out kitti\n"
         + "  harvester export day night --format coco --out coco --split train:0.8,val:0.2 --seed 3 --min-visible 0.2\n"
@@ -61,6 +62,18 @@ internal static class ExportCommand
 
     private static readonly Option<SegmentationKind> Segmentation = new("--segmentation") { Description = "How coco describes pixels" };
     private static readonly Option<ImageTransfer> Images = new("--images") { Description = "Whether images are hard links, where that can be done, or copies" };
+
+    /// <summary>The options that only some formats have a use for; with another they would do nothing.</summary>
+    private static readonly (Option Option, Func<DatasetFormat, bool> IsOf)[] OptionsOfFormats =
+    [
+        (Segmentation, format => format.HasSegmentations),
+        (Classes, format => format.HasObjects),
+        (MinVisible, format => format.HasObjects),
+        (Parts, format => format.HasParts),
+        (Images, format => format.KeepsImages),
+        (Block, format => !format.KeepsSessions),
+    ];
+
     private static readonly Option<Shard> ShardOf = ShardOption.Create();
 
     public static Command Create(Terminal terminal)
@@ -94,6 +107,7 @@ internal static class ExportCommand
         string name = parsed.GetRequiredValue(Format);
         DatasetFormat format = DatasetFormats.Find(name) ?? throw new UsageException(
             $"--format takes one of {string.Join(", ", DatasetFormats.All.Select(each => each.Name))}, not '{name}'.");
+        CheckOptions(parsed, format);
         var options = new ExportOptions
         {
             Splits = SplitsOf(parsed),
@@ -104,6 +118,17 @@ internal static class ExportCommand
             Images = parsed.GetValue(Images),
         };
         return new ExportPlan(format, [.. parsed.GetRequiredValue(Sessions).Select(folder => new SessionReader(folder))], options);
+    }
+
+    private static void CheckOptions(ParseResult parsed, DatasetFormat format)
+    {
+        foreach ((Option option, Func<DatasetFormat, bool> isOf) in OptionsOfFormats)
+        {
+            if (parsed.GetResult(option) is { Implicit: false } && !isOf(format))
+            {
+                throw new UsageException($"{option.Name} does nothing in {format.Name}. It is for {string.Join(", ", DatasetFormats.All.Where(isOf).Select(each => each.Name))}.");
+            }
+        }
     }
 
     private static SplitPlan SplitsOf(ParseResult parsed)

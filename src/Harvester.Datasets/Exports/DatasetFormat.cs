@@ -26,6 +26,18 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
     /// <summary>Whether frames are left out of which it has nothing to say.</summary>
     public bool LeavesOutFrames { get; init; }
 
+    /// <summary>Whether it lists objects; lanes are all that formats about lanes have.</summary>
+    public bool HasObjects => !NeedsLanes;
+
+    /// <summary>Whether it lists parts of other objects too; they have no pixels of their own in masks.</summary>
+    public bool HasParts => HasObjects && !NeedsMasks;
+
+    /// <summary>Whether pixels can be described in one way or another.</summary>
+    public bool HasSegmentations { get; init; }
+
+    /// <summary>Whether the sessions' images are files of the dataset as they are.</summary>
+    public bool KeepsImages { get; init; } = true;
+
     /// <summary>Whether a session stays together as one sequence, so that splits deal out sessions.</summary>
     public bool KeepsSessions { get; init; }
 }

@@ -1,3 +1,5 @@
+using Harvester.Datasets.Exports;
+
 namespace Harvester.Cli.Tests.Commands;
 
 public sealed class ExportCommandTests : IDisposable
@@ -53,6 +55,30 @@ public sealed class ExportCommandTests : IDisposable
         string[] format = option == "--format" ? [] : ["--format", "csv"];
 
         CliRun.Of(["export", _folder.PathOf("session"), "--out", _folder.PathOf("out"), .. format, option, value]).AssertFailed(ExitCode.Usage, message);
+    }
+
+    [Theory]
+    [InlineData("--segmentation", "polygon", "coco")]
+    [InlineData("--classes", "car", "kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, webdataset, csv")]
+    [InlineData("--min-visible", "0.2", "kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, webdataset, csv")]
+    [InlineData("--parts", "none", "kitti, kitti-tracking, coco, yolo, voc, webdataset, csv")]
+    [InlineData("--images", "copy", "kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, tusimple, openlane, csv")]
+    [InlineData("--split-block", "10", "kitti, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, deepdriving, tusimple, openlane, webdataset, csv")]
+    public void Export_takes_an_option_with_the_formats_only_in_which_it_does_something(string option, string value, string formats)
+    {
+        foreach (string format in DatasetFormats.All.Select(format => format.Name))
+        {
+            CliRun run = CliRun.Of("export", _folder.PathOf("session"), "--out", _folder.PathOf(format), "--format", format, option, value);
+            if (formats.Split(", ").Contains(format))
+            {
+                Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
+            }
+            else
+            {
+                run.AssertFailed(ExitCode.Usage, $"{option} does nothing in {format}. It is for {formats}.");
+                Assert.False(Directory.Exists(_folder.PathOf(format)));
+            }
+        }
     }
 
     [Fact]
