@@ -14,8 +14,8 @@ namespace Harvester.Cli.Commands;
 internal static class StatsCommand
 {
     private const string Notes =
-        "The figures are of all sessions together: counts by class, distances, heights of boxes in the image, truncation, occlusion, weather,\n"
-        + "hours, and between what values the lane indicators were.\n\n"
+        "The figures are of all sessions together: counts by class, distances, heights, widths and areas of boxes in the image,\n"
+        + "truncation, occlusion, weather, hours, and between what values the lane indicators were. Medians are to 1/4096 of their value.\n\n"
         + "Example:\n"
         + "  harvester stats day night";
 
@@ -49,6 +49,8 @@ internal static class StatsCommand
 
         yield return Bins("distance, m", statistics.Distances);
         yield return Bins("height of box2d, px", statistics.BoxHeights);
+        yield return Bins("width of box2d, px", statistics.BoxWidths);
+        yield return Bins("area of box2d, px²", statistics.BoxAreas);
         yield return Bins("truncated fraction", statistics.TruncatedFractions);
         yield return Bins("occluded fraction", statistics.OccludedFractions);
         yield return "weather: " + string.Join(", ", statistics.FramesOfWeathers.Select(pair => Text($"{pair.Key} {pair.Value}")));
@@ -61,7 +63,7 @@ internal static class StatsCommand
 
     /// <summary>The bins that hold something, by where they begin; the last one takes whatever lies above.</summary>
     private static string Bins(string name, Histogram histogram) => $"{name}: " + string.Join(
-        ", ", histogram.Counts.Select((count, bin) => (count, bin)).Where(pair => pair.count > 0).Select(pair => Text($"{pair.bin * histogram.BinWidth:0.##}+ {pair.count}")));
+        ", ", histogram.Counts.Select((count, bin) => (count, bin)).Where(pair => pair.count > 0).Select(pair => Text($"{histogram.Starts[pair.bin]:0.##}+ {pair.count}")));
 
     private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 }

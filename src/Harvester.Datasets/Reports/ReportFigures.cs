@@ -26,6 +26,8 @@ internal static class ReportFigures
         json.WriteStartArray("histograms");
         WriteHistogram(json, "Labels by distance", statistics.Distances, "m", 1);
         WriteHistogram(json, "Labels by height of the box", statistics.BoxHeights, "px", 1);
+        WriteHistogram(json, "Labels by width of the box", statistics.BoxWidths, "px", 1);
+        WriteHistogram(json, "Labels by area of the box", statistics.BoxAreas, "px²", 1);
         WriteHistogram(json, "Labels by share outside the image", statistics.TruncatedFractions, "%", PercentPerUnit);
         WriteHistogram(json, "Labels by share occluded", statistics.OccludedFractions, "%", PercentPerUnit);
         json.WriteEndArray();
@@ -97,7 +99,7 @@ internal static class ReportFigures
         json.WriteString("title", title);
         json.WriteString("unit", unit);
         json.Numbers("counts", [.. histogram.Counts.Select(count => (double)count)], 0);
-        json.Numbers("edges", [.. Enumerable.Range(0, histogram.Counts.Count + 1).Select(i => i * histogram.BinWidth * factor)], Decimals);
+        json.Numbers("starts", [.. histogram.Starts.Select(start => start * factor)], Decimals);
         json.WriteEndObject();
     }
 

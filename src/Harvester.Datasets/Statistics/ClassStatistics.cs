@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Labels;
 
 namespace Harvester.Datasets.Statistics;
@@ -8,7 +7,7 @@ namespace Harvester.Datasets.Statistics;
 public sealed class ClassStatistics
 {
     private readonly HashSet<(int Session, int Id)> _ids = [];
-    private readonly List<double> _distances = [];
+    private readonly QuantileSketch _distances = new();
     private double _occlusionSum;
     private int _occlusionCount;
 
@@ -19,10 +18,10 @@ public sealed class ClassStatistics
     public int Objects => _ids.Count;
 
     /// <summary>Distance of the nearest, metres.</summary>
-    public double NearestMetres => _distances.Min();
+    public double NearestMetres => _distances.Least;
 
-    /// <summary>Median of the distances, metres: of an even number, the upper of the two in the middle.</summary>
-    public double MedianDistanceMetres => _distances.Order().ElementAt(_distances.Count / 2);
+    /// <summary>Median of the distances, metres, to 1/4096 of it: of an even number, the upper of the two in the middle.</summary>
+    public double MedianDistanceMetres => _distances.Median;
 
     /// <summary>Mean of the occluded fractions, where they were determined; null where none was.</summary>
     public double? MeanOccludedFraction => _occlusionCount == 0 ? null : _occlusionSum / _occlusionCount;

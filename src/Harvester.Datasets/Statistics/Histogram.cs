@@ -1,30 +1,42 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace Harvester.Datasets.Statistics;
 
-/// <summary>Counts of numbers in bins of one width, from 0 up. The last bin takes whatever lies above.</summary>
+/// <summary>Counts of numbers in bins. The last bin takes whatever lies above.</summary>
 public sealed class Histogram
 {
+    private readonly double[] _starts;
     private readonly int[] _counts;
 
     /// <summary>Makes an empty histogram.</summary>
-    /// <param name="binWidth">Width of a bin, in the unit of the numbers; greater than 0.</param>
-    /// <param name="bins">Number of bins, at least 1.</param>
-    public Histogram(double binWidth, int bins)
+    /// <param name="starts">Where each bin begins, rising, in the unit of the numbers.</param>
+    public Histogram(params double[] starts)
     {
-        ArgumentOutOfRangeException.ThrowIfNegativeOrZero(binWidth);
-        ArgumentOutOfRangeException.ThrowIfLessThan(bins, 1);
-        BinWidth = binWidth;
-        _counts = new int[bins];
+        ArgumentNullException.ThrowIfNull(starts);
+        if (starts.Length == 0 || starts.Zip(starts.Skip(1)).Any(pair => !(pair.First < pair.Second)))
+        {
+            throw new ArgumentException("A histogram needs bins that rise.", nameof(starts));
+        }
+
+        _starts = starts;
+        _counts = new int[starts.Length];
     }
 
-    /// <summary>Width of a bin, in the unit of the numbers.</summary>
-    public double BinWidth { get; }
+    /// <summary>Where each bin begins; it ends where the next one begins.</summary>
+    public IReadOnlyList<double> Starts => _starts;
 
-    /// <summary>How many numbers fell into each bin; bin i reaches from i to i + 1 widths.</summary>
+    /// <summary>How many numbers fell into each bin.</summary>
     public IReadOnlyList<int> Counts => _counts;
 
-    /// <summary>Counts a number; one below 0 counts as 0.</summary>
-    public void Add(double value) => _counts[(int)Math.Clamp(value / BinWidth, 0, _counts.Length - 1)]++;
+    /// <summary>An empty histogram with bins of one width, from 0 up to a number.</summary>
+    public static Histogram Even(double upTo, int bins) => new([.. Enumerable.Range(0, bins).Select(bin => bin * upTo / bins)]);
+
+    /// <summary>Counts a number; one below the first bin counts in it.</summary>
+    public void Add(double value)
+    {
+        int found = Array.BinarySearch(_starts, value);
+        _counts[Math.Max(0, found < 0 ? ~found - 1 : found)]++;
+    }
 }

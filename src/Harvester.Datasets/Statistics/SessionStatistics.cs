@@ -10,12 +10,11 @@ namespace Harvester.Datasets.Statistics;
 /// <summary>Figures of a whole session, gathered in one pass over its labels.</summary>
 public sealed class SessionStatistics
 {
-    private const double DistanceBinMetres = 10;
+    private const double FarMetres = 150;
     private const int DistanceBins = 15;
-    private const double HeightBinPixels = 20;
-    private const int HeightBins = 20;
-    private const double OcclusionBin = 0.1;
-    private const int OcclusionBins = 10;
+    private const double LargeSidePixels = 400;
+    private const int SideBins = 20;
+    private const int FractionBins = 10;
 
     private readonly SortedDictionary<ObjectClass, ClassStatistics> _classes = [];
     private readonly SortedDictionary<string, int> _framesOfWeathers = new(StringComparer.Ordinal);
@@ -74,16 +73,22 @@ public sealed class SessionStatistics
     public double LastTimeSeconds { get; private set; }
 
     /// <summary>Labels by distance, metres.</summary>
-    public Histogram Distances { get; } = new(DistanceBinMetres, DistanceBins);
+    public Histogram Distances { get; } = Histogram.Even(FarMetres, DistanceBins);
 
     /// <summary>Labels by height of the box in the image, pixels.</summary>
-    public Histogram BoxHeights { get; } = new(HeightBinPixels, HeightBins);
+    public Histogram BoxHeights { get; } = Histogram.Even(LargeSidePixels, SideBins);
+
+    /// <summary>Labels by width of the box in the image, pixels.</summary>
+    public Histogram BoxWidths { get; } = Histogram.Even(LargeSidePixels, SideBins);
+
+    /// <summary>Labels by area of the box in the image, square pixels: from squares of 8 to 512 pixels a side, COCO's limits of 32 and 96 among them.</summary>
+    public Histogram BoxAreas { get; } = new(0, 8 * 8, 16 * 16, 32 * 32, 64 * 64, 96 * 96, 128 * 128, 256 * 256, 512 * 512);
 
     /// <summary>Labels by truncated fraction.</summary>
-    public Histogram TruncatedFractions { get; } = new(OcclusionBin, OcclusionBins);
+    public Histogram TruncatedFractions { get; } = Histogram.Even(1, FractionBins);
 
     /// <summary>Labels by occluded fraction, where it was determined.</summary>
-    public Histogram OccludedFractions { get; } = new(OcclusionBin, OcclusionBins);
+    public Histogram OccludedFractions { get; } = Histogram.Even(1, FractionBins);
 
     private void Add(FrameLabel label)
     {
@@ -111,6 +116,8 @@ public sealed class SessionStatistics
             kind.Add(item, _session);
             Distances.Add(item.DistanceMetres);
             BoxHeights.Add(item.Box2D.Height);
+            BoxWidths.Add(item.Box2D.Width);
+            BoxAreas.Add(item.Box2D.Area);
             TruncatedFractions.Add(item.TruncatedFraction);
             if (item.OccludedFraction is { } occluded)
             {

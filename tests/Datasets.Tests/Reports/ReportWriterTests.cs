@@ -36,8 +36,12 @@ public sealed partial class ReportWriterTests : IDisposable
             ["Images|3|14,999", "for training||7,481", "for testing||7,518", "Labels|6|80,256", "Labels an image|2.0|5.4"],
             data.GetProperty("comparison").GetProperty("rows").EnumerateArray().Select(row => string.Join('|', row.EnumerateArray())));
         Assert.Equal(
-            ["Labels by distance", "Labels by height of the box", "Labels by share outside the image", "Labels by share occluded"],
+            ["Labels by distance", "Labels by height of the box", "Labels by width of the box", "Labels by area of the box", "Labels by share outside the image", "Labels by share occluded"],
             data.GetProperty("histograms").EnumerateArray().Select(chart => chart.GetProperty("title").GetString()));
+        // The car's box is 6 x 6 pixels, the pedestrian's 10 x 12: 36 and 120 square pixels, in the bins from 0 and from 64 on.
+        JsonElement areas = data.GetProperty("histograms")[3];
+        Assert.Equal([0, 64, 256], areas.GetProperty("starts").EnumerateArray().Take(3).Select(start => start.GetInt32()));
+        Assert.Equal([3, 3, 0], areas.GetProperty("counts").EnumerateArray().Take(3).Select(count => count.GetInt32()));
         Assert.Equal(3, data.GetProperty("weathers").GetProperty("clear").GetInt32());
         Assert.Equal(3, data.GetProperty("hours").GetProperty("13:00").GetInt32());
         Assert.Empty(data.GetProperty("indicators").EnumerateObject());

@@ -40,12 +40,25 @@ public sealed class SessionStatisticsTests : IDisposable
     [Fact]
     public void Histogram_puts_what_lies_above_into_the_last_bin()
     {
-        var histogram = new Histogram(0.1, 10);
+        Histogram histogram = Histogram.Even(1, 10);
         histogram.Add(1);
         histogram.Add(7);
         histogram.Add(-1);
 
         Assert.Equal([1, 0, 0, 0, 0, 0, 0, 0, 0, 2], histogram.Counts);
+    }
+
+    [Fact]
+    public void Histogram_counts_a_number_in_the_bin_that_begins_at_or_below_it()
+    {
+        var histogram = new Histogram(0, 64, 256);
+        foreach (double value in (double[])[0, 63.9, 64, 255, 256, 1e9])
+        {
+            histogram.Add(value);
+        }
+
+        Assert.Equal([2, 2, 2], histogram.Counts);
+        Assert.Throws<ArgumentException>(() => new Histogram(0, 64, 64));
     }
 
     [Fact]
@@ -62,6 +75,9 @@ public sealed class SessionStatisticsTests : IDisposable
         Assert.Equal(6, statistics.FramesOfWeathers["clear"]);
         // Boxes are 6 and 12 pixels high: all in the first bin of 20. Truncated fractions are 0 and 0.2: the first and the third bin of 0.1.
         Assert.Equal(12, statistics.BoxHeights.Counts[0]);
+        // They are 6 and 10 pixels wide: 36 and 120 square pixels.
+        Assert.Equal(12, statistics.BoxWidths.Counts[0]);
+        Assert.Equal((6, 6, 0), (statistics.BoxAreas.Counts[0], statistics.BoxAreas.Counts[1], statistics.BoxAreas.Counts[2]));
         Assert.Equal((6, 6), (statistics.TruncatedFractions.Counts[0], statistics.TruncatedFractions.Counts[2]));
         Assert.Empty(statistics.Indicators);
     }

@@ -153,18 +153,20 @@ function indicators() {
 
 function histogram(chart) {
   const width = 320, height = 150, foot = 18, most = Math.max(1, ...chart.counts), step = width / chart.counts.length;
+  const last = chart.counts.length - 1;
+  const range = bin => bin < last ? `${chart.starts[bin]} to ${chart.starts[bin + 1]} ${chart.unit}` : `from ${chart.starts[bin]} ${chart.unit}`;
   const drawing = shape("svg", { viewBox: `0 0 ${width} ${height + foot}`, role: "img", "aria-label": chart.title });
   chart.counts.forEach((count, index) => {
     const tall = count / most * (height - 14);
     const bar = shape("rect", { x: index * step + 1, y: height - tall, width: Math.max(1, step - 2), height: tall });
-    bar.append(shape("title", {}, `${chart.edges[index]} to ${chart.edges[index + 1]} ${chart.unit}: ${count}`));
+    bar.append(shape("title", {}, `${range(index)}: ${count}`));
     drawing.append(bar);
   });
   drawing.append(shape("line", { x1: 0, x2: width, y1: height, y2: height }));
   drawing.append(shape("text", { x: 0, y: 10 }, `most: ${most}`));
-  const last = chart.counts.length;
-  [0, Math.floor(last / 2), last].forEach((edge, position) => drawing.append(shape("text", {
-    x: edge * step, y: height + 14, "text-anchor": ["start", "middle", "end"][position] }, `${chart.edges[edge]} ${chart.unit}`)));
+  const middle = Math.ceil(last / 2);
+  [[0, "start", 0], [middle, "middle", middle * step], [last, "end", width]].forEach(([bin, anchor, x]) => drawing.append(shape("text", {
+    x, y: height + 14, "text-anchor": anchor }, `${bin === last ? "from " : ""}${chart.starts[bin]} ${chart.unit}`)));
   byId("histograms").append(element("figure", {}, element("figcaption", {}, chart.title), drawing));
 }
 
