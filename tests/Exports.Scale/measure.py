@@ -1,4 +1,4 @@
-"""Exports long sessions in every format and measures the memory that it takes at its peak: it must not grow with the session."""
+"""Counts and exports long sessions, in every format, and measures the memory that it takes at its peak: it must not grow with the session."""
 
 import json
 import os
@@ -62,6 +62,9 @@ def measure(harvester, scratch, lengths, formats):
     for frames in lengths:
         session = os.path.join(scratch, f"session-{frames}")
         lengthen(os.path.join(scratch, "short"), session, frames)
+        seconds, peak = run([*harvester, "stats", session])
+        peaks.setdefault("stats", []).append(peak)
+        print(f"| stats of the session | {frames:,} | {seconds:.0f} | {peak:.0f} | | |", flush=True)
         for name in formats:
             out = os.path.join(scratch, "out")
             seconds, export_peak = run([*harvester, "export", session, "--format", name, "--out", out, "--split", "train:0.8,val:0.2"])

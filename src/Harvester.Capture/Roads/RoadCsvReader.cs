@@ -52,7 +52,7 @@ public sealed class RoadCsvReader
             else if (line.Length > 0 && line[0] != '#')
             {
                 Require(!_ended, "nothing may follow the line that begins with end.");
-                ReadRow(CsvFields.Split(line) ?? throw Wrong("a quotation mark is not closed."));
+                ReadRow(CsvFields.Split(line) ?? throw Wrong(CsvFields.Problem));
             }
         }
 

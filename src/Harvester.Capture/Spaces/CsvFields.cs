@@ -6,12 +6,16 @@ namespace Harvester.Capture.Spaces;
 /// <summary>One line of comma-separated values, RFC 4180 without line breaks within fields.</summary>
 internal static class CsvFields
 {
-    /// <summary>The fields of a line, or null when a quotation mark is not closed.</summary>
+    /// <summary>What is wrong with a line that has no fields.</summary>
+    public const string Problem = "a quotation mark is not closed, or stands in a field that is not in quotation marks as a whole.";
+
+    /// <summary>The fields of a line, or null when its quotation marks are not where they belong.</summary>
     public static List<string>? Split(string line)
     {
         var fields = new List<string>();
         var field = new StringBuilder();
         bool quoted = false;
+        bool closed = false;
         for (int i = 0; i < line.Length; i++)
         {
             char letter = line[i];
@@ -20,14 +24,24 @@ internal static class CsvFields
                 field.Append('"');
                 i++;
             }
-            else if (letter == '"')
+            else if (quoted && letter == '"')
             {
-                quoted = !quoted;
+                quoted = false;
+                closed = true;
             }
             else if (letter == ',' && !quoted)
             {
                 fields.Add(field.ToString());
                 field.Clear();
+                closed = false;
+            }
+            else if (closed || (letter == '"' && field.Length > 0 && !quoted))
+            {
+                return null;
+            }
+            else if (letter == '"')
+            {
+                quoted = true;
             }
             else
             {

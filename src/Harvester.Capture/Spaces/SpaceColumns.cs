@@ -5,5 +5,8 @@ internal static class SpaceColumns
 {
     public const string Header = "model,hash,class,name,mutcd,face,fulX,fulY,fulZ,blrX,blrY,blrZ,facing,provenance,source";
 
+    /// <summary>Where fulX stands, the first of the six columns of the corners.</summary>
+    public const int FirstCorner = 6;
+
     public static readonly string[] Names = Header.Split(',');
 }

@@ -1,17 +1,16 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.Linq;
 using Harvester.Capture.Scenes;
-using Harvester.Geometry;
 
 namespace Harvester.Capture.Spaces;
 
 /// <summary>One row of a table of spaces: the space it holds, or what is wrong with it.</summary>
 internal readonly struct SpaceRow
 {
-    /// <summary>A corner further from its model's origin than this is a slip of the pen, metres.</summary>
-    private const double LargestCoordinate = 100;
     private const int LargestFace = 99;
+    private const char NotUtf8 = '\uFFFD';
 
     private SpaceRow(SpaceOfInterest? space, (string Column, string Reason)? problem)
     {
@@ -23,14 +22,15 @@ internal readonly struct SpaceRow
 
     public (string Column, string Reason)? Problem { get; }
 
-    public static bool IsHeader(string line) => line.StartsWith("model,", StringComparison.OrdinalIgnoreCase);
+    public static bool IsHeader(string line) =>
+        CsvFields.Split(line) is { } fields && fields.Select(field => field.Trim()).SequenceEqual(SpaceColumns.Names, StringComparer.OrdinalIgnoreCase);
 
     public static SpaceRow FromCommas(string line)
     {
         List<string>? fields = CsvFields.Split(line);
         if (fields is null)
         {
-            return Refused("row", "a quotation mark is not closed.");
+            return Refused("row", CsvFields.Problem);
         }
 
         if (fields.Count != SpaceColumns.Names.Length)
@@ -65,6 +65,12 @@ internal readonly struct SpaceRow
 
     private static SpaceRow Checked(List<string> fields)
     {
+        int unreadable = fields.FindIndex(field => field.Trim().Any(letter => letter == NotUtf8 || char.IsControl(letter)));
+        if (unreadable >= 0)
+        {
+            return Refused(SpaceColumns.Names[unreadable], "it is not text in UTF-8.");
+        }
+
         string model = fields[0].Trim().ToLowerInvariant();
         if (!TryHash(model, fields[1].Trim(), out int hash, out string hashProblem))
         {
@@ -81,21 +87,10 @@ internal readonly struct SpaceRow
             return Refused("face", $"'{fields[5]}' is not a whole number from 0 to 99.");
         }
 
-        var corner = new double[6];
-        for (int i = 0; i < corner.Length; i++)
+        SpaceCorners corners = SpaceCorners.Parse(fields);
+        if (corners.Problem is { } wrong)
         {
-            if (!double.TryParse(fields[6 + i], NumberStyles.Float, CultureInfo.InvariantCulture, out corner[i])
-                || !(Math.Abs(corner[i]) <= LargestCoordinate))
-            {
-                return Refused(SpaceColumns.Names[6 + i], $"'{fields[6 + i]}' is not a number of metres from -100 to 100 with a point.");
-            }
-        }
-
-        var frontUpperLeft = new Vector3D(corner[0], corner[1], corner[2]);
-        var backLowerRight = new Vector3D(corner[3], corner[4], corner[5]);
-        if (frontUpperLeft.X >= backLowerRight.X || frontUpperLeft.Y < backLowerRight.Y || frontUpperLeft.Z <= backLowerRight.Z)
-        {
-            return Refused("fulX", "the cuboid is inside out: fulX must be less than blrX, fulY not less than blrY, fulZ greater than blrZ.");
+            return Refused(wrong.Column, wrong.Reason);
         }
 
         if (!TryFacing(fields[12].Trim(), out Facing facing))
@@ -110,7 +105,7 @@ internal readonly struct SpaceRow
 
         return new SpaceRow(
             new SpaceOfInterest(
-                model, hash, kind, fields[3].Trim(), fields[4].Trim(), face, frontUpperLeft, backLowerRight, facing, provenance, fields[14].Trim()),
+                model, hash, kind, fields[3].Trim(), fields[4].Trim(), face, corners.FrontUpperLeft, corners.BackLowerRight, facing, provenance, fields[14].Trim()),
             null);
     }
 
