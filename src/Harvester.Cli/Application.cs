@@ -23,7 +23,7 @@ internal static class Application
         + "  0    done\n"
         + "  1    the data is at fault: a session with problems, a malformed file\n"
         + "  2    the command line is at fault\n"
-        + "  3    a file cannot be read or written\n"
+        + "  3    a file cannot be read or written, or a bridge to another program failed\n"
         + "  4    the game failed; what was written is whole\n"
         + "  130  stopped by Ctrl+C; what was written is whole";
 
@@ -69,6 +69,10 @@ internal static class Application
         catch (DatasetFormatException e)
         {
             return Fail(terminal, ExitCode.BadData, e.Message);
+        }
+        catch (GameFaultException e)
+        {
+            return Fail(terminal, ExitCode.HarvestFault, e.Message);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {

@@ -12,10 +12,10 @@ internal static class ExitCode
     /// <summary>The command line is at fault.</summary>
     public const int Usage = 2;
 
-    /// <summary>A file cannot be read or written: missing, read-only, disk full.</summary>
+    /// <summary>A file cannot be read or written, missing, read-only, disk full, or a bridge to another program failed.</summary>
     public const int InputOutput = 3;
 
-    /// <summary>The game failed in a harvest; what was written until then is whole.</summary>
+    /// <summary>The game failed; what was written until then is whole.</summary>
     public const int HarvestFault = 4;
 
     /// <summary>Stopped by Ctrl+C; what was written until then is whole.</summary>

@@ -84,6 +84,17 @@ public sealed class DrivingSession : IDisposable
         return Status;
     }
 
+    /// <summary>
+    /// Forgets the road, what the controller knew of it and the controls that hold, as after a reset: for a game that has put the car
+    /// elsewhere by itself.
+    /// </summary>
+    public void Forget()
+    {
+        _watch.Forget();
+        _view.Forget();
+        _controller = _newController();
+    }
+
     /// <summary>Ends the drive and lets the world go on. Again is no harm.</summary>
     public void Stop()
     {
@@ -169,9 +180,7 @@ public sealed class DrivingSession : IDisposable
         {
             case ResetMessage reset:
                 _car.Reset(reset.Position, reset.HeadingDegrees);
-                _watch.Forget();
-                _view.Forget();
-                _controller = _newController();
+                Forget();
                 break;
             case EnvironmentMessage environment:
                 SetEnvironment(environment);

@@ -1,10 +1,9 @@
-using System;
 using System.CommandLine;
 using System.IO;
 using System.Net;
-using System.Net.Sockets;
 using Harvester.Capture.Driving;
 using Harvester.Capture.Driving.Bridge;
+using Harvester.Cli.Driving;
 
 namespace Harvester.Cli.Arguments;
 
@@ -40,7 +39,8 @@ internal sealed class BridgeOptions
     /// <param name="parsed">The command line.</param>
     /// <param name="driving">Size of the pictures.</param>
     /// <param name="place">Where a peer finds it.</param>
-    /// <exception cref="UsageException">The address is none or needs a token, or the port cannot be had.</exception>
+    /// <exception cref="UsageException">The address is none or needs a token.</exception>
+    /// <exception cref="IOException">The folder cannot be made, or the address or port cannot be had.</exception>
     public IDrivingBridge Open(ParseResult parsed, DrivingOptions driving, out string place)
     {
         if (parsed.GetValue(_folder) is { } folder)
@@ -55,22 +55,8 @@ internal sealed class BridgeOptions
             throw new UsageException($"--address takes an address as 127.0.0.1, not '{address}'.");
         }
 
-        string? token = parsed.GetValue(_token);
-        if (!IPAddress.IsLoopback(parsedAddress) && string.IsNullOrEmpty(token))
-        {
-            throw new UsageException($"Others can reach {address}: give a --token that peers must show.");
-        }
-
-        int port = parsed.GetValue(_port);
-        try
-        {
-            var bridge = new SocketBridge(new SocketBridgeOptions(parsedAddress, port, token), driving.Picture);
-            place = bridge.EndPoint.ToString();
-            return bridge;
-        }
-        catch (SocketException e)
-        {
-            throw new UsageException(FormattableString.Invariant($"--port {port} at {address}: {e.Message}."));
-        }
+        SocketBridge bridge = SocketBridges.Open(new IPEndPoint(parsedAddress, parsed.GetValue(_port)), parsed.GetValue(_token), driving.Picture);
+        place = bridge.EndPoint.ToString();
+        return bridge;
     }
 }

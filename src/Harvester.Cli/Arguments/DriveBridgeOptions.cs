@@ -1,8 +1,9 @@
+using System;
 using System.Collections.Generic;
 using System.CommandLine;
 using System.IO;
+using System.Linq;
 using System.Net;
-using Harvester.Capture.Driving.Bridge;
 using Harvester.Cli.Driving;
 
 namespace Harvester.Cli.Arguments;
@@ -16,7 +17,9 @@ internal static class DriveBridgeOptions
     private static readonly Option<string?> At = new("--at") { Description = "Where a socket bridge listens, or where the game is [default: 127.0.0.1:4567]", HelpName = "ADDRESS:PORT" };
     private static readonly Option<string?> Token = new("--token") { Description = "What a peer on another machine has to show", HelpName = "WORD" };
 
-    public static IEnumerable<Option> All => [Bridge, Role, Folder, At, Token];
+    private static readonly Option<double> Patience = Patient();
+
+    public static IEnumerable<Option> All => [Bridge, Role, Folder, At, Token, Patience];
 
     /// <summary>What they ask for.</summary>
     /// <exception cref="UsageException">They do not fit each other.</exception>
@@ -41,21 +44,33 @@ internal static class DriveBridgeOptions
             throw new UsageException("--role game and peer need a bridge: --bridge folder or socket.");
         }
 
+        Option? stray = All.Skip(2).FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false });
+        if (kind == BridgeName.Direct && stray is not null)
+        {
+            throw new UsageException($"{stray.Name} needs a bridge: --bridge folder or socket.");
+        }
+
         string? folder = parsed.GetValue(Folder)?.FullName ?? (outFolder is null ? null : Path.Combine(outFolder, "bridge"));
         if (kind == BridgeName.Folder && folder is null)
         {
             throw new UsageException("--bridge folder needs --folder.");
         }
 
-        return new BridgePlan(kind, role, folder ?? "", parsed.GetValue(At) is { } at ? ParsePlace(at) : null, parsed.GetValue(Token));
+        return new BridgePlan(
+            kind, role, folder ?? "", parsed.GetValue(At) is { } at ? ParsePlace(at) : null, parsed.GetValue(Token), TimeSpan.FromSeconds(parsed.GetValue(Patience)));
     }
-
-    /// <summary>Where a socket bridge is when nothing is said.</summary>
-    public static IPEndPoint Usual { get; } = new(IPAddress.Loopback, SocketBridgeOptions.DefaultPort);
 
     private static IPEndPoint ParsePlace(string text) => IPEndPoint.TryParse(text, out IPEndPoint? place) && place.Port > 0
         ? place
         : throw new UsageException($"--at takes an address with a port as 127.0.0.1:4567, not '{text}'.");
+
+    private static Option<double> Patient()
+    {
+        Option<double> patience = ValueParsers.Number(
+            "--patience", "S", "Seconds on the clock to wait for the other side before giving up", value => value is > 0 and <= 86_400, "a number greater than 0, 86400 at most");
+        patience.DefaultValueFactory = _ => 60;
+        return patience;
+    }
 
     private static Option<string> Word(string name, string form, string description, string value) =>
         new(name) { Description = description, HelpName = form, DefaultValueFactory = _ => value };

@@ -11,6 +11,7 @@ using Harvester.Cli.Driving;
 using Harvester.Datasets.Roads;
 using Harvester.Driving.Evaluation;
 using Harvester.Driving.Noise;
+using Harvester.Driving.Peers;
 using Harvester.Driving.Reports;
 using Harvester.Geometry;
 
@@ -98,9 +99,7 @@ internal static class DriveCommand
         DrivePlan plan = PlanOf(parsed) with { Bridge = bridge.Kind == BridgeName.Direct ? null : bridge };
         if (bridge.Role == DriveRole.Peer)
         {
-            (long frames, double metres) = new BridgedDrives(bridge).RunPeer(new SimulatedDrives(plan).ControllerOf(plan.Seed), plan.Seconds, cancellation);
-            terminal.Out.WriteLine(FormattableString.Invariant($"{frames} frames answered, {metres:0} m driven"));
-            return ExitCode.Done;
+            return RunPeer(terminal, plan, bridge, cancellation);
         }
 
         if (folder is null)
@@ -109,7 +108,7 @@ internal static class DriveCommand
         }
 
         Directory.CreateDirectory(folder);
-        IReadOnlyList<DriveSample> samples = new SimulatedDrives(plan).Run(cancellation);
+        IReadOnlyList<DriveSample> samples = new SimulatedDrives(plan, terminal.Out).Run(cancellation);
         DriveRecord record = DriveRecord.Of(SettingsOf(parsed, plan), samples);
         string report = Path.Combine(folder, DriveReport.FileName);
         record.Write(Path.Combine(folder, DriveRecord.FileName));
@@ -120,6 +119,14 @@ internal static class DriveCommand
         }
 
         terminal.Out.WriteLine($"report  {report}");
+        return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;
+    }
+
+    private static int RunPeer(Terminal terminal, DrivePlan plan, BridgePlan bridge, CancellationToken cancellation)
+    {
+        PeerDriver driver = new BridgedDrives(bridge, terminal.Out).RunPeer(() => new SimulatedDrives(plan, terminal.Out).ControllerOf(plan.Seed), plan.Seconds, cancellation);
+        string ending = driver.IsEndedByGame ? "; the game has closed the bridge" : "";
+        terminal.Out.WriteLine(FormattableString.Invariant($"{driver.Frames} frames answered, {driver.Metres:0} m driven in {driver.Seconds:0} s{ending}"));
         return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;
     }
 

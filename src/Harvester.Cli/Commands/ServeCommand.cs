@@ -10,6 +10,7 @@ using Harvester.Capture.Driving.Controllers;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Cli.Arguments;
+using Harvester.Cli.Driving;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Serving;
 using Harvester.Datasets.Roads;
@@ -92,14 +93,13 @@ internal static class ServeCommand
         using IDrivingBridge bridge = Bridge.Open(parsed, options, out string place);
         terminal.Out.WriteLine($"Serving at {place}");
         terminal.Out.Flush();
-        using var game = new ServedGame(simulated, roads, options, bridge, newController, !parsed.GetValue(Unassisted));
-        game.Run(parsed.GetValue(Duration) ?? double.PositiveInfinity, cancellation);
+        using var game = new BridgedGame(simulated, roads, options, bridge, newController, !parsed.GetValue(Unassisted));
+        DrivingStatus status = new ServedGame(simulated, game).Run(parsed.GetValue(Duration) ?? double.PositiveInfinity, cancellation);
         terminal.Out.WriteLine(string.Create(
-            CultureInfo.InvariantCulture, $"{game.Status.Frames} frames, {game.Metres:0} m driven in {simulated.Ports.World.TimeSeconds:0.0} s"));
-        if (game.Status.Ending is { } fault)
+            CultureInfo.InvariantCulture, $"{status.Frames} frames, {game.Metres:0} m driven in {simulated.Ports.World.TimeSeconds:0.0} s"));
+        if (status.Ending is { } fault)
         {
-            terminal.WriteError(fault);
-            return ExitCode.HarvestFault;
+            throw new GameFaultException(fault);
         }
 
         return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
+using System.IO;
 using System.Threading;
 using Harvester.Capture.Driving;
 using Harvester.Capture.Driving.Bridge;
@@ -12,26 +13,35 @@ using Harvester.Simulation;
 namespace Harvester.Cli.Driving;
 
 /// <summary>The game's side of a drive over a bridge, with the simulated game: pictures and state out, controls in.</summary>
-internal sealed class BridgedDrive(SimulatedGame game, IRoads roads, IDrivingBridge bridge, Func<IController> newController)
+/// <param name="game">The game.</param>
+/// <param name="roads">Its roads.</param>
+/// <param name="bridge">To the peer.</param>
+/// <param name="newController">Makes what drives by a peer's indicators.</param>
+/// <param name="patience">For so long, on the clock, it waits for a peer to drive.</param>
+internal sealed class BridgedDrive(SimulatedGame game, IRoads roads, IDrivingBridge bridge, Func<IController> newController, TimeSpan patience)
 {
     private const double TickSeconds = 0.05;
     private const int TicksPerSample = 2;
     private static readonly TimeSpan WaitForPeer = TimeSpan.FromMilliseconds(1);
 
     private readonly DriveSampler _sampler = new(game);
+    private readonly Stopwatch _silence = new();
+    private double _heardSeconds;
 
     /// <summary>Drives so far or so long. The world begins to move when a peer has spoken.</summary>
     /// <param name="metres">Way.</param>
     /// <param name="seconds">The game's time.</param>
     /// <param name="isRealTime">Whether the world's time keeps to the clock; otherwise it goes as fast as a peer steps it.</param>
     /// <param name="cancellation">Ends it.</param>
+    /// <exception cref="GameFaultException">The game failed.</exception>
+    /// <exception cref="IOException">No peer has driven for too long.</exception>
     public IReadOnlyList<DriveSample> Run(double metres, double seconds, bool isRealTime, CancellationToken cancellation)
     {
-        OwnDriversCar car = new(game, roads);
-        using DrivingSession session = new(new DrivingOptions { SettleTicks = 0 }, game.Ports with { Roads = roads, Car = car }, bridge, newController);
-        while (!session.Tick().IsPeerAlive && !cancellation.IsCancellationRequested)
+        using BridgedGame bridged = new(game, roads, new DrivingOptions(), bridge, newController, isAssisted: true);
+        _silence.Restart();
+        while (!cancellation.IsCancellationRequested && !Check(bridged.Listen()).IsPeerAlive)
         {
-            Thread.Sleep(WaitForPeer);
+            cancellation.WaitHandle.WaitOne(WaitForPeer);
         }
 
         var clock = Stopwatch.StartNew();
@@ -40,22 +50,43 @@ internal sealed class BridgedDrive(SimulatedGame game, IRoads roads, IDrivingBri
         {
             if (game.IsFrozen)
             {
-                Thread.Sleep(WaitForPeer);
+                cancellation.WaitHandle.WaitOne(WaitForPeer);
             }
             else if (++ticks % TicksPerSample == 0)
             {
-                _sampler.Take(car.IsByPeer);
+                _sampler.Take(bridged.IsByPeer);
             }
 
-            game.Tick(TickSeconds);
-            session.Tick();
+            Check(bridged.Tick(TickSeconds));
             TimeSpan ahead = TimeSpan.FromSeconds(ticks * TickSeconds) - clock.Elapsed;
             if (isRealTime && ahead > TimeSpan.Zero)
             {
-                Thread.Sleep(ahead);
+                cancellation.WaitHandle.WaitOne(ahead);
             }
         }
 
         return _sampler.Samples;
+    }
+
+    /// <summary>A drive that is over, or that no peer takes further, does not go on for ever.</summary>
+    private DrivingStatus Check(DrivingStatus status)
+    {
+        if (status.Ending is { } ending)
+        {
+            throw new GameFaultException(ending);
+        }
+
+        double now = game.Ports.World.TimeSeconds;
+        if (status.IsPeerAlive && now != _heardSeconds)
+        {
+            _heardSeconds = now;
+            _silence.Restart();
+        }
+        else if (_silence.Elapsed > patience)
+        {
+            throw new IOException(FormattableString.Invariant($"No peer has driven for {patience.TotalSeconds} s."));
+        }
+
+        return status;
     }
 }

@@ -2,14 +2,12 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Net;
-using System.Net.Sockets;
 using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Capture.Driving;
 using Harvester.Capture.Driving.Bridge;
 using Harvester.Capture.Driving.Controllers;
 using Harvester.Capture.Ports;
-using Harvester.Cli.Arguments;
 using Harvester.Driving.Evaluation;
 using Harvester.Driving.Peers;
 using Harvester.Geometry.Cameras;
@@ -18,7 +16,9 @@ using Harvester.Simulation;
 namespace Harvester.Cli.Driving;
 
 /// <summary>Sets up the sides of a bridge that a plan asks for.</summary>
-internal sealed class BridgedDrives(BridgePlan plan)
+/// <param name="plan">What is asked for.</param>
+/// <param name="messages">Is told where a peer is waited for.</param>
+internal sealed class BridgedDrives(BridgePlan plan, TextWriter messages)
 {
     /// <summary>The simulated game goes on by so much with each answer of a peer of its own: ten frames a second.</summary>
     private const double StepSeconds = 0.1;
@@ -30,69 +30,81 @@ internal sealed class BridgedDrives(BridgePlan plan)
     /// <param name="metres">How far.</param>
     /// <param name="seconds">How long at most.</param>
     /// <param name="cancellation">Ends it.</param>
-    /// <exception cref="IOException">The bridge cannot be opened.</exception>
+    /// <exception cref="IOException">The bridge cannot be opened or has failed, or the other side is silent.</exception>
+    /// <exception cref="GameFaultException">The game failed.</exception>
     public IReadOnlyList<DriveSample> Run(
         SimulatedGame game, IRoads roads, Func<IController> newController, double metres, double seconds, CancellationToken cancellation)
     {
         bool isAlone = plan.Role == DriveRole.Both;
         using IDrivingBridge bridge = Open(isAlone);
-        BridgedDrive drive = new(game, roads, bridge, newController);
+        BridgedDrive drive = new(game, roads, bridge, newController, plan.Patience);
         if (!isAlone)
         {
+            messages.WriteLine(FormattableString.Invariant($"Waiting for a peer at {plan.Place}, {plan.Patience.TotalSeconds} s at most"));
+            messages.Flush();
             return drive.Run(metres, seconds, isRealTime: true, cancellation);
         }
 
-        using var ending = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
         using IPeerLink link = Connect((bridge as SocketBridge)?.EndPoint);
-        Task peer = Task.Run(() => new PeerDriver(link, newController()).Run(StepSeconds, double.PositiveInfinity, ending.Token), CancellationToken.None);
+        using var ending = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
+        Task peer = Task.Run(() => RunPeerToItsEnd(new PeerDriver(link, newController, plan.Patience), ending), CancellationToken.None);
+        IReadOnlyList<DriveSample> samples;
         try
         {
-            return drive.Run(metres, seconds, isRealTime: false, cancellation);
+            samples = drive.Run(metres, seconds, isRealTime: false, ending.Token);
+        }
+        catch
+        {
+            // The game's fault is the one to tell; what it does to the peer follows from it.
+            ending.Cancel();
+            ((IAsyncResult)peer).AsyncWaitHandle.WaitOne();
+            throw;
+        }
+
+        ending.Cancel();
+        peer.GetAwaiter().GetResult();
+        return samples;
+    }
+
+    /// <summary>Drives a game elsewhere, which goes its own way.</summary>
+    /// <returns>The peer, with what it has driven.</returns>
+    /// <exception cref="IOException">Nobody is there, the bridge has failed, or the game is silent.</exception>
+    public PeerDriver RunPeer(Func<IController> newController, double seconds, CancellationToken cancellation)
+    {
+        using IPeerLink link = Connect(null);
+        PeerDriver driver = new(link, newController, plan.Patience);
+        driver.Run(null, seconds, cancellation);
+        return driver;
+    }
+
+    /// <summary>A peer that has come to its end, in whatever way, ends the drive: nobody would step the world.</summary>
+    private static void RunPeerToItsEnd(PeerDriver driver, CancellationTokenSource ending)
+    {
+        try
+        {
+            driver.Run(StepSeconds, double.PositiveInfinity, ending.Token);
+            if (driver.IsEndedByGame)
+            {
+                throw new IOException("The bridge was closed in the middle of the drive.");
+            }
         }
         finally
         {
             ending.Cancel();
-            peer.Wait(CancellationToken.None);
         }
-    }
-
-    /// <summary>Drives a game elsewhere, which goes its own way.</summary>
-    /// <returns>Frames answered, and the way of the car, metres.</returns>
-    /// <exception cref="IOException">Nobody is there.</exception>
-    public (long Frames, double Metres) RunPeer(IController controller, double seconds, CancellationToken cancellation)
-    {
-        using IPeerLink link = Connect(null);
-        PeerDriver driver = new(link, controller);
-        driver.Run(null, seconds, cancellation);
-        return (driver.Frames, driver.Metres);
     }
 
     private IDrivingBridge Open(bool isAlone)
     {
         ImageSize picture = new DrivingOptions().Picture;
-        if (plan.Kind == BridgeName.Folder)
-        {
-            return new FolderBridge(plan.Folder, picture);
-        }
-
-        IPEndPoint at = plan.At ?? (isAlone ? new IPEndPoint(IPAddress.Loopback, 0) : DriveBridgeOptions.Usual);
-        try
-        {
-            return new SocketBridge(new SocketBridgeOptions(at.Address, at.Port, plan.Token), picture);
-        }
-        catch (SocketException e)
-        {
-            throw new IOException($"No bridge can be opened at {at}: {e.Message}", e);
-        }
-        catch (ArgumentException e)
-        {
-            throw new UsageException(e.Message);
-        }
+        return plan.Kind == BridgeName.Folder
+            ? new FolderBridge(plan.Folder, picture)
+            : SocketBridges.Open(plan.At ?? (isAlone ? new IPEndPoint(IPAddress.Loopback, 0) : BridgePlan.UsualPlace), plan.Token, picture);
     }
 
     private IPeerLink Connect(IPEndPoint? known)
     {
-        IPEndPoint at = known ?? plan.At ?? DriveBridgeOptions.Usual;
-        return plan.Kind == BridgeName.Folder ? new FolderLink(plan.Folder) : new SocketLink(at.Address.ToString(), at.Port, plan.Token);
+        IPEndPoint at = known ?? plan.At ?? BridgePlan.UsualPlace;
+        return plan.Kind == BridgeName.Folder ? new FolderLink(plan.Folder) : new SocketLink(at.Address.ToString(), at.Port, plan.Token, plan.Patience);
     }
 }

@@ -26,13 +26,12 @@ internal sealed class DriveSampler(SimulatedGame game)
     /// <param name="isByController">Whether the controller that is judged drives.</param>
     public void Take(bool isByController)
     {
-        const double littleWay = 1;
         EgoState ego = game.Ports.World.ReadEgo();
         GroundBox body = GroundBox.Of(ego.Pose, ego.ModelMin, ego.ModelMax);
         double time = game.Ports.World.TimeSeconds;
         DriveSample? before = _samples.LastOrDefault();
         double way = before is null ? 0 : (body.Centre - before.Position).Length;
-        bool isElsewhere = before is null || way > littleWay + (2 * Math.Max(before.Speed, ego.Velocity.Length) * (time - before.TimeSeconds));
+        bool isElsewhere = before is null || Relocation.Is(way, before.Speed, ego.Velocity.Length, time - before.TimeSeconds);
         _metres += isElsewhere ? 0 : way;
         _samples.Add(new DriveSample
         {

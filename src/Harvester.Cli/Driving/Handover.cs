@@ -5,7 +5,7 @@ namespace Harvester.Cli.Driving;
 
 /// <summary>
 /// Who has the wheel: the controller where the lanes are known and nobody comes first, else the car's own driver. He gives it back when
-/// the car is in its lane and along it, as one would to anybody.
+/// the car is in its lane and along it, as one would to anybody. In the beginning it is the controller's.
 /// </summary>
 internal sealed class Handover
 {
@@ -13,7 +13,7 @@ internal sealed class Handover
     private const double LargestOffset = 0.8;
 
     /// <summary>Whether the controller drives.</summary>
-    public bool IsToController { get; private set; }
+    public bool IsToController { get; private set; } = true;
 
     /// <summary>Decides anew.</summary>
     /// <param name="seen">The lanes now; null when no road is known.</param>

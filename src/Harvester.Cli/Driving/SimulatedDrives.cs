@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Threading;
 using Harvester.Capture.Driving;
 using Harvester.Capture.Driving.Controllers;
@@ -13,7 +14,9 @@ using Harvester.Simulation;
 namespace Harvester.Cli.Driving;
 
 /// <summary>Builds the simulated games of a plan, one for each start, and has them driven through.</summary>
-internal sealed class SimulatedDrives(DrivePlan plan)
+/// <param name="plan">What is asked for.</param>
+/// <param name="messages">Is told where a peer is waited for.</param>
+internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
 {
     /// <summary>The simulation's vehicles are up to 8 m longer than the cars of TORCS.</summary>
     private const double VehicleAllowance = 4;
@@ -32,7 +35,7 @@ internal sealed class SimulatedDrives(DrivePlan plan)
             int seed = plan.Seed + i;
             SimulatedGame game = Build(plan.Starts.Count > 0 ? plan.Starts[i] : null, seed);
             samples.AddRange(plan.Bridge is { } bridge
-                ? new BridgedDrives(bridge).Run(game, RoadsOf(game), () => ControllerOf(seed), plan.Metres, plan.Seconds, cancellation)
+                ? new BridgedDrives(bridge, messages).Run(game, RoadsOf(game), () => ControllerOf(seed), plan.Metres, plan.Seconds, cancellation)
                 : new DirectDrive(game, RoadsOf(game), () => ControllerOf(seed)).Run(plan.Metres, plan.Seconds, cancellation));
         }
 

@@ -2,7 +2,6 @@ using System;
 using System.Diagnostics;
 using System.Globalization;
 using System.IO;
-using System.Linq;
 using System.Threading;
 using Harvester.Capture.Driving;
 using Harvester.Capture.Driving.Controllers;
@@ -12,16 +11,29 @@ namespace Harvester.Driving.Peers;
 
 /// <summary>
 /// The far end of a folder bridge: state.txt in, controls.txt and command.json out, each whole by renaming. It tells neither where the car
-/// points nor how wide its lane is; the latter is taken for that of ordinary roads.
+/// is, where it points nor how wide its lane is; the latter is taken for that of ordinary roads. A state that stood there before does not count.
 /// </summary>
-/// <param name="folder">The shared folder.</param>
-public sealed class FolderLink(string folder) : IPeerLink
+public sealed class FolderLink : IPeerLink
 {
     private const int Values = IndicatorOrder.Count + 4;
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(3);
 
-    private long _lastFrame = -1;
-    private int _steps;
+    /// <summary>A file that somebody else has open for a moment, or a disk that fails for one, is tried again for so long.</summary>
+    private static readonly TimeSpan PatienceOfWriting = TimeSpan.FromSeconds(2);
+
+    private readonly string _folder;
+    private string? _seen;
+    private int _commands;
+
+    /// <summary>Looks into the folder.</summary>
+    /// <param name="folder">The shared folder.</param>
+    /// <exception cref="IOException">It is not there, or nothing can be written there.</exception>
+    public FolderLink(string folder)
+    {
+        _folder = Directory.Exists(folder) ? folder : throw new IOException($"The shared folder {folder} is not there; the game's side makes it.");
+        _seen = ReadState();
+        Command("{\"type\":\"requestFrame\"}");
+    }
 
     /// <inheritdoc/>
     public PeerFrame? Receive(TimeSpan patience)
@@ -29,9 +41,10 @@ public sealed class FolderLink(string folder) : IPeerLink
         var waited = Stopwatch.StartNew();
         do
         {
-            if (TryRead() is { } frame && frame.Frame != _lastFrame)
+            string? state = ReadState();
+            if (state is not null && state != _seen && FrameOf(state) is { } frame)
             {
-                _lastFrame = frame.Frame;
+                _seen = state;
                 return frame;
             }
 
@@ -46,46 +59,68 @@ public sealed class FolderLink(string folder) : IPeerLink
         "controls.txt", FormattableString.Invariant($"{controls.Steering:0.######} {controls.Throttle:0.######} {controls.Brake:0.######} {frame}\n"));
 
     /// <inheritdoc/>
-    public void Step(double seconds)
-    {
-        // A file of the same time and length would not be taken for new: blanks tell one from the next.
-        _steps = (_steps + 1) % 16;
-        WriteWhole("command.json", string.Create(CultureInfo.InvariantCulture, $"{{\"type\":\"step\",\"seconds\":{seconds}}}") + new string(' ', _steps));
-    }
+    public void Step(double seconds) => Command(string.Create(CultureInfo.InvariantCulture, $"{{\"type\":\"step\",\"seconds\":{seconds}}}"));
 
     /// <summary>Nothing is held.</summary>
     public void Dispose()
     {
     }
 
-    private PeerFrame? TryRead()
+    private string? ReadState()
     {
-        string[] words;
         try
         {
-            words = File.ReadAllText(Path.Combine(folder, "state.txt")).Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries);
+            return File.ReadAllText(Path.Combine(_folder, "state.txt"));
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
+            // It is being replaced just now, or is not there yet; what lasts is told by the silence.
             return null;
         }
+    }
 
-        if (words.Length < Values)
+    /// <summary>What a state says; null for one that is not whole.</summary>
+    private static PeerFrame? FrameOf(string state)
+    {
+        string[] words = state.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries);
+        double[] numbers = new double[Values];
+        for (int i = 0; i < Values; i++)
         {
-            return null;
+            if (i >= words.Length || !double.TryParse(words[i], NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[i]))
+            {
+                return null;
+            }
         }
 
-        double[] numbers = [.. words.Take(Values).Select(word => double.Parse(word, CultureInfo.InvariantCulture))];
         LaneIndicators torcs = PeerIndicators.Of(numbers[..IndicatorOrder.Count]);
         const int frame = IndicatorOrder.Count, time = frame + 1, speed = frame + 2, fast = frame + 3;
-        return new PeerFrame((long)numbers[frame], numbers[time], new DrivingState(
-            TorcsEquivalent.InMetres(torcs, PeerIndicators.Ordinary), torcs, numbers[fast] > 0, numbers[speed]));
+        DrivingState seen = new(TorcsEquivalent.InMetres(torcs, PeerIndicators.Ordinary), torcs, numbers[fast] > 0, numbers[speed]);
+        return new PeerFrame((long)numbers[frame], numbers[time], seen, null);
+    }
+
+    private void Command(string json)
+    {
+        // A file of the same time and length would not be taken for new: blanks tell one from the next.
+        _commands = (_commands + 1) % 16;
+        WriteWhole("command.json", json + new string(' ', _commands));
     }
 
     private void WriteWhole(string name, string text)
     {
-        string path = Path.Combine(folder, name);
-        File.WriteAllText(path + ".part", text);
-        File.Move(path + ".part", path, overwrite: true);
+        string path = Path.Combine(_folder, name);
+        var tried = Stopwatch.StartNew();
+        while (true)
+        {
+            try
+            {
+                File.WriteAllText(path + ".part", text);
+                File.Move(path + ".part", path, overwrite: true);
+                return;
+            }
+            catch (Exception e) when (e is IOException or UnauthorizedAccessException && tried.Elapsed < PatienceOfWriting)
+            {
+                Thread.Sleep(Poll);
+            }
+        }
     }
 }

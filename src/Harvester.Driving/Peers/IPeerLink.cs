@@ -9,12 +9,14 @@ public interface IPeerLink : IDisposable
     /// <summary>Waits for the next frame.</summary>
     /// <param name="patience">How long.</param>
     /// <returns>Null when there was none.</returns>
-    /// <exception cref="System.IO.IOException">The bridge is gone.</exception>
+    /// <exception cref="System.IO.IOException">The bridge is gone, or what comes over it is no frame.</exception>
     PeerFrame? Receive(TimeSpan patience);
 
     /// <summary>Answers a frame.</summary>
+    /// <exception cref="System.IO.IOException">The bridge is gone.</exception>
     void Send(DrivingControls controls, long frame);
 
     /// <summary>Lets the world go on for so long and stop then.</summary>
+    /// <exception cref="System.IO.IOException">The bridge is gone.</exception>
     void Step(double seconds);
 }

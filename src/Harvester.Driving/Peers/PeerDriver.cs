@@ -1,55 +1,102 @@
 using System;
+using System.Diagnostics;
 using System.IO;
 using System.Threading;
+using Harvester.Capture.Driving;
 using Harvester.Capture.Driving.Controllers;
+using Harvester.Driving.Evaluation;
 
 namespace Harvester.Driving.Peers;
 
 /// <summary>Drives over a bridge: each new frame is answered by what the controller makes of it.</summary>
 /// <param name="link">To the game.</param>
-/// <param name="controller">Who drives.</param>
-public sealed class PeerDriver(IPeerLink link, IController controller)
+/// <param name="newController">Makes who drives; asked again when the car was put elsewhere.</param>
+/// <param name="patience">For so long, on the clock, it waits for a frame.</param>
+public sealed class PeerDriver(IPeerLink link, Func<IController> newController, TimeSpan patience)
 {
-    private static readonly TimeSpan Patience = TimeSpan.FromMilliseconds(100);
-    private double _lastSeconds = double.NegativeInfinity;
+    private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(100);
+
+    /// <summary>An answer without a frame after it may have been lost, as a file may that two write at once: it is given again.</summary>
+    private static readonly TimeSpan AgainAfter = TimeSpan.FromSeconds(2);
+
+    private readonly Stopwatch _silence = new();
+    private readonly Stopwatch _sinceAnswer = new();
+    private IController _controller = newController();
+    private PeerFrame? _last;
+    private DrivingControls _answer;
 
     /// <summary>Frames answered.</summary>
     public long Frames { get; private set; }
 
+    /// <summary>Time driven, seconds of the game's.</summary>
+    public double Seconds { get; private set; }
+
     /// <summary>Way of the car as its speed tells it, metres.</summary>
     public double Metres { get; private set; }
 
-    /// <summary>Drives until it is stopped, the time is over or the bridge is gone.</summary>
+    /// <summary>Whether the game has closed the bridge.</summary>
+    public bool IsEndedByGame { get; private set; }
+
+    /// <summary>Drives until it is stopped, the time is over or the game closes the bridge.</summary>
     /// <param name="stepSeconds">Lets the world go on by so much with each answer, so that it waits for the controller; null where it goes its own way.</param>
     /// <param name="seconds">Of the game's time.</param>
     /// <param name="cancellation">Stops it.</param>
+    /// <exception cref="IOException">The bridge has failed, or no frame has come for too long.</exception>
     public void Run(double? stepSeconds, double seconds, CancellationToken cancellation)
     {
-        double? first = null;
+        _silence.Restart();
         try
         {
-            while (!cancellation.IsCancellationRequested && !(_lastSeconds - first >= seconds))
+            while (!cancellation.IsCancellationRequested && Seconds < seconds)
             {
-                if (link.Receive(Patience) is not { } frame || frame.TimeSeconds == _lastSeconds)
+                if (link.Receive(Look) is { } frame && frame.TimeSeconds != _last?.TimeSeconds)
                 {
-                    continue;
+                    Take(frame);
+                    Answer(stepSeconds);
+                    Frames++;
+                    _silence.Restart();
                 }
-
-                first ??= frame.TimeSeconds;
-                Metres += Frames > 0 ? frame.State.SpeedMetresPerSecond * Math.Max(0, frame.TimeSeconds - _lastSeconds) : 0;
-                _lastSeconds = frame.TimeSeconds;
-                link.Send(controller.Drive(frame.State), frame.Frame);
-                Frames++;
-                if (stepSeconds is { } step)
+                else if (_silence.Elapsed > patience)
                 {
-                    link.Step(step);
+                    throw new IOException(FormattableString.Invariant($"No frame of the game has come for {patience.TotalSeconds} s."));
+                }
+                else if (stepSeconds is not null && _last is not null && _sinceAnswer.Elapsed > AgainAfter)
+                {
+                    Answer(stepSeconds);
                 }
             }
         }
-        catch (IOException) when (Frames > 0)
+        catch (BridgeEndedException) when (Frames > 0)
         {
-            // The game has ended the bridge; what was driven was driven.
-            return;
+            IsEndedByGame = true;
         }
+    }
+
+    private void Take(PeerFrame frame)
+    {
+        // A game that was started anew begins its time anew.
+        double passed = Math.Max(0, frame.TimeSeconds - (_last?.TimeSeconds ?? frame.TimeSeconds));
+        double speed = frame.State.SpeedMetresPerSecond;
+        if (_last?.Position is { } before && frame.Position is { } now
+            && Relocation.Is((now - before).Length, _last.State.SpeedMetresPerSecond, speed, passed))
+        {
+            _controller = newController();
+        }
+
+        Seconds += passed;
+        Metres += speed * passed;
+        _last = frame;
+        _answer = _controller.Drive(frame.State);
+    }
+
+    private void Answer(double? stepSeconds)
+    {
+        link.Send(_answer, _last!.Frame);
+        if (stepSeconds is { } step)
+        {
+            link.Step(step);
+        }
+
+        _sinceAnswer.Restart();
     }
 }

@@ -1,4 +1,5 @@
 using Harvester.Capture.Driving.Controllers;
+using Harvester.Geometry;
 
 namespace Harvester.Driving.Peers;
 
@@ -6,4 +7,5 @@ namespace Harvester.Driving.Peers;
 /// <param name="Frame">Its number.</param>
 /// <param name="TimeSeconds">The game's time, seconds.</param>
 /// <param name="State">What a controller drives by.</param>
-public sealed record PeerFrame(long Frame, double TimeSeconds, DrivingState State);
+/// <param name="Position">Where the car is, metres, world; null where the bridge does not tell.</param>
+public sealed record PeerFrame(long Frame, double TimeSeconds, DrivingState State, Vector3D? Position);

@@ -30,33 +30,6 @@ public sealed class DriveCommandTests
         Assert.Contains("<polyline class=\"controller\"", File.ReadAllText(folder.PathOf("one/report.html")), StringComparison.Ordinal);
     }
 
-    [Theory]
-    [InlineData("socket")]
-    [InlineData("folder")]
-    public void Drive_over_a_bridge_is_driven_by_its_peer(string bridge)
-    {
-        using TemporaryFolder folder = new();
-        CliRun run = CliRun.Of(
-            "drive", "--out", folder.PathOf("out"), "--bridge", bridge, "--distance", "45", "--traffic", "0", "--seed", "4");
-
-        Assert.Equal("", run.Error);
-        using JsonDocument record = JsonDocument.Parse(File.ReadAllText(folder.PathOf("out/drive.json")));
-        JsonElement figures = record.RootElement.GetProperty("figures");
-
-        // The car begins in a lane; without its peer it would stand there and brake.
-        Assert.InRange(figures.GetProperty("controllerMetres").GetDouble(), 30, 50);
-        Assert.Equal(0, figures.GetProperty("laneDepartures").GetInt32());
-        Assert.InRange(figures.GetProperty("largestLateralError").GetDouble(), 0, 0.5);
-    }
-
-    [Fact]
-    public void Drive_as_a_peer_of_nobody_fails_with_a_message() =>
-        CliRun.Of("drive", "--bridge", "socket", "--role", "peer", "--at", "127.0.0.1:9").AssertFailed(3, "No bridge is to be reached at 127.0.0.1:9");
-
-    [Fact]
-    public void Drive_as_a_peer_without_a_bridge_is_refused() =>
-        CliRun.Of("drive", "--role", "peer").AssertFailed(2, "--role game and peer need a bridge");
-
     [Fact]
     public void Drive_to_no_folder_is_refused() => CliRun.Of("drive").AssertFailed(2, "'--out' is required");
 

@@ -1,0 +1,53 @@
+using System;
+using Harvester.Capture.Driving;
+using Harvester.Capture.Labelling;
+using Harvester.Capture.Ports;
+using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
+using Harvester.Simulation;
+
+namespace Harvester.Cli.Driving;
+
+/// <summary>
+/// The simulated car behind a bridge: in junctions and where it has to give way its own driver drives, whatever the peer says, as long as a
+/// peer is there. Without one it brakes everywhere.
+/// </summary>
+/// <param name="game">The game with the car.</param>
+/// <param name="roads">Its roads.</param>
+/// <param name="isPeerAlive">Whether a peer has spoken lately.</param>
+internal sealed class AssistedCar(SimulatedGame game, IRoads roads, Func<bool> isPeerAlive) : IDrivenCar
+{
+    private readonly IDrivenCar _car = game.Ports.Car!;
+    private readonly LaneTracker _lanes = new(roads, entity => entity.Handle);
+    private Handover _handover = new();
+
+    /// <summary>Whether what the peer says drives, the brake too when it says nothing.</summary>
+    public bool IsByPeer { get; private set; }
+
+    public bool IsTakenByPlayer => _car.IsTakenByPlayer;
+
+    public void Drive(DrivingControls controls)
+    {
+        LaneObservation? seen = _lanes.Observe(game.Ports.World.ReadEgo(), [])?.Seen;
+        IsByPeer = _handover.Decide(seen, game.MustEgoGiveWay) || !isPeerAlive();
+        if (IsByPeer)
+        {
+            _car.Drive(controls);
+        }
+    }
+
+    public void Reset(Vector3D position, double headingDegrees)
+    {
+        Forget();
+        _car.Reset(position, headingDegrees);
+    }
+
+    public void SetEnvironment(string? weather, TimeSpan? timeOfDay) => _car.SetEnvironment(weather, timeOfDay);
+
+    /// <summary>Forgets the road and who had the wheel, as when the car has been put elsewhere.</summary>
+    public void Forget()
+    {
+        _lanes.Forget();
+        _handover = new Handover();
+    }
+}

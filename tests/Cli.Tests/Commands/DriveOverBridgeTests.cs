@@ -1,0 +1,143 @@
+using System.Net;
+using System.Net.Sockets;
+using System.Text.Json;
+
+namespace Harvester.Cli.Tests.Commands;
+
+/// <summary>harvester drive with something between game and controller, and what goes wrong there.</summary>
+public sealed class DriveOverBridgeTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    [Theory]
+    [InlineData("socket")]
+    [InlineData("folder")]
+    public void Drive_over_a_bridge_is_driven_by_its_peer(string bridge)
+    {
+        CliRun run = CliRun.Of(
+            "drive", "--out", _folder.PathOf("out"), "--bridge", bridge, "--distance", "45", "--traffic", "0", "--seed", "4");
+
+        Assert.Equal("", run.Error);
+        using JsonDocument record = JsonDocument.Parse(File.ReadAllText(_folder.PathOf("out/drive.json")));
+        JsonElement figures = record.RootElement.GetProperty("figures");
+
+        // The car begins in a lane; without its peer it would stand there and brake.
+        Assert.InRange(figures.GetProperty("controllerMetres").GetDouble(), 30, 50);
+        Assert.Equal(0, figures.GetProperty("laneDepartures").GetInt32());
+        Assert.InRange(figures.GetProperty("largestLateralError").GetDouble(), 0, 0.5);
+    }
+
+    [Fact]
+    public async Task Peer_and_game_in_processes_of_their_own_drive_and_both_end_well()
+    {
+        string at = FreePlace();
+        Task<CliRun> game = Start(
+            "drive", "--out", _folder.PathOf("out"), "--bridge", "socket", "--role", "game", "--at", at, "--distance", "8", "--traffic", "0", "--seed", "4");
+        CliRun peer = await PeerOf(at);
+
+        Assert.Equal((0, ""), (peer.ExitCode, peer.Error));
+        Assert.Matches(@"^\d+ frames answered, \d+ m driven in \d+ s; the game has closed the bridge\n$", peer.Out);
+        CliRun run = await game;
+        Assert.Equal((0, ""), (run.ExitCode, run.Error));
+        Assert.StartsWith($"Waiting for a peer at {at}, 60 s at most\n", run.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Peer_with_a_wrong_token_is_told_and_the_game_can_be_stopped()
+    {
+        string at = FreePlace();
+        using CancellationTokenSource stopping = new();
+        Task<CliRun> game = Start(
+            stopping.Token, "drive", "--out", _folder.PathOf("out"), "--bridge", "socket", "--role", "game", "--at", at, "--token", "sesame", "--traffic", "0");
+        CliRun peer = await PeerOf(at, "--token", "simsim");
+        peer.AssertFailed(ExitCode.InputOutput, "the first message must be a hello with the right token");
+        stopping.Cancel();
+
+        Assert.Equal(ExitCode.Cancelled, (await game).ExitCode);
+    }
+
+    [Fact]
+    public void Game_without_a_peer_gives_up()
+    {
+        CliRun run = CliRun.Of(
+            "drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--role", "game", "--patience", "0.2", "--traffic", "0");
+
+        Assert.Equal((ExitCode.InputOutput, "harvester: No peer has driven for 0.2 s.\n"), (run.ExitCode, run.Error));
+    }
+
+    [Fact]
+    public void Peer_without_frames_gives_up()
+    {
+        CliRun run = CliRun.Of("drive", "--bridge", "folder", "--role", "peer", "--folder", _folder.Path, "--patience", "0.2");
+
+        run.AssertFailed(ExitCode.InputOutput, "No frame of the game has come for 0.2 s.");
+    }
+
+    [Fact]
+    public void Peer_of_nobody_fails() => CliRun.Of("drive", "--bridge", "socket", "--role", "peer", "--at", "127.0.0.1:9")
+        .AssertFailed(ExitCode.InputOutput, "No bridge is to be reached at 127.0.0.1:9");
+
+    [Fact]
+    public void Peer_at_a_folder_that_is_not_there_fails() => CliRun.Of("drive", "--bridge", "folder", "--role", "peer", "--folder", _folder.PathOf("none"))
+        .AssertFailed(ExitCode.InputOutput, _folder.PathOf("none"));
+
+    [Fact]
+    public void Port_in_use_is_told()
+    {
+        using TcpListener other = new(IPAddress.Loopback, 0);
+        other.Start();
+
+        CliRun.Of("drive", "--out", _folder.PathOf("out"), "--bridge", "socket", "--at", other.LocalEndpoint.ToString()!)
+            .AssertFailed(ExitCode.InputOutput, $"No bridge can be opened at {other.LocalEndpoint}");
+    }
+
+    [Fact]
+    public void Shared_folder_that_is_a_file_is_told()
+    {
+        File.WriteAllText(_folder.PathOf("file"), "");
+
+        CliRun.Of("drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--folder", _folder.PathOf("file"))
+            .AssertFailed(ExitCode.InputOutput, _folder.PathOf("file"));
+    }
+
+    [Theory]
+    [InlineData("--role and --bridge", "--role game and peer need a bridge", "--role", "peer")]
+    [InlineData("--bridge", "--bridge takes direct, folder or socket, not 'usb'", "--bridge", "usb")]
+    [InlineData("--role", "--role takes both, game or peer, not 'none'", "--role", "none")]
+    [InlineData("--at", "--at takes an address with a port as 127.0.0.1:4567, not 'here'", "--bridge", "socket", "--at", "here")]
+    [InlineData("no token", "Others can reach 0.0.0.0: give a --token", "--bridge", "socket", "--role", "game", "--at", "0.0.0.0:4567")]
+    [InlineData("no bridge", "--token needs a bridge", "--token", "sesame")]
+    [InlineData("--patience", "--patience takes a number greater than 0", "--bridge", "socket", "--patience", "0")]
+    public void Options_that_cannot_be_are_refused(string what, string message, params string[] options)
+    {
+        Assert.NotEmpty(what);
+        CliRun.Of(["drive", "--out", _folder.PathOf("out"), .. options]).AssertFailed(ExitCode.Usage, message);
+    }
+
+    public void Dispose() => _folder.Dispose();
+
+    private static Task<CliRun> Start(params string[] arguments) => Start(CancellationToken.None, arguments);
+
+    private static Task<CliRun> Start(CancellationToken stopping, params string[] arguments) =>
+        Task.Run(() => CliRun.StartAsync("", stopping, arguments), CancellationToken.None);
+
+    /// <summary>Runs a peer as soon as the game listens.</summary>
+    private static async Task<CliRun> PeerOf(string at, params string[] more)
+    {
+        DateTime deadline = DateTime.UtcNow.AddSeconds(60);
+        CliRun run;
+        do
+        {
+            run = await Start(["drive", "--bridge", "socket", "--role", "peer", "--at", at, .. more]);
+        }
+        while (run.Error.Contains("No bridge is to be reached", StringComparison.Ordinal) && DateTime.UtcNow < deadline);
+        return run;
+    }
+
+    private static string FreePlace()
+    {
+        using TcpListener listener = new(IPAddress.Loopback, 0);
+        listener.Start();
+        return listener.LocalEndpoint.ToString()!;
+    }
+}

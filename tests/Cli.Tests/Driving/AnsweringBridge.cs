@@ -1,0 +1,29 @@
+using System.Diagnostics.CodeAnalysis;
+using Harvester.Capture.Driving.Bridge;
+using Harvester.Capture.Imaging;
+
+namespace Harvester.Cli.Tests.Driving;
+
+/// <summary>A bridge within the process to a peer that answers each frame at once.</summary>
+/// <param name="answer">What it says to a frame.</param>
+/// <param name="first">What it says before the first.</param>
+internal sealed class AnsweringBridge(Func<BridgeState, IEnumerable<PeerMessage>> answer, params PeerMessage[] first) : IDrivingBridge
+{
+    private readonly Queue<PeerMessage> _messages = new(first);
+
+    public string? Problem => null;
+
+    public void Publish(BridgeState state, PixelBuffer picture)
+    {
+        foreach (PeerMessage message in answer(state))
+        {
+            _messages.Enqueue(message);
+        }
+    }
+
+    public bool TryReceive([NotNullWhen(true)] out PeerMessage? message) => _messages.TryDequeue(out message);
+
+    public void Dispose()
+    {
+    }
+}
