@@ -32,7 +32,7 @@ public sealed class SpacesCommandTests : IDisposable
         CliRun run = CliRun.Of("spaces", "check", file);
 
         Assert.Equal(ExitCode.BadData, run.ExitCode);
-        Assert.StartsWith($"{file}: line 2, fulX: the cuboid is inside out", run.Out, StringComparison.Ordinal);
+        Assert.StartsWith($"{file}: line 2, fulX, blrX: the cuboid is inside out: fulX must be less than blrX.", run.Out, StringComparison.Ordinal);
         Assert.EndsWith($"{file}: 1 rows are good, 1 are refused\n", run.Out, StringComparison.Ordinal);
     }
 
