@@ -25,11 +25,11 @@ public sealed class SimulatedGame
     /// <summary>Angle of the ego's front wheels at full lock, radians: 40 degrees.</summary>
     public const double SteeringLockRadians = 0.6981317;
 
-    private const double RealSecondsPerGameMinute = 2;
     /// <summary>What moves farther away is not drawn, metres.</summary>
     private const double SightRange = 350;
 
-    private SimulationOptions _options;
+    private readonly SimulationOptions _options;
+    private readonly WeatherClock _weather;
     private readonly SimulatedWorld _world;
     private readonly Renderer _renderer = new();
     private readonly Vanishing _vanishing;
@@ -53,7 +53,7 @@ public sealed class SimulatedGame
         _options = options;
 
         // A wrong name is found before a world is built in vain.
-        _ = Weather.LightingOf(options.Weather, options.TimeOfDay);
+        _weather = new WeatherClock(options);
         _world = new SimulatedWorld(options);
         Freezing = new Freezing(options.Seed, options.Quirks.CreepTicks);
         _vanishing = new Vanishing(options.Seed, options.Quirks.VanishingFraction);
@@ -109,7 +109,7 @@ public sealed class SimulatedGame
 
     internal double ElapsedSeconds { get; private set; }
 
-    internal EnvironmentState Environment => new(_options.Weather, TimeOfDay);
+    internal EnvironmentState Environment => _weather.At(_world.TimeSeconds);
 
     internal CameraState ReportedCamera => _options.Quirks.IsCameraReportedLate ? _cameraBefore : Camera;
 
@@ -136,16 +136,6 @@ public sealed class SimulatedGame
     private CameraState Camera =>
         new(_world.Ego.Pose.Compose(_mount), _options.VerticalFovDegrees, _options.NearClip, _options.WindowAspect);
 
-    private TimeSpan TimeOfDay
-    {
-        get
-        {
-            double gameMinutes = _options.IsTimeOfDayFixed ? 0 : _world.TimeSeconds / RealSecondsPerGameMinute;
-            long ticks = (_options.TimeOfDay + TimeSpan.FromMinutes(gameMinutes)).Ticks % TimeSpan.TicksPerDay;
-            return TimeSpan.FromTicks(ticks < 0 ? ticks + TimeSpan.TicksPerDay : ticks);
-        }
-    }
-
     private Moment Present
     {
         get
@@ -157,7 +147,7 @@ public sealed class SimulatedGame
                     _state,
                     new SceneSnapshot(GameFrame, _world.TimeSeconds, Camera, _world.EgoState, _world.EntitiesNear(eye, double.PositiveInfinity), Environment),
                     [.. _world.MovingNear(eye, SightRange), .. Markers.Select(MarkerModel.Of)],
-                    Weather.LightingOf(_options.Weather, TimeOfDay) with { PrecipitationSeed = _precipitation },
+                    _weather.LightingAt(_world.TimeSeconds) with { PrecipitationSeed = _precipitation },
                     _world.LightsNear(eye));
             }
 
@@ -261,14 +251,7 @@ public sealed class SimulatedGame
     /// <summary>Sets what is not null.</summary>
     internal void SetEnvironment(string? weather, TimeSpan? timeOfDay)
     {
-        SimulationOptions options = _options with { Weather = weather ?? _options.Weather };
-        if (timeOfDay is { } now)
-        {
-            options = options with { TimeOfDay = options.TimeOfDay + now - TimeOfDay };
-        }
-
-        _ = Weather.LightingOf(options.Weather, options.TimeOfDay);
-        _options = options;
+        _weather.Set(weather, timeOfDay, _world.TimeSeconds);
         _state++;
     }
 

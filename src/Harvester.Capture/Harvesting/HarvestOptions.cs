@@ -12,6 +12,9 @@ namespace Harvester.Capture.Harvesting;
 /// <exception cref="ArgumentOutOfRangeException">A value is out of its range.</exception>
 public sealed record HarvestOptions
 {
+    /// <summary>The greatest <see cref="MaskRayBudget"/>: more than a ray for every pixel of a large image.</summary>
+    public const int MostMaskRays = 10_000_000;
+
     /// <summary>Size of the saved images, pixels; 800 x 600 as in the thesis.</summary>
     public ImageSize Image { get; init; } = new(800, 600);
 
@@ -40,7 +43,7 @@ public sealed record HarvestOptions
     public bool Scenes { get; init; } = true;
 
     /// <summary>Rays that a frame's mask may take at most, 0 to 10,000,000. When they are used up the mask is finished from what is known.</summary>
-    public int MaskRayBudget { get; init => field = OptionCheck.InRange(value, 0, 10_000_000, nameof(MaskRayBudget)); } = 50_000;
+    public int MaskRayBudget { get; init => field = OptionCheck.InRange(value, 0, MostMaskRays, nameof(MaskRayBudget)); } = 50_000;
 
     /// <summary>Distance beyond which the game's rays are known not to meet entities, metres; greater than 0. Masks show those by their cuboids.</summary>
     public double RayReachMetres { get; init => field = OptionCheck.Positive(value, nameof(RayReachMetres)); } = 1_000;

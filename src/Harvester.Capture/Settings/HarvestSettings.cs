@@ -41,6 +41,8 @@ public static class HarvestSettings
             Classes = classes.Count > 0 ? classes : null,
             Freeze = ini.Choice(Harvest, "Mode", CaptureMode.Freeze, "Freeze or Live") == CaptureMode.Freeze,
             Masks = ini.Choice(Harvest, "Masks", Switch.Off, "On or Off") == Switch.On,
+            MaskRayBudget = ini.Whole(Harvest, "MaskRays", fallback.MaskRayBudget, 0, HarvestOptions.MostMaskRays),
+            RayReachMetres = ini.Number(Harvest, "RayReach", fallback.RayReachMetres, 1, 100_000),
             OcclusionSamples = ini.Whole(Harvest, "OcclusionRays", fallback.OcclusionSamples, 1, 10_000),
             ProbeLag = ini.Choice(Harvest, "ProbeLag", Switch.On, "On or Off") == Switch.On,
             MaxPictureLagTicks = ini.Whole(Harvest, "MaxPictureLagTicks", fallback.MaxPictureLagTicks, 1, 60),

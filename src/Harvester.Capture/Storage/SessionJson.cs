@@ -66,6 +66,8 @@ internal static class SessionJson
             .Key("rangeMetres").Number(options.RangeMetres, LabelDecimals.Metres)
             .Key("freeze").Truth(options.Freeze)
             .Key("masks").Truth(options.Masks)
+            .Key("maskRayBudget").Integer(options.MaskRayBudget)
+            .Key("rayReachMetres").Number(options.RayReachMetres, LabelDecimals.Metres)
             .Key("minBoxAreaPixels").Number(options.MinBoxAreaPixels, LabelDecimals.Pixels)
             .Key("minBoxSidePixels").Number(options.MinBoxSidePixels, LabelDecimals.Pixels)
             .Key("maxOccludedFraction").Number(options.MaxOccludedFraction, LabelDecimals.Fraction)

@@ -27,6 +27,7 @@ internal static class HarvestCommand
     private const double SmallestFovDegrees = 1;
     private const double GreatestFovDegrees = 170;
     private const double GreatestRange = 100_000;
+    private const string DistanceForm = "a number greater than 0, 100000 at most";
     private static readonly TimeSpan Noon = TimeSpan.FromHours(12);
 
     private const string Notes =
@@ -83,9 +84,17 @@ internal static class HarvestCommand
         "--time", "HH:MM", "The hour at the beginning [default: 12:00]", ParseTime, "an hour as 18:30");
 
     private static readonly Option<bool> Masks = new("--masks") { Description = "Write instance masks too" };
+    private static readonly Option<int> MaskRays = WithDefault(
+        ValueParsers.Integer("--mask-rays", "N", "Rays that a mask may take; the rest is drawn from what they show", 0, HarvestOptions.MostMaskRays),
+        new HarvestOptions().MaskRayBudget);
+
+    private static readonly Option<double> RayReach = WithDefault(
+        ValueParsers.Number("--ray-reach", "M", "Draw objects farther away by their boxes in masks, metres", IsDistance, DistanceForm),
+        new HarvestOptions().RayReachMetres);
+
     private static readonly Option<bool> NoScenes = new("--no-scenes") { Description = "Write no scenes; the session cannot be relabelled then" };
     private static readonly Option<double> Range = WithDefault(
-        ValueParsers.Number("--range", "M", "Label objects up to this distance, metres", value => value is > 0 and <= GreatestRange, "a number greater than 0, 100000 at most"), 150);
+        ValueParsers.Number("--range", "M", "Label objects up to this distance, metres", IsDistance, DistanceForm), 150);
 
     private static readonly Option<LookAhead> LaneLookAhead = LaneOptions.LookAhead();
     private static readonly Option<double> LaneWidth = LaneOptions.LaneWidth();
@@ -103,7 +112,7 @@ internal static class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, NoScenes, Range, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, Quirks, ShardOf, NoReport,
+            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, MaskRays, RayReach, NoScenes, Range, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, Quirks, ShardOf, NoReport,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
@@ -174,6 +183,8 @@ internal static class HarvestCommand
                 : throw new UsageException($"--weather takes one of {string.Join(", ", WeatherNames.All)}, not '{weather}'."),
             TimeOfDay = parsed.GetValue(Time) ?? Noon,
             Masks = parsed.GetValue(Masks),
+            MaskRayBudget = parsed.GetValue(MaskRays),
+            RayReachMetres = parsed.GetValue(RayReach),
             Scenes = !parsed.GetValue(NoScenes),
             Shard = parsed.GetValue(ShardOf),
             RangeMetres = parsed.GetValue(Range),
@@ -185,6 +196,8 @@ internal static class HarvestCommand
             QuirksAsked = parsed.GetValue(Quirks),
         };
     }
+
+    private static bool IsDistance(double value) => value is > 0 and <= GreatestRange;
 
     private static TimeSpan? ParseTime(string text) =>
         TimeSpan.TryParseExact(text, [@"hh\:mm", @"h\:mm"], CultureInfo.InvariantCulture, out TimeSpan time) ? time : null;

@@ -54,6 +54,12 @@ internal sealed record HarvestPlan
     /// <summary>Whether instance masks are made.</summary>
     public required bool Masks { get; init; }
 
+    /// <summary>Rays that a frame's mask may take at most.</summary>
+    public required int MaskRayBudget { get; init; }
+
+    /// <summary>Beyond this rays are not trusted to meet objects, metres.</summary>
+    public required double RayReachMetres { get; init; }
+
     /// <summary>Whether the scenes are written, so that the session can be relabelled.</summary>
     public required bool Scenes { get; init; }
 

@@ -130,6 +130,8 @@ internal sealed class SimulatedHarvest
         RangeMetres = _plan.RangeMetres,
         Classes = _plan.Classes,
         Masks = _plan.Masks,
+        MaskRayBudget = _plan.MaskRayBudget,
+        RayReachMetres = _plan.RayReachMetres,
         Scenes = _plan.Scenes,
         Spaces = _spaces,
     };

@@ -27,6 +27,8 @@ public sealed class HarvestSettingsTests
             Classes = car, bus
             Mode = Live
             Masks = On
+            MaskRays = 3000
+            RayReach = 120.5
             OcclusionRays = 9
             ProbeLag = Off
             MaxPictureLagTicks = 7
@@ -53,6 +55,8 @@ public sealed class HarvestSettingsTests
             Classes = options.Classes,
             Freeze = false,
             Masks = true,
+            MaskRayBudget = 3000,
+            RayReachMetres = 120.5,
             OcclusionSamples = 9,
             ProbeLag = false,
             MaxPictureLagTicks = 7,

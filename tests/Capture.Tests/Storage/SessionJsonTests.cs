@@ -49,6 +49,8 @@ public sealed class SessionJsonTests
                 "rangeMetres": 150,
                 "freeze": true,
                 "masks": false,
+                "maskRayBudget": 50000,
+                "rayReachMetres": 1000,
                 "minBoxAreaPixels": 16,
                 "minBoxSidePixels": 2,
                 "maxOccludedFraction": 0.99,

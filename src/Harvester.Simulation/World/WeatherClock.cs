@@ -1,0 +1,46 @@
+using System;
+using Harvester.Capture.Scenes;
+using Harvester.Simulation.Rendering;
+
+namespace Harvester.Simulation.World;
+
+/// <summary>The weather and the hour of a game, which goes on with the world's time.</summary>
+internal sealed class WeatherClock
+{
+    private const double RealSecondsPerGameMinute = 2;
+    private readonly bool _isTimeFixed;
+    private string _weather;
+    private TimeSpan _start;
+
+    /// <summary>Starts at the weather and hour of the options.</summary>
+    /// <exception cref="ArgumentException">The game has no such weather.</exception>
+    public WeatherClock(SimulationOptions options)
+    {
+        _isTimeFixed = options.IsTimeOfDayFixed;
+        (_weather, _start) = Checked(options.Weather, options.TimeOfDay);
+    }
+
+    /// <summary>The weather and hour after so many seconds of the world.</summary>
+    public EnvironmentState At(double worldSeconds) => new(_weather, TimeOfDay(worldSeconds));
+
+    /// <summary>The light after so many seconds of the world.</summary>
+    public Lighting LightingAt(double worldSeconds) => Weather.LightingOf(_weather, TimeOfDay(worldSeconds));
+
+    /// <summary>Sets what is not null.</summary>
+    /// <exception cref="ArgumentException">The game has no such weather; nothing is set.</exception>
+    public void Set(string? weather, TimeSpan? timeOfDay, double worldSeconds) =>
+        (_weather, _start) = Checked(weather ?? _weather, timeOfDay is { } now ? _start + now - TimeOfDay(worldSeconds) : _start);
+
+    private static (string Weather, TimeSpan Start) Checked(string weather, TimeSpan start)
+    {
+        _ = Weather.LightingOf(weather, start);
+        return (weather, start);
+    }
+
+    private TimeSpan TimeOfDay(double worldSeconds)
+    {
+        double gameMinutes = _isTimeFixed ? 0 : worldSeconds / RealSecondsPerGameMinute;
+        long ticks = (_start + TimeSpan.FromMinutes(gameMinutes)).Ticks % TimeSpan.TicksPerDay;
+        return TimeSpan.FromTicks(ticks < 0 ? ticks + TimeSpan.TicksPerDay : ticks);
+    }
+}
