@@ -133,7 +133,12 @@ public sealed class DrivingSession : IDisposable
         PeerMessage? newest = null;
         for (int taken = 0; taken < MostMessagesATick && _bridge.TryReceive(out PeerMessage? message); taken++)
         {
-            if (message is ControlsMessage or IndicatorsMessage)
+            if (message is PeerGoneMessage)
+            {
+                LosePeer();
+                newest = null;
+            }
+            else if (message is ControlsMessage or IndicatorsMessage)
             {
                 newest = message;
             }
@@ -153,6 +158,17 @@ public sealed class DrivingSession : IDisposable
         }
 
         Hear(newest);
+    }
+
+    /// <summary>As if the peer had never been: what it asked for is void, the car brakes and the world goes on.</summary>
+    private void LosePeer()
+    {
+        _commands.Clear();
+        _isStepOpen = false;
+        _isFrameAskedFor = false;
+        _controller = _newController();
+        _watch.Forget();
+        _pace.GoOn();
     }
 
     private void Hear(PeerMessage? message)

@@ -11,6 +11,10 @@ namespace Harvester.Capture.Playing;
 public sealed class BridgeDrive : ILastingFeature, IDisposable
 {
     private static readonly TimeSpan LongestWaitForTheBridge = TimeSpan.FromSeconds(10);
+
+    /// <summary>A peer that does wrong without end does not fill the disk with what it did.</summary>
+    private const int MostProblemsLogged = 100;
+
     private readonly BridgeSettings _settings;
     private readonly GamePorts _game;
     private readonly DrivenCar _car;
@@ -20,6 +24,7 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
     private Task<IDrivingBridge>? _opening;
     private DrivingSession? _session;
     private string? _problem;
+    private int _problems;
     private int _hiddenTicks;
     private Task _closing = Task.CompletedTask;
 
@@ -126,15 +131,17 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
 
         if (_session is null)
         {
+            _problems = 0;
             _session = new DrivingSession(_settings.Driving, _game, opening.Result, _settings.NewController);
             _messages.Tell($"The car waits for a peer at {_settings.Place}. Any driving key takes it back.");
         }
 
         DrivingStatus status = _session.Tick();
-        if (_session.Problem is { } problem && problem != _problem)
+        if (_session.Problem is { } problem && problem != _problem && _problems < MostProblemsLogged)
         {
             _problem = problem;
-            _messages.Log($"The bridge: {problem}");
+            _problems++;
+            _messages.Log($"The bridge: {problem}{(_problems == MostProblemsLogged ? " No more problems of this drive are logged." : null)}");
         }
 
         if (status.Ending is { } ending)

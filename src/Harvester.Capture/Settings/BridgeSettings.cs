@@ -18,6 +18,9 @@ public sealed record BridgeSettings
     /// <summary>The shared folder.</summary>
     public required string Folder { get; init; }
 
+    /// <summary>After how long without a sign of life the peer of a shared folder counts as gone, seconds.</summary>
+    public required double PeerPatienceSeconds { get; init; }
+
     /// <summary>Where the socket listens, and to whom.</summary>
     public required SocketBridgeOptions Socket { get; init; }
 
@@ -38,7 +41,7 @@ public sealed record BridgeSettings
     /// <exception cref="InvalidOperationException">The bridge is off.</exception>
     public IDrivingBridge Open() => Kind switch
     {
-        BridgeKind.Folder => new FolderBridge(Folder, Driving.Picture),
+        BridgeKind.Folder => new FolderBridge(Folder, Driving.Picture, PeerPatienceSeconds),
         BridgeKind.Socket => new SocketBridge(Socket, Driving.Picture),
         _ => throw new InvalidOperationException("The bridge is off."),
     };
@@ -64,6 +67,7 @@ public sealed record BridgeSettings
         {
             Kind = ini.Choice(Bridge, "Kind", BridgeKind.Socket, "Socket, Folder or Off"),
             Folder = pathOf(ini.Text(Bridge, "Folder", defaultFolder)),
+            PeerPatienceSeconds = ini.Number(Bridge, "PeerPatience", FolderBridge.DefaultPatienceSeconds, 1, 86_400),
             Socket = new SocketBridgeOptions(
                 ini.Address(Bridge, "Address", IPAddress.Loopback),
                 ini.Whole(Bridge, "Port", SocketBridgeOptions.DefaultPort, 1, 65_535),

@@ -7,14 +7,23 @@ namespace Harvester.Capture.Tests.Doubles;
 /// <summary>A bridge in memory, to a peer that is the test. It gives messages out as the real ones do: commands first, of controls the newest.</summary>
 internal sealed class FakeBridge : IDrivingBridge
 {
-    private readonly PeerInbox _inbox = new();
+    private readonly PeerInbox<FakeBridge> _inbox = new();
+
+    public FakeBridge() => _inbox.Welcome(this);
 
     public string? Problem { get; set; }
 
     /// <summary>What was published, and the number of the state that the picture shows.</summary>
     public List<(BridgeState State, long Shown)> Frames { get; } = [];
 
-    public void Say(params PeerMessage[] messages) => Assert.All(messages, message => Assert.True(_inbox.TryPut(message)));
+    public void Say(params PeerMessage[] messages) => Assert.All(messages, message => Assert.True(_inbox.TryPut(this, message)));
+
+    /// <summary>The peer goes, and another comes.</summary>
+    public void ReplacePeer()
+    {
+        _inbox.Leave(this);
+        _inbox.Welcome(this);
+    }
 
     public void Publish(BridgeState state, PixelBuffer picture) => Frames.Add((state, FakeGame.StateOf(picture)));
 

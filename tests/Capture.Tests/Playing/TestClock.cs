@@ -2,8 +2,14 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Capture.Tests.Playing;
 
-/// <summary>The player's time, as the test sets it.</summary>
+/// <summary>The player's time, as the test sets it; other threads may read it.</summary>
 internal sealed class TestClock : IClock
 {
-    public double Milliseconds { get; set; }
+    private double _milliseconds;
+
+    public double Milliseconds
+    {
+        get => Volatile.Read(ref _milliseconds);
+        set => Volatile.Write(ref _milliseconds, value);
+    }
 }

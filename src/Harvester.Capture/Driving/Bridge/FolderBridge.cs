@@ -1,9 +1,9 @@
 using System;
-using System.Collections.Generic;
 using System.Diagnostics.CodeAnalysis;
 using System.IO;
 using System.Threading;
 using Harvester.Capture.Imaging;
+using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Capture.Driving.Bridge;
@@ -11,38 +11,58 @@ namespace Harvester.Capture.Driving.Bridge;
 /// <summary>
 /// The bridge of Figure 23 of the thesis: two machines share a folder. Out go a picture a frame and state.txt with the thirteen
 /// indicators; in come indicators.txt or controls.txt, and commands as command.json. Every file appears whole, by renaming. All of the
-/// disk's work is done by a thread of its own.
+/// disk's work is done by a thread of its own. A folder does not tell who writes or that nobody does any more: a peer counts as gone when
+/// nothing has been written for long, and another begins with a hello.
 /// </summary>
 public sealed class FolderBridge : IDrivingBridge
 {
-    private const int PicturesKept = 10;
+    /// <summary>How long a peer may give no sign of life, seconds, when nothing else is said: enough for a learner to think between two steps.</summary>
+    public const double DefaultPatienceSeconds = 30;
+
+    private const double MillisecondsPerSecond = 1000;
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(5);
 
+    /// <summary>Another machine's folder may keep the thread waiting for minutes.</summary>
+    private static readonly TimeSpan LongestWaitForTheThread = TimeSpan.FromSeconds(5);
+
     private readonly string _folder;
+    private readonly double _patienceSeconds;
+    private readonly IClock _clock;
     private readonly FrameOutbox _outbox;
-    private readonly PeerInbox _inbox = new();
+    private readonly FrameFiles _frames;
+    private readonly PeerInbox<FolderBridge> _inbox = new();
     private readonly WatchedFile _indicators;
     private readonly WatchedFile _controls;
     private readonly WatchedFile _command;
-    private readonly Queue<string> _pictures = new();
-    private readonly PngEncoder _encoder = new();
+    private readonly WatchedFile _alive;
     private readonly Thread _thread;
+    private double _heardMilliseconds;
     private volatile bool _stopping;
     private volatile string? _problem;
 
     /// <summary>Opens the bridge; what a peer left in the folder earlier is not taken for new.</summary>
     /// <param name="folder">The shared folder; it is made where it is not there.</param>
     /// <param name="picture">Size of the pictures, pixels.</param>
+    /// <param name="patienceSeconds">After how long without a sign of life the peer counts as gone, seconds of the player's time.</param>
     /// <exception cref="IOException">The folder cannot be made.</exception>
     /// <exception cref="UnauthorizedAccessException">The folder may not be made.</exception>
-    public FolderBridge(string folder, ImageSize picture)
+    public FolderBridge(string folder, ImageSize picture, double patienceSeconds = DefaultPatienceSeconds)
+        : this(folder, picture, patienceSeconds, new PlayerClock())
+    {
+    }
+
+    internal FolderBridge(string folder, ImageSize picture, double patienceSeconds, IClock clock)
     {
         _folder = folder ?? throw new ArgumentNullException(nameof(folder));
+        _patienceSeconds = patienceSeconds;
+        _clock = clock;
         Directory.CreateDirectory(folder);
         _outbox = new FrameOutbox(picture);
+        _frames = new FrameFiles(folder);
         _indicators = Watched("indicators.txt");
         _controls = Watched("controls.txt");
         _command = Watched("command.json");
+        _alive = Watched("alive.txt");
         _thread = new Thread(Run) { IsBackground = true, Name = "Harvester folder bridge" };
         _thread.Start();
     }
@@ -61,24 +81,26 @@ public sealed class FolderBridge : IDrivingBridge
     {
         _stopping = true;
         _outbox.Close();
-        _thread.Join();
+        _thread.Join(LongestWaitForTheThread);
     }
 
     private WatchedFile Watched(string name)
     {
         var file = new WatchedFile(Path.Combine(_folder, name));
-        file.Ignore();
+        file.TrySee();
         return file;
     }
 
     private void Run()
     {
+        using FrameFiles frames = _frames;
         while (!_stopping)
         {
             Try(Send);
-            Try(() => Receive(_indicators, FolderMessages.ParseIndicators));
-            Try(() => Receive(_controls, FolderMessages.ParseControls));
-            Try(() => Receive(_command, PeerMessageParser.Parse));
+            Try(() => Receive(_command, TakeCommand));
+            Try(() => Receive(_indicators, text => Put(FolderMessages.ParseIndicators(text))));
+            Try(() => Receive(_controls, text => Put(FolderMessages.ParseControls(text))));
+            Try(Listen);
         }
     }
 
@@ -89,7 +111,9 @@ public sealed class FolderBridge : IDrivingBridge
         {
             action();
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or BridgeException or ArgumentException)
+#pragma warning disable CA1031 // An exception that leaves a thread ends the game, whatever its type.
+        catch (Exception e) when (e is not ThreadAbortException)
+#pragma warning restore CA1031
         {
             _problem = e.Message;
         }
@@ -97,46 +121,59 @@ public sealed class FolderBridge : IDrivingBridge
 
     private void Send()
     {
-        if (!_outbox.TryTake(Poll, out BridgeState? state, out PixelBuffer picture))
+        if (_outbox.TryTake(Poll, out BridgeState? state, out PixelBuffer picture))
         {
-            return;
+            _frames.Put(state, picture);
         }
 
-        string name = FormattableString.Invariant($"frame_{state.Frame:00000000}.png");
-        WriteWhole(name, stream => _encoder.Write(picture, stream));
-        _pictures.Enqueue(name);
-        byte[] text = BridgeText.StateFile(state, name);
-        WriteWhole("state.txt", stream => stream.Write(text, 0, text.Length));
-        while (_pictures.Count > PicturesKept)
+        _frames.Write();
+    }
+
+    private void Receive(WatchedFile file, Action<string> take)
+    {
+        if (file.TryReadNew(out string? text))
         {
-            File.Delete(Path.Combine(_folder, _pictures.Dequeue()));
+            Hear();
+            take(text);
         }
     }
 
-    private void WriteWhole(string name, Action<Stream> write)
+    private void TakeCommand(string text)
     {
-        string path = Path.Combine(_folder, name);
-        string temporary = path + ".part";
-        using (FileStream stream = File.Create(temporary))
+        if (JsonFields.Parse(text).Text("type") == "hello")
         {
-            write(stream);
-        }
-
-        if (File.Exists(path))
-        {
-            File.Replace(temporary, path, null);
+            _inbox.Leave(this);
+            _inbox.Welcome(this);
         }
         else
         {
-            File.Move(temporary, path);
+            Put(PeerMessageParser.Parse(text));
         }
     }
 
-    private void Receive(WatchedFile file, Func<string, PeerMessage> parse)
+    private void Put(PeerMessage message)
     {
-        if (file.TryReadNew(out string? text) && !_inbox.TryPut(parse(text)))
+        if (!_inbox.TryPut(this, message))
         {
             _problem = "the peer sends commands faster than the game takes them; the newest are dropped.";
         }
+    }
+
+    private void Listen()
+    {
+        if (_alive.TrySee())
+        {
+            Hear();
+        }
+        else if (_clock.Milliseconds - _heardMilliseconds > _patienceSeconds * MillisecondsPerSecond && _inbox.Leave(this))
+        {
+            _problem = FormattableString.Invariant($"the peer has given no sign of life for {_patienceSeconds} s and counts as gone.");
+        }
+    }
+
+    private void Hear()
+    {
+        _heardMilliseconds = _clock.Milliseconds;
+        _inbox.Welcome(this);
     }
 }

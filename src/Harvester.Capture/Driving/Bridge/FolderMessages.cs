@@ -6,6 +6,7 @@ namespace Harvester.Capture.Driving.Bridge;
 /// <summary>
 /// The text files by which a peer of the shared folder drives: indicators.txt with thirteen numbers, controls.txt with three
 /// (steering, throttle, brake); numbers with a point, separated by blanks or line ends. One number more is the frame that is answered.
+/// The last character is a line end, or the file may be cut off within a number: 0.2 for 0.25.
 /// </summary>
 internal static class FolderMessages
 {
@@ -23,10 +24,15 @@ internal static class FolderMessages
         return new ControlsMessage(new DrivingControls(numbers[0], numbers[1], numbers[2]), FrameOf(numbers, ControlsCount));
     }
 
-    private static long? FrameOf(double[] numbers, int count) => numbers.Length > count ? (long)numbers[count] : null;
+    private static long? FrameOf(double[] numbers, int count) => numbers.Length > count ? PeerMessageParser.FrameOf(numbers[count]) : null;
 
     private static double[] Numbers(string text, int count, string file)
     {
+        if (!text.EndsWith("\n", StringComparison.Ordinal))
+        {
+            throw new BridgeException($"{file} does not end with a line end, so it may be half-written.");
+        }
+
         string[] words = text.Split([' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries);
         if (words.Length != count && words.Length != count + 1)
         {

@@ -18,6 +18,9 @@ public interface IDrivingBridge : IDisposable
     /// <param name="picture">The picture; it is copied and free again at once.</param>
     void Publish(BridgeState state, PixelBuffer picture);
 
-    /// <summary>The next message of the peer. Of controls and indicators only the newest is kept; commands come in their order.</summary>
+    /// <summary>
+    /// The next message of the peer. Of controls and indicators only the newest is kept; commands come in their order. When the peer is gone
+    /// or replaced a <see cref="PeerGoneMessage"/> comes before anything that another says, and nothing of the earlier one's after it.
+    /// </summary>
     bool TryReceive([NotNullWhen(true)] out PeerMessage? message);
 }

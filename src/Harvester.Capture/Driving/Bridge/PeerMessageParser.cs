@@ -34,19 +34,17 @@ public static class PeerMessageParser
         };
     }
 
-    private static long? FrameOf(JsonFields fields)
+    /// <summary>The number of a frame.</summary>
+    /// <exception cref="BridgeException">It is none.</exception>
+    internal static long FrameOf(double number)
     {
-        if (!fields.Has("frame"))
-        {
-            return null;
-        }
-
         const double greatestWhole = 9007199254740992;
-        double frame = fields.Number("frame");
-        return frame >= 0 && frame <= greatestWhole && Math.Floor(frame) == frame
-            ? (long)frame
-            : throw new BridgeException("field frame must be a whole number, 0 or more.");
+        return number >= 0 && number <= greatestWhole && Math.Floor(number) == number
+            ? (long)number
+            : throw new BridgeException("the frame must be a whole number, 0 or more.");
     }
+
+    private static long? FrameOf(JsonFields fields) => fields.Has("frame") ? FrameOf(fields.Number("frame")) : null;
 
     private static Vector3D PositionOf(JsonFields fields)
     {

@@ -9,20 +9,19 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Capture.Driving.Bridge;
 
 /// <summary>
-/// A bridge over TCP, to one peer at a time: a newer peer takes the place of the older, once it has shown the token where one is asked for. Frames go out as a JSON header and a PNG,
-/// messages come in as JSON headers; docs/bridge.md has the protocol. Threads of its own do all the waiting, and a peer that sends
-/// nonsense or reads too slowly is cut off, never waited for.
+/// A bridge over TCP, to one peer at a time: a newer peer takes the place of the older, once it has shown the token where one is asked
+/// for. Frames go out as a JSON header and a PNG, messages come in as JSON headers; docs/bridge.md has the protocol. Threads of its own do
+/// all the waiting, and a peer that sends nonsense or reads too slowly is cut off, never waited for.
 /// </summary>
 public sealed class SocketBridge : IDrivingBridge
 {
     private readonly SocketBridgeOptions _options;
     private readonly TcpListener _listener;
     private readonly FrameOutbox _outbox;
-    private readonly PeerInbox _inbox = new();
+    private readonly PeerInbox<SocketPeer> _inbox = new();
+    private readonly WaitingRoom<SocketPeer> _strangers;
     private readonly Thread _acceptor;
     private readonly Thread _sender;
-    private readonly object _gate = new();
-    private SocketPeer? _peer;
     private volatile bool _stopping;
     private volatile string? _problem;
 
@@ -39,6 +38,7 @@ public sealed class SocketBridge : IDrivingBridge
             throw new ArgumentException($"Listening at {options.Address}, which others can reach, needs a token.", nameof(options));
         }
 
+        _strangers = new WaitingRoom<SocketPeer>(options.MostStrangers);
         _outbox = new FrameOutbox(picture);
         _listener = new TcpListener(options.Address, options.Port);
         _listener.Start();
@@ -52,19 +52,27 @@ public sealed class SocketBridge : IDrivingBridge
     /// <inheritdoc/>
     public string? Problem => _problem;
 
+    /// <summary>How many connections have yet to show the token.</summary>
+    internal int Strangers => _strangers.Count;
+
     /// <inheritdoc/>
     public void Publish(BridgeState state, PixelBuffer picture) => _outbox.Put(state, picture);
 
     /// <inheritdoc/>
     public bool TryReceive([NotNullWhen(true)] out PeerMessage? message) => _inbox.TryTake(out message);
 
-    /// <summary>Ends the connection, the listening and the threads.</summary>
+    /// <summary>Ends all connections, the listening and the threads.</summary>
     public void Dispose()
     {
         _stopping = true;
         _listener.Stop();
         _outbox.Close();
-        Replace(null);
+        _inbox.Close()?.Dispose();
+        foreach (SocketPeer stranger in _strangers.Close())
+        {
+            stranger.Dispose();
+        }
+
         _acceptor.Join();
         _sender.Join();
     }
@@ -82,9 +90,11 @@ public sealed class SocketBridge : IDrivingBridge
         {
             try
             {
-                SocketPeer.Serve(_listener.AcceptTcpClient(), _options.Token, _inbox, Replace, Leave, problem => _problem = problem);
+                SocketPeer.Serve(_listener.AcceptTcpClient(), _options, _inbox, _strangers, problem => _problem = problem);
             }
-            catch (Exception e) when (e is SocketException or ObjectDisposedException or InvalidOperationException)
+#pragma warning disable CA1031 // An exception that leaves a thread ends the game, whatever its type.
+            catch (Exception e) when (e is not ThreadAbortException)
+#pragma warning restore CA1031
             {
                 if (!_stopping)
                 {
@@ -101,7 +111,7 @@ public sealed class SocketBridge : IDrivingBridge
         using var png = new System.IO.MemoryStream();
         while (!_stopping)
         {
-            if (!_outbox.TryTake(TimeSpan.FromSeconds(1), out BridgeState? state, out PixelBuffer picture) || CurrentPeer() is not { } peer)
+            if (!_outbox.TryTake(TimeSpan.FromSeconds(1), out BridgeState? state, out PixelBuffer picture) || _inbox.Peer is not { } peer)
             {
                 continue;
             }
@@ -109,52 +119,6 @@ public sealed class SocketBridge : IDrivingBridge
             png.SetLength(0);
             encoder.Write(picture, png);
             peer.Send(BridgeText.Header(state), new ArraySegment<byte>(png.GetBuffer(), 0, (int)png.Length));
-        }
-    }
-
-    private SocketPeer? CurrentPeer()
-    {
-        lock (_gate)
-        {
-            return _peer;
-        }
-    }
-
-    private void Replace(SocketPeer? peer)
-    {
-        SocketPeer? earlier;
-        lock (_gate)
-        {
-            earlier = _peer;
-            _peer = _stopping ? null : peer;
-            LetGo(earlier);
-        }
-
-        earlier?.Dispose();
-        if (_stopping)
-        {
-            peer?.Dispose();
-        }
-    }
-
-    private void Leave(SocketPeer peer)
-    {
-        lock (_gate)
-        {
-            if (_peer == peer)
-            {
-                _peer = null;
-                LetGo(peer);
-            }
-        }
-    }
-
-    /// <summary>A world that a peer has stopped goes on when the peer is gone.</summary>
-    private void LetGo(SocketPeer? gone)
-    {
-        if (gone is { HasStoppedWorld: true })
-        {
-            _inbox.TryPut(new PauseMessage(false));
         }
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using System.Net;
 
 namespace Harvester.Capture.Driving.Bridge;
@@ -13,4 +14,10 @@ public sealed record SocketBridgeOptions(IPAddress Address, int Port, string? To
 
     /// <summary>The loopback interface, no token.</summary>
     public static SocketBridgeOptions Loopback { get; } = new(IPAddress.Loopback, DefaultPort, null);
+
+    /// <summary>How long a connection may take to show the token; longer than 0.</summary>
+    public TimeSpan TokenPatience { get; init; } = TimeSpan.FromSeconds(2);
+
+    /// <summary>How many connections may be about to show the token at a time; at least 1. The one that has waited longest makes room for another.</summary>
+    public int MostStrangers { get; init; } = 16;
 }

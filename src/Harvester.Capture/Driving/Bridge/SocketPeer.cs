@@ -1,48 +1,54 @@
 using System;
-using System.IO;
 using System.Net.Sockets;
 using System.Threading;
 
 namespace Harvester.Capture.Driving.Bridge;
 
-/// <summary>One connection of a socket bridge. It is welcome once it has shown the token, or at once where none is asked for.</summary>
+/// <summary>One connection of a socket bridge. It counts once it has shown the token, or at once where none is asked for.</summary>
 internal sealed class SocketPeer : IDisposable
 {
-    /// <summary>A peer that has not taken a frame, or not shown the token, for so long is cut off, milliseconds.</summary>
-    private const int Patience = 2000;
+    /// <summary>A peer that has not taken a frame for so long is cut off, milliseconds.</summary>
+    private const int SendPatience = 2000;
 
     private readonly TcpClient _client;
     private readonly NetworkStream _stream;
-    private readonly string? _token;
-    private readonly PeerInbox _inbox;
-    private readonly Action<SocketPeer> _welcome;
-    private readonly Action<SocketPeer> _leave;
+    private readonly SocketBridgeOptions _options;
+    private readonly PeerInbox<SocketPeer> _inbox;
+    private readonly WaitingRoom<SocketPeer> _strangers;
     private readonly Action<string> _report;
     private readonly object _sending = new();
-    private volatile bool _isWelcome;
+    private bool _isStranger;
     private volatile bool _isClosed;
 
-    private SocketPeer(TcpClient client, string? token, PeerInbox inbox, Action<SocketPeer> welcome, Action<SocketPeer> leave, Action<string> report)
+    private SocketPeer(
+        TcpClient client, SocketBridgeOptions options, PeerInbox<SocketPeer> inbox, WaitingRoom<SocketPeer> strangers, Action<string> report)
     {
         _client = client;
         _client.NoDelay = true;
-        _client.SendTimeout = Patience;
+        _client.SendTimeout = SendPatience;
+        KeepAlive.Ask(client.Client);
         _stream = client.GetStream();
-        _token = token;
+        _options = options;
         _inbox = inbox;
-        _welcome = welcome;
-        _leave = leave;
+        _strangers = strangers;
         _report = report;
+        _isStranger = !string.IsNullOrEmpty(options.Token);
     }
 
-    /// <summary>Whether the world stands by this peer's word.</summary>
-    public bool HasStoppedWorld { get; private set; }
-
-    /// <summary>Serves a connection on a thread of its own until it ends.</summary>
+    /// <summary>Serves a connection on a thread of its own until it ends. Of connections without a token the one served last counts.</summary>
     public static void Serve(
-        TcpClient client, string? token, PeerInbox inbox, Action<SocketPeer> welcome, Action<SocketPeer> leave, Action<string> report)
+        TcpClient client, SocketBridgeOptions options, PeerInbox<SocketPeer> inbox, WaitingRoom<SocketPeer> strangers, Action<string> report)
     {
-        var peer = new SocketPeer(client, token, inbox, welcome, leave, report);
+        var peer = new SocketPeer(client, options, inbox, strangers, report);
+        if (peer._isStranger)
+        {
+            strangers.Enter(peer)?.CutOff("a connection was cut off that had not shown the token when too many others came.");
+        }
+        else
+        {
+            inbox.Welcome(peer)?.Dispose();
+        }
+
         new Thread(peer.Receive) { IsBackground = true, Name = "Harvester socket bridge: receive" }.Start();
     }
 
@@ -56,9 +62,10 @@ internal sealed class SocketPeer : IDisposable
                 SocketFraming.Write(_stream, header, payload);
             }
         }
-        catch (Exception e) when (e is IOException or InvalidOperationException)
+#pragma warning disable CA1031 // An exception that leaves a thread ends the game, whatever its type.
+        catch (Exception e) when (e is not ThreadAbortException)
+#pragma warning restore CA1031
         {
-            // A stream that another thread has just closed is disposed, or says that it does not support writing.
             CutOff($"the peer did not take a frame: {e.Message}");
         }
     }
@@ -72,14 +79,9 @@ internal sealed class SocketPeer : IDisposable
     private void Receive()
     {
         // A limit of a single read would not do: a peer that trickles its bytes never keeps one waiting.
-        using Timer? deadline = _token is null ? null : new Timer(_ => EndWait(), null, Patience, Timeout.Infinite);
+        using Timer? deadline = _isStranger ? new Timer(_ => EndWait(), null, _options.TokenPatience, Timeout.InfiniteTimeSpan) : null;
         try
         {
-            if (_token is null)
-            {
-                Welcome();
-            }
-
             while (SocketFraming.ReadHeader(_stream) is { } header)
             {
                 Take(header);
@@ -92,48 +94,50 @@ internal sealed class SocketPeer : IDisposable
             Send(BridgeText.Error(e.Message), default);
             CutOff($"the peer was cut off: {e.Message}");
         }
-        catch (Exception e) when (e is IOException or InvalidOperationException)
+#pragma warning disable CA1031 // An exception that leaves a thread ends the game, whatever its type.
+        catch (Exception e) when (e is not ThreadAbortException)
+#pragma warning restore CA1031
         {
             CutOff($"the peer went away: {e.Message}");
         }
 
-        _leave(this);
+        _strangers.TryLeave(this);
+        _inbox.Leave(this);
     }
 
     private void Take(string header)
     {
-        if (!_isWelcome)
+        if (_isStranger)
         {
-            JsonFields hello = JsonFields.Parse(header);
-            if (hello.Text("type") != "hello" || !SameToken(hello.Text("token"), _token!))
-            {
-                throw new BridgeException("the first message must be a hello with the right token.");
-            }
-
-            Welcome();
-            return;
+            ShowToken(header);
         }
-
-        PeerMessage message = PeerMessageParser.Parse(header);
-        HasStoppedWorld = message is PauseMessage pause ? pause.IsPaused : HasStoppedWorld || message is StepMessage;
-        if (!_inbox.TryPut(message))
+        else if (!_inbox.TryPut(this, PeerMessageParser.Parse(header)))
         {
             _report("the peer sends commands faster than the game takes them; the newest are dropped.");
         }
     }
 
-    private void EndWait()
+    private void ShowToken(string header)
     {
-        if (!_isWelcome)
+        JsonFields hello = JsonFields.Parse(header);
+        if (hello.Text("type") != "hello" || !SameToken(hello.Text("token"), _options.Token!))
         {
-            CutOff("a peer was cut off that did not show the token in time.");
+            throw new BridgeException("the first message must be a hello with the right token.");
+        }
+
+        _isStranger = false;
+        if (_strangers.TryLeave(this))
+        {
+            _inbox.Welcome(this)?.Dispose();
         }
     }
 
-    private void Welcome()
+    private void EndWait()
     {
-        _isWelcome = true;
-        _welcome(this);
+        if (_strangers.TryLeave(this))
+        {
+            CutOff("a connection was cut off that did not show the token in time.");
+        }
     }
 
     /// <summary>Compares in a time that does not tell how much of the token was right.</summary>

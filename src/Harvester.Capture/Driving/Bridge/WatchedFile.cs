@@ -1,21 +1,28 @@
 using System;
 using System.Diagnostics.CodeAnalysis;
 using System.IO;
+using System.Text;
 
 namespace Harvester.Capture.Driving.Bridge;
 
-/// <summary>A small text file that somebody else writes again and again; each writing is read once.</summary>
+/// <summary>A small text file that somebody else writes again and again; each writing is read once. Never more is read than it may hold.</summary>
 internal sealed class WatchedFile(string path)
 {
-    private const long LargestBytes = 65_536;
+    private const int LargestBytes = 65_536;
 
-    private (DateTime Written, long Length) _seen;
+    private (DateTime Written, long Length)? _seen;
 
     /// <summary>Takes what stands in the file now for seen, so that only a later writing counts.</summary>
-    public void Ignore()
+    /// <returns>Whether it was new.</returns>
+    public bool TrySee()
     {
-        var file = new FileInfo(path);
-        _seen = file.Exists ? (file.LastWriteTimeUtc, file.Length) : default;
+        if (Version() is not { } version || version == _seen)
+        {
+            return false;
+        }
+
+        _seen = version;
+        return true;
     }
 
     /// <summary>Reads the file if it has been written since the last time.</summary>
@@ -24,29 +31,47 @@ internal sealed class WatchedFile(string path)
     public bool TryReadNew([NotNullWhen(true)] out string? text)
     {
         text = null;
-        var file = new FileInfo(path);
-        if (!file.Exists || (file.LastWriteTimeUtc, file.Length) == _seen)
+        if (Version() is not { } version || version == _seen || Read() is not { } bytes || Version() != version)
         {
-            return false;
-        }
-
-        (DateTime, long) version = (file.LastWriteTimeUtc, file.Length);
-        if (file.Length > LargestBytes)
-        {
-            _seen = version;
-            throw new BridgeException(FormattableString.Invariant($"{file.Name} has {file.Length} bytes; at most {LargestBytes} are read."));
-        }
-
-        try
-        {
-            text = File.ReadAllText(path);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
+            // Where another writing has come in between, the next look reads that.
             return false;
         }
 
         _seen = version;
+        if (bytes.Length > LargestBytes)
+        {
+            throw new BridgeException(FormattableString.Invariant($"{Path.GetFileName(path)} is too large; at most {LargestBytes} bytes are read."));
+        }
+
+        using var reader = new StreamReader(bytes, Encoding.UTF8);
+        text = reader.ReadToEnd();
         return true;
+    }
+
+    private (DateTime Written, long Length)? Version()
+    {
+        var file = new FileInfo(path);
+        return file.Exists ? (file.LastWriteTimeUtc, file.Length) : null;
+    }
+
+    /// <summary>What the file holds, or a byte more than it may; null when it cannot be read now.</summary>
+    private MemoryStream? Read()
+    {
+        try
+        {
+            using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
+            byte[] bytes = new byte[LargestBytes + 1];
+            int length = 0;
+            for (int read = -1; read != 0; length += read)
+            {
+                read = file.Read(bytes, length, bytes.Length - length);
+            }
+
+            return new MemoryStream(bytes, 0, length);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            return null;
+        }
     }
 }

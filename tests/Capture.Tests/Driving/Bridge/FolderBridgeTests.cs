@@ -44,7 +44,7 @@ public sealed class FolderBridgeTests : IDisposable
 
         Drop("controls.txt", "0.5 0.25 0\n");
         Assert.Equal(new ControlsMessage(new DrivingControls(0.5, 0.25, 0), null), Frames.AwaitMessage(bridge));
-        Drop("indicators.txt", "0.1 -7 3.5 7 75 75 -6 -2 2 6 60 60 60\n31");
+        Drop("indicators.txt", "0.1 -7 3.5 7 75 75 -6 -2 2 6 60 60 60\n31\n");
 
         var indicators = Assert.IsType<IndicatorsMessage>(Frames.AwaitMessage(bridge));
         Assert.Equal(13, indicators.Values.Count);
@@ -66,9 +66,9 @@ public sealed class FolderBridgeTests : IDisposable
     }
 
     [Theory]
-    [InlineData("controls.txt", "1 2")]
-    [InlineData("controls.txt", "left 0 0")]
-    [InlineData("controls.txt", "NaN 0 0")]
+    [InlineData("controls.txt", "1 2\n")]
+    [InlineData("controls.txt", "left 0 0\n")]
+    [InlineData("controls.txt", "0.1 0.5 0")]
     [InlineData("indicators.txt", "")]
     [InlineData("command.json", "{\"type\":\"fly\"}")]
     public void Bad_file_is_reported_and_the_next_good_one_is_read(string name, string content)
@@ -77,7 +77,7 @@ public sealed class FolderBridgeTests : IDisposable
 
         Drop(name, content);
         Frames.Await(() => bridge.Problem is not null, "the problem to be reported");
-        Drop("controls.txt", "0 0 0.75");
+        Drop("controls.txt", "0 0 0.75\n");
 
         Assert.Equal(new ControlsMessage(new DrivingControls(0, 0, 0.75), null), Frames.AwaitMessage(bridge));
     }

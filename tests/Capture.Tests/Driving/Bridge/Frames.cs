@@ -24,7 +24,7 @@ internal static class Frames
     /// <summary>Waits for something that another thread does; long enough for a busy machine.</summary>
     public static void Await(Func<bool> done, string what)
     {
-        DateTime end = DateTime.UtcNow.AddSeconds(20);
+        DateTime end = DateTime.UtcNow.AddSeconds(30);
         while (!done())
         {
             Assert.True(DateTime.UtcNow < end, $"Waited in vain: {what}");
@@ -37,5 +37,17 @@ internal static class Frames
         PeerMessage? message = null;
         Await(() => bridge.TryReceive(out message), $"a message; the bridge says: {bridge.Problem}");
         return message!;
+    }
+
+    /// <summary>The next message of a peer; that an earlier one is gone is passed over.</summary>
+    public static PeerMessage AwaitWord(IDrivingBridge bridge)
+    {
+        PeerMessage message = AwaitMessage(bridge);
+        while (message is PeerGoneMessage)
+        {
+            message = AwaitMessage(bridge);
+        }
+
+        return message;
     }
 }

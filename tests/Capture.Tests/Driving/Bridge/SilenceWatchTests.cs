@@ -1,6 +1,6 @@
 using Harvester.Capture.Driving;
 using Harvester.Capture.Driving.Bridge;
-using Harvester.Capture.Ports;
+using Harvester.Capture.Tests.Playing;
 
 namespace Harvester.Capture.Tests.Driving.Bridge;
 
@@ -11,7 +11,7 @@ public sealed class SilenceWatchTests
     [Fact]
     public void Controls_hold_for_half_a_second_and_then_the_brake()
     {
-        var clock = new HandClock();
+        var clock = new TestClock();
         var watch = new SilenceWatch(clock);
 
         Assert.Equal(DrivingControls.Stop, watch.Controls);
@@ -26,7 +26,7 @@ public sealed class SilenceWatchTests
     [Fact]
     public void Forget_brakes_until_the_peer_speaks_again()
     {
-        var watch = new SilenceWatch(new HandClock());
+        var watch = new SilenceWatch(new TestClock());
         watch.Hear(Left);
 
         watch.Forget();
@@ -34,10 +34,5 @@ public sealed class SilenceWatchTests
         Assert.Equal(DrivingControls.Stop, watch.Controls);
         watch.Hear(Left);
         Assert.Equal(Left, watch.Controls);
-    }
-
-    private sealed class HandClock : IClock
-    {
-        public double Milliseconds { get; set; }
     }
 }

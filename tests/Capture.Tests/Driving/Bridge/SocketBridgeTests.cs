@@ -48,43 +48,47 @@ public sealed class SocketBridgeTests
     }
 
     [Fact]
+    public void Of_a_peer_that_goes_away_nothing_is_left_but_that_it_is_gone()
+    {
+        using var bridge = new SocketBridge(AnyPort, Frames.Size);
+        using (var first = new SocketClient(bridge.EndPoint))
+        {
+            first.Send("""{"type":"requestFrame"}""");
+            Frames.AwaitMessage(bridge);
+
+            // More than there is room for.
+            for (int i = 0; i < 300; i++)
+            {
+                first.Send("""{"type":"pause","paused":true}""");
+            }
+
+            Frames.Await(() => bridge.Problem is not null, "the box to be full");
+        }
+
+        // The last pauses may be under way still, and be taken before; after it none is.
+        PeerMessage message = Frames.AwaitMessage(bridge);
+        while (message is PauseMessage)
+        {
+            message = Frames.AwaitMessage(bridge);
+        }
+
+        Assert.IsType<PeerGoneMessage>(message);
+        Assert.False(bridge.TryReceive(out _));
+    }
+
+    [Fact]
     public void Newer_peer_takes_the_place_of_the_older()
     {
         using var bridge = new SocketBridge(AnyPort, Frames.Size);
         using var first = new SocketClient(bridge.EndPoint);
         first.Send("""{"type":"requestFrame"}""");
         Frames.AwaitMessage(bridge);
-
         using var second = new SocketClient(bridge.EndPoint);
         second.Send("""{"type":"pause","paused":true}""");
-
-        Assert.Equal(new PauseMessage(true), Frames.AwaitMessage(bridge));
         Assert.True(first.IsCutOff());
-    }
 
-    [Theory]
-    [InlineData("""{"type":"pause","paused":true}""")]
-    [InlineData("""{"type":"step","seconds":1}""")]
-    public void World_that_a_peer_has_stopped_goes_on_when_it_goes_away_or_another_comes(string stopping)
-    {
-        using var bridge = new SocketBridge(AnyPort, Frames.Size);
-        using (var first = new SocketClient(bridge.EndPoint))
-        {
-            first.Send(stopping);
-            Frames.AwaitMessage(bridge);
-        }
-
-        Assert.Equal(new PauseMessage(false), Frames.AwaitMessage(bridge));
-        using var second = new SocketClient(bridge.EndPoint);
-        second.Send(stopping);
-        PeerMessage stopped = Frames.AwaitMessage(bridge);
-        using var third = new SocketClient(bridge.EndPoint);
-        Assert.Equal(new PauseMessage(false), Frames.AwaitMessage(bridge));
-        third.Send(stopping);
-
-        Assert.Equal(stopped, Frames.AwaitMessage(bridge));
-        Assert.True(second.IsCutOff());
-        Assert.False(bridge.TryReceive(out _));
+        Assert.Equal(new PeerGoneMessage(), Frames.AwaitMessage(bridge));
+        Assert.Equal(new PauseMessage(true), Frames.AwaitMessage(bridge));
     }
 
     [Fact]
@@ -103,6 +107,52 @@ public sealed class SocketBridgeTests
         Assert.True(stranger.IsCutOff());
         bridge.Publish(Frames.State(3), Frames.Picture(3));
         Assert.Equal(3, friend.Receive().Header.GetProperty("frame").GetInt64());
+    }
+
+    [Fact]
+    public void Connections_without_the_token_are_so_many_at_most_and_a_friend_comes_through()
+    {
+        // Nobody's time runs out here: who is cut off has made room.
+        SocketBridgeOptions options = AnyPort with { Token = "open sesame", MostStrangers = 4, TokenPatience = Timeout.InfiniteTimeSpan };
+        using var bridge = new SocketBridge(options, Frames.Size);
+        SocketClient[] strangers = [.. Enumerable.Range(0, 40).Select(_ => new SocketClient(bridge.EndPoint))];
+        Assert.All(strangers.Take(36), stranger => Assert.True(stranger.IsCutOff()));
+        Assert.Equal(4, bridge.Strangers);
+
+        using var friend = new SocketClient(bridge.EndPoint);
+        friend.Send("""{"type":"hello","token":"open sesame"}""");
+        friend.Send("""{"type":"requestFrame"}""");
+        Assert.IsType<RequestFrameMessage>(Frames.AwaitMessage(bridge));
+
+        // The friend had a place among them for a moment.
+        Assert.True(strangers[36].IsCutOff());
+        Assert.Equal(3, bridge.Strangers);
+        bridge.Dispose();
+        Assert.All(strangers, stranger => Assert.True(stranger.IsCutOff()));
+        Assert.All(strangers, stranger => stranger.Dispose());
+    }
+
+    [Fact]
+    public void Connections_that_do_not_show_the_token_in_time_are_cut_off()
+    {
+        using var bridge = new SocketBridge(AnyPort with { Token = "open sesame", TokenPatience = TimeSpan.FromMilliseconds(50) }, Frames.Size);
+        using var silent = new SocketClient(bridge.EndPoint);
+        using var slow = new SocketClient(bridge.EndPoint);
+        slow.Stream.Write([0, 0]);
+
+        Assert.True(silent.IsCutOff());
+        Assert.True(slow.IsCutOff());
+        Assert.Equal(0, bridge.Strangers);
+    }
+
+    [Fact]
+    public void Empty_token_is_none()
+    {
+        using var bridge = new SocketBridge(AnyPort with { Token = "" }, Frames.Size);
+        using var peer = new SocketClient(bridge.EndPoint);
+        peer.Send("""{"type":"requestFrame"}""");
+
+        Assert.IsType<RequestFrameMessage>(Frames.AwaitMessage(bridge));
     }
 
     [Fact]
@@ -131,7 +181,7 @@ public sealed class SocketBridgeTests
         using var next = new SocketClient(bridge.EndPoint);
         next.Send("""{"type":"requestFrame"}""");
 
-        Assert.IsType<RequestFrameMessage>(Frames.AwaitMessage(bridge));
+        Assert.IsType<RequestFrameMessage>(Frames.AwaitWord(bridge));
         Assert.NotNull(bridge.Problem);
     }
 
@@ -160,7 +210,7 @@ public sealed class SocketBridgeTests
         using var last = new SocketClient(bridge.EndPoint);
         last.Send("""{"type":"requestFrame"}""");
 
-        Assert.IsType<RequestFrameMessage>(Frames.AwaitMessage(bridge));
+        Assert.IsType<RequestFrameMessage>(Frames.AwaitWord(bridge));
     }
 
     [Fact]
@@ -179,7 +229,7 @@ public sealed class SocketBridgeTests
 
         using var next = new SocketClient(bridge.EndPoint);
         next.Send("""{"type":"requestFrame"}""");
-        Frames.AwaitMessage(bridge);
+        Frames.AwaitWord(bridge);
         bridge.Publish(Frames.State(6000), Frames.Picture(1));
         Assert.InRange(next.Receive().Header.GetProperty("frame").GetInt64(), 4999, 6000);
     }

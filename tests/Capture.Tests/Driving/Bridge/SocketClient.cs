@@ -14,7 +14,7 @@ internal sealed class SocketClient : IDisposable
     public SocketClient(IPEndPoint server)
     {
         _client.Connect(server);
-        _client.ReceiveTimeout = 20_000;
+        _client.ReceiveTimeout = 30_000;
         Stream = _client.GetStream();
     }
 
@@ -72,6 +72,13 @@ internal sealed class SocketClient : IDisposable
         {
             return true;
         }
+    }
+
+    /// <summary>Ends as a process does that is killed with something unread.</summary>
+    public void Kill()
+    {
+        _client.LingerState = new LingerOption(true, 0);
+        _client.Close();
     }
 
     public void Dispose() => _client.Dispose();
