@@ -63,7 +63,7 @@ public sealed class HarvesterScript : Script
         var lights = new LightDriving(
             world, new GameTrafficLights(), player.LightOrder, player.Options.RangeMetres, player.Options.MaxPictureLagTicks + 2)
         {
-            IsWanted = () => player.DrivesLights && _harvest!.Status is not null,
+            IsWanted = () => player.DrivesLights && _harvest!.IsOn,
         };
         var game = new GamePorts(world, rays, screen, time, clock, markers) { Roads = roads, Lights = lights };
         var driven = new DrivenCar(new GameCarControls(), vehicles, mount, world);
@@ -75,7 +75,7 @@ public sealed class HarvesterScript : Script
             new GameRoadSource(), () => Natives.EntityPosition(Natives.PlayerPed()), player.SurveyFile, roads, _messages, clock)
         {
             GivesLanes = player.RoadFile is null,
-            AreLanesWanted = () => player.RoadFile is null && (overlay.IsOn || _drive.IsOn || _harvest.Status is not null),
+            AreLanesWanted = () => player.RoadFile is null && (overlay.IsOn || _drive.IsOn || _harvest.IsOn),
         };
         var measured = new MeasuredSpaces(player.SpacesFolder);
         _signs = new SpaceSurveying(
@@ -177,7 +177,7 @@ public sealed class HarvesterScript : Script
         : _signs.IsRunning ? "The survey of signs is running: wait for its end, or end it by its key."
         : GameBuild.ListProblem;
 
-    private string? DriveObstacle() => _harvest.Status is not null ? "End the harvest first, then let a peer drive." : Problem();
+    private string? DriveObstacle() => _harvest.IsOn ? "End the harvest first, then let a peer drive." : Problem();
 
     private static SessionOrigin Origin(PlayerSettings player) => new()
     {

@@ -82,6 +82,23 @@ public sealed class HarvestTests
     }
 
     [Fact]
+    public void Key_again_before_the_folder_is_open_ends_the_harvest_and_the_next_one_works()
+    {
+        using var driver = new ScriptDriver();
+        Street(driver.Game);
+        driver.Script.RaiseKeyUp(Keys.J);
+        driver.Script.RaiseKeyUp(Keys.J);
+        Assert.Contains("stopped before its first frame", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        driver.WaitForDisk();
+        driver.Tick(TicksOfAFrame);
+        Assert.Equal(0, driver.Screen.Grabs);
+
+        driver.Press(Keys.J);
+        driver.Tick(TicksOfAFrame);
+        Assert.InRange(driver.Screen.Grabs, 1, TicksOfAFrame);
+    }
+
+    [Fact]
     public void Frame_key_harvests_one_frame_and_again_adds_to_the_same_session()
     {
         using var driver = new ScriptDriver();

@@ -49,7 +49,12 @@ internal sealed class ScriptDriver : IDisposable
 
     public HarvesterScript Script { get; private set; }
 
-    public string Log => File.ReadAllText(Path.Combine(_folder.Path, "GtaDataHarvester.log"));
+    /// <summary>What is in the log when all is written.</summary>
+    public string Log()
+    {
+        WaitForDisk();
+        return File.ReadAllText(Path.Combine(_folder.Path, "GtaDataHarvester.log"));
+    }
 
     /// <summary>The label lines of the one session in the output.</summary>
     public string[] Labels() => File.ReadAllLines(Path.Combine(Assert.Single(Directory.GetDirectories(Output)), "labels.jsonl"));
@@ -63,11 +68,12 @@ internal sealed class ScriptDriver : IDisposable
         }
     }
 
-    /// <summary>Presses and releases a key, and lets a frame go by.</summary>
+    /// <summary>Presses and releases a key, waits until what it asks for is read, and lets a frame go by.</summary>
     public void Press(Keys key)
     {
         Script.RaiseKeyDown(key);
         Script.RaiseKeyUp(key);
+        WaitForDisk();
         Tick();
     }
 

@@ -40,7 +40,7 @@ public sealed class SettingsTests
         using var driver = new ScriptDriver();
         driver.Tick(3);
 
-        Assert.Matches(@"^\d{4}-\d\d-\d\d \d\d:\d\d:\d\d GtaDataHarvester \d+(\.\d+){3}, API 3\.6\.0\.0, game build 86\.\s*$", driver.Log);
+        Assert.Matches(@"^\d{4}-\d\d-\d\d \d\d:\d\d:\d\d GtaDataHarvester \d+(\.\d+){3}, API 3\.6\.0\.0, game build 86\.\s*$", driver.Log());
     }
 
     [Fact]

@@ -11,8 +11,10 @@ namespace Harvester.Capture.Playing;
 /// <param name="features">The features, in the order of their ticks.</param>
 public sealed class FeatureSet(PlayerMessages messages, params IFeature[] features)
 {
+    private static readonly TimeSpan LongestWaitForTheLog = TimeSpan.FromSeconds(2);
+
     /// <summary>Whether work of any of them goes on on another thread.</summary>
-    public bool IsBusy => features.OfType<ILastingFeature>().Any(feature => feature.IsBusy);
+    public bool IsBusy => messages.IsBusy || features.OfType<ILastingFeature>().Any(feature => feature.IsBusy);
 
     /// <summary>Does one frame's work.</summary>
     public void Tick()
@@ -35,6 +37,8 @@ public sealed class FeatureSet(PlayerMessages messages, params IFeature[] featur
         {
             Try(feature.Name, feature.Finish);
         }
+
+        messages.Wait(LongestWaitForTheLog);
     }
 
     /// <summary>Lets a feature work; it is stopped when it fails.</summary>

@@ -19,6 +19,8 @@ public sealed class Harvest : ILastingFeature, IDisposable
     private readonly GamePorts _game;
     private readonly IDisplay _display;
     private readonly Func<SessionOrigin> _origin;
+    private HarvestOptions? _startedWith;
+    private Task<SessionWriter>? _opening;
     private HarvestSession? _session;
     private SessionWriter? _writer;
     private Task _closing = Task.CompletedTask;
@@ -53,24 +55,28 @@ public sealed class Harvest : ILastingFeature, IDisposable
     /// <summary>Why this game cannot be harvested; null when it can.</summary>
     public Func<string?> Problem { get; init; } = static () => null;
 
-    /// <summary>The harvest that runs; null when none does.</summary>
+    /// <summary>Whether a harvest runs or is about to.</summary>
+    public bool IsOn => _opening is not null || _session is not null;
+
+    /// <summary>How the harvest that runs stands; null when none does, or when its folder is not open yet.</summary>
     public HarvestStatus? Status => _session?.Status;
 
     /// <summary>Frames that wait to be written.</summary>
     public int Queued => _writer?.Queued ?? 0;
 
     /// <summary>Whether a picture may be grabbed now or so soon that nothing of ours may be drawn.</summary>
-    public bool IsPictureNear => Status is { } status && (!Options.Freeze || status.Phase is not (HarvestPhase.Waiting or HarvestPhase.WaitingForSink));
+    public bool IsPictureNear => _opening is not null || (Status is { } status && (!Options.Freeze || status.Phase is not (HarvestPhase.Waiting or HarvestPhase.WaitingForSink)));
 
-    /// <summary>Whether an ended harvest is still being written.</summary>
-    public bool IsBusy => !_closing.IsCompleted;
+    /// <inheritdoc/>
+    public bool IsBusy => _opening is { IsCompleted: false } || !_closing.IsCompleted;
 
     /// <summary>Starts a harvest in a folder of its own, or ends the one that runs.</summary>
     public void Toggle()
     {
-        if (_session is null)
+        if (!IsOn)
         {
-            Start(Options, NewFolder("session"), resume: false);
+            SessionOrigin origin = _origin();
+            Start(Options, () => new SessionWriter(NewFolder("session"), origin));
         }
         else
         {
@@ -81,21 +87,24 @@ public sealed class Harvest : ILastingFeature, IDisposable
     /// <summary>Harvests one frame. The single frames of one run of the game make a session together.</summary>
     public void TakeOne()
     {
-        if (_session is not null)
+        if (IsOn)
         {
             _messages.Tell("A harvest is running already.");
             return;
         }
 
-        bool resume = _singlesFolder is not null;
-        _singlesFolder ??= NewFolder("singles");
-        Start(Options with { MaxFrames = 1, ProbeLag = false, MaxCalibrationErrorPixels = resume ? null : Options.MaxCalibrationErrorPixels }, _singlesFolder, resume);
+        string? folder = _singlesFolder;
+        bool resume = folder is not null;
+        SessionOrigin origin = _origin();
+        Start(
+            Options with { MaxFrames = 1, ProbeLag = false, MaxCalibrationErrorPixels = resume ? null : Options.MaxCalibrationErrorPixels },
+            () => new SessionWriter(_singlesFolder = folder ?? NewFolder("singles"), origin, resume));
     }
 
     /// <inheritdoc/>
     public void Tick()
     {
-        if (_session is null)
+        if (!IsOn)
         {
             return;
         }
@@ -105,9 +114,9 @@ public sealed class Harvest : ILastingFeature, IDisposable
         {
             Stop();
         }
-        else if (_session.Step().IsOver)
+        else if ((_session ??= Begin()) is { } session && session.Step().IsOver)
         {
-            Close(_session);
+            Close(session);
         }
     }
 
@@ -118,6 +127,13 @@ public sealed class Harvest : ILastingFeature, IDisposable
         {
             session.Stop();
             Close(session);
+        }
+        else if (_opening is { } opening)
+        {
+            _opening = null;
+            _closing = opening.ContinueWith(
+                static opened => (opened.Status == TaskStatus.RanToCompletion ? opened.Result : null)?.Dispose(), TaskScheduler.Default);
+            _messages.Tell("The harvest was stopped before its first frame.");
         }
     }
 
@@ -131,7 +147,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
     /// <inheritdoc cref="Finish"/>
     public void Dispose() => Finish();
 
-    private void Start(HarvestOptions options, string folder, bool resume)
+    private void Start(HarvestOptions options, Func<SessionWriter> open)
     {
         if (IsBusy)
         {
@@ -150,13 +166,29 @@ public sealed class Harvest : ILastingFeature, IDisposable
             _mount.Mount();
         }
 
-        if (!_mount.IsMounted)
+        if (_mount.IsMounted)
         {
-            return;
+            // A session that is gone on with is read, and a disk may sleep.
+            _startedWith = options;
+            _opening = Task.Run(open);
+        }
+    }
+
+    private HarvestSession? Begin()
+    {
+        if (_opening is not { IsCompleted: true } opened)
+        {
+            return null;
         }
 
-        _writer = new SessionWriter(folder, _origin(), resume);
-        _session = new HarvestSession(options, _game, _writer);
+        _opening = null;
+        if (opened.IsFaulted)
+        {
+            throw opened.Exception!.InnerException!;
+        }
+
+        _writer = opened.Result;
+        return new HarvestSession(_startedWith!, _game, _writer);
     }
 
     private void Close(HarvestSession session)

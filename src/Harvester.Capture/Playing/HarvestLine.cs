@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Threading.Tasks;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 
@@ -17,6 +18,7 @@ public sealed class HarvestLine : IFeature
     private readonly IClock _clock;
     private readonly IDisplay _display;
     private double _diskAskedAt = double.NegativeInfinity;
+    private Task<string> _asking = Task.FromResult(string.Empty);
     private string _disk = string.Empty;
     private bool _isOff;
 
@@ -82,22 +84,31 @@ public sealed class HarvestLine : IFeature
 
     private void AskDisk()
     {
-        double now = _clock.Milliseconds;
-        if (now - _diskAskedAt < DiskEveryMilliseconds)
+        if (!_asking.IsCompleted)
         {
             return;
         }
 
-        _diskAskedAt = now;
+        _disk = _asking.Result;
+        double now = _clock.Milliseconds;
+        if (now - _diskAskedAt >= DiskEveryMilliseconds)
+        {
+            _diskAskedAt = now;
+            _asking = Task.Run(() => FreeSpace(_folder));
+        }
+    }
+
+    private static string FreeSpace(string folder)
+    {
         try
         {
-            var drive = new DriveInfo(Path.GetPathRoot(Path.GetFullPath(_folder)) ?? _folder);
-            _disk = FormattableString.Invariant($"{drive.AvailableFreeSpace / BytesPerGigabyte:0.0} GB free");
+            var drive = new DriveInfo(Path.GetPathRoot(Path.GetFullPath(folder)) ?? folder);
+            return FormattableString.Invariant($"{drive.AvailableFreeSpace / BytesPerGigabyte:0.0} GB free");
         }
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or ArgumentException)
         {
             // A share of the network is no drive with a letter.
-            _disk = string.Empty;
+            return string.Empty;
         }
     }
 }

@@ -57,7 +57,7 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
             return;
         }
 
-        if (_harvest.Status is not null)
+        if (_harvest.IsOn)
         {
             _messages.Tell("End the harvest first, then calibrate.");
             return;

@@ -3,6 +3,7 @@ using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using System.Threading;
+using Harvester.Capture.Storage;
 
 namespace Harvester.Capture.Playing;
 
@@ -13,6 +14,7 @@ public sealed class PlayerMessages
     private const long RepeatAfterMilliseconds = 5_000;
     private readonly string _logPath;
     private readonly Action<string> _show;
+    private readonly DiskQueue _disk = new();
     private readonly Stopwatch _sinceLast = Stopwatch.StartNew();
     private string _last = string.Empty;
 
@@ -24,6 +26,9 @@ public sealed class PlayerMessages
         _logPath = Path.Combine(folder, "GtaDataHarvester.log");
         _show = show;
     }
+
+    /// <summary>Whether something is on its way to the log.</summary>
+    public bool IsBusy => _disk.IsBusy;
 
     /// <summary>Tells the player, and the log; the same message again within five seconds only once.</summary>
     public void Tell(string message)
@@ -46,9 +51,15 @@ public sealed class PlayerMessages
         Tell($"{what} failed: {exception?.Message} More in GtaDataHarvester.log.");
     }
 
-    /// <summary>Writes a line to the log.</summary>
-    public void Log(string line) => Quietly(() => File.AppendAllText(
-        _logPath, DateTime.Now.ToString("yyyy-MM-dd HH:mm:ss ", CultureInfo.InvariantCulture) + line + Environment.NewLine));
+    /// <summary>Writes a line to the log, on another thread.</summary>
+    public void Log(string line)
+    {
+        string entry = DateTime.Now.ToString("yyyy-MM-dd HH:mm:ss ", CultureInfo.InvariantCulture) + line + Environment.NewLine;
+        _disk.Add(() => Quietly(() => File.AppendAllText(_logPath, entry)));
+    }
+
+    /// <summary>Waits until all is in the log, at most so long.</summary>
+    public void Wait(TimeSpan longest) => _disk.Wait(longest);
 
     private static void Quietly(Action tell)
     {

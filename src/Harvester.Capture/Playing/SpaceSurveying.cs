@@ -81,7 +81,7 @@ public sealed class SpaceSurveying : ILastingFeature
             Stop();
             _messages.Tell(FormattableString.Invariant($"The survey of signs was stopped: {done} of {_models.Count} models are done. It goes on where it was."));
         }
-        else if (_harvest.Status is not null)
+        else if (_harvest.IsOn)
         {
             _messages.Tell("End the harvest first, then survey the signs.");
         }

@@ -8,19 +8,29 @@ public sealed class FeatureSetTests : IDisposable
     private readonly List<string> _told = [];
     private readonly List<string> _done = [];
 
-    private PlayerMessages Messages => new(_folder, _told.Add);
+    private readonly PlayerMessages _messages;
 
-    public void Dispose() => Directory.Delete(_folder, recursive: true);
+    public FeatureSetTests()
+    {
+        _messages = new PlayerMessages(_folder, _told.Add);
+    }
+
+    public void Dispose()
+    {
+        _messages.Wait(Timeout.InfiniteTimeSpan);
+        Directory.Delete(_folder, recursive: true);
+    }
 
     [Fact]
     public void Tick_stops_and_tells_a_feature_that_fails_and_lets_the_others_work()
     {
-        var set = new FeatureSet(Messages, Feature("a"), Feature("b", failsIn: "b ticks"), Feature("c"));
+        var set = new FeatureSet(_messages, Feature("a"), Feature("b", failsIn: "b ticks"), Feature("c"));
 
         set.Tick();
 
         Assert.Equal(["a ticks", "b ticks", "b stops", "c ticks"], _done);
         Assert.Equal("GtaDataHarvester: b failed: no more More in GtaDataHarvester.log.", Assert.Single(_told));
+        _messages.Wait(Timeout.InfiniteTimeSpan);
         Assert.Contains("InvalidOperationException", File.ReadAllText(Path.Combine(_folder, "GtaDataHarvester.log")), StringComparison.Ordinal);
     }
 
@@ -28,7 +38,7 @@ public sealed class FeatureSetTests : IDisposable
     public void Do_stops_a_feature_whose_key_fails_also_when_it_fails_to_stop()
     {
         IFeature feature = Feature("a", failsIn: "a stops");
-        var set = new FeatureSet(Messages, feature);
+        var set = new FeatureSet(_messages, feature);
 
         set.Do(feature, () => throw new IOException("key"));
 
@@ -39,7 +49,7 @@ public sealed class FeatureSetTests : IDisposable
     [Fact]
     public void Finish_stops_all_in_the_opposite_order_before_it_waits_for_any()
     {
-        var set = new FeatureSet(Messages, Feature("a"), Feature("b", failsIn: "b stops"), Feature("c"));
+        var set = new FeatureSet(_messages, Feature("a"), Feature("b", failsIn: "b stops"), Feature("c"));
 
         set.Finish();
 

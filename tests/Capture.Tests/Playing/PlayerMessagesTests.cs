@@ -20,6 +20,7 @@ public sealed class PlayerMessagesTests : IDisposable
         messages.Tell("one");
 
         Assert.Equal(["GtaDataHarvester: one", "GtaDataHarvester: two", "GtaDataHarvester: one"], shown);
+        messages.Wait(Timeout.InfiniteTimeSpan);
         Assert.Equal(3, File.ReadAllLines(Path.Combine(_folder, "GtaDataHarvester.log")).Length);
     }
 
@@ -28,16 +29,22 @@ public sealed class PlayerMessagesTests : IDisposable
     {
         var shown = new List<string>();
 
-        new PlayerMessages(Path.Combine(_folder, "absent"), shown.Add).Tell("one");
+        var messages = new PlayerMessages(Path.Combine(_folder, "absent"), shown.Add);
 
+        messages.Tell("one");
+
+        messages.Wait(Timeout.InfiniteTimeSpan);
         Assert.Single(shown);
     }
 
     [Fact]
     public void Tell_in_a_game_that_shows_nothing_still_logs()
     {
-        new PlayerMessages(_folder, _ => throw new InvalidOperationException("no screen")).Tell("one");
+        var messages = new PlayerMessages(_folder, _ => throw new InvalidOperationException("no screen"));
 
+        messages.Tell("one");
+
+        messages.Wait(Timeout.InfiniteTimeSpan);
         Assert.EndsWith(" one", File.ReadAllLines(Path.Combine(_folder, "GtaDataHarvester.log"))[0], StringComparison.Ordinal);
     }
 }

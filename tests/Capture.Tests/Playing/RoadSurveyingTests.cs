@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using Harvester.Capture.Playing;
 using Harvester.Capture.Roads;
 using Harvester.Capture.Tests.Roads;
@@ -8,14 +9,25 @@ namespace Harvester.Capture.Tests.Playing;
 
 public sealed class RoadSurveyingTests : IDisposable
 {
+    private static readonly TimeSpan HangingAfter = TimeSpan.FromMinutes(1);
     private readonly string _folder = Directory.CreateTempSubdirectory("surveying").FullName;
     private readonly List<string> _told = [];
+    private readonly PlayerMessages _messages;
     private readonly TestClock _clock = new();
     private readonly GrowingRoads _roads = new();
 
+    public RoadSurveyingTests()
+    {
+        _messages = new PlayerMessages(_folder, _told.Add);
+    }
+
     private string FilePath => Path.Combine(_folder, "new", "roads.csv");
 
-    public void Dispose() => Directory.Delete(_folder, recursive: true);
+    public void Dispose()
+    {
+        _messages.Wait(Timeout.InfiniteTimeSpan);
+        Directory.Delete(_folder, recursive: true);
+    }
 
     [Fact]
     public void Stop_writes_what_was_found_and_the_next_survey_goes_on_with_it()
@@ -104,7 +116,7 @@ public sealed class RoadSurveyingTests : IDisposable
     }
 
     private RoadSurveying Surveying(FakeRoadSource game, bool givesLanes = true, Func<bool>? areLanesWanted = null) =>
-        new(game, () => new Vector3D(100, 200, 0), FilePath, _roads, new PlayerMessages(_folder, _told.Add), _clock)
+        new(game, () => new Vector3D(100, 200, 0), FilePath, _roads, _messages, _clock)
         {
             GivesLanes = givesLanes,
             AreLanesWanted = areLanesWanted ?? (() => false),
@@ -116,14 +128,17 @@ public sealed class RoadSurveyingTests : IDisposable
 
     private static void Until(RoadSurveying surveying, Func<bool> isSo)
     {
-        // Files and curves are read on another thread.
-        for (int tick = 0; tick < 2_000 && !(surveying.Line is not null && isSo()); tick++)
+        var hanging = Stopwatch.StartNew();
+        while (!(surveying.Line is not null && isSo()))
         {
-            Thread.Sleep(5);
+            Assert.True(hanging.Elapsed < HangingAfter);
+            while (surveying.IsBusy)
+            {
+                Thread.Sleep(1);
+            }
+
             surveying.Tick();
         }
-
-        Assert.True(isSo());
     }
 
     private static RoadNetwork Road() => new([Node(0, 180.125), Node(1, 320.125)], [new RoadLink(0, 1, 1, 1, 0, RoadLinkFlags.None)]);
