@@ -107,6 +107,7 @@ public sealed class HarvesterScript : Script
         _keys.Add("NextName", Keys.F9, marking, marking.NextName);
         _keys.Add("KeepFace", Keys.Y, marking, marking.Keep);
         _keys.Add("UnknownModels", Keys.F11, unknown, unknown.Look);
+        _keys.AddGoingDown("Bridge", "TakeBackKeys", [Keys.W, Keys.A, Keys.S, Keys.D, Keys.Space], _drive, _drive.TakeBack);
         Tick += OnTick;
         KeyDown += OnKeyDown;
         KeyUp += OnKeyUp;
@@ -139,9 +140,9 @@ public sealed class HarvesterScript : Script
     // The player's hand must be felt whatever the game makes of its controls.
     private void OnKeyDown(object? sender, KeyEventArgs e)
     {
-        if (_aborted == 0 && e.KeyCode is Keys.W or Keys.A or Keys.S or Keys.D or Keys.Space)
+        if (_aborted == 0)
         {
-            _features.Do(_drive, _drive.TakeBack);
+            _keys.GoDown(e.KeyCode);
         }
     }
 

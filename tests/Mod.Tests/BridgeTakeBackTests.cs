@@ -42,6 +42,31 @@ public sealed class BridgeTakeBackTests : BridgedGame
     }
 
     [Fact]
+    public void Keys_that_take_the_car_back_can_be_changed()
+    {
+        using ScriptDriver driver = Driven("TakeBackKeys = Left, Z\n");
+        driver.Script.RaiseKeyDown(Keys.W);
+        driver.Tick(2);
+        Assert.NotEmpty(driver.Game.Controls);
+
+        driver.Script.RaiseKeyDown(Keys.Z);
+        driver.Tick(2);
+        Assert.Contains("You have the wheel.", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Empty(driver.Game.Controls);
+    }
+
+    [Theory]
+    [InlineData("TakeBackKeys = W, Banana", "Line 3: TakeBackKeys = W, Banana is not keys, separated by commas")]
+    [InlineData("TakeBackKeys = W, N", "the key N has two uses")]
+    public void Keys_that_cannot_take_the_car_back_are_told(string line, string complaint)
+    {
+        using var driver = new ScriptDriver(Ini(Port) + line + "\n");
+        driver.Tick();
+
+        Assert.Contains(complaint, Assert.Single(driver.Game.Notifications), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Full_lock_full_throttle_and_handbrake_of_the_peer_are_not_taken_for_the_players()
     {
         using ScriptDriver driver = Driven();

@@ -59,6 +59,7 @@ public sealed class SettingsTests
             ("SpaceSurvey", Keys.F10), ("MarkCorner", Keys.B), ("NextName", Keys.F9), ("KeepFace", Keys.Y), ("UnknownModels", Keys.F11), ("Drive", Keys.N),
         ];
         Assert.All(keys, key => Assert.Equal(key.Key, shipped.Choice("Keys", key.Name, Keys.None, "a key")));
+        Assert.Equal([Keys.W, Keys.A, Keys.S, Keys.D, Keys.Space], shipped.Choices<Keys>("Bridge", "TakeBackKeys", [], "keys"));
         Assert.Empty(shipped.Complaints);
     }
 

@@ -72,7 +72,7 @@ public sealed class FolderPeerTests : IDisposable
         for (int thought = 0; thought < 5; thought++)
         {
             _clock.Milliseconds += 0.9 * Patience;
-            Drop(name, content + new string(' ', ++_blanks));
+            Drop(name, content);
             AwaitRead();
         }
 
@@ -119,7 +119,7 @@ public sealed class FolderPeerTests : IDisposable
         Await(() => _session.Status.Controls.Steering == steering, $"the controls of life {life}");
     }
 
-    private void Command(string json) => Drop("command.json", json + new string(' ', ++_blanks % 100));
+    private void Command(string json) => Drop("command.json", json);
 
     /// <summary>Waits until the bridge has looked at all files: it does so between any two frames.</summary>
     private void AwaitRead()
@@ -141,10 +141,12 @@ public sealed class FolderPeerTests : IDisposable
         },
         $"{what}; the bridge says: {_bridge.Problem}");
 
+    /// <summary>A file that appears whole, of another length than the one before, as the times of files are coarse on some systems.</summary>
     private void Drop(string name, string content)
     {
         string path = Path.Combine(_folder, name);
-        File.WriteAllText(path + ".new", content);
+        string blanks = new(' ', ++_blanks % 1_000);
+        File.WriteAllText(path + ".new", content.EndsWith('\n') ? content[..^1] + blanks + "\n" : content + blanks);
         File.Move(path + ".new", path, overwrite: true);
     }
 }

@@ -18,8 +18,8 @@ public sealed class FuzzedFolderTests : IDisposable
     public FuzzedFolderTests() => _folder = Path.Combine(_parent, "shared");
 
     [Theory]
-    [InlineData(1, 400)]
-    [InlineData(2, 400)]
+    [InlineData(1, 250)]
+    [InlineData(2, 250)]
     public void Drive_goes_on_whatever_happens_in_the_folder(int seed, int deeds) => Fuzz(seed, deeds);
 
     [Theory]

@@ -14,6 +14,7 @@ internal sealed class SocketClient : IDisposable
     public SocketClient(IPEndPoint server)
     {
         _client.Connect(server);
+        _client.NoDelay = true;
         _client.ReceiveTimeout = 30_000;
         Stream = _client.GetStream();
     }
