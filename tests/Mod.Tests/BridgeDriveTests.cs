@@ -177,6 +177,27 @@ public sealed class BridgeDriveTests : BridgedGame
     }
 
     [Fact]
+    public void Peers_that_do_wrong_without_end_do_not_fill_the_log()
+    {
+        using ScriptDriver driver = Driven();
+        for (int i = 0; i < 150; i++)
+        {
+            using SocketClient peer = Connect();
+            peer.Send(string.Create(CultureInfo.InvariantCulture, $$"""{"type":"wrong {{i}}"}"""));
+            Assert.True(peer.IsCutOff());
+            driver.Tick();
+        }
+
+        Assert.Equal(100, driver.Log().Split('\n').Count(line => line.Contains("The bridge: ", StringComparison.Ordinal)));
+        Assert.Contains("No more problems of this drive are logged.", driver.Log(), StringComparison.Ordinal);
+        driver.Press(Keys.N);
+        Start(driver);
+        using SocketClient next = Connect();
+        next.Send("""{"type":"wrong again"}""");
+        Until(driver, () => driver.Log().Contains("wrong again", StringComparison.Ordinal));
+    }
+
+    [Fact]
     public void Key_again_ends_the_drive_and_once_more_starts_another_at_the_same_place()
     {
         using ScriptDriver driver = Driven();

@@ -64,6 +64,7 @@ public sealed class DrivingSessionTests : DrivenGame
         Assert.Equal(0.1, state.TorcsEquivalent.Angle.Value);
         Assert.False(state.TorcsEquivalent.ToMarkingLL.IsValid);
         Assert.Equal(15, state.SpeedMetresPerSecond);
+        Assert.Equal(0, state.HeadingRadians);
 
         // No road is known: lanes are taken to be 5.4 m wide, 1.35 times those of TORCS.
         Assert.Equal(-1.6 * 1.35, state.Indicators.ToMarkingML.Value, 12);

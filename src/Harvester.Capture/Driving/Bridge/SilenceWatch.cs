@@ -3,7 +3,7 @@ using Harvester.Capture.Ports;
 namespace Harvester.Capture.Driving.Bridge;
 
 /// <summary>Holds the last controls while the peer speaks, and the brake when it has been silent too long.</summary>
-/// <param name="clock">The player's time.</param>
+/// <param name="clock">The time that counts.</param>
 /// <param name="patienceSeconds">How long controls hold.</param>
 public sealed class SilenceWatch(IClock clock, double patienceSeconds = SilenceWatch.DefaultPatienceSeconds)
 {

@@ -77,7 +77,8 @@ public sealed class FuzzedDriveTests
     public void Peers_that_trickle_their_bytes_are_cut_off_and_hold_nobody_up()
     {
         const string token = "open sesame";
-        using var bridge = new SocketBridge(SocketBridgeOptions.Loopback with { Port = 0, Token = token }, Frames.Size);
+        SocketBridgeOptions options = SocketBridgeOptions.Loopback with { Port = 0, Token = token, TokenPatience = TimeSpan.FromSeconds(10) };
+        using var bridge = new SocketBridge(options, Frames.Size);
         SocketClient[] slow = [.. Enumerable.Range(0, 10).Select(_ => new SocketClient(bridge.EndPoint))];
         using var good = new SocketClient(bridge.EndPoint);
         good.Send("{\"type\":\"hello\",\"token\":\"open sesame\"}");
@@ -92,7 +93,7 @@ public sealed class FuzzedDriveTests
             {
                 Thread.Sleep(100);
                 sent++;
-                return !slow.Any(peer => TryWrite(peer, hello[sent - 1]));
+                return !slow.Any(peer => peer.TryWrite([hello[sent - 1]]));
             },
             "the slow ones to be cut off");
 
@@ -178,19 +179,4 @@ public sealed class FuzzedDriveTests
         header.CopyTo(bytes, 8);
         return bytes;
     }
-
-    private static bool TrySend(SocketClient peer, byte[] bytes)
-    {
-        try
-        {
-            peer.Stream.Write(bytes);
-            return true;
-        }
-        catch (IOException)
-        {
-            return false;
-        }
-    }
-
-    private static bool TryWrite(SocketClient peer, byte one) => TrySend(peer, [one]);
 }

@@ -30,6 +30,21 @@ internal sealed class SocketClient : IDisposable
         Stream.Write(text);
     }
 
+    /// <summary>Writes bytes as they are.</summary>
+    /// <returns>False where the other side was quicker to cut the connection off.</returns>
+    public bool TryWrite(ReadOnlySpan<byte> bytes)
+    {
+        try
+        {
+            Stream.Write(bytes);
+            return true;
+        }
+        catch (IOException)
+        {
+            return false;
+        }
+    }
+
     public (JsonElement Header, byte[] Payload) Receive()
     {
         byte[] lengths = new byte[8];
