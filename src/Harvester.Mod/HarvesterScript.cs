@@ -83,7 +83,7 @@ public sealed class HarvesterScript : Script
             player.TakesPhotographs ? new SurveyCamera(cameras, screen, () => world.ReadCamera().WindowAspect) : null,
             SignModels.ToMeasure(_folder.ShippedSpaces, player.FurtherModels),
             measured, _harvest, mount, display, _messages, clock, player.SurveyBudgetMilliseconds);
-        var marking = new SpaceMarking(game, world, SignName.Choices(player.SignNames, _folder.ShippedSpaces), measured, display, _messages) { IsPictureNear = IsPictureNear };
+        var marking = new SpaceMarking(game, world, SignName.Choices(player.SignNames, _folder.ShippedSpaces), _folder.ShippedSpaces, measured, display, _messages) { IsPictureNear = IsPictureNear };
         var unknown = new UnknownModelsList(world, world, spaces, player.SpacesFolder, _messages) { Problem = Problem };
         var line = new HarvestLine(_harvest, player.Folder, clock, display) { IsPictureNear = IsPictureNear, SurveyLines = [() => survey.Line, () => _signs.Line, () => marking.Line] };
         _features = new FeatureSet(_messages, car, mount, _harvest, lights, _calibration, markers, survey, _signs, marking, unknown, _drive, line, overlay);

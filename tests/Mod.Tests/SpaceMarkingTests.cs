@@ -71,6 +71,21 @@ public sealed class SpaceMarkingTests
     }
 
     [Fact]
+    public void Face_that_is_marked_leaves_the_shipped_one_on_the_other_side()
+    {
+        const string shipped =
+            Sign + ",,sign,STOP,R1-1,0,-0.4,0.05,2.7,0.4,-0.05,1.9,-y,estimated,test\n" +
+            Sign + ",,sign,WRONG WAY,R5-1a,1,-0.4,0.05,2.7,0.4,-0.05,1.9,+y,estimated,test\n";
+        using ScriptDriver driver = BeforeSign(Names, shipped);
+        Mark(driver, -0.35, 2.1);
+        Mark(driver, 0.35, 2.7);
+        Keep(driver);
+
+        Assert.Equal(
+            [(0, Provenance.Measured, Facing.Back), (1, Provenance.Estimated, Facing.Front)], Rows(driver).Select(row => (row.Face, row.Provenance, row.Facing)));
+    }
+
+    [Fact]
     public void Nothing_to_mark_and_nothing_to_keep_are_told()
     {
         using var driver = new ScriptDriver(Names);
@@ -129,9 +144,9 @@ public sealed class SpaceMarkingTests
     }
 
     /// <summary>A sign at (100, 200, 0), 0.1 m thick, whose face the player sees from the south.</summary>
-    private static ScriptDriver BeforeSign(string ini)
+    private static ScriptDriver BeforeSign(string ini, string spaces = "# none\n")
     {
-        var driver = new ScriptDriver(ini);
+        var driver = new ScriptDriver(ini, spaces: spaces);
         driver.Game.Add(new GameEntity
         {
             Pool = PoolKind.Props,

@@ -21,6 +21,7 @@ public sealed class SpaceMarking : ILastingFeature
     private readonly GamePorts _game;
     private readonly IProps _props;
     private readonly IReadOnlyList<SignName> _names;
+    private readonly SpaceTable _shipped;
     private readonly MeasuredSpaces _measured;
     private readonly IDisplay _display;
     private readonly PlayerMessages _messages;
@@ -32,15 +33,17 @@ public sealed class SpaceMarking : ILastingFeature
     /// <param name="game">The game.</param>
     /// <param name="props">What can be pointed at.</param>
     /// <param name="names">The names to choose from; at least one.</param>
+    /// <param name="shipped">What is known without the player: of a model that is marked for the first time its faces to other sides stay.</param>
     /// <param name="measured">Where the rows go.</param>
     /// <param name="display">Where the cuboid is drawn.</param>
     /// <param name="messages">Tells what comes of it.</param>
     public SpaceMarking(
-        GamePorts game, IProps props, IReadOnlyList<SignName> names, MeasuredSpaces measured, IDisplay display, PlayerMessages messages)
+        GamePorts game, IProps props, IReadOnlyList<SignName> names, SpaceTable shipped, MeasuredSpaces measured, IDisplay display, PlayerMessages messages)
     {
         _game = game;
         _props = props;
         _names = names;
+        _shipped = shipped;
         _measured = measured;
         _display = display;
         _messages = messages;
@@ -98,11 +101,12 @@ public sealed class SpaceMarking : ILastingFeature
         }
 
         string model = _prop!.Model;
-        IReadOnlyList<SpaceOfInterest> earlier = folder.Table.Of(ModelHash.TryParse(model, out int hash) ? hash : ModelHash.Of(model));
         SignName name = _names[_name];
         SpaceOfInterest face = marking.ToSpace(name.Name, name.MutcdCode, 0);
+        IReadOnlyList<SpaceOfInterest> own = folder.Table.Of(face.Hash);
+        SpaceOfInterest[] earlier = [.. own.Count > 0 ? own : _shipped.Of(face.Hash).Where(other => other.Facing != face.Facing)];
         SpaceOfInterest? replaced = earlier.FirstOrDefault(other => Overlap(other, face));
-        face = face with { Face = replaced?.Face ?? earlier.Select(other => other.Face + 1).DefaultIfEmpty(0).Max() };
+        face = face with { Face = replaced?.Face ?? KeptFaces.FreeNumber(earlier) };
         folder.Finish(model, "byHand", [.. earlier.Where(other => other.Face != face.Face), face]);
         _messages.Tell(FormattableString.Invariant(
             $"Kept: face {face.Face} of {model}, {name}, in {_measured.Path}. Reload() in the console (F4) takes it into use."));

@@ -54,8 +54,8 @@ public static class SignModels
         IEnumerable<SurveyedModel> known = table.Spaces
             .Where(space => space.Model.Length > 0)
             .GroupBy(space => space.Model)
-            .Select(faces => faces.First())
-            .Select(space => new SurveyedModel(space.Model, space.Class, space.Name, space.MutcdCode));
+            .Select(faces => (First: faces.First(), All: faces.ToArray()))
+            .Select(faces => new SurveyedModel(faces.First.Model, faces.First.Class, faces.First.Name, faces.First.MutcdCode) { Known = faces.All });
         IEnumerable<SurveyedModel> unnamed = Split(UnnamedModels).Concat(Split(further.ToLowerInvariant()))
             .Distinct()
             .Where(model => table.Of(model).Count == 0)

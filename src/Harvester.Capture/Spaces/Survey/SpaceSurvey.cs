@@ -173,7 +173,9 @@ public sealed class SpaceSurvey : IDisposable
         bool isGuess = model.Class == ObjectClass.TrafficLight && !isLight;
         SurveyedModel shown = isLight ? model with { Class = ObjectClass.TrafficLight } : model;
         SpaceOfInterest[] rows = [.. spaces.Select((space, face) => RowOf(shown, space, face, isGuess))];
-        _folder.Finish(model.Name, rows.Length == 0 ? "noFace" : "measured", rows);
+        IReadOnlyList<SpaceOfInterest> own = _folder.Table.Of(model.Name);
+        _folder.Finish(
+            model.Name, rows.Length == 0 ? "noFace" : "measured", rows.Length == 0 ? [] : KeptFaces.BesideFound(rows, own.Count > 0 ? own : model.Known));
         yield return true;
     }
 

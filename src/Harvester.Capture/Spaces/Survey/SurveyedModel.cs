@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Harvester.Capture.Scenes;
 
 namespace Harvester.Capture.Spaces.Survey;
@@ -7,4 +8,8 @@ namespace Harvester.Capture.Spaces.Survey;
 /// <param name="Class">Sign or traffic light.</param>
 /// <param name="SignName">What the sign says; empty when unknown.</param>
 /// <param name="MutcdCode">Code of the sign; empty when it has none or it is unknown.</param>
-public sealed record SurveyedModel(string Name, ObjectClass Class, string SignName, string MutcdCode);
+public sealed record SurveyedModel(string Name, ObjectClass Class, string SignName, string MutcdCode)
+{
+    /// <summary>Its faces as a table has them; those that rays cannot find are kept.</summary>
+    public IReadOnlyList<SpaceOfInterest> Known { get; init; } = [];
+}

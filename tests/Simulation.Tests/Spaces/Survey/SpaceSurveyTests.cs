@@ -85,6 +85,51 @@ public sealed class SpaceSurveyTests : IDisposable
     }
 
     [Fact]
+    public void Survey_keeps_the_face_on_the_back_that_rays_cannot_find_and_replaces_those_that_they_can()
+    {
+        SpaceOfInterest back = Known("plate", 1, Facing.Front);
+        var model = new SurveyedModel("plate", ObjectClass.Sign, "STOP", "R1-1") { Known = [Known("plate", 0, Facing.Back), back, Known("plate", 2, Facing.Back)] };
+        Survey(model);
+
+        IReadOnlyList<SpaceOfInterest> faces = Reopened().Table.Of("plate");
+        Assert.Equal([("STOP", Provenance.Measured), (back.Name, Provenance.Estimated)], faces.Select(face => (face.Name, face.Provenance)));
+        Assert.Equal(back, faces[1]);
+
+        // A second survey measures the front anew and finds the back among the player's own rows.
+        File.Delete(Path.Combine(_path, "models.txt"));
+        Survey(model with { Known = [] });
+        Assert.Equal(["STOP", back.Name], Reopened().Table.Of("plate").Select(face => face.Name));
+    }
+
+    [Fact]
+    public void Survey_keeps_no_first_face_that_was_guessed_to_look_the_other_way()
+    {
+        Survey(new SurveyedModel("plate", ObjectClass.Sign, "STOP", "R1-1") { Known = [Known("plate", 0, Facing.Front)] });
+
+        Assert.Equal(Facing.Back, Assert.Single(Reopened().Table.Of("plate")).Facing);
+    }
+
+    [Fact]
+    public void Survey_that_finds_more_faces_gives_the_kept_one_a_number_of_its_own()
+    {
+        Survey(new SurveyedModel("two", ObjectClass.Sign, "STOP", "R1-1") { Known = [Known("two", 0, Facing.Back), Known("two", 1, Facing.Front)] });
+
+        Assert.Equal(
+            [(0, Facing.Back), (1, Facing.Back), (2, Facing.Front)],
+            Reopened().Table.Of("two").Select(face => (face.Face, face.Facing)));
+    }
+
+    [Fact]
+    public void Survey_of_a_light_keeps_no_head_that_it_did_not_find()
+    {
+        const string light = "prop_traffic_01a";
+        SpaceOfInterest estimated = Known(light, 9, Facing.Front) with { Class = ObjectClass.TrafficLight };
+        Survey(new SurveyedModel(light, ObjectClass.TrafficLight, "", "") { Known = [Known(light, 0, Facing.Back), estimated] });
+
+        Assert.DoesNotContain(Reopened().Table.Of(light), head => head.Provenance == Provenance.Estimated);
+    }
+
+    [Fact]
     public void Survey_that_is_disposed_leaves_nothing_standing()
     {
         var stage = new PropStage(KnownProps.All, Place);
@@ -108,6 +153,16 @@ public sealed class SpaceSurveyTests : IDisposable
 
         Assert.Contains("line 1", Assert.Throws<IOException>(() => new SurveyFolder(_path)).Message, StringComparison.Ordinal);
     }
+
+    private void Survey(SurveyedModel model)
+    {
+        using var survey = new SpaceSurvey(new PropStage(KnownProps.All, Place), [model], _folder = Reopened(), new PlayerClock(), BudgetMilliseconds);
+        ToEnd(survey);
+        Assert.Null(survey.Fault);
+    }
+
+    private static SpaceOfInterest Known(string model, int face, Facing facing) => new(
+        model, ModelHash.Of(model), ObjectClass.Sign, $"known {face}", "", face, new(-0.4, 0.02, 2.6), new(0.4, -0.04, 1.9), facing, Provenance.Estimated, "test");
 
     private PropStage Run(params string[] names)
     {
