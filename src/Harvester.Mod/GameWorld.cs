@@ -19,22 +19,26 @@ internal sealed class GameWorld : IWorld, IProps
     private readonly CameraMount _mount;
     private readonly GameTime _time;
     private readonly GameRays _rays;
-    private readonly KnownModels _models;
-    private readonly Model[] _props;
+    private readonly IModels _models;
+    private readonly Func<SpaceTable> _spaces;
+    private SpaceTable _table = SpaceTable.Empty;
+    private KnownModels _known;
+    private Model[] _props = [];
 
     /// <summary>Reads the game around a camera.</summary>
     /// <param name="mount">The camera and the vehicle that carries it.</param>
     /// <param name="time">The game's time.</param>
     /// <param name="rays">Where the entities are made known.</param>
     /// <param name="models">The game's models.</param>
-    /// <param name="spaces">The models of signs and traffic lights: the only props that are read.</param>
-    public GameWorld(CameraMount mount, GameTime time, GameRays rays, IModels models, SpaceTable spaces)
+    /// <param name="spaces">Gives the models of signs and traffic lights that are in use: the only props that are read.</param>
+    public GameWorld(CameraMount mount, GameTime time, GameRays rays, IModels models, Func<SpaceTable> spaces)
     {
         _mount = mount;
         _time = time;
         _rays = rays;
-        _models = new KnownModels(models, spaces);
-        _props = spaces.Spaces.Select(space => space.Hash).Distinct().Select(hash => new Model(hash)).ToArray();
+        _models = models;
+        _spaces = spaces;
+        _known = new KnownModels(models, _table);
     }
 
     /// <inheritdoc/>
@@ -60,7 +64,7 @@ internal sealed class GameWorld : IWorld, IProps
     public EgoState ReadEgo()
     {
         int vehicle = _mount.Vehicle;
-        ModelFacts model = _models.OfVehicle(vehicle, Natives.EntityModel(vehicle));
+        ModelFacts model = _known.OfVehicle(vehicle, Natives.EntityModel(vehicle));
         return new EgoState(vehicle, model.Name, Natives.EntityPose(vehicle), Natives.EntityVelocity(vehicle))
         {
             ModelMin = model.Min,
@@ -71,14 +75,15 @@ internal sealed class GameWorld : IWorld, IProps
     /// <inheritdoc/>
     public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range)
     {
+        TakeTable();
         Vector3 place = PlaceOf(centre);
         float radius = (float)range;
         var entities = new List<EntityState>();
-        Add(World.GetNearbyVehicles(place, radius).Select(vehicle => vehicle.Handle).Where(vehicle => vehicle != _mount.Vehicle), _models.OfVehicle);
-        Add(World.GetNearbyPeds(place, radius).Select(ped => ped.Handle).Where(IsOnFoot), (_, hash) => _models.OfPed(hash));
+        Add(World.GetNearbyVehicles(place, radius).Select(vehicle => vehicle.Handle).Where(vehicle => vehicle != _mount.Vehicle), _known.OfVehicle);
+        Add(World.GetNearbyPeds(place, radius).Select(ped => ped.Handle).Where(IsOnFoot), (_, hash) => _known.OfPed(hash));
         if (_props.Length > 0)
         {
-            Add(World.GetNearbyProps(place, radius, _props).Select(prop => prop.Handle), (_, hash) => _models.OfProp(hash));
+            Add(World.GetNearbyProps(place, radius, _props).Select(prop => prop.Handle), (_, hash) => _known.OfProp(hash));
         }
 
         return entities;
@@ -94,7 +99,8 @@ internal sealed class GameWorld : IWorld, IProps
     public EntityState? ReadProp(int entity)
     {
         const int prop = 3;
-        return Natives.Call<int>(Hash.GET_ENTITY_TYPE, entity) == prop ? Read(entity, (_, hash) => _models.OfProp(hash)) : null;
+        TakeTable();
+        return Natives.Call<int>(Hash.GET_ENTITY_TYPE, entity) == prop ? Read(entity, (_, hash) => _known.OfProp(hash)) : null;
     }
 
     /// <inheritdoc/>
@@ -110,6 +116,18 @@ internal sealed class GameWorld : IWorld, IProps
 
     private static bool IsOnFoot(int ped) =>
         Natives.EntityExists(ped) && ped != Natives.PlayerPed() && Natives.Call<bool>(Hash.IS_PED_HUMAN, ped) && Natives.VehicleOf(ped) == 0;
+
+    /// <summary>What is known of models stems from the table in use, which may have become another since.</summary>
+    private void TakeTable()
+    {
+        SpaceTable table = _spaces();
+        if (table != _table)
+        {
+            _table = table;
+            _known = new KnownModels(_models, table);
+            _props = [.. table.Spaces.Select(space => space.Hash).Distinct().Select(hash => new Model(hash))];
+        }
+    }
 
     /// <summary>An entity as it is now; null when it is gone, be it in the middle of reading.</summary>
     private EntityState? Read(int handle, Func<int, int, ModelFacts> describe)

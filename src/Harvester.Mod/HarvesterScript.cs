@@ -11,7 +11,6 @@ using Harvester.Capture.Ports;
 using Harvester.Capture.Roads;
 using Harvester.Capture.Screen;
 using Harvester.Capture.Settings;
-using Harvester.Capture.Spaces;
 using Harvester.Capture.Spaces.Survey;
 using Harvester.Capture.Storage;
 
@@ -47,7 +46,7 @@ public sealed class HarvesterScript : Script
         _folder = new ModFolder(BaseDirectory);
         _messages = new PlayerMessages(BaseDirectory, message => Notification.Show(message));
         PlayerSettings player = PlayerSettings.Read(_folder.Settings, BaseDirectory);
-        SpaceTable spaces = _folder.SpacesWith(player.SpacesFolder);
+        var measured = new MeasuredSpaces(player.SpacesFolder, _folder.ShippedSpaces, _folder.SpacesWith(player.SpacesFolder));
         var display = new GameDisplay();
         var time = new GameTime(
             paused => Natives.Call(Hash.SET_GAME_PAUSED, paused), () => Natives.Call<int>(Hash.GET_GAME_TIMER));
@@ -59,7 +58,7 @@ public sealed class HarvesterScript : Script
         var cameras = new GameCameras();
         var car = new TestCar(player, _messages, models, vehicles, clock);
         var mount = new CameraMount(player, _messages, cameras, vehicles);
-        var world = new GameWorld(mount, time, rays, models, spaces);
+        var world = new GameWorld(mount, time, rays, models, () => _harvest!.Spaces);
         var lights = new LightDriving(
             world, new GameTrafficLights(), player.LightOrder, player.Options.RangeMetres, player.Options.MaxPictureLagTicks + 2)
         {
@@ -68,23 +67,22 @@ public sealed class HarvesterScript : Script
         var game = new GamePorts(world, rays, screen, time, clock, markers) { Roads = roads, Lights = lights };
         var driven = new DrivenCar(new GameCarControls(), vehicles, mount, world);
         _drive = new BridgeDrive(player.Bridge, game, driven, mount, display, _messages) { Obstacle = DriveObstacle };
-        _harvest = new Harvest(player.Options with { Spaces = spaces }, player.Folder, _messages, mount, game, display, () => Origin(player)) { Problem = Problem };
+        _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, display, () => Origin(player)) { Problem = Problem, SpacesInUse = () => measured.InUse };
         _calibration = new LensCalibration(_harvest, game, mount, display, _messages, _folder.SettingsPath);
-        var overlay = new Overlay(_harvest, game, spaces, _messages, mount, display) { IsPictureNear = IsPictureNear };
+        var overlay = new Overlay(_harvest, game, _messages, mount, display) { IsPictureNear = IsPictureNear };
         var survey = new RoadSurveying(
             new GameRoadSource(), () => Natives.EntityPosition(Natives.PlayerPed()), player.SurveyFile, roads, _messages, clock)
         {
             GivesLanes = player.RoadFile is null,
             AreLanesWanted = () => player.RoadFile is null && (overlay.IsOn || _drive.IsOn || _harvest.IsOn),
         };
-        var measured = new MeasuredSpaces(player.SpacesFolder);
         _signs = new SpaceSurveying(
             new GameStage(models, rays),
             player.TakesPhotographs ? new SurveyCamera(cameras, screen, () => world.ReadCamera().WindowAspect) : null,
             SignModels.ToMeasure(_folder.ShippedSpaces, player.FurtherModels),
             measured, _harvest, mount, display, _messages, clock, player.SurveyBudgetMilliseconds);
-        var marking = new SpaceMarking(game, world, SignName.Choices(player.SignNames, _folder.ShippedSpaces), _folder.ShippedSpaces, measured, display, _messages) { IsPictureNear = IsPictureNear };
-        var unknown = new UnknownModelsList(world, world, spaces, player.SpacesFolder, _messages) { Problem = Problem };
+        var marking = new SpaceMarking(game, world, SignName.Choices(player.SignNames, _folder.ShippedSpaces), _folder.ShippedSpaces, measured, display, _messages) { IsPictureNear = IsPictureNear, IsHarvesting = () => _harvest.IsOn };
+        var unknown = new UnknownModelsList(world, world, () => measured.InUse, player.SpacesFolder, _messages) { Problem = Problem };
         var line = new HarvestLine(_harvest, player.Folder, clock, display) { IsPictureNear = IsPictureNear, SurveyLines = [() => survey.Line, () => _signs.Line, () => marking.Line] };
         _features = new FeatureSet(_messages, car, mount, _harvest, lights, _calibration, markers, survey, _signs, marking, unknown, _drive, line, overlay);
         if (player.RoadFile is { } file)

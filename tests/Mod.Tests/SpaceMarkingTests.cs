@@ -86,6 +86,61 @@ public sealed class SpaceMarkingTests
     }
 
     [Fact]
+    public void Face_that_is_kept_is_labelled_at_once_in_a_session_of_its_own()
+    {
+        using ScriptDriver driver = BeforeSign(Names);
+        HarvestTests.Street(driver.Game);
+        AddSign(driver, new Vector3D(101, 215, 0));
+        TakeOne(driver);
+        driver.Press(Keys.O);
+        MarkOneWay(driver);
+        Keep(driver);
+        Assert.Contains("in use from now on", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        TakeOne(driver);
+        TakeOne(driver);
+
+        string[] sessions = [.. Directory.GetDirectories(driver.Output, "singles*").Order(StringComparer.Ordinal)];
+        Assert.Equal([1, 2], sessions.Select(session => LabelsIn(session).Length));
+        Assert.DoesNotContain("ONE WAY", LabelsIn(sessions[0])[0], StringComparison.Ordinal);
+        Assert.All(LabelsIn(sessions[1]), label => Assert.Contains("ONE WAY", label, StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void Face_that_is_kept_in_a_harvest_is_labelled_in_the_next()
+    {
+        // The camera clear of the car.
+        using ScriptDriver driver = BeforeSign(Names + "[Camera]\nOffsetForward = 4\n");
+        HarvestTests.Street(driver.Game);
+        AddSign(driver, new Vector3D(100, 215, 0));
+        driver.Press(Keys.J);
+        driver.Tick();
+
+        // The camera of the harvest is fixed to the car, 0.4 m up, and looks straight ahead.
+        GameEntity car = driver.Game.Entities[driver.Game.PlayersVehicle];
+        Pose place = car.Pose;
+        foreach ((double right, double up) in ((double, double)[])[(-0.35, 2.1), (0.35, 2.7)])
+        {
+            car.Pose = new Pose(new Vector3D(100 + right, 200, up - 0.4), Axes.Identity);
+            driver.Press(Keys.B);
+        }
+
+        car.Pose = place;
+        driver.Press(Keys.F9);
+        driver.Press(Keys.F9);
+        Keep(driver);
+        Assert.Contains("in use from the next harvest on", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        driver.Tick(100);
+        driver.Press(Keys.J);
+        driver.WaitForDisk();
+        TakeOne(driver);
+
+        string[] labels = LabelsIn(Assert.Single(Directory.GetDirectories(driver.Output, "session*")));
+        Assert.NotEmpty(labels);
+        Assert.All(labels, label => Assert.DoesNotContain("ONE WAY", label, StringComparison.Ordinal));
+        Assert.Contains("ONE WAY", Assert.Single(LabelsIn(Assert.Single(Directory.GetDirectories(driver.Output, "singles*")))), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Nothing_to_mark_and_nothing_to_keep_are_told()
     {
         using var driver = new ScriptDriver(Names);
@@ -147,16 +202,18 @@ public sealed class SpaceMarkingTests
     private static ScriptDriver BeforeSign(string ini, string spaces = "# none\n")
     {
         var driver = new ScriptDriver(ini, spaces: spaces);
-        driver.Game.Add(new GameEntity
-        {
-            Pool = PoolKind.Props,
-            Name = Sign,
-            Pose = new Pose(new Vector3D(100, 200, 0), Axes.Identity),
-            ModelMin = new Vector3D(-0.4, -0.05, 0),
-            ModelMax = new Vector3D(0.4, 0.05, 2.8),
-        });
+        AddSign(driver, new Vector3D(100, 200, 0));
         return driver;
     }
+
+    private static void AddSign(ScriptDriver driver, Vector3D place) => driver.Game.Add(new GameEntity
+    {
+        Pool = PoolKind.Props,
+        Name = Sign,
+        Pose = new Pose(place, Axes.Identity),
+        ModelMin = new Vector3D(-0.4, -0.05, 0),
+        ModelMax = new Vector3D(0.4, 0.05, 2.8),
+    });
 
     private static void Mark(ScriptDriver driver, double right, double up)
     {
@@ -167,6 +224,23 @@ public sealed class SpaceMarkingTests
     /// <summary>The game's own camera is 4 m behind the player and 1 m up, and looks as the player does: north.</summary>
     private static void Look(ScriptDriver driver, double east, double up) =>
         driver.Game.Entities[TestGame.Player].Pose = new Pose(new Vector3D(east, 190, up - 1), Axes.Identity);
+
+    private static void MarkOneWay(ScriptDriver driver)
+    {
+        Mark(driver, -0.35, 2.1);
+        Mark(driver, 0.35, 2.7);
+        driver.Press(Keys.F9);
+        driver.Press(Keys.F9);
+    }
+
+    private static void TakeOne(ScriptDriver driver)
+    {
+        driver.Press(Keys.K);
+        driver.Tick(20);
+        driver.WaitForDisk();
+    }
+
+    private static string[] LabelsIn(string session) => File.ReadAllLines(Path.Combine(session, "labels.jsonl"));
 
     private static void Keep(ScriptDriver driver)
     {

@@ -163,6 +163,24 @@ public sealed class SpaceSurveyTests
     }
 
     [Fact]
+    public void Measured_faces_are_labelled_without_a_new_start()
+    {
+        using ScriptDriver driver = NewDriver();
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.F10);
+        Until(driver, "models are surveyed: 3 faces");
+        driver.WaitForDisk();
+        Assert.Contains("in use from now on", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        driver.Game.Add(new GameEntity { Pool = PoolKind.Props, Name = Light, Pose = new Pose(new Vector3D(101, 215, 0), Axes.Identity) });
+        driver.Press(Keys.K);
+        driver.Tick(20);
+        driver.WaitForDisk();
+
+        string session = Assert.Single(Directory.GetDirectories(driver.Output, "singles*"));
+        Assert.Contains("\"provenance\":\"measured\"", File.ReadAllText(Path.Combine(session, "labels.jsonl")).Replace(" ", "", StringComparison.Ordinal), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Damaged_table_is_told_and_left_as_it_is()
     {
         using ScriptDriver driver = NewDriver();

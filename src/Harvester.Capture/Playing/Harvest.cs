@@ -5,6 +5,7 @@ using System.Linq;
 using System.Threading.Tasks;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
+using Harvester.Capture.Spaces;
 using Harvester.Capture.Storage;
 
 namespace Harvester.Capture.Playing;
@@ -25,6 +26,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
     private SessionWriter? _writer;
     private Task _closing = Task.CompletedTask;
     private string? _singlesFolder;
+    private SpaceTable? _singlesSpaces;
 
     /// <summary>Makes ready for harvests of a game.</summary>
     /// <param name="options">What to harvest and how.</param>
@@ -51,6 +53,12 @@ public sealed class Harvest : ILastingFeature, IDisposable
 
     /// <summary>What to harvest and how, from the next harvest on.</summary>
     public HarvestOptions Options { get; set; }
+
+    /// <summary>The faces of signs and heads of lights that are in use now.</summary>
+    public Func<SpaceTable> SpacesInUse { get; init; } = static () => SpaceTable.Empty;
+
+    /// <summary>The faces to label: those in use, and while a harvest is on those that were when it began.</summary>
+    public SpaceTable Spaces => IsOn ? _startedWith!.Spaces! : SpacesInUse();
 
     /// <summary>Why this game cannot be harvested; null when it can.</summary>
     public Func<string?> Problem { get; init; } = static () => null;
@@ -84,7 +92,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         }
     }
 
-    /// <summary>Harvests one frame. The single frames of one run of the game make a session together.</summary>
+    /// <summary>Harvests one frame. The single frames of one run of the game make a session together, as long as the same faces are in use.</summary>
     public void TakeOne()
     {
         if (IsOn)
@@ -93,12 +101,17 @@ public sealed class Harvest : ILastingFeature, IDisposable
             return;
         }
 
-        string? folder = _singlesFolder;
+        SpaceTable spaces = Spaces;
+        string? folder = spaces == _singlesSpaces ? _singlesFolder : null;
         bool resume = folder is not null;
         SessionOrigin origin = _origin();
         Start(
             Options with { MaxFrames = 1, ProbeLag = false, MaxCalibrationErrorPixels = resume ? null : Options.MaxCalibrationErrorPixels },
-            () => new SessionWriter(_singlesFolder = folder ?? NewFolder("singles"), origin, resume));
+            () =>
+            {
+                _singlesSpaces = spaces;
+                return new SessionWriter(_singlesFolder = folder ?? NewFolder("singles"), origin, resume);
+            });
     }
 
     /// <inheritdoc/>
@@ -169,7 +182,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         if (_mount.IsMounted)
         {
             // A session that is gone on with is read, and a disk may sleep.
-            _startedWith = options;
+            _startedWith = options with { Spaces = SpacesInUse() };
             _opening = Task.Run(open);
         }
     }

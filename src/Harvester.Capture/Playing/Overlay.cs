@@ -29,24 +29,21 @@ public sealed class Overlay : IFeature
     private static readonly Colour Lanes = new(255, 255, 120);
     private readonly Harvest _harvest;
     private readonly GamePorts _game;
-    private readonly SpaceTable _spaces;
     private readonly PlayerMessages _messages;
     private readonly IMount _mount;
     private readonly IDisplay _display;
     private RoadMatch? _previous;
 
     /// <summary>Makes an overlay; it is off.</summary>
-    /// <param name="harvest">Its options say what is drawn.</param>
+    /// <param name="harvest">Its options and faces say what is drawn.</param>
     /// <param name="game">The game.</param>
-    /// <param name="spaces">The faces of signs and traffic lights.</param>
     /// <param name="messages">Tells why it cannot be switched on.</param>
     /// <param name="mount">The camera; when it is mounted, lanes are those of its vehicle.</param>
     /// <param name="display">Where to draw.</param>
-    public Overlay(Harvest harvest, GamePorts game, SpaceTable spaces, PlayerMessages messages, IMount mount, IDisplay display)
+    public Overlay(Harvest harvest, GamePorts game, PlayerMessages messages, IMount mount, IDisplay display)
     {
         _harvest = harvest;
         _game = game;
-        _spaces = spaces;
         _messages = messages;
         _mount = mount;
         _display = display;
@@ -147,7 +144,7 @@ public sealed class Overlay : IFeature
 
     private IEnumerable<Cuboid> CuboidsOf(EntityState entity)
     {
-        IReadOnlyList<SpaceOfInterest> faces = _spaces.Of(entity.Model);
+        IReadOnlyList<SpaceOfInterest> faces = _harvest.Spaces.Of(entity.Model);
         return faces.Count > 0
             ? faces.Select(face => face.CuboidAt(entity.Pose))
             : [Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose)];

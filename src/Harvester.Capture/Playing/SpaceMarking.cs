@@ -55,6 +55,9 @@ public sealed class SpaceMarking : ILastingFeature
     /// <inheritdoc/>
     public bool IsBusy => _measured.IsBusy;
 
+    /// <summary>Whether a harvest runs, which goes on with the faces that it began with.</summary>
+    public Func<bool> IsHarvesting { get; init; } = static () => false;
+
     /// <summary>Whether nothing may be drawn now.</summary>
     public Func<bool> IsPictureNear { get; init; } = static () => false;
 
@@ -109,7 +112,7 @@ public sealed class SpaceMarking : ILastingFeature
         face = face with { Face = replaced?.Face ?? KeptFaces.FreeNumber(earlier) };
         folder.Finish(model, "byHand", [.. earlier.Where(other => other.Face != face.Face), face]);
         _messages.Tell(FormattableString.Invariant(
-            $"Kept: face {face.Face} of {model}, {name}, in {_measured.Path}. Reload() in the console (F4) takes it into use."));
+            $"Kept: face {face.Face} of {model}, {name}, in {_measured.Path}. It is in use {(IsHarvesting() ? "from the next harvest" : "from now")} on."));
         Stop();
     }
 

@@ -144,6 +144,6 @@ public sealed class SpaceSurveying : ILastingFeature
         Stop();
         int faces = _measured.Open()?.Table.Spaces.Count() ?? 0;
         _messages.Tell(survey.Fault ?? FormattableString.Invariant(
-            $"All {_models.Count} models are surveyed: {faces} faces, in {_measured.Path}. Reload() in the console (F4) takes them into use."));
+            $"All {_models.Count} models are surveyed: {faces} faces, in {_measured.Path}. They are in use from now on."));
     }
 }

@@ -25,10 +25,10 @@ public sealed class UnknownModelsList : ILastingFeature
     /// <summary>Makes ready.</summary>
     /// <param name="world">Tells where the camera is.</param>
     /// <param name="props">The game's props.</param>
-    /// <param name="table">What is known.</param>
+    /// <param name="table">Gives what is known now.</param>
     /// <param name="folder">Where the file goes.</param>
     /// <param name="messages">Tells what was found.</param>
-    public UnknownModelsList(IWorld world, IProps props, SpaceTable table, string folder, PlayerMessages messages)
+    public UnknownModelsList(IWorld world, IProps props, Func<SpaceTable> table, string folder, PlayerMessages messages)
     {
         _world = world;
         _props = props;

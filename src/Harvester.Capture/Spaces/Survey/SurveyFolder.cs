@@ -70,7 +70,7 @@ public sealed class SurveyFolder
     {
         _done.RemoveAll(line => ModelOf(line) == model);
         _done.Add($"{model} {outcome}");
-        Table = Table.OverriddenBy(new SpaceTable(spaces));
+        Table = spaces.Count > 0 ? Table.OverriddenBy(new SpaceTable(spaces)) : Table;
         SpaceTable table = Table;
         string done = string.Join("\n", _done) + "\n";
         Write(TableName, text => SpaceTableWriter.Write(table, text));

@@ -11,7 +11,7 @@ public sealed class UnknownModelsTests
     public void Write_lists_signs_and_lights_that_the_table_lacks_once_each()
     {
         SpaceTable table = SpaceTableReader.Read(new StringReader("prop_sign_road_01a,,sign,STOP,R1-1,0,-0.4,0,2.7,0.4,-0.1,1.9,-y,measured,test")).Table;
-        var unknown = new UnknownModels(table);
+        var unknown = new UnknownModels(() => table);
 
         unknown.Look([
             Entity("prop_traffic_01a", ObjectClass.TrafficLight, 3),
