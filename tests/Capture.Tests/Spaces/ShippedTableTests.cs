@@ -1,3 +1,4 @@
+using Harvester.Capture.Scenes;
 using Harvester.Capture.Spaces;
 
 namespace Harvester.Capture.Tests.Spaces;
@@ -23,6 +24,16 @@ public sealed class ShippedTableTests
     [InlineData("R5-1a")]
     public void Shipped_table_has_the_signs_of_figure_10(string code) =>
         Assert.Contains(Shipped.Value.Table.Spaces, space => space.MutcdCode == code);
+
+    // The rule of data/README.md: what has a head of red, amber and green is a light, and nothing at a railway crossing has one.
+    [Fact]
+    public void Shipped_models_are_lights_if_they_are_signals_of_roads_and_signs_if_they_are_of_rails() =>
+        Assert.All(Shipped.Value.Table.Spaces, space =>
+        {
+            bool isOfRails = space.Model.Contains("rail", StringComparison.Ordinal);
+            bool isSignal = !isOfRails && space.Model.StartsWith("prop_traffic_", StringComparison.Ordinal);
+            Assert.Equal(isSignal ? ObjectClass.TrafficLight : ObjectClass.Sign, space.Class);
+        });
 
     [Fact]
     public void Shipped_stop_face_begins_at_the_one_published_height() =>
