@@ -17,16 +17,22 @@ namespace Harvester.Datasets.Roads;
 /// </summary>
 public static class RoadImporter
 {
+    /// <summary>The most bytes that the files of a folder or an archive have together, unpacked.</summary>
+    private const long LargestImport = 2L << 30;
+
     /// <summary>Reads a road network.</summary>
     /// <param name="path">A file, a folder, or a zip archive.</param>
     /// <exception cref="DatasetFormatException">The files are of no known format, or not as their format asks; the message names the place.</exception>
     /// <exception cref="IOException">A file cannot be read.</exception>
-    public static RoadImport Import(string path)
+    public static RoadImport Import(string path) => Import(path, LargestImport);
+
+    /// <summary>The same with another limit on the files together, bytes unpacked.</summary>
+    internal static RoadImport Import(string path, long largest)
     {
         ArgumentException.ThrowIfNullOrEmpty(path);
         try
         {
-            return ImportAny(path);
+            return ImportAny(path, new ByteAllowance(largest));
         }
         catch (InvalidDataException e)
         {
@@ -34,7 +40,7 @@ public static class RoadImporter
         }
     }
 
-    private static RoadImport ImportAny(string path)
+    private static RoadImport ImportAny(string path, ByteAllowance allowance)
     {
         if (Directory.Exists(path))
         {
@@ -48,6 +54,10 @@ public static class RoadImporter
 
         using ZipArchive archive = ZipFile.OpenRead(path);
         return Import(path, [.. archive.Entries.Where(entry => entry.Length > 0).OrderBy(entry => entry.FullName, StringComparer.Ordinal).Select(EntrySource)]);
+
+        RoadSource FileSource(string file) => new(Path.GetFileName(file), allowance, () => File.OpenRead(file));
+
+        RoadSource EntrySource(ZipArchiveEntry entry) => new(entry.FullName, allowance, entry.Open);
     }
 
     private static RoadImport Import(string path, IReadOnlyList<RoadSource> sources)
@@ -84,8 +94,4 @@ public static class RoadImporter
         using FileStream stream = File.OpenRead(path);
         return stream.ReadAtLeast(magic, magic.Length, throwOnEndOfStream: false) == magic.Length && magic is [(byte)'P', (byte)'K', 3, 4];
     }
-
-    private static RoadSource FileSource(string path) => new(Path.GetFileName(path), () => File.OpenRead(path));
-
-    private static RoadSource EntrySource(ZipArchiveEntry entry) => new(entry.FullName, entry.Open);
 }

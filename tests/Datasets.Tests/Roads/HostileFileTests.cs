@@ -122,6 +122,36 @@ public sealed class HostileFileTests : IDisposable
         Assert.Contains("larger than", Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Import_of_many_files_is_refused_where_they_are_too_large_together(bool zipped)
+    {
+        const int cells = 4;
+        string folder = Directory.CreateTempSubdirectory("harvester-test-").FullName;
+        string[] texts = [.. YndText.Cells(Network).Take(cells).Select(cell => cell.Text)];
+        foreach ((string text, int cell) in texts.Select((text, cell) => (text, cell)))
+        {
+            File.WriteAllText(Path.Combine(folder, $"nodes{cell}.ynd.xml"), text);
+        }
+
+        string from = folder;
+        if (zipped)
+        {
+            from = _file;
+            File.Delete(_file);
+            ZipFile.CreateFromDirectory(folder, _file);
+        }
+
+        long all = texts.Sum(text => (long)Encoding.UTF8.GetByteCount(text));
+
+        // Each file is read several times over and counts once.
+        Assert.NotEmpty(RoadImporter.Import(from, all).Network.Nodes);
+        string refusal = Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(from, all - 1)).Message;
+        Assert.Equal($"nodes{texts.Length - 1}.ynd.xml: with the files before it larger than {all - 1} bytes when unpacked; no road data is.", refusal);
+        Directory.Delete(folder, recursive: true);
+    }
+
     private static string Text(string format) => format switch
     {
         "ynd" => YndText.Cells(Network).First().Text,
