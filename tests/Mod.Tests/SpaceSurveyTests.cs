@@ -168,7 +168,7 @@ public sealed class SpaceSurveyTests
         using ScriptDriver driver = NewDriver();
         HarvestTests.Street(driver.Game);
         driver.Press(Keys.F10);
-        Until(driver, "models are surveyed: 3 faces");
+        driver.UntilTold("models are surveyed: 3 faces");
         driver.WaitForDisk();
         Assert.Contains("in use from now on", driver.Game.Notifications[^1], StringComparison.Ordinal);
         driver.Game.Add(new GameEntity { Pool = PoolKind.Props, Name = Light, Pose = new Pose(new Vector3D(101, 215, 0), Axes.Identity) });
