@@ -25,7 +25,8 @@ internal sealed class HelpWithNotes : SynchronousCommandLineAction
         HelpOption? option = command.Options.OfType<HelpOption>().FirstOrDefault();
         if (option is null)
         {
-            option = new HelpOption();
+            // The commands within it have the root's.
+            option = new HelpOption { Recursive = false };
             command.Options.Add(option);
         }
 

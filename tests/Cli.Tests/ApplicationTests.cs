@@ -31,6 +31,20 @@ public sealed class ApplicationTests
         Assert.Contains($"  harvester {command}", run.Out.Replace("echo 0,10,0 | ", "", StringComparison.Ordinal), StringComparison.Ordinal);
     }
 
+    public static TheoryData<string> Commands => [.. CommandsWithin("")];
+
+    [Theory]
+    [MemberData(nameof(Commands))]
+    public void Help_of_any_command_tells_each_option_and_each_default_once(string command)
+    {
+        string[] lines = CliRun.Of([.. command.Split(' '), "--help"]).Out.Split('\n');
+
+        string[] options = [.. lines.Where(line => line.StartsWith("  -", StringComparison.Ordinal)).Select(line => line.Trim().Split(' ')[0])];
+        Assert.Equal(options.Distinct(), options);
+        Assert.Contains("-?,", options);
+        Assert.All(lines, line => Assert.InRange(line.Split("[default:").Length, 1, 2));
+    }
+
     [Fact]
     public void No_command_is_a_usage_error() => CliRun.Of().AssertFailed(ExitCode.Usage, "harvester --help");
 
@@ -74,6 +88,14 @@ public sealed class ApplicationTests
     [Fact]
     public void Unknown_option_is_a_usage_error_that_names_the_commands_help() =>
         CliRun.Of("boxes", "scene.json", "--depth").AssertFailed(ExitCode.Usage, "harvester boxes --help");
+
+    private static IEnumerable<string> CommandsWithin(string command)
+    {
+        string help = CliRun.Of([.. command.Split(' ', StringSplitOptions.RemoveEmptyEntries), "--help"]).Out;
+        int list = help.IndexOf("\nCommands:\n", StringComparison.Ordinal);
+        string[] names = list < 0 ? [] : [.. help[(list + "\nCommands:\n".Length)..].Split("\n\n")[0].Split('\n').Select(line => line.Trim().Split(' ')[0])];
+        return names.Select(name => $"{command} {name}".Trim()).SelectMany(name => CommandsWithin(name).Prepend(name));
+    }
 
     /// <summary>A stream on a full disk.</summary>
     private sealed class FullStream : MemoryStream

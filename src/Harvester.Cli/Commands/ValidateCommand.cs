@@ -25,6 +25,7 @@ internal static class ValidateCommand
     public static Command Create(Terminal terminal)
     {
         Argument<string> folder = SessionArgument.Create();
+        folder.Description = "Folder of a session, as harvest writes it, or of a dataset, as export writes it";
         var command = new Command("validate", "Check a session or an exported dataset and list what is wrong with it.") { folder };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>

@@ -22,6 +22,11 @@ internal static class RoadsCommand
         command.Subcommands.Add(RoadsMapCommand.Create(terminal));
         command.Subcommands.Add(RoadsNodesCommand.Create(terminal));
         HelpWithNotes.AddTo(command, Notes);
+        foreach (Command each in command.Subcommands)
+        {
+            HelpWithNotes.AddTo(each, Notes);
+        }
+
         return command;
     }
 }

@@ -19,7 +19,7 @@ internal static class RoadsMapCommand
     {
         Argument<string> from = RoadSourceArgument.Create();
         Option<string> output = RoadSourceArgument.Output("Picture to write: .png, or .svg for a vector graphic");
-        Option<int> size = ValueParsers.Integer("--size", "PIXELS", $"Pixels of the longer side [default: {DefaultSize}]", 16, LargestSize);
+        Option<int> size = ValueParsers.Integer("--size", "PIXELS", "Pixels of the longer side", 16, LargestSize);
         size.DefaultValueFactory = _ => DefaultSize;
         Option<Box2D?> area = ValueParsers.Optional<Box2D>(
             "--area", "XMIN,YMIN,XMAX,YMAX", "The part of the world to show, metres [default: all]", ParseArea, "west, south, east and north edge, as -500,-1500,1000,0");

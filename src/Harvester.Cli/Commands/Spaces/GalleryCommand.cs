@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.IO;
 using System.Text;
 using Harvester.Cli.Spaces;
+using Harvester.Datasets.Roads;
 
 namespace Harvester.Cli.Commands.Spaces;
 
@@ -12,7 +13,7 @@ internal static class GalleryCommand
 
     public static Command Create(Terminal terminal)
     {
-        var source = new Argument<string>("source") { Description = "A survey's folder, or a table", HelpName = "DIR|FILE" };
+        var source = new Argument<string>("DIR|FILE") { Description = "A survey's folder, or a table" };
         var output = new Option<string?>("--out") { Description = $"File to write [default: {FileName} in the folder]", HelpName = "FILE" };
         var command = new Command("gallery", "Show the spaces of a survey or table as one self-contained HTML page.") { source, output };
         command.SetAction(parsed =>
@@ -22,7 +23,7 @@ internal static class GalleryCommand
             string page = parsed.GetValue(output) ?? Path.Combine(folder, FileName);
             var text = new StringWriter();
             int models = new SpaceGallery(SpaceFile.ReadWhole(table), folder).Write(text);
-            File.WriteAllText(page, text.ToString(), new UTF8Encoding(false));
+            WholeFile.Write(page, stream => stream.Write(new UTF8Encoding(false).GetBytes(text.ToString())));
             terminal.Out.WriteLine($"{page}: {models} models shown");
             return ExitCode.Done;
         });

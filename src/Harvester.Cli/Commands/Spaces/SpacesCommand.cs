@@ -25,6 +25,11 @@ internal static class SpacesCommand
             CreateCheck(terminal), CreateList(terminal), GalleryCommand.Create(terminal),
         };
         HelpWithNotes.AddTo(command, Notes);
+        foreach (Command each in command.Subcommands)
+        {
+            HelpWithNotes.AddTo(each, Notes);
+        }
+
         return command;
     }
 
@@ -79,5 +84,5 @@ internal static class SpacesCommand
         JsonName.Of(space.Provenance),
     ];
 
-    private static Argument<string> FileArgument() => new("file") { Description = "The table, or a survey's folder", HelpName = "FILE|DIR" };
+    private static Argument<string> FileArgument() => new("FILE|DIR") { Description = "The table, or a survey's folder" };
 }
