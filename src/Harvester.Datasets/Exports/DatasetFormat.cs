@@ -29,8 +29,8 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
     /// <summary>Whether it lists objects; lanes are all that formats about lanes have.</summary>
     public bool HasObjects => !NeedsLanes;
 
-    /// <summary>Whether it lists parts of other objects too; they have no pixels of their own in masks.</summary>
-    public bool HasParts => HasObjects && !NeedsMasks;
+    /// <summary>Whether it lists the faces of signs and the heads of lights, which are parts of other objects and have no pixels of their own in masks.</summary>
+    public bool HasParts { get; init; }
 
     /// <summary>Whether pixels can be described in one way or another.</summary>
     public bool HasSegmentations { get; init; }

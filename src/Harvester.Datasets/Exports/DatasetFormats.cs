@@ -24,11 +24,11 @@ public static class DatasetFormats
         {
             NeedsRectilinear = true, KeepsSessions = true, Check = KittiTrackingCheck.Problems,
         },
-        new("coco", "COCO instances", options => new CocoWriter(options)) { HasSegmentations = true, Check = CocoCheck.Problems },
+        new("coco", "COCO instances", options => new CocoWriter(options)) { HasParts = true, HasSegmentations = true, Check = CocoCheck.Problems },
         new("coco-panoptic", "COCO panoptic segmentation", options => new CocoPanopticWriter(options)) { NeedsMasks = true, Check = CocoPanopticCheck.Problems },
-        new("yolo", "Ultralytics YOLO, boxes", options => new YoloWriter(options)) { Check = YoloCheck.BoxProblems },
+        new("yolo", "Ultralytics YOLO, boxes", options => new YoloWriter(options)) { HasParts = true, Check = YoloCheck.BoxProblems },
         new("yolo-segment", "Ultralytics YOLO, outlines", options => new YoloSegmentWriter(options)) { NeedsMasks = true, Check = YoloCheck.OutlineProblems },
-        new("voc", "Pascal VOC", options => new VocWriter(options)) { Check = VocCheck.Problems },
+        new("voc", "Pascal VOC", options => new VocWriter(options)) { HasParts = true, Check = VocCheck.Problems },
         new("cityscapes", "Maps of instances and classes in the style of Cityscapes", _ => new CityscapesWriter()) { NeedsMasks = true, Check = CityscapesCheck.Problems },
         new("deepdriving", "Images of 280 x 210 and DeepDriving's thirteen indicators", _ => new DeepDrivingWriter())
         {
@@ -36,8 +36,8 @@ public static class DatasetFormats
         },
         new("tusimple", "TuSimple lanes", options => new TuSimpleWriter(options)) { NeedsLanes = true, LeavesOutFrames = true, Check = TuSimpleCheck.Problems },
         new("openlane", "OpenLane 3D lane lines", _ => new OpenLaneWriter()) { NeedsLanes = true, LeavesOutFrames = true, Check = OpenLaneCheck.Problems },
-        new("webdataset", "Tar archives for streaming readers", _ => new WebDatasetWriter()) { KeepsImages = false, Check = WebDatasetCheck.Problems },
-        new("csv", "Flat tables of frames and objects", _ => new CsvDatasetWriter()) { Check = CsvDatasetCheck.Problems },
+        new("webdataset", "Tar archives for streaming readers", _ => new WebDatasetWriter()) { HasParts = true, KeepsImages = false, Check = WebDatasetCheck.Problems },
+        new("csv", "Flat tables of frames and objects", _ => new CsvDatasetWriter()) { HasParts = true, Check = CsvDatasetCheck.Problems },
     ];
 
     /// <summary>A format by its name, or null.</summary>

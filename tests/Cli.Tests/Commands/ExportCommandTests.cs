@@ -61,7 +61,7 @@ public sealed class ExportCommandTests : IDisposable
     [InlineData("--segmentation", "polygon", "coco")]
     [InlineData("--classes", "car", "kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, webdataset, csv")]
     [InlineData("--min-visible", "0.2", "kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, webdataset, csv")]
-    [InlineData("--parts", "none", "kitti, kitti-tracking, coco, yolo, voc, webdataset, csv")]
+    [InlineData("--parts", "none", "coco, yolo, voc, webdataset, csv")]
     [InlineData("--images", "copy", "kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, tusimple, openlane, csv")]
     [InlineData("--split-block", "10", "kitti, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, deepdriving, tusimple, openlane, webdataset, csv")]
     public void Export_takes_an_option_with_the_formats_only_in_which_it_does_something(string option, string value, string formats)
