@@ -165,6 +165,7 @@ public sealed class LightTests
     private static void HarvestFor(ScriptDriver driver, int ticks, Action afterTick)
     {
         driver.Script.RaiseKeyUp(Keys.J);
+        driver.WaitForDisk();
         for (int tick = 0; tick < ticks; tick++)
         {
             driver.Tick();

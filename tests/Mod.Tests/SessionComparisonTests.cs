@@ -26,6 +26,7 @@ public sealed class SessionComparisonTests
         var scene = new SimulatedScene(Options(), spaces);
         using var driver = new ScriptDriver(Ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock, table);
         driver.Script.RaiseKeyUp(Keys.J);
+        driver.WaitForDisk();
         driver.Tick(Ticks);
         driver.Script.RaiseKeyUp(Keys.J);
         driver.WaitForDisk();
