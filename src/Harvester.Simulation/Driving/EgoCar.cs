@@ -64,19 +64,22 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
     /// <summary>Moves it, by the controls given for this tick or else by its own driver.</summary>
     /// <param name="seconds">Time that passes.</param>
     /// <param name="ownAcceleration">What its own driver would do with the pedals, m/s².</param>
-    /// <param name="isTouching">Whether it touches another body where it is.</param>
-    public void Advance(double seconds, double ownAcceleration, Func<bool> isTouching)
+    /// <param name="isTaken">Whether another body is nearer to it, where it is, than so many metres.</param>
+    public void Advance(double seconds, double ownAcceleration, Func<double, bool> isTaken)
     {
         CarState before = _state;
-        bool wasTouching = isTouching();
+        bool wasTouching = isTaken(0);
+
+        // Its own driver stops dead before what is in his way, as everybody in the traffic does; who is too near already may yet drive off.
+        double room = _controls is null && !isTaken(TrafficFlow.Clearance) ? TrafficFlow.Clearance : 0;
         Vector3D forward = ego.Pose.Axes.Forward;
         double slope = forward.Z / Math.Sqrt(1 - (forward.Z * forward.Z));
         DrivingControls controls = _controls ?? OwnDriver.Controls(ego, _state, ownAcceleration, _limits);
         Take(_state.After(controls, slope, _limits, seconds), Ground.Z, isElsewhere: false);
-        if (isTouching())
+        if (isTaken(room))
         {
             // Who has run into something stands; it can drive on when that is gone.
-            Take((wasTouching ? before : _state) with { Speed = 0, YawRate = 0 }, Ground.Z, isElsewhere: false);
+            Take((wasTouching || _controls is null ? before : _state) with { Speed = 0, YawRate = 0 }, Ground.Z, isElsewhere: false);
         }
 
         ego.StandingSeconds = _state.Speed > 0 ? 0 : ego.StandingSeconds + seconds;

@@ -11,7 +11,8 @@ namespace Harvester.Simulation.Traffic;
 internal sealed class TrafficFlow
 {
     /// <summary>Least distance between two bodies, metres.</summary>
-    private const double Clearance = 0.15;
+    public const double Clearance = 0.15;
+
     private const double LookAhead = 1;
     private const double StuckSeconds = 40;
     private const double EgoPatienceSeconds = 12;
@@ -79,7 +80,7 @@ internal sealed class TrafficFlow
                     _egoCar.Stop();
                 }
 
-                _egoCar.Advance(seconds, acceleration, () => IsTaken(vehicle, vehicle.Footprint));
+                _egoCar.Advance(seconds, acceleration, room => IsTaken(vehicle, vehicle.Footprint.Grown(room)));
             }
             else
             {
