@@ -22,9 +22,6 @@ namespace Harvester.Simulation;
 /// </summary>
 public sealed class SimulatedGame
 {
-    /// <summary>Angle of the ego's front wheels at full lock, radians: 40 degrees.</summary>
-    public const double SteeringLockRadians = 0.6981317;
-
     /// <summary>What moves farther away is not drawn, metres.</summary>
     private const double SightRange = 350;
 

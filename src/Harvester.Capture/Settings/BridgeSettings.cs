@@ -25,7 +25,7 @@ public sealed record BridgeSettings
     public required SocketBridgeOptions Socket { get; init; }
 
     /// <summary>What drives by the indicators that a peer sends.</summary>
-    public required ControllerKind Controller { get; init; }
+    public required ControllerPlan Controller { get; init; }
 
     /// <summary>Rate and size of the pictures.</summary>
     public required DrivingOptions Driving { get; init; }
@@ -45,10 +45,6 @@ public sealed record BridgeSettings
         BridgeKind.Socket => new SocketBridge(Socket, Driving.Picture),
         _ => throw new InvalidOperationException("The bridge is off."),
     };
-
-    /// <summary>Makes what drives by indicators.</summary>
-    public IController NewController() =>
-        Controller == ControllerKind.Stanley ? new StanleyController(new StanleyOptions()) : new DeepDrivingController();
 
     /// <summary>The settings of a file; what it does not name, or names badly, has its default.</summary>
     /// <param name="ini">The file.</param>
@@ -72,7 +68,11 @@ public sealed record BridgeSettings
                 ini.Address(Bridge, "Address", IPAddress.Loopback),
                 ini.Whole(Bridge, "Port", SocketBridgeOptions.DefaultPort, 1, 65_535),
                 token.Length > 0 ? token : null),
-            Controller = ini.Choice(Bridge, "Controller", ControllerKind.DeepDriving, "DeepDriving or Stanley"),
+            Controller = new ControllerPlan
+            {
+                Kind = ini.Choice(Bridge, "Controller", ControllerKind.DeepDriving, "DeepDriving or Stanley"),
+                BrakesInEmergency = ini.Choice(Bridge, "EmergencyBrake", Switch.Off, "On or Off") == Switch.On,
+            },
             Driving = driving with
             {
                 RateHz = ini.Number(Bridge, "Rate", driving.RateHz, 0.1, 60),

@@ -6,6 +6,7 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
+using Harvester.Capture.Driving.Controllers;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Driving;
 using Harvester.Datasets.Roads;
@@ -30,9 +31,7 @@ internal static class DriveCommand
         + "  harvester drive --roads nodes.zip --near=-500,1000 --near=0,2700 --out drive";
 
     private static readonly Option<string?> Out = new("--out") { Description = "Folder to write drive.json and report.html to", HelpName = "DIR" };
-    private static readonly Option<ControllerName> Controller = WithDefault(
-        ValueParsers.Parsed<ControllerName>("--controller", "NAME", "Who drives: stanley or deepdriving", ParseController, "stanley or deepdriving"),
-        ControllerName.Stanley);
+    private static readonly ControllerOptions Controller = new("Who drives", "stanley");
 
     private static readonly Option<int> Seed = WithDefault(
         ValueParsers.Integer("--seed", "N", "Decides everything that is left to chance", 0, int.MaxValue), 1);
@@ -69,20 +68,17 @@ internal static class DriveCommand
         Description = "Let the indicators err as is published for DeepDriving's network: 0.03 rad, 0.2 m, 3 m on distances to vehicles",
     };
 
-    private static readonly Option<double?> LookAhead = ValueParsers.Optional<double>(
-        "--look-ahead",
-        "M",
-        "How far ahead the angle is measured, metres [default: stanley 10, deepdriving 4.4]",
-        text => ValueParsers.Number(text) is { } value && value is > 0 and <= 40 ? value : null,
-        "a number greater than 0, 40 at most");
+    private static readonly Option<double> LookAhead = WithDefault(
+        ValueParsers.Number("--look-ahead", "M", "How far ahead the angle is measured, metres", value => value is > 0 and <= 40, "a number greater than 0, 40 at most"),
+        new ControllerPlan { Kind = ControllerKind.Stanley }.LookAheadMetres);
 
     public static Command Create(Terminal terminal)
     {
         var command = new Command("drive", "Drive the simulated car by the lane indicators and judge the drive.")
         {
-            Out, Controller, Seed, Roads, Near, Distance, Duration, Traffic, Speed, Noise, LookAhead,
+            Out, Seed, Roads, Near, Distance, Duration, Traffic, Speed, Noise, LookAhead,
         };
-        foreach (Option option in DriveBridgeOptions.All)
+        foreach (Option option in Controller.All.Concat(DriveBridgeOptions.All))
         {
             command.Options.Add(option);
         }
@@ -132,23 +128,16 @@ internal static class DriveCommand
 
     private static DrivePlan PlanOf(ParseResult parsed)
     {
-        const double stanleyLookAhead = 10;
-
-        // The published gains steer 4.35 m of angle for each metre of a bend's curvature: 1.5 times the wheelbase of 2.9 m.
-        const double deepDrivingLookAhead = 4.4;
-        ControllerName controller = parsed.GetValue(Controller);
         return new DrivePlan
         {
-            Controller = controller,
+            Controller = Controller.Parse(parsed) with { Speed = parsed.GetValue(Speed), LookAheadMetres = parsed.GetValue(LookAhead) },
             Seed = parsed.GetValue(Seed),
             Roads = parsed.GetValue(Roads) is { } roads ? RoadImporter.Import(roads.FullName).Network : null,
             Starts = [.. parsed.GetRequiredValue(Near).Select(ParsePlace)],
             TrafficDensity = parsed.GetValue(Traffic),
             Metres = parsed.GetValue(Distance),
             Seconds = parsed.GetValue(Duration),
-            Speed = parsed.GetValue(Speed),
             Noise = parsed.GetValue(Noise) ? NoiseLevels.Published : null,
-            LookAheadMetres = parsed.GetValue(LookAhead) ?? (controller == ControllerName.Stanley ? stanleyLookAhead : deepDrivingLookAhead),
         };
     }
 
@@ -156,17 +145,18 @@ internal static class DriveCommand
     {
         Dictionary<string, string> settings = new(StringComparer.Ordinal)
         {
-            ["controller"] = plan.Controller == ControllerName.Stanley ? "stanley" : "deepdriving",
+            ["controller"] = plan.Controller.Kind == ControllerKind.Stanley ? "stanley" : "deepdriving",
+            ["emergencyBrake"] = plan.Controller.BrakesInEmergency ? "on" : "off",
             ["seed"] = plan.Seed.ToString(CultureInfo.InvariantCulture),
             ["bridge"] = plan.Bridge is { } bridge ? (bridge.Kind == BridgeName.Folder ? "folder" : "socket") : "direct",
             ["roads"] = parsed.GetValue(Roads)?.Name ?? "town",
             ["traffic"] = plan.TrafficDensity.ToString(CultureInfo.InvariantCulture),
-            ["lookAheadMetres"] = plan.LookAheadMetres.ToString(CultureInfo.InvariantCulture),
+            ["lookAheadMetres"] = plan.Controller.LookAheadMetres.ToString(CultureInfo.InvariantCulture),
             ["noise"] = plan.Noise is { } noise
                 ? FormattableString.Invariant($"{noise.AngleRadians} rad, {noise.MarkingMetres} m, {noise.VehicleMetres} m")
                 : "none",
         };
-        if (plan.Speed is { } speed)
+        if (plan.Controller.Speed is { } speed)
         {
             settings["speed"] = speed.ToString(CultureInfo.InvariantCulture);
         }
@@ -182,13 +172,6 @@ internal static class DriveCommand
     private static Vector2D ParsePlace(string text) => ValueParsers.Numbers(text, 2) is { } n
         ? new Vector2D(n[0], n[1])
         : throw new UsageException($"--near takes two numbers, not '{text}'.");
-
-    private static ControllerName? ParseController(string text) => text switch
-    {
-        "stanley" => ControllerName.Stanley,
-        "deepdriving" => ControllerName.DeepDriving,
-        _ => null,
-    };
 
     private static Option<double> Positive(string name, string form, string description) =>
         ValueParsers.Number(name, form, description, value => value is > 0 and <= 1_000_000, "a number greater than 0, 1000000 at most");

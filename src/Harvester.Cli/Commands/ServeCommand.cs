@@ -2,6 +2,7 @@ using System;
 using System.CommandLine;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Capture.Driving;
@@ -58,12 +59,7 @@ internal static class ServeCommand
     private static readonly Option<double?> Duration = ValueParsers.Optional<double>(
         "--duration", "S", "Seconds of the game's time to serve", text => ValueParsers.Number(text) is > 0 and var seconds ? seconds : null, "a number greater than 0");
 
-    private static readonly Option<string> Controller = new("--controller")
-    {
-        Description = "What drives when a program sends indicators: deepdriving, stanley",
-        HelpName = "NAME",
-        DefaultValueFactory = _ => "deepdriving",
-    };
+    private static readonly ControllerOptions Controller = new("What drives when a program sends indicators", "deepdriving");
 
     private static readonly Option<bool> Unassisted = new("--unassisted")
     {
@@ -74,7 +70,7 @@ internal static class ServeCommand
     {
         var command = new Command("serve", "Serve the simulated game to a program that drives, over the live bridge.");
         Bridge.AddTo(command);
-        foreach (Option option in new Option[] { Seed, Roads, Near, Traffic, WeatherName, Size, Hz, Duration, Controller, Unassisted })
+        foreach (Option option in new Option[] { Seed, Roads, Near, Traffic, WeatherName, Size, Hz, Duration, Unassisted }.Concat(Controller.All))
         {
             command.Options.Add(option);
         }
@@ -86,14 +82,14 @@ internal static class ServeCommand
 
     private static int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
     {
-        Func<IController> newController = ControllerOf(parsed);
+        ControllerPlan controller = Controller.Parse(parsed);
         SimulatedGame simulated = Build(parsed);
         var roads = new FixedRoads(simulated.Roads, "simulation");
         var options = new DrivingOptions { Picture = parsed.GetValue(Size), RateHz = parsed.GetValue(Hz) };
         using IDrivingBridge bridge = Bridge.Open(parsed, options, out string place);
         terminal.Out.WriteLine($"Serving at {place}");
         terminal.Out.Flush();
-        using var game = new BridgedGame(simulated, roads, options, bridge, newController, !parsed.GetValue(Unassisted));
+        using var game = new BridgedGame(simulated, roads, options, bridge, controller.New, !parsed.GetValue(Unassisted));
         DrivingStatus status = new ServedGame(simulated, game).Run(parsed.GetValue(Duration) ?? double.PositiveInfinity, cancellation);
         terminal.Out.WriteLine(string.Create(
             CultureInfo.InvariantCulture, $"{status.Frames} frames, {game.Metres:0} m driven in {simulated.Ports.World.TimeSeconds:0.0} s"));
@@ -129,13 +125,6 @@ internal static class ServeCommand
             throw new UsageException(e.Message);
         }
     }
-
-    private static Func<IController> ControllerOf(ParseResult parsed) => parsed.GetRequiredValue(Controller) switch
-    {
-        "deepdriving" => static () => new DeepDrivingController(),
-        "stanley" => static () => new StanleyController(new StanleyOptions()),
-        var other => throw new UsageException($"--controller takes deepdriving or stanley, not '{other}'."),
-    };
 
     private static Option<T> WithDefault<T>(Option<T> option, T value)
     {

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Harvester.Capture.Driving.Controllers;
 using Harvester.Driving.Noise;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
@@ -9,7 +10,7 @@ namespace Harvester.Cli.Driving;
 internal sealed record DrivePlan
 {
     /// <summary>Who drives.</summary>
-    public required ControllerName Controller { get; init; }
+    public required ControllerPlan Controller { get; init; }
 
     /// <summary>Decides everything that is left to chance.</summary>
     public int Seed { get; init; } = 1;
@@ -31,12 +32,6 @@ internal sealed record DrivePlan
 
     /// <summary>Errors of the indicators; null for the truth.</summary>
     public NoiseLevels? Noise { get; init; }
-
-    /// <summary>How far ahead the angle is measured, metres.</summary>
-    public double LookAheadMetres { get; init; } = 10;
-
-    /// <summary>Speed on a free straight road, m/s; null for the controller's own.</summary>
-    public double? Speed { get; init; }
 
     /// <summary>What lies between game and controller; null for nothing.</summary>
     public BridgePlan? Bridge { get; init; }

@@ -18,9 +18,6 @@ namespace Harvester.Cli.Driving;
 /// <param name="messages">Is told where a peer is waited for.</param>
 internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
 {
-    /// <summary>The simulation's vehicles are up to 8 m longer than the cars of TORCS.</summary>
-    private const double VehicleAllowance = 4;
-
     private FixedRoads? _roads;
 
     /// <summary>Drives from each start in turn.</summary>
@@ -44,22 +41,14 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
 
     /// <summary>Large roads of a file are made ready once for all starts; each made-up town has its own.</summary>
     private FixedRoads RoadsOf(SimulatedGame game) => plan.Roads is null
-        ? new FixedRoads(game.Roads, "simulation", LookAhead.OfMetres(plan.LookAheadMetres))
-        : _roads ??= new FixedRoads(game.Roads, "roadFile", LookAhead.OfMetres(plan.LookAheadMetres));
+        ? new FixedRoads(game.Roads, "simulation", LookAhead.OfMetres(plan.Controller.LookAheadMetres))
+        : _roads ??= new FixedRoads(game.Roads, "roadFile", LookAhead.OfMetres(plan.Controller.LookAheadMetres));
 
     /// <summary>The controller of the plan, behind its noise.</summary>
     public IController ControllerOf(int seed)
     {
-        IController controller = plan.Controller == ControllerName.Stanley
-            ? new StanleyController(Options())
-            : new DeepDrivingController(SimulatedGame.SteeringLockRadians, VehicleAllowance, plan.Speed ?? DeepDrivingController.MostSpeed);
+        IController controller = plan.Controller.New();
         return plan.Noise is { } noise ? new NoisyIndicators(controller, noise, seed) : controller;
-    }
-
-    private StanleyOptions Options()
-    {
-        StanleyOptions options = new() { LookAheadMetres = plan.LookAheadMetres, SteeringLockRadians = SimulatedGame.SteeringLockRadians };
-        return plan.Speed is { } speed ? options with { CruiseSpeed = speed, CautiousSpeed = Math.Min(speed, options.CautiousSpeed) } : options;
     }
 
     /// <summary>

@@ -1,3 +1,5 @@
+using Harvester.Capture.Driving.Controllers;
+
 namespace Harvester.Simulation.Driving;
 
 /// <summary>What the ego can do when it is driven: a heavy sports car on a dry road.</summary>
@@ -10,7 +12,7 @@ internal sealed record CarLimits
     public double OriginAheadOfRearAxle { get; init; } = 1.35;
 
     /// <summary>Angle of the front wheels at full lock, radians.</summary>
-    public double SteeringLockRadians { get; init; } = SimulatedGame.SteeringLockRadians;
+    public double SteeringLockRadians { get; init; } = CarTraits.UsualSteeringLockRadians;
 
     /// <summary>How fast the front wheels turn at most, radians per second.</summary>
     public double SteeringRate { get; init; } = 1.2;

@@ -23,6 +23,7 @@ public sealed class BridgeSettingsTests
             Width = 320
             Height = 240
             Controller = Stanley
+            EmergencyBrake = On
             """);
 
         Assert.Equal(BridgeKind.Folder, settings.Kind);
@@ -32,7 +33,7 @@ public sealed class BridgeSettingsTests
         Assert.Equal(new SocketBridgeOptions(IPAddress.Parse("192.168.1.20"), 5000, "open sesame"), settings.Socket);
         Assert.Equal(5, settings.Driving.RateHz);
         Assert.Equal(new ImageSize(320, 240), settings.Driving.Picture);
-        Assert.IsType<StanleyController>(settings.NewController());
+        Assert.Equal((ControllerKind.Stanley, true), (settings.Controller.Kind, settings.Controller.BrakesInEmergency));
     }
 
     [Fact]
@@ -47,7 +48,7 @@ public sealed class BridgeSettingsTests
         Assert.Equal(30, settings.PeerPatienceSeconds);
         Assert.Equal(10, settings.Driving.RateHz);
         Assert.Equal(new ImageSize(280, 210), settings.Driving.Picture);
-        Assert.IsType<DeepDrivingController>(settings.NewController());
+        Assert.Equal((ControllerKind.DeepDriving, false), (settings.Controller.Kind, settings.Controller.BrakesInEmergency));
     }
 
     [Theory]

@@ -1,3 +1,4 @@
+using Harvester.Capture.Driving.Controllers;
 using Harvester.Cli.Driving;
 using Harvester.Datasets.Roads;
 using Harvester.Driving.Evaluation;
@@ -30,7 +31,7 @@ public sealed class TenKilometresTests
     [InlineData(true)]
     public void Stanley_on_synthetic_roads(bool isNoisy) => AssertClean(Drive(new DrivePlan
     {
-        Controller = ControllerName.Stanley,
+        Controller = new ControllerPlan { Kind = ControllerKind.Stanley },
         Starts = PlacesInTown,
         TrafficDensity = 0.5,
         Metres = 2800,
@@ -45,7 +46,7 @@ public sealed class TenKilometresTests
 
     private static DriveFigures DriveOnMap(NoiseLevels? noise) => Drive(new DrivePlan
     {
-        Controller = ControllerName.Stanley,
+        Controller = new ControllerPlan { Kind = ControllerKind.Stanley },
         Roads = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network,
         Starts = PlacesOnMap,
         Metres = 2400,

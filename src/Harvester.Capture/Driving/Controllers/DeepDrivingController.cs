@@ -8,17 +8,19 @@ namespace Harvester.Capture.Driving.Controllers;
 /// <summary>
 /// The controller published with DeepDriving for TORCS roads of up to three lanes, restated from its rules and constants:
 /// it steers by steering = (angle - centre / 8) / 0.541 / damping toward the centre line of the lane it is in or moves to,
-/// changes lane when a vehicle is within 15 m and the lane beside was free for six seconds, and otherwise slows down behind it.
+/// changes lane when a vehicle is within 15 m and the lane beside was free for six seconds, and otherwise slows down behind it by the
+/// optimal-velocity model. The drift back to a preferred lane is left out: it differs with the number of lanes, which no indicator tells.
 /// It lives on <see cref="DrivingState.TorcsEquivalent"/>, ten times a second.
 /// </summary>
 public sealed class DeepDrivingController : IController
 {
     private const double RoadWidth = 8.0;
     private const double SteeringLockRadians = 0.541052;
-    private const double ChangeWithinMetres = 15;
+    private const double BlockedWithinMetres = 15;
     private const double WidestLane = 5.5;
     private const double NoLaneBeyond = 8;
     private const double SteadySteering = 0.2;
+
     /// <summary>The published greatest speed, m/s.</summary>
     public const double MostSpeed = 20;
 
@@ -55,15 +57,10 @@ public sealed class DeepDrivingController : IController
     {
         _ = state ?? throw new ArgumentNullException(nameof(state));
         LaneIndicators at = state.TorcsEquivalent;
-        _left.Observe(at.DistLL.Value);
-        _right.Observe(at.DistRR.Value);
-        double trend = _steerings.Sum();
-        bool isBlocked = _manoeuvre == LaneManoeuvre.Keep && at.DistMM.Value < ChangeWithinMetres;
-        if (isBlocked)
-        {
-            ChooseManoeuvre(at, trend);
-        }
-
+        _left.Observe(at.DistLL.Value - _vehicleAllowance);
+        _right.Observe(at.DistRR.Value - _vehicleAllowance);
+        double ahead = at.DistMM.Value - _vehicleAllowance;
+        bool isBlocked = _manoeuvre == LaneManoeuvre.Keep && ahead < BlockedWithinMetres && !TryChangeLane(at);
         double damping = Steer(at, out double centre);
         double steering = (at.Angle.Value - (centre / RoadWidth)) / SteeringLockRadians / damping;
         if (_manoeuvre == LaneManoeuvre.Keep && damping > 1 && steering > 0.1)
@@ -71,20 +68,17 @@ public sealed class DeepDrivingController : IController
             steering *= (2.5 * steering) + 0.75;
         }
 
-        steering = Math.Max(-1, Math.Min(1, steering));
         _steerings.Dequeue();
         _steerings.Enqueue(steering);
-        return WithSpeed(steering, state, trend);
+        return Controls(steering, state, isBlocked ? SpeedBehind(ahead) : double.PositiveInfinity);
     }
 
-    private DrivingControls WithSpeed(double steering, DrivingState state, double trend)
+    private DrivingControls Controls(double steering, DrivingState state, double mostBehind)
     {
-        double desired = state.IsFast ? MostSpeed : Math.Max(10, MostSpeed - (4.5 * Math.Abs(trend)));
-        desired = Math.Min(Math.Min(desired, _mostSpeed), SpeedBehind(state.TorcsEquivalent.DistMM.Value - _vehicleAllowance));
-        double error = desired - state.SpeedMetresPerSecond;
-        return error >= 0
-            ? new DrivingControls(steering * _lockShare, 0.2 * (error + 1), 0)
-            : new DrivingControls(steering * _lockShare, 0, 0.1 * -error);
+        double desired = state.IsFast ? MostSpeed : Math.Max(10, MostSpeed - (4.5 * Math.Abs(_steerings.Sum())));
+        double error = Math.Min(Math.Min(desired, _mostSpeed), mostBehind) - state.SpeedMetresPerSecond;
+        double onWheel = Math.Max(-1, Math.Min(1, steering)) * _lockShare;
+        return error >= 0 ? new DrivingControls(onWheel, 0.2 * (error + 1), 0) : new DrivingControls(onWheel, 0, 0.1 * -error);
     }
 
     /// <summary>The speed to follow a vehicle at a distance: 0 at 5 m, 15 m/s at 15 m.</summary>
@@ -95,20 +89,26 @@ public sealed class DeepDrivingController : IController
         return Math.Max(0, MostSpeed * (1 - Math.Exp((-c / MostSpeed * distance) - d)));
     }
 
-    private void ChooseManoeuvre(LaneIndicators at, double trend)
+    private bool TryChangeLane(LaneIndicators at)
     {
+        double trend = _steerings.Sum();
         if (at.ToMarkingLL.Value > -NoLaneBeyond && _left.IsClear(FramesToClear) && trend is >= 0 and < SteadySteering)
         {
             _manoeuvre = LaneManoeuvre.LeaveToLeft;
             _left.Restart(FramesCarriedOver);
             _right.Restart(0);
+            return true;
         }
-        else if (at.ToMarkingRR.Value < NoLaneBeyond && _right.IsClear(FramesToClear) && trend is <= 0 and > -SteadySteering)
+
+        if (at.ToMarkingRR.Value < NoLaneBeyond && _right.IsClear(FramesToClear) && trend is <= 0 and > -SteadySteering)
         {
             _manoeuvre = LaneManoeuvre.LeaveToRight;
             _right.Restart(FramesCarriedOver);
             _left.Restart(0);
+            return true;
         }
+
+        return false;
     }
 
     /// <summary>Finds the line to steer to, metres to the right of the car, and how gently.</summary>
@@ -126,14 +126,11 @@ public sealed class DeepDrivingController : IController
                 return Leave(isInLane, isOnLeftMarking, (at.ToMarkingLL.Value + at.ToMarkingML.Value) / 2, leftOfMarking, LaneManoeuvre.ArriveFromRight, out centre);
             case LaneManoeuvre.LeaveToRight:
                 return Leave(isInLane, isOnRightMarking, (at.ToMarkingRR.Value + at.ToMarkingMR.Value) / 2, rightOfMarking, LaneManoeuvre.ArriveFromLeft, out centre);
-            case LaneManoeuvre.ArriveFromRight when isOnLeftMarking:
-                centre = leftOfMarking;
-                return 20;
-            case LaneManoeuvre.ArriveFromLeft when isOnRightMarking:
-                centre = rightOfMarking;
-                return 20;
+            case LaneManoeuvre.ArriveFromRight:
+                return Arrive(isInLane, isOnLeftMarking, lane, leftOfMarking, out centre);
+            case LaneManoeuvre.ArriveFromLeft:
+                return Arrive(isInLane, isOnRightMarking, lane, rightOfMarking, out centre);
             default:
-                _manoeuvre = LaneManoeuvre.Keep;
                 return Keep(at, isInLane, lane, leftOfMarking, rightOfMarking, out centre);
         }
     }
@@ -162,6 +159,13 @@ public sealed class DeepDrivingController : IController
 
         centre = beyondMarking;
         _manoeuvre = arrival;
+        return 20;
+    }
+
+    private double Arrive(bool isInLane, bool isOnMarking, double lane, double beyondMarking, out double centre)
+    {
+        centre = !isOnMarking ? lane : isInLane ? (lane + beyondMarking) / 2 : beyondMarking;
+        _manoeuvre = isOnMarking ? _manoeuvre : LaneManoeuvre.Keep;
         return 20;
     }
 }

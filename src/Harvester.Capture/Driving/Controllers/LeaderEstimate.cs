@@ -1,4 +1,5 @@
 using System;
+using Harvester.Geometry.Lanes;
 
 namespace Harvester.Capture.Driving.Controllers;
 
@@ -6,7 +7,8 @@ namespace Harvester.Capture.Driving.Controllers;
 /// How far the vehicle ahead is and how fast it drives, from noisy distances: a filter of fixed weights (alpha, beta) that knows the
 /// car's own speed.
 /// </summary>
-internal sealed class LeaderEstimate
+/// <param name="speedOfNewcomers">What a vehicle that has just come into sight is taken to drive, m/s; null for as fast as the car.</param>
+internal sealed class LeaderEstimate(double? speedOfNewcomers = null)
 {
     private const double GapWeight = 0.35;
     private const double SpeedWeight = 0.06;
@@ -25,11 +27,19 @@ internal sealed class LeaderEstimate
     /// <summary>Its speed along the road, m/s.</summary>
     public double Speed { get; private set; }
 
-    /// <summary>Takes a frame.</summary>
-    /// <param name="measured">Metres; null when nothing is in sight.</param>
+    /// <summary>Takes a frame: the nearest of the vehicles ahead in the lane, or in the two lanes that the car is between.</summary>
+    /// <param name="at">The indicators.</param>
     /// <param name="ownSpeed">Metres per second.</param>
     /// <param name="seconds">Since the frame before.</param>
-    public void Observe(double? measured, double ownSpeed, double seconds)
+    public void Observe(LaneIndicators at, double ownSpeed, double seconds)
+    {
+        double nearest = Math.Min(DistanceOf(at.DistMM), Math.Min(DistanceOf(at.DistL), DistanceOf(at.DistR)));
+        Observe(nearest < TorcsEquivalent.VehicleRange ? nearest : null, ownSpeed, seconds);
+    }
+
+    private static double DistanceOf(Indicator distance) => distance.IsValid ? distance.Value : double.PositiveInfinity;
+
+    private void Observe(double? measured, double ownSpeed, double seconds)
     {
         if (measured is not { } distance)
         {
@@ -49,7 +59,7 @@ internal sealed class LeaderEstimate
         else
         {
             Gap = distance;
-            Speed = ownSpeed;
+            Speed = speedOfNewcomers ?? ownSpeed;
         }
     }
 }

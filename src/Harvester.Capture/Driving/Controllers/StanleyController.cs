@@ -1,5 +1,4 @@
 using System;
-using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 
 namespace Harvester.Capture.Driving.Controllers;
@@ -17,9 +16,6 @@ public sealed class StanleyController : IController
     /// <summary>A lane beside is worth moving to when it is free for so much further than one's own, metres.</summary>
     private const double GainOfLane = 15;
 
-    /// <summary>No car turns by more between two frames, radians; it was put elsewhere.</summary>
-    private const double LargestTurn = 0.5;
-
     /// <summary>Who stands in a queue stays in it: a change of lane would end across the marking, m/s.</summary>
     private const double SlowestToChange = 3;
 
@@ -29,18 +25,15 @@ public sealed class StanleyController : IController
     private readonly LaneClearance _left = new();
     private readonly LaneClearance _right = new();
     private readonly LeaderEstimate _leader = new();
-    private readonly RoadMemory _road;
+    private readonly RoadAhead _road;
     private double? _centre;
-    private double? _headingRadians;
     private double _acceleration;
-    private double _wheelAngle;
-    private double _wantedWheelAngle;
 
     /// <summary>Makes a controller.</summary>
     public StanleyController(StanleyOptions options)
     {
         _options = options ?? throw new ArgumentNullException(nameof(options));
-        _road = new RoadMemory(options.LookAheadMetres);
+        _road = new RoadAhead(options.LookAheadMetres, options.PeriodSeconds, options.Car);
     }
 
     /// <inheritdoc/>
@@ -50,52 +43,18 @@ public sealed class StanleyController : IController
         LaneIndicators at = state.Indicators;
         _left.Observe(at.DistLL.Value);
         _right.Observe(at.DistRR.Value);
-        ObserveRoad(state);
-        _leader.Observe(Nearest(at), state.SpeedMetresPerSecond, _options.PeriodSeconds);
+        _road.Observe(state);
+        _leader.Observe(at, state.SpeedMetresPerSecond, _options.PeriodSeconds);
         ConsiderLaneChange(state);
         ObserveCentre(at, state.SpeedMetresPerSecond);
-        _wantedWheelAngle = WheelAngle(state.SpeedMetresPerSecond);
+        double wheelAngle = WheelAngle(state.SpeedMetresPerSecond);
+        _road.WantedWheelAngle = wheelAngle;
         _acceleration += _options.PedalWeight * (Acceleration(state) - _acceleration);
-        double steering = _wantedWheelAngle / _options.SteeringLockRadians;
+        double steering = wheelAngle / _options.Car.SteeringLockRadians;
         return _acceleration >= 0
-            ? new DrivingControls(steering, _acceleration / _options.FullThrottle, 0)
-            : new DrivingControls(steering, 0, -_acceleration / _options.FullBraking);
+            ? new DrivingControls(steering, _acceleration / _options.Car.FullThrottle, 0)
+            : new DrivingControls(steering, 0, -_acceleration / _options.Car.FullBraking);
     }
-
-    private void ObserveRoad(DrivingState state)
-    {
-        double metres = state.SpeedMetresPerSecond * _options.PeriodSeconds;
-        double turned = state.HeadingRadians is { } now && _headingRadians is { } before
-            ? Angles.WrapRadians(now - before)
-            : metres * CurvatureOfCar(state.SpeedMetresPerSecond);
-        _headingRadians = state.HeadingRadians;
-        if (Math.Abs(turned) > LargestTurn)
-        {
-            _road.Forget();
-        }
-
-        _road.Advance(metres, turned);
-        if (state.Indicators.Angle.IsValid)
-        {
-            _road.See(state.Indicators.Angle.Value);
-        }
-        else
-        {
-            _road.Forget();
-        }
-    }
-
-    /// <summary>How the car turns by metre, as the bicycle model has it, with the wheels on their way to where they are wanted.</summary>
-    private double CurvatureOfCar(double speed)
-    {
-        double most = _options.SteeringRate * _options.PeriodSeconds;
-        double before = _wheelAngle;
-        double wanted = Math.Max(-_options.SteeringLockRadians, Math.Min(_options.SteeringLockRadians, _wantedWheelAngle));
-        _wheelAngle += Math.Max(-most, Math.Min(most, wanted - _wheelAngle));
-        return Math.Tan((before + _wheelAngle) / 2) / (_options.Wheelbase * Understeer(speed));
-    }
-
-    private double Understeer(double speed) => 1 + (speed * speed / (_options.CharacteristicSpeed * _options.CharacteristicSpeed));
 
     private void ObserveCentre(LaneIndicators at, double speed)
     {
@@ -108,14 +67,6 @@ public sealed class StanleyController : IController
             ? measured
             : predicted + (_options.LateralWeight * (measured - predicted));
     }
-
-    private static double? Nearest(LaneIndicators at)
-    {
-        double nearest = Math.Min(DistanceOf(at.DistMM), Math.Min(DistanceOf(at.DistL), DistanceOf(at.DistR)));
-        return nearest < TorcsEquivalent.VehicleRange ? nearest : null;
-    }
-
-    private static double DistanceOf(Indicator distance) => distance.IsValid ? distance.Value : double.PositiveInfinity;
 
     private void ConsiderLaneChange(DrivingState state)
     {
@@ -146,7 +97,7 @@ public sealed class StanleyController : IController
         double lateral = Math.Atan2(-_options.LateralGain * error, speed + _options.SofteningSpeed);
         lateral = Math.Max(-_options.LargestLateralAngle, Math.Min(_options.LargestLateralAngle, lateral));
         double curvature = _road.At(speed * _options.SteeringLeadSeconds).Curvature;
-        return angle + lateral + Math.Atan(_options.Wheelbase * Understeer(speed) * curvature);
+        return angle + lateral + Math.Atan(_options.Car.Wheelbase * _options.Car.UndersteerAt(speed) * curvature);
     }
 
     /// <summary>The intelligent driver model: free acceleration less an interaction with the vehicle ahead.</summary>
@@ -156,7 +107,7 @@ public sealed class StanleyController : IController
         double wanted = WantedSpeed(state);
         double free = speed <= wanted
             ? _options.Acceleration * (1 - Math.Pow(speed / wanted, 4))
-            : -Math.Min(_options.FullBraking, 2 * (speed - wanted));
+            : -Math.Min(_options.Car.FullBraking, 2 * (speed - wanted));
         if (_leader.Gap is { } gap)
         {
             double closing = speed * (speed - _leader.Speed) / (2 * Math.Sqrt(_options.Acceleration * _options.Braking));
@@ -165,7 +116,7 @@ public sealed class StanleyController : IController
             free -= _options.Acceleration * share * share;
         }
 
-        return Math.Max(-_options.FullBraking, Math.Min(_options.Acceleration, free));
+        return Math.Max(-_options.Car.FullBraking, Math.Min(_options.Acceleration, free));
     }
 
     /// <summary>As fast as the road allows: a bend ahead is reached at its own speed by braking comfortably.</summary>

@@ -3,6 +3,9 @@ namespace Harvester.Capture.Driving.Controllers;
 /// <summary>The constants of <see cref="StanleyController"/>.</summary>
 public sealed record StanleyOptions
 {
+    /// <summary>The car.</summary>
+    public CarTraits Car { get; init; } = new();
+
     /// <summary>Time between two frames, seconds.</summary>
     public double PeriodSeconds { get; init; } = 0.1;
 
@@ -24,20 +27,8 @@ public sealed record StanleyOptions
     /// <summary>Weight of a new distance to the middle of the lane against the predicted one, 0 to 1; 1 trusts each frame.</summary>
     public double LateralWeight { get; init; } = 0.35;
 
-    /// <summary>Steering angle of the front wheels at full lock, radians.</summary>
-    public double SteeringLockRadians { get; init; } = 0.6981317;
-
-    /// <summary>How fast the front wheels turn, radians per second.</summary>
-    public double SteeringRate { get; init; } = 1.2;
-
     /// <summary>Time from a command to its effect, seconds: bends are steered for so much earlier.</summary>
     public double SteeringLeadSeconds { get; init; } = 0.2;
-
-    /// <summary>Distance between the axles, metres.</summary>
-    public double Wheelbase { get; init; } = 2.9;
-
-    /// <summary>The speed at which the car turns half as fast for the same wheel angle as at a crawl, m/s.</summary>
-    public double CharacteristicSpeed { get; init; } = 28;
 
     /// <summary>Speed on a free straight road, m/s.</summary>
     public double CruiseSpeed { get; init; } = 14;
@@ -59,12 +50,6 @@ public sealed record StanleyOptions
 
     /// <summary>Comfortable braking, m/s².</summary>
     public double Braking { get; init; } = 2.5;
-
-    /// <summary>Acceleration at full throttle, m/s².</summary>
-    public double FullThrottle { get; init; } = 4;
-
-    /// <summary>Braking at full brake, m/s².</summary>
-    public double FullBraking { get; init; } = 8;
 
     /// <summary>Weight of a new acceleration against the one before, 0 to 1; 1 passes the noise of each frame to the pedals.</summary>
     public double PedalWeight { get; init; } = 0.4;

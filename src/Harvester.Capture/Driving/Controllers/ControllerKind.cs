@@ -1,6 +1,6 @@
-namespace Harvester.Capture.Settings;
+namespace Harvester.Capture.Driving.Controllers;
 
-/// <summary>What drives by the indicators that a peer sends.</summary>
+/// <summary>The controllers.</summary>
 public enum ControllerKind
 {
     /// <summary>The one published with DeepDriving.</summary>
