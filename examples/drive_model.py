@@ -1,4 +1,4 @@
-"""Lets a model drive in the place of the truth: drive_model.py MODEL.py [--port N] [--seconds S] [--token WORD]
+"""Lets a model drive in the place of the truth: drive_model.py MODEL.py [--host H] [--port N] [--seconds S] [--token WORD]
 
 MODEL.py has a function predict(image): it gets the picture and gives the thirteen indicators of DeepDriving, as a road of TORCS would
 give them, in the order of docs/bridge.md; the game's side drives by them. The picture is an array of height x width x 3 bytes where
@@ -48,23 +48,26 @@ def decode(png):
     return numpy.cumsum(filtered, axis=0, dtype=numpy.uint8).reshape(height, width, 3)
 
 
-def drive(predict, port, seconds, token):
+def drive(predict, host, port, seconds, token):
     end = time.monotonic() + seconds
-    with socket.create_connection(("127.0.0.1", port)).makefile("rwb") as stream:
+    with socket.create_connection((host, port)).makefile("rwb") as stream:
         if token:
             send(stream, type="hello", token=token)
         while time.monotonic() < end:
             state, png = receive(stream)
-            if state["type"] == "error":
-                raise SystemExit(f"The game refused a message: {state['reason']}")
             send(stream, type="indicators", frame=state["frame"], values=[float(value) for value in predict(decode(png))])
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description="Lets a model drive in the place of the truth, over the live bridge.")
     parser.add_argument("model", help="a file with a function predict(image) that gives thirteen indicators")
+    parser.add_argument("--host", default="127.0.0.1", help="the machine that the game runs on")
     parser.add_argument("--port", type=int, default=4567)
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--token", help="what the game asks peers to show")
     options = parser.parse_args()
-    drive(load(options.model), options.port, options.seconds, options.token)
+    predict = load(options.model)
+    try:
+        drive(predict, options.host, options.port, options.seconds, options.token)
+    except OSError as problem:
+        raise SystemExit(f"The bridge failed: {problem}")

@@ -42,8 +42,11 @@ public sealed record DriveFigures
     /// <summary>Vehicles that the controller ran into in junctions.</summary>
     public required int CollisionsInJunctions { get; init; }
 
-    /// <summary>Vehicles that the car's own driver ran into.</summary>
+    /// <summary>Vehicles that the car's own driver ran into outside of junctions.</summary>
     public required int CollisionsOfOwnDriver { get; init; }
+
+    /// <summary>Vehicles that the car's own driver ran into in junctions.</summary>
+    public required int CollisionsOfOwnDriverInJunctions { get; init; }
 
     /// <summary>Root of the mean squared jerk along the car while the controller drives, m/s³.</summary>
     public required double RmsJerk { get; init; }
@@ -96,7 +99,8 @@ public sealed record DriveFigures
             LargestLateralError = errors.Length > 0 ? Rounded(errors.Max(Math.Abs)) : 0,
             Collisions = collisions[(true, false)].Count(),
             CollisionsInJunctions = collisions[(true, true)].Count(),
-            CollisionsOfOwnDriver = collisions[(false, false)].Count() + collisions[(false, true)].Count(),
+            CollisionsOfOwnDriver = collisions[(false, false)].Count(),
+            CollisionsOfOwnDriverInJunctions = collisions[(false, true)].Count(),
             RmsJerk = Rounded(RootMeanSquare([.. Jerks(samples)])),
             Relocations = samples.Skip(1).Count(sample => sample.IsElsewhere),
         };
@@ -110,7 +114,7 @@ public sealed record DriveFigures
         yield return ("lane departures", FormattableString.Invariant($"{LaneDepartures}"));
         yield return ("lane changes", FormattableString.Invariant($"{LaneChanges}"));
         yield return ("lateral error", FormattableString.Invariant($"{RmsLateralError:0.000} m RMS, {LargestLateralError:0.00} m at most"));
-        yield return ("collisions", FormattableString.Invariant($"{Collisions}; {CollisionsInJunctions} in junctions, {CollisionsOfOwnDriver} of the own driver"));
+        yield return ("collisions", FormattableString.Invariant($"{Collisions}, in junctions {CollisionsInJunctions}; of the own driver {CollisionsOfOwnDriver}, in junctions {CollisionsOfOwnDriverInJunctions}"));
         yield return ("jerk", FormattableString.Invariant($"{RmsJerk:0.0} m/s³ RMS"));
         yield return ("put elsewhere", FormattableString.Invariant($"{Relocations} times"));
     }

@@ -7,8 +7,9 @@ namespace Harvester.Driving.Noise;
 
 /// <summary>
 /// Lets a controller see the indicators as a network would that errs: normal errors, independent from indicator to indicator and from
-/// frame to frame. Which indicators are active it knows as they are. The errors are those on a road of TORCS; in metres of a wider lane
-/// they are as much larger.
+/// frame to frame. The errors are those on a road of TORCS; in metres of a wider lane they are as much larger. What is not among the
+/// thirteen numbers stays true: which of them are active, how wide the lane is, whether the road is straight for long, and what the car
+/// knows of itself, its speed and its heading.
 /// </summary>
 public sealed class NoisyIndicators : IController
 {
@@ -33,20 +34,14 @@ public sealed class NoisyIndicators : IController
     public DrivingControls Drive(DrivingState state)
     {
         ArgumentNullException.ThrowIfNull(state);
+        LaneIndicators truth = state.Indicators;
         double scale = LaneScale(state);
-        LaneIndicators torcs = WithNoise(state.TorcsEquivalent);
-        LaneIndicators metres = InMetres(torcs, state.Indicators, scale);
+        LaneIndicators metres = (truth with { Angle = Noisy(truth.Angle, _levels.AngleRadians) })
+            .Select(toMarking => Noisy(toMarking, _levels.MarkingMetres * scale), NoisyDistance);
         return _controller.Drive(state with
         {
-            TorcsEquivalent = torcs with
-            {
-                DistL = Cut(metres.DistL),
-                DistR = Cut(metres.DistR),
-                DistLL = Cut(metres.DistLL),
-                DistMM = Cut(metres.DistMM),
-                DistRR = Cut(metres.DistRR),
-            },
             Indicators = metres,
+            TorcsEquivalent = TorcsEquivalent.Of(metres, new LaneSection(1, LaneSection.TorcsLaneWidth * scale)),
         });
     }
 
@@ -64,44 +59,8 @@ public sealed class NoisyIndicators : IController
                     : 1;
     }
 
-    private LaneIndicators WithNoise(LaneIndicators at) => at with
-    {
-        Angle = Noisy(at.Angle, _levels.AngleRadians),
-        ToMarkingL = Noisy(at.ToMarkingL, _levels.MarkingMetres),
-        ToMarkingM = Noisy(at.ToMarkingM, _levels.MarkingMetres),
-        ToMarkingR = Noisy(at.ToMarkingR, _levels.MarkingMetres),
-        ToMarkingLL = Noisy(at.ToMarkingLL, _levels.MarkingMetres),
-        ToMarkingML = Noisy(at.ToMarkingML, _levels.MarkingMetres),
-        ToMarkingMR = Noisy(at.ToMarkingMR, _levels.MarkingMetres),
-        ToMarkingRR = Noisy(at.ToMarkingRR, _levels.MarkingMetres),
-    };
-
-    private LaneIndicators InMetres(LaneIndicators torcs, LaneIndicators metres, double scale)
-    {
-        return torcs with
-        {
-            ToMarkingL = Scaled(torcs.ToMarkingL, metres.ToMarkingL),
-            ToMarkingM = Scaled(torcs.ToMarkingM, metres.ToMarkingM),
-            ToMarkingR = Scaled(torcs.ToMarkingR, metres.ToMarkingR),
-            ToMarkingLL = Scaled(torcs.ToMarkingLL, metres.ToMarkingLL),
-            ToMarkingML = Scaled(torcs.ToMarkingML, metres.ToMarkingML),
-            ToMarkingMR = Scaled(torcs.ToMarkingMR, metres.ToMarkingMR),
-            ToMarkingRR = Scaled(torcs.ToMarkingRR, metres.ToMarkingRR),
-            DistL = NoisyDistance(metres.DistL),
-            DistR = NoisyDistance(metres.DistR),
-            DistLL = NoisyDistance(metres.DistLL),
-            DistMM = NoisyDistance(metres.DistMM),
-            DistRR = NoisyDistance(metres.DistRR),
-        };
-
-        Indicator Scaled(Indicator noisy, Indicator known) => noisy.IsValid ? Indicator.Of(noisy.Value * scale) : known;
-    }
-
     private Indicator Noisy(Indicator indicator, double meanError) =>
         indicator.IsValid ? Indicator.Of(indicator.Value + (Normal() * meanError * DeviationByMeanError)) : indicator;
-
-    private static Indicator Cut(Indicator indicator) =>
-        indicator.IsValid ? Indicator.Of(Math.Min(indicator.Value, TorcsEquivalent.VehicleRange)) : indicator;
 
     private Indicator NoisyDistance(Indicator indicator) =>
         indicator.IsValid

@@ -13,29 +13,11 @@ public static class TorcsEquivalent
 
     /// <summary>Scales indicators measured on lanes of a given width.</summary>
     public static LaneIndicators Of(LaneIndicators indicators, LaneSection section) =>
-        Markings(indicators, section.TorcsScale) with
-        {
-            DistL = Cut(indicators.DistL),
-            DistR = Cut(indicators.DistR),
-            DistLL = Cut(indicators.DistLL),
-            DistMM = Cut(indicators.DistMM),
-            DistRR = Cut(indicators.DistRR),
-        };
+        Guard.NotNull(indicators, nameof(indicators)).Select(toMarking => Scaled(toMarking, section.TorcsScale), Cut);
 
     /// <summary>The way back: indicators of a TORCS road in metres on lanes of a given width. Distances to vehicles stay cut.</summary>
     public static LaneIndicators InMetres(LaneIndicators torcsEquivalent, LaneSection section) =>
-        Markings(torcsEquivalent, 1 / section.TorcsScale);
-
-    private static LaneIndicators Markings(LaneIndicators indicators, double scale) => Guard.NotNull(indicators, nameof(indicators)) with
-    {
-        ToMarkingL = Scaled(indicators.ToMarkingL, scale),
-        ToMarkingM = Scaled(indicators.ToMarkingM, scale),
-        ToMarkingR = Scaled(indicators.ToMarkingR, scale),
-        ToMarkingLL = Scaled(indicators.ToMarkingLL, scale),
-        ToMarkingML = Scaled(indicators.ToMarkingML, scale),
-        ToMarkingMR = Scaled(indicators.ToMarkingMR, scale),
-        ToMarkingRR = Scaled(indicators.ToMarkingRR, scale),
-    };
+        Guard.NotNull(torcsEquivalent, nameof(torcsEquivalent)).Select(toMarking => Scaled(toMarking, 1 / section.TorcsScale), dist => dist);
 
     private static Indicator Scaled(Indicator indicator, double scale) =>
         indicator.IsValid ? Indicator.Of(indicator.Value * scale) : indicator;

@@ -58,12 +58,15 @@ public sealed class DriveFiguresTests
             Drives.At(2),
             Drives.At(3) with { Touching = [4], Lane = null },
             Drives.At(4) with { Touching = [6], IsByController = false },
+            Drives.At(5) with { Touching = [7, 8], IsByController = false, Lane = null },
         ];
         DriveFigures figures = DriveFigures.Of(samples);
 
         Assert.Equal(2, figures.Collisions);
         Assert.Equal(1, figures.CollisionsInJunctions);
         Assert.Equal(1, figures.CollisionsOfOwnDriver);
+        Assert.Equal(2, figures.CollisionsOfOwnDriverInJunctions);
+        Assert.Contains(("collisions", "2, in junctions 1; of the own driver 1, in junctions 2"), figures.Rows());
     }
 
     [Theory]

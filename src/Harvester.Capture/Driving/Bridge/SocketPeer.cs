@@ -136,6 +136,7 @@ internal sealed class SocketPeer : IDisposable
     {
         if (_strangers.TryLeave(this))
         {
+            Send(BridgeText.Error("the first message must be a hello with the right token, and come in time."), default);
             CutOff("a connection was cut off that did not show the token in time.");
         }
     }

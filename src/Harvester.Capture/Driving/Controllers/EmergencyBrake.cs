@@ -44,7 +44,7 @@ public sealed class EmergencyBrake : IController
         }
 
         double way = gap - StandingDistance;
-        double needed = way <= 0 && speed >= _leader.Speed
+        double needed = way <= 0
             ? Math.Max(2 * Comfortable, speed * speed / (2 * LeastWay))
             : ((speed * speed) - (_leader.Speed * _leader.Speed)) / (2 * Math.Max(LeastWay, way));
         return needed > Comfortable

@@ -156,6 +156,15 @@ public sealed class SocketBridgeTests
     }
 
     [Fact]
+    public void Peer_that_says_nothing_is_told_that_a_token_is_asked_for()
+    {
+        using var bridge = new SocketBridge(AnyPort with { Token = "open sesame" }, Frames.Size);
+        using var stranger = new SocketClient(bridge.EndPoint);
+
+        Assert.Contains("a hello with the right token", stranger.Receive().Header.GetProperty("reason").GetString(), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Listening_where_others_can_reach_needs_a_token() =>
         Assert.Throws<ArgumentException>(() => new SocketBridge(new SocketBridgeOptions(IPAddress.Any, 0, null), Frames.Size));
 
