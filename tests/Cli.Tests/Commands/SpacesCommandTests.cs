@@ -101,6 +101,15 @@ public sealed class SpacesCommandTests : IDisposable
     }
 
     [Fact]
+    public void List_says_how_many_rows_it_leaves_out()
+    {
+        CliRun run = CliRun.Of("spaces", "list", _folder.File("spaces.csv", Good + "\n" + InsideOut + "\n"));
+
+        Assert.Equal((ExitCode.BadData, "harvester: Refused and not listed: 1 of the rows. See 'harvester spaces check'.\n"), (run.ExitCode, run.Error));
+        Assert.Contains("prop_sign_road_01a", run.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Harvest_with_spaces_labels_by_the_files_rows_before_the_games_own()
     {
         string session = _folder.PathOf("session");

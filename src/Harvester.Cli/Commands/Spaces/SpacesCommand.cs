@@ -60,13 +60,20 @@ internal static class SpacesCommand
         command.SetAction(parsed =>
         {
             Table rows = new Table().Border(TableBorder.None).AddColumns("model", "face", "name", "mutcd", "size, m", "facing", "provenance");
-            foreach (SpaceOfInterest space in SpaceFile.Read(parsed.GetRequiredValue(file)).Table.Spaces)
+            SpaceTableContent content = SpaceFile.Read(parsed.GetRequiredValue(file));
+            foreach (SpaceOfInterest space in content.Table.Spaces)
             {
                 rows.AddRow([.. Cells(space).Select(cell => new Text(cell))]);
             }
 
             terminal.ToAnsiConsole().Write(rows);
-            return ExitCode.Done;
+            if (content.Problems.Count == 0)
+            {
+                return ExitCode.Done;
+            }
+
+            terminal.WriteError($"Refused and not listed: {content.Problems.Count} of the rows. See 'harvester spaces check'.");
+            return ExitCode.BadData;
         });
         return command;
     }
