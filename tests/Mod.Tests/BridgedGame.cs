@@ -32,11 +32,26 @@ public abstract class BridgedGame
 
     private protected static string Ini(int port) => string.Create(CultureInfo.InvariantCulture, $"[Bridge]\nPort = {port}\n");
 
+    /// <summary>
+    /// A port that nobody listens at, below those that systems give to connections on their way out: of the latter another process's
+    /// could take it before the mod does.
+    /// </summary>
     private protected static int FreePort()
     {
-        using var listener = new TcpListener(IPAddress.Loopback, 0);
-        listener.Start();
-        return ((IPEndPoint)listener.LocalEndpoint).Port;
+        while (true)
+        {
+            int port = Random.Shared.Next(20_000, 32_000);
+            try
+            {
+                using var listener = new TcpListener(IPAddress.Loopback, port);
+                listener.Start();
+                return port;
+            }
+            catch (SocketException)
+            {
+                // Somebody listens there.
+            }
+        }
     }
 
     private protected static int BigEndian(byte[] bytes, int at) => (bytes[at] << 24) | (bytes[at + 1] << 16) | (bytes[at + 2] << 8) | bytes[at + 3];
