@@ -57,11 +57,25 @@ internal sealed class FolderVandal(string folder, int seed) : IDisposable
         _locks.Clear();
         foreach (string name in Names)
         {
-            Remove(Path.Combine(folder, name));
+            // The bridge may be at it just now.
+            Frames.Await(() => TryRemove(Path.Combine(folder, name)), $"{name} to go");
         }
     }
 
     public void Dispose() => Mend();
+
+    private static bool TryRemove(string path)
+    {
+        try
+        {
+            Remove(path);
+            return true;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            return false;
+        }
+    }
 
     private static void Remove(string path)
     {

@@ -24,7 +24,7 @@ public sealed class FuzzedFolderTests : IDisposable
 
     [Theory]
     [Trait("Category", "Heavy")]
-    [InlineData(3, 5_000)]
+    [InlineData(3, 2_000)]
     public void Drive_goes_on_whatever_happens_in_the_folder_for_long(int seed, int deeds) => Fuzz(seed, deeds);
 
     [UnixFact]
