@@ -31,7 +31,7 @@ public sealed class AdaptivePixelMapper
     private readonly CellQueue _queue = new();
     private readonly List<MapCell> _settled = [];
     private readonly FragmentSearch _search;
-    private readonly Queue<Place> _places = new();
+    private IEnumerator<Place> _places;
     private int _openPixels;
     private MapCell? _current;
     private MapperPhase _phase = MapperPhase.FirstPlaces;
@@ -70,20 +70,9 @@ public sealed class AdaptivePixelMapper
         _views.ForEach(view => _openPixels += _samples.Open(view.Spans));
         _search = new FragmentSearch(camera, _views, _samples, _options.UnsearchedFraction);
         _examiner = new CellExaminer(_samples, _views, _options);
-        List<MapCell> cells = CellGrid.Cells(camera.Image, _options.CellSize, _views);
-        cells.ForEach(cell => _queue.Add(double.PositiveInfinity, cell));
-        foreach (TargetView view in _views)
-        {
-            foreach (Place place in view.FirstPlaces())
-            {
-                _places.Enqueue(place);
-            }
-        }
-
-        foreach (Place place in CellGrid.Corners(cells, _options.CellSize))
-        {
-            _places.Enqueue(place);
-        }
+        var grid = new CellGrid(camera.Image, _options.CellSize, _views);
+        grid.Cells.ForEach(cell => _queue.Add(double.PositiveInfinity, cell));
+        _places = new FirstPlaces(camera, _views, _samples, grid).InTurn().GetEnumerator();
     }
 
     /// <summary>The number of rays cast so far.</summary>
@@ -162,12 +151,11 @@ public sealed class AdaptivePixelMapper
     {
         do
         {
-            while (_places.Count > 0)
+            while (_places.MoveNext())
             {
-                Place place = _places.Dequeue();
-                if (_samples.IsUnasked(place))
+                if (_samples.IsUnasked(_places.Current))
                 {
-                    return place;
+                    return _places.Current;
                 }
             }
 
@@ -234,7 +222,7 @@ public sealed class AdaptivePixelMapper
         foreach (MapCell cell in settled)
         {
             CellVerdict verdict = _examiner.Examine(cell);
-            double priority = PriorityOf(cell, verdict.Wanted is null ? verdict.Weight : _examiner.BorderWeight());
+            double priority = PriorityOf(cell, verdict.Weight);
             if (verdict.IsUnderstood || priority < _options.CellErrorFraction)
             {
                 _settled.Add(cell);
@@ -260,11 +248,8 @@ public sealed class AdaptivePixelMapper
         InstanceMap map = Paint();
         int[] counts = map.PixelCounts();
         _views.ForEach(view => view.SetVisible(counts[view.Target.Number]));
-        foreach (Place place in _search.Places(map))
-        {
-            _places.Enqueue(place);
-        }
-
+        List<Place> places = [.. _search.Places(map)];
+        _places = places.GetEnumerator();
         return true;
     }
 

@@ -44,15 +44,21 @@ internal sealed class CellExaminer
     public CellVerdict Examine(MapCell cell)
     {
         _border.Read(cell);
-        if (_border.Wanted() is { } onBorder)
+        Place? onBorder = _border.Wanted();
+        double weight = Weight(cell);
+        if (onBorder is { } unknown)
         {
-            return CellVerdict.Ask(onBorder);
+            return CellVerdict.Ask(unknown, weight);
         }
 
-        double weight = Weight(cell);
         if (!cell.HasInterior)
         {
             return CellVerdict.Understood(weight);
+        }
+
+        if (_border.Runs.Count <= MostRuns && StripSearch.Wanted(_border, _samples) is { } towards)
+        {
+            return CellVerdict.Ask(towards, weight);
         }
 
         bool outlineTooLong = _border.Runs.Count > 1 && cell.Width * cell.Height * weight > _options.StraightCellFraction;
@@ -63,7 +69,7 @@ internal sealed class CellExaminer
 
         int halvings = Halvings(cell, weight);
         return AgreeingModel(halvings) is { } model
-            ? Missing(model, halvings) is { } place ? CellVerdict.Ask(place) : CellVerdict.Understood(weight)
+            ? Missing(model, halvings) is { } place ? CellVerdict.Ask(place, weight) : CellVerdict.Understood(weight)
             : CellVerdict.Divide(weight);
     }
 
@@ -81,8 +87,7 @@ internal sealed class CellExaminer
         return null;
     }
 
-    /// <summary>What one wrong pixel counts by what is known of the border that was looked at last.</summary>
-    public double BorderWeight()
+    private double Weight(MapCell cell)
     {
         _border.CollectRuns();
         double weight = 0;
@@ -91,12 +96,6 @@ internal sealed class CellExaminer
             weight = Math.Max(weight, WeightOf(run.Number));
         }
 
-        return weight;
-    }
-
-    private double Weight(MapCell cell)
-    {
-        double weight = BorderWeight();
         for (int row = cell.Top + 1; row < cell.Bottom; row++)
         {
             for (int column = cell.Left + 1; column < cell.Right; column++)

@@ -6,7 +6,7 @@ namespace Harvester.Geometry.PixelMaps;
 /// <param name="Weight">What one wrong pixel in it counts at most.</param>
 internal readonly record struct CellVerdict(Place? Wanted, bool IsUnderstood, double Weight)
 {
-    public static CellVerdict Ask(Place place) => new(place, false, 0);
+    public static CellVerdict Ask(Place place, double weight) => new(place, false, weight);
 
     public static CellVerdict Understood(double weight) => new(null, true, weight);
 

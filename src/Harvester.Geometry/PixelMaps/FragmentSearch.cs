@@ -15,14 +15,22 @@ internal sealed class FragmentSearch(Camera camera, IReadOnlyList<TargetView> vi
     private const double OpenShare = 0.07;
 
     /// <summary>The same where something nearer is seen; there an object shows only through gaps, and so many times fewer places are asked.</summary>
-    private const double HiddenShare = 0.5;
+    private const double HiddenShare = 0.1;
     private const double HiddenRarity = 7.7;
 
+    /// <summary>
+    /// Where it shows there, it mostly does so in a strip along the outline of what hides it: so many times as many places are asked on
+    /// outlines as in the open.
+    /// </summary>
+    private const double OutlineDensity = 3;
+
     /// <summary>Gaps in what is seen are narrower than fragments: so many times as many places are asked.</summary>
-    private const double GapDensity = 1.65;
+    private const double GapDensity = 1.4;
 
     /// <summary>What was asked so many rows and columns away at most, half a first cell, tells how far away a place is.</summary>
     private const int Reach = 16;
+
+    private readonly ScatteredRank _rank = new(camera.Image);
 
     /// <summary>The places that have not been asked yet, in the order of the objects.</summary>
     /// <param name="map">What is shown so far.</param>
@@ -34,13 +42,14 @@ internal sealed class FragmentSearch(Camera camera, IReadOnlyList<TargetView> vi
             double open = 1 / (unsearchedFraction * Math.Max(view.CountedPixels, OpenShare * spans.PixelCount));
             double hidden = 1 / (HiddenRarity * unsearchedFraction * Math.Max(view.CountedPixels, HiddenShare * spans.PixelCount));
             double inside = GapDensity / (unsearchedFraction * view.CountedPixels);
-            double densest = Math.Max(open, inside);
+            double outline = OutlineDensity * open;
+            double densest = Math.Max(Math.Max(outline, open), inside);
             for (int row = spans.FirstRow; row <= spans.LastRow; row++)
             {
                 (int first, int last) = spans.Row(row);
                 for (int column = first; column <= last; column++)
                 {
-                    double rank = Rank(column, row);
+                    double rank = _rank.Of(column, row);
                     if (rank < densest && samples.IsUnasked(column, row) && rank < Density(column, row))
                     {
                         yield return Place.OfPixel(column, row);
@@ -49,15 +58,17 @@ internal sealed class FragmentSearch(Camera camera, IReadOnlyList<TargetView> vi
             }
 
             double Density(int column, int row) =>
-                map[column, row] == view.Target.Number ? inside : IsHidden(view, map, column, row) ? hidden : open;
+                map[column, row] == view.Target.Number ? inside : !IsHidden(view, map, column, row) ? open : IsOutline(map, column, row) ? outline : hidden;
         }
     }
 
-    // The pixels of the least ranks, however many, are spread evenly: steps of the R2 sequence along rows and columns.
-    private static double Rank(int column, int row)
+    private static bool IsOutline(InstanceMap map, int column, int row)
     {
-        double value = (column * TargetView.StepY) + (row * TargetView.StepX);
-        return value - Math.Floor(value);
+        ushort number = map[column, row];
+        return (column > 0 && map[column - 1, row] != number)
+            || (column + 1 < map.Image.Width && map[column + 1, row] != number)
+            || (row > 0 && map[column, row - 1] != number)
+            || (row + 1 < map.Image.Height && map[column, row + 1] != number);
     }
 
     // Whether all that was asked nearby of what the pixel shows lies before the object's cuboid.
@@ -73,7 +84,7 @@ internal sealed class FragmentSearch(Camera camera, IReadOnlyList<TargetView> vi
         {
             for (int c = Math.Max(0, column - Reach); c <= Math.Min(camera.Image.Width - 1, column + Reach); c++)
             {
-                if (samples.IsCast(c, r) && samples.Number(c, r) == map[column, row])
+                if (samples.HasDistance(c, r) && samples.Number(c, r) == map[column, row])
                 {
                     if (samples.Distance(c, r) > span.Entry)
                     {

@@ -16,7 +16,7 @@ public sealed record PixelMapOptions
     public double StraightCellFraction { get; init; } = 0.027;
 
     /// <summary>How large a part of an object, as a share of its visible pixels, stands around each place that is asked whether more of it shows; greater than 0.</summary>
-    public double UnsearchedFraction { get; init; } = 0.022;
+    public double UnsearchedFraction { get; init; } = 0.025;
 
     /// <summary>Beyond this distance rays are known not to meet entities, which are then drawn by their cuboids; metres, greater than 0.</summary>
     public double RayReachMetres { get; init; } = double.PositiveInfinity;

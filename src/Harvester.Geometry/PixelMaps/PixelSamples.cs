@@ -61,7 +61,10 @@ internal sealed class PixelSamples
     public bool IsKnown(int column, int row) => _known[Index(column, row)] != Unknown;
 
     /// <summary>Whether a ray was cast through this pixel's centre.</summary>
-    public bool IsCast(int column, int row) => _distances[Index(column, row)] > 0;
+    public bool IsCast(int column, int row) => HasDistance(column, row) && !IsAssumed(column, row);
+
+    /// <summary>Whether the distance at this pixel is known or taken for known.</summary>
+    public bool HasDistance(int column, int row) => _distances[Index(column, row)] > 0;
 
     /// <summary>Whether a pixel's number is taken from those around it, until it is asked.</summary>
     public bool IsAssumed(int column, int row) => _assumed[Index(column, row)];
@@ -71,16 +74,17 @@ internal sealed class PixelSamples
 
     public bool IsUnasked(Place pixel) => IsUnasked(pixel.FineX / Fine, pixel.FineY / Fine);
 
-    /// <summary>Takes the number of a pixel that is not known from those around it.</summary>
-    public void Assume(int column, int row, int number)
+    /// <summary>Takes the number of a pixel that is not known from those around it, and the distance, metres; 0 when that is not known.</summary>
+    public void Assume(int column, int row, int number, float distance = 0)
     {
+        _distances[Index(column, row)] = distance;
         _known[Index(column, row)] = number;
         _assumed[Index(column, row)] = true;
     }
 
     public int Number(int column, int row) => _known[Index(column, row)];
 
-    /// <summary>The distance at a known pixel, metres; infinite where there is nothing.</summary>
+    /// <summary>The distance at a pixel, metres; infinite where there is nothing or it is not known.</summary>
     public float Distance(int column, int row)
     {
         float distance = _distances[Index(column, row)];

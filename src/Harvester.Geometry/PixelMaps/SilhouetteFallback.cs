@@ -66,7 +66,7 @@ internal sealed class SilhouetteFallback(Camera camera, PixelSamples samples)
         {
             foreach ((int c, int r) in new[] { (column - away, row), (column + away, row), (column, row - away), (column, row + away) })
             {
-                if (camera.Image.Contains(c, r) && samples.IsCast(c, r))
+                if (camera.Image.Contains(c, r) && samples.HasDistance(c, r))
                 {
                     return samples.Distance(c, r) < Math.Max(span.Entry, camera.Intrinsics.NearClip);
                 }

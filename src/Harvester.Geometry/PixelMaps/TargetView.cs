@@ -65,7 +65,7 @@ internal sealed class TargetView
             (int first, int last) = Spans.Row(row);
             for (int column = first; column <= last; column++)
             {
-                if (samples.IsCast(column, row))
+                if (samples.HasDistance(column, row))
                 {
                     asked++;
                     met += samples.Number(column, row) == Target.Number ? 1 : 0;

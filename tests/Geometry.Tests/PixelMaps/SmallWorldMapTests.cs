@@ -43,6 +43,48 @@ public sealed class SmallWorldMapTests
         Assert.True(scores.Large.Concat(scores.Medium).Single() >= 0.95);
     }
 
+    [Fact]
+    public void Run_object_that_fills_the_image_costs_few_rays_whatever_is_behind_it()
+    {
+        // 1920 x 1080 has 60 x 34 cells, with 2,135 corners. The map has no outline, so 1,000 rays are allowed.
+        var size = new ImageSize(1920, 1080);
+        Camera camera = SmallWorld.Sized(size);
+        var bus = new Cuboid(new(0, 4, 0), new(9, 0.5, 9), Axes.Identity);
+        List<(int Entity, Cuboid Solid)> solids = [(1, bus)];
+        for (int i = 2; i <= 30; i++)
+        {
+            solids.Add((i, new Cuboid(new((i - 16) * 0.6, 10 + i, 0), new(1, 2, 1), Axes.Identity)));
+        }
+
+        AdaptivePixelMap map = MapRun.Complete(
+            camera,
+            new CuboidWorld(solids),
+            [.. solids.Select(item => new MapTarget(item.Entity, (ushort)item.Entity, item.Solid, CuboidProjector.Project(camera, item.Solid)))]);
+
+        Assert.Equal(size.PixelCount, map.Map.MapOf(1).Count);
+        Assert.InRange(map.RaysCast, 1, 1000);
+    }
+
+    [Theory]
+    [InlineData(0.0)]
+    [InlineData(8.0)]
+    public void Run_narrow_gap_in_an_object_is_followed_to_its_ends(double leanDegrees)
+    {
+        // At 12 m a pixel is 12 / 643 = 0.0187 m: legs of 13 x 54 px with a gap of 2 px between them, upright or leaning.
+        Axes lean = Axes.FromEuler(new EulerAngles(0, leanDegrees, 0));
+        var left = new Cuboid(lean.ToWorld(new(-0.145, 0, 0)) + new Vector3D(0.4, 12, 0), new(0.125, 0.1, 0.5), lean);
+        var right = new Cuboid(lean.ToWorld(new(0.145, 0, 0)) + new Vector3D(0.4, 12, 0), new(0.125, 0.1, 0.5), lean);
+        var both = new Cuboid(new(0.4, 12, 0), new(0.27, 0.1, 0.5), lean);
+        var world = new CuboidWorld([(7, left), (7, right)]);
+        InstanceMap exact = ExhaustivePixelMapper.Map(SmallWorld.Camera, SmallWorld.Camera.Image.Bounds, _ => 1, RayHit.World, world);
+
+        AdaptivePixelMap map = MapRun.Complete(SmallWorld.Camera, world, [SmallWorld.Target(7, 1, both)]);
+
+        var scores = new MapScores();
+        scores.Add(exact, map.Map, map.RaysCast);
+        Assert.True(scores.Large.Single() >= 0.97, $"{scores.Large.Single()}");
+    }
+
     [Theory]
     [InlineData(1, 1)]
     [InlineData(1, 40)]
