@@ -15,14 +15,15 @@ internal sealed class FragmentSearch(Camera camera, IReadOnlyList<TargetView> vi
     private const double OpenShare = 0.07;
 
     /// <summary>The same where something nearer is seen; there an object shows only through gaps, and so many times fewer places are asked.</summary>
-    private const double HiddenShare = 0.1;
+    private const double HiddenShare = 0.5;
     private const double HiddenRarity = 7.7;
 
     /// <summary>
-    /// Where it shows there, it mostly does so in a strip along the outline of what hides it: so many times as many places are asked on
-    /// outlines as in the open.
+    /// Where it shows there, it mostly does so in a strip along the outline of what hides it: so many times as many places as in the open
+    /// are asked within so many pixels of the outlines as drawn, of which those of large objects are that inexact.
     /// </summary>
-    private const double OutlineDensity = 3;
+    private const double OutlineDensity = 2;
+    private const int OutlineReach = 3;
 
     /// <summary>Gaps in what is seen are narrower than fragments: so many times as many places are asked.</summary>
     private const double GapDensity = 1.4;
@@ -43,7 +44,7 @@ internal sealed class FragmentSearch(Camera camera, IReadOnlyList<TargetView> vi
             double hidden = 1 / (HiddenRarity * unsearchedFraction * Math.Max(view.CountedPixels, HiddenShare * spans.PixelCount));
             double inside = GapDensity / (unsearchedFraction * view.CountedPixels);
             double outline = OutlineDensity * open;
-            double densest = Math.Max(Math.Max(outline, open), inside);
+            double densest = Math.Max(outline, inside);
             for (int row = spans.FirstRow; row <= spans.LastRow; row++)
             {
                 (int first, int last) = spans.Row(row);
@@ -58,17 +59,20 @@ internal sealed class FragmentSearch(Camera camera, IReadOnlyList<TargetView> vi
             }
 
             double Density(int column, int row) =>
-                map[column, row] == view.Target.Number ? inside : !IsHidden(view, map, column, row) ? open : IsOutline(map, column, row) ? outline : hidden;
+                map[column, row] == view.Target.Number ? inside
+                : !IsHidden(view, map, column, row) ? open
+                : IsNearOutline(map, column, row) ? outline
+                : hidden;
         }
     }
 
-    private static bool IsOutline(InstanceMap map, int column, int row)
+    private static bool IsNearOutline(InstanceMap map, int column, int row)
     {
         ushort number = map[column, row];
-        return (column > 0 && map[column - 1, row] != number)
-            || (column + 1 < map.Image.Width && map[column + 1, row] != number)
-            || (row > 0 && map[column, row - 1] != number)
-            || (row + 1 < map.Image.Height && map[column, row + 1] != number);
+        return map[Math.Max(0, column - OutlineReach), row] != number
+            || map[Math.Min(map.Image.Width - 1, column + OutlineReach), row] != number
+            || map[column, Math.Max(0, row - OutlineReach)] != number
+            || map[column, Math.Min(map.Image.Height - 1, row + OutlineReach)] != number;
     }
 
     // Whether all that was asked nearby of what the pixel shows lies before the object's cuboid.

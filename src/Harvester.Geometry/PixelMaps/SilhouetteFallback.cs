@@ -12,7 +12,7 @@ namespace Harvester.Geometry.PixelMaps;
 internal sealed class SilhouetteFallback(Camera camera, PixelSamples samples)
 {
     /// <summary>
-    /// What is no target has no outline of its own: the asked pixel nearest on the row or column, within this many pixels, speaks for
+    /// What is no target has no outline of its own: the nearest asked pixel of such on the row or column, within this many pixels, speaks for
     /// the pixels around it.
     /// </summary>
     private const int Reach = 16;
@@ -66,7 +66,7 @@ internal sealed class SilhouetteFallback(Camera camera, PixelSamples samples)
         {
             foreach ((int c, int r) in new[] { (column - away, row), (column + away, row), (column, row - away), (column, row + away) })
             {
-                if (camera.Image.Contains(c, r) && samples.HasDistance(c, r))
+                if (camera.Image.Contains(c, r) && samples.HasDistance(c, r) && samples.Number(c, r) == 0)
                 {
                     return samples.Distance(c, r) < Math.Max(span.Entry, camera.Intrinsics.NearClip);
                 }
