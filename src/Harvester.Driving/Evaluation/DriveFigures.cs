@@ -101,7 +101,7 @@ public sealed record DriveFigures
             CollisionsInJunctions = collisions[(true, true)].Count(),
             CollisionsOfOwnDriver = collisions[(false, false)].Count(),
             CollisionsOfOwnDriverInJunctions = collisions[(false, true)].Count(),
-            RmsJerk = Rounded(RootMeanSquare([.. Jerks(samples)])),
+            RmsJerk = Rounded(RootMeanSquare([.. Jerk.Of(samples).Select(at => at.Jerk)])),
             Relocations = samples.Skip(1).Count(sample => sample.IsElsewhere),
         };
     }
@@ -117,21 +117,6 @@ public sealed record DriveFigures
         yield return ("collisions", FormattableString.Invariant($"{Collisions}, in junctions {CollisionsInJunctions}; of the own driver {CollisionsOfOwnDriver}, in junctions {CollisionsOfOwnDriverInJunctions}"));
         yield return ("jerk", FormattableString.Invariant($"{RmsJerk:0.0} m/s³ RMS"));
         yield return ("put elsewhere", FormattableString.Invariant($"{Relocations} times"));
-    }
-
-    private static IEnumerable<double> Jerks(IReadOnlyList<DriveSample> samples)
-    {
-        for (int i = 2; i < samples.Count; i++)
-        {
-            if (samples[i].IsElsewhere || samples[i - 1].IsElsewhere
-                || !(samples[i].IsByController && samples[i - 1].IsByController && samples[i - 2].IsByController))
-            {
-                continue;
-            }
-
-            double step = samples[i].TimeSeconds - samples[i - 1].TimeSeconds;
-            yield return (samples[i].Speed - (2 * samples[i - 1].Speed) + samples[i - 2].Speed) / (step * step);
-        }
     }
 
     private static double RootMeanSquare(double[] values) =>

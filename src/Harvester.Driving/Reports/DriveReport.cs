@@ -10,7 +10,7 @@ using Harvester.Geometry;
 
 namespace Harvester.Driving.Reports;
 
-/// <summary>Shows a drive as one page that needs nothing beside it: figures, the way on a map, lateral error and speed.</summary>
+/// <summary>Shows a drive as one page that needs nothing beside it: figures, the way on a map, lateral error, speed, jerk and progress.</summary>
 public static class DriveReport
 {
     /// <summary>Name of the page.</summary>
@@ -59,6 +59,10 @@ public static class DriveReport
             page.Append(Lateral(samples));
             page.Append("<h2>Speed</h2>\n");
             page.Append(Speed(samples));
+            page.Append("<h2>Jerk</h2>\n<p>Change of the acceleration while the controller drives.</p>\n");
+            page.Append(JerkOf(samples));
+            page.Append("<h2>Progress</h2>\n");
+            page.Append(Progress(samples));
         }
 
         page.Append("</body>\n</html>\n");
@@ -108,6 +112,30 @@ public static class DriveReport
         double[] way = Way(samples);
         Plot plot = Plot.Of("way, m", "speed, m/s", (0, way[^1]), (0, samples.Max(sample => sample.Speed)));
         AddByDriver(plot, samples, (sample, i) => new Vector2D(way[i], sample.Speed));
+        return plot.ToSvg();
+    }
+
+    private static string JerkOf(IReadOnlyList<DriveSample> samples)
+    {
+        double[] way = Way(samples);
+        (int Sample, double Jerk)[] jerks = [.. Jerk.Of(samples)];
+        double most = jerks.Select(at => Math.Abs(at.Jerk)).Append(1).Max();
+        Plot plot = Plot.Of("way, m", "jerk, m/s³", (0, way[^1]), (-most, most));
+        foreach (IGrouping<int, (int Sample, double Jerk)> piece in jerks.Select((at, order) => (At: at, Piece: at.Sample - order)).GroupBy(at => at.Piece, at => at.At))
+        {
+            plot.Add(new PlotLine(ByController, [.. piece.Select(at => new Vector2D(way[at.Sample], at.Jerk))]));
+        }
+
+        return plot.ToSvg();
+    }
+
+    private static string Progress(IReadOnlyList<DriveSample> samples)
+    {
+        // Each start has a time of its own; the samples come at equal intervals.
+        double[] way = Way(samples);
+        double step = samples[1].TimeSeconds - samples[0].TimeSeconds;
+        Plot plot = Plot.Of("time, s", "way, m", (0, step * (samples.Count - 1)), (0, way[^1]));
+        AddByDriver(plot, samples, (_, i) => new Vector2D(step * i, way[i]));
         return plot.ToSvg();
     }
 
