@@ -114,7 +114,7 @@ public sealed record DriveFigures
         yield return ("lane departures", FormattableString.Invariant($"{LaneDepartures}"));
         yield return ("lane changes", FormattableString.Invariant($"{LaneChanges}"));
         yield return ("lateral error", FormattableString.Invariant($"{RmsLateralError:0.000} m RMS, {LargestLateralError:0.00} m at most"));
-        yield return ("collisions", FormattableString.Invariant($"{Collisions}, in junctions {CollisionsInJunctions}; of the own driver {CollisionsOfOwnDriver}, in junctions {CollisionsOfOwnDriverInJunctions}"));
+        yield return ("collisions", FormattableString.Invariant($"{Collisions} outside of junctions, {CollisionsInJunctions} in; the own driver {CollisionsOfOwnDriver} outside, {CollisionsOfOwnDriverInJunctions} in"));
         yield return ("jerk", FormattableString.Invariant($"{RmsJerk:0.0} m/s³ RMS"));
         yield return ("put elsewhere", FormattableString.Invariant($"{Relocations} times"));
     }

@@ -32,7 +32,9 @@ public sealed class FolderLink : IPeerLink
     {
         _folder = Directory.Exists(folder) ? folder : throw new IOException($"The shared folder {folder} is not there; the game's side makes it.");
         _seen = ReadState();
-        Command("{\"type\":\"requestFrame\"}");
+
+        // A world that an earlier peer has stopped goes on.
+        Command("{\"type\":\"hello\"}");
     }
 
     /// <inheritdoc/>

@@ -29,20 +29,28 @@ public sealed class TenKilometresTests
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public void Stanley_on_synthetic_roads(bool isNoisy) => AssertClean(Drive(new DrivePlan
-    {
-        Controller = new ControllerPlan { Kind = ControllerKind.Stanley },
-        Starts = PlacesInTown,
-        TrafficDensity = 0.5,
-        Metres = 2800,
-        Noise = isNoisy ? NoiseLevels.Published : null,
-    }));
+    public void Stanley_on_synthetic_roads(bool isNoisy) => AssertClean(DriveInTowns(new ControllerPlan { Kind = ControllerKind.Stanley }, isNoisy));
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void DeepDriving_with_an_emergency_brake_on_synthetic_roads(bool isNoisy) =>
+        AssertClean(DriveInTowns(new ControllerPlan { Kind = ControllerKind.DeepDriving, BrakesInEmergency = true }, isNoisy));
 
     [RealWorldFact("nodes.zip")]
     public void Stanley_on_the_real_network_by_the_truth() => AssertClean(DriveOnMap(null));
 
     [RealWorldFact("nodes.zip")]
     public void Stanley_on_the_real_network_with_noise() => AssertClean(DriveOnMap(NoiseLevels.Published));
+
+    private static DriveFigures DriveInTowns(ControllerPlan controller, bool isNoisy) => Drive(new DrivePlan
+    {
+        Controller = controller,
+        Starts = PlacesInTown,
+        TrafficDensity = 0.5,
+        Metres = 2800,
+        Noise = isNoisy ? NoiseLevels.Published : null,
+    });
 
     private static DriveFigures DriveOnMap(NoiseLevels? noise) => Drive(new DrivePlan
     {
@@ -60,6 +68,6 @@ public sealed class TenKilometresTests
     {
         string all = string.Join("; ", figures.Rows().Select(row => $"{row.Name}: {row.Value}"));
         Assert.True(figures.JudgedMetres >= Demanded, all);
-        Assert.True(figures is { LaneDepartures: 0, Collisions: 0 }, all);
+        Assert.True(figures is { LaneDepartures: 0, Collisions: 0, CollisionsOfOwnDriver: 0, CollisionsOfOwnDriverInJunctions: 0 }, all);
     }
 }

@@ -20,6 +20,14 @@ public sealed class FolderLinkTests : IDisposable
     }
 
     [Fact]
+    public void Peer_begins_with_a_hello_so_that_a_world_which_another_has_stopped_goes_on()
+    {
+        using FolderLink link = new(_folder);
+
+        Assert.Equal("""{"type":"hello"}""", File.ReadAllText(Path.Combine(_folder, "command.json")).TrimEnd());
+    }
+
+    [Fact]
     public void Receive_gives_each_new_state_once_and_none_from_before()
     {
         Write(Indicators + "3 0.3 5 1 frame_00000003.png\n");
