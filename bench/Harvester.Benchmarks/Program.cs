@@ -4,11 +4,20 @@ using Harvester.Benchmarks;
 using Harvester.Benchmarks.PixelMaps;
 using Harvester.Geometry.Cameras;
 
-// pixel-maps compares figures that are no times, so it is no benchmark of BenchmarkDotNet's.
-if (args is ["pixel-maps", var width, var height, var seed, .. var rest])
+// pixel-maps and pixel-map-sweep compare figures that are no times, so they are no benchmarks of BenchmarkDotNet's.
+if (args is ["pixel-maps" or "pixel-map-sweep", var width, var height, var seed, .. var rest])
 {
     var size = new ImageSize(int.Parse(width, CultureInfo.InvariantCulture), int.Parse(height, CultureInfo.InvariantCulture));
-    PixelMapComparison.Run(size, int.Parse(seed, CultureInfo.InvariantCulture), rest.FirstOrDefault());
+    int firstSeed = int.Parse(seed, CultureInfo.InvariantCulture);
+    if (args[0] == "pixel-maps")
+    {
+        PixelMapComparison.Run(size, firstSeed, rest.FirstOrDefault());
+    }
+    else
+    {
+        StrategySweep.Run(size, firstSeed);
+    }
+
     return;
 }
 

@@ -3,8 +3,9 @@ using Harvester.Geometry.PixelMaps;
 namespace Harvester.Benchmarks.PixelMaps;
 
 /// <summary>
-/// Boundary tracing: between neighbouring pixels of a grid that differ a change is found by bisection, and the outline through it is
-/// followed pixel by pixel until it closes or leaves the image. Between outlines rows are filled from the left.
+/// Boundary tracing: between neighbouring pixels of a grid that differ, or a seed and the grid lines beside it, a change is found by
+/// bisection, and the outline through it is followed pixel by pixel until it closes or leaves the image. Between outlines rows are filled
+/// from the left.
 /// </summary>
 internal static class ContourFollowing
 {
@@ -20,6 +21,14 @@ internal static class ContourFollowing
                 Search(image, followed, column, row, Math.Min(column + gridSize, image.Size.Width - 1), row);
                 Search(image, followed, column, row, column, Math.Min(row + gridSize, image.Size.Height - 1));
             }
+        }
+
+        foreach ((int column, int row) in image.Seeds)
+        {
+            Search(image, followed, column / gridSize * gridSize, row, column, row);
+            Search(image, followed, column, row, Math.Min(column + gridSize, image.Size.Width - 1), row);
+            Search(image, followed, column, row / gridSize * gridSize, column, row);
+            Search(image, followed, column, row, column, Math.Min(row + gridSize, image.Size.Height - 1));
         }
 
         return image.FillFromTheLeft();

@@ -2,10 +2,10 @@ using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Benchmarks.PixelMaps;
 
-/// <summary>The plain quadtree: a cell whose corners differ is divided, down to the pixel; one whose corners agree is filled.</summary>
+/// <summary>The plain quadtree: a cell whose corners and seeds differ is divided, down to a least size; one that agrees is filled.</summary>
 internal static class Quadtree
 {
-    public static InstanceMap Map(SampledImage image, int cellSize)
+    public static InstanceMap Map(SampledImage image, int cellSize, int leastSize)
     {
         var map = new InstanceMap(image.Size);
         for (int top = 0; top < image.Size.Height; top += cellSize)
@@ -13,7 +13,7 @@ internal static class Quadtree
             for (int left = 0; left < image.Size.Width; left += cellSize)
             {
                 Fill(
-                    image, map, left, top,
+                    image, map, leastSize, left, top,
                     Math.Min(left + cellSize, image.Size.Width - 1), Math.Min(top + cellSize, image.Size.Height - 1));
             }
         }
@@ -21,17 +21,20 @@ internal static class Quadtree
         return map;
     }
 
-    private static void Fill(SampledImage image, InstanceMap map, int left, int top, int right, int bottom)
+    private static void Fill(SampledImage image, InstanceMap map, int leastSize, int left, int top, int right, int bottom)
     {
         int number = image[left, top];
-        bool isUniform = image[right, top] == number && image[left, bottom] == number && image[right, bottom] == number;
-        if (isUniform || (right - left <= 1 && bottom - top <= 1))
+        bool isUniform = image[right, top] == number && image[left, bottom] == number && image[right, bottom] == number
+            && image.Seeds.All(seed => seed.Column < left || seed.Column > right || seed.Row < top || seed.Row > bottom || image[seed.Column, seed.Row] == number);
+        if (isUniform || (right - left <= leastSize && bottom - top <= leastSize))
         {
             for (int row = top; row <= bottom; row++)
             {
                 for (int column = left; column <= right; column++)
                 {
-                    map[column, row] = (ushort)(image.IsKnown(column, row) ? image[column, row] : number);
+                    map[column, row] = (ushort)(image.IsKnown(column, row)
+                        ? image[column, row]
+                        : image[column - left < right - column ? left : right, row - top < bottom - row ? top : bottom]);
                 }
             }
 
@@ -40,9 +43,9 @@ internal static class Quadtree
 
         int x = (left + right) / 2;
         int y = (top + bottom) / 2;
-        Fill(image, map, left, top, Math.Max(x, left), Math.Max(y, top));
-        Fill(image, map, x, top, right, y);
-        Fill(image, map, left, y, x, bottom);
-        Fill(image, map, x, y, right, bottom);
+        Fill(image, map, leastSize, left, top, Math.Max(x, left), Math.Max(y, top));
+        Fill(image, map, leastSize, x, top, right, y);
+        Fill(image, map, leastSize, left, y, x, bottom);
+        Fill(image, map, leastSize, x, y, right, bottom);
     }
 }

@@ -1,3 +1,4 @@
+using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Tests.Scenes;
@@ -29,9 +30,18 @@ internal sealed class SampledImage
                 }
             }
         }
+
+        Seeds = [.. targets.Select(target => target.Projection.Box).OfType<Box2D>().SelectMany(SeedsOf)];
+        foreach ((int column, int row) in Seeds)
+        {
+            _ = this[column, row];
+        }
     }
 
     public ImageSize Size { get; }
+
+    /// <summary>Asked pixels of the objects' boxes: three of each, so that small objects are not overlooked.</summary>
+    public IReadOnlyList<(int Column, int Row)> Seeds { get; }
 
     public int Rays { get; private set; }
 
@@ -52,6 +62,23 @@ internal sealed class SampledImage
         }
     }
 
+    /// <summary>A map of every pixel as the pixel in the middle of its square of a grid shows it.</summary>
+    public InstanceMap Nearest(int step)
+    {
+        var map = new InstanceMap(Size);
+        for (int row = 0; row < Size.Height; row++)
+        {
+            for (int column = 0; column < Size.Width; column++)
+            {
+                int c = Math.Min((column / step * step) + (step / 2), Size.Width - 1);
+                int r = Math.Min((row / step * step) + (step / 2), Size.Height - 1);
+                map[column, row] = (ushort)(IsKnown(column, row) ? this[column, row] : this[c, r]);
+            }
+        }
+
+        return map;
+    }
+
     /// <summary>A map of what is known, the gaps filled with the last known number to the left.</summary>
     public InstanceMap FillFromTheLeft()
     {
@@ -67,5 +94,14 @@ internal sealed class SampledImage
         }
 
         return map;
+    }
+
+    private IEnumerable<(int Column, int Row)> SeedsOf(Box2D box)
+    {
+        foreach ((double across, double down) in new[] { (0.5, 0.5), (0.4, 0.25), (0.6, 0.75) })
+        {
+            yield return (
+                Math.Clamp((int)(box.XMin + (box.Width * across)), 0, Size.Width - 1), Math.Clamp((int)(box.YMin + (box.Height * down)), 0, Size.Height - 1));
+        }
     }
 }
