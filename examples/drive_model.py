@@ -48,14 +48,23 @@ def decode(png):
     return numpy.cumsum(filtered, axis=0, dtype=numpy.uint8).reshape(height, width, 3)
 
 
+def look(stream):
+    """The next frame. One that is cut off is the bridge's failure; what the model does with a whole one is its own."""
+    try:
+        state, png = receive(stream)
+        return state, decode(png)
+    except (ValueError, struct.error, zlib.error) as problem:
+        raise ConnectionError(f"a frame is cut off or none of the bridge's: {problem}") from problem
+
+
 def drive(predict, host, port, seconds, token):
     end = time.monotonic() + seconds
     with socket.create_connection((host, port)).makefile("rwb") as stream:
         if token:
             send(stream, type="hello", token=token)
         while time.monotonic() < end:
-            state, png = receive(stream)
-            send(stream, type="indicators", frame=state["frame"], values=[float(value) for value in predict(decode(png))])
+            state, picture = look(stream)
+            send(stream, type="indicators", frame=state["frame"], values=[float(value) for value in predict(picture)])
 
 
 if __name__ == "__main__":

@@ -84,16 +84,16 @@ public sealed class DrivingSession : IDisposable
         return Status;
     }
 
-    /// <summary>
-    /// Forgets the road, what the controller knew of it and the controls that hold, as after a reset: for a game that has put the car
-    /// elsewhere by itself.
-    /// </summary>
+    /// <summary>Forgets the road, what the controller knew of it and the controls that hold: for a game that has itself put the car elsewhere.</summary>
     public void Forget()
     {
         _watch.Forget();
         _view.Forget();
         _controller = _newController();
     }
+
+    /// <summary>Sends a frame as soon as there is one, as if the peer had asked for it: for a world that stands until somebody drives.</summary>
+    public void AskForFrame() => _isFrameAskedFor = true;
 
     /// <summary>Ends the drive and lets the world go on. Again is no harm.</summary>
     public void Stop()

@@ -22,7 +22,11 @@ internal sealed class BridgedDrive(SimulatedGame game, IRoads roads, IDrivingBri
 {
     private const double TickSeconds = 0.05;
     private const int TicksPerSample = 2;
-    private static readonly TimeSpan WaitForPeer = TimeSpan.FromMilliseconds(1);
+    private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(1);
+
+    /// <summary>A peer may have come after the frame of the world that waits for it, and may wait for a frame itself: it is shown so often.</summary>
+    private static readonly TimeSpan ShowAgainAfter = TimeSpan.FromSeconds(0.5);
+
 
     private readonly DriveSampler _sampler = new(game);
     private readonly Stopwatch _silence = new();
@@ -39,33 +43,35 @@ internal sealed class BridgedDrive(SimulatedGame game, IRoads roads, IDrivingBri
     {
         using BridgedGame bridged = new(game, roads, new DrivingOptions(), bridge, newController, isAssisted: true);
         _silence.Restart();
-        while (!cancellation.IsCancellationRequested && !Check(bridged.Listen()).IsPeerAlive)
-        {
-            cancellation.WaitHandle.WaitOne(WaitForPeer);
-        }
-
-        var clock = Stopwatch.StartNew();
+        WaitForPeer(bridged, cancellation);
+        WallPace pace = new(TickSeconds, TimeProvider.System);
         int ticks = 0;
         while (_sampler.Metres < metres && game.Ports.World.TimeSeconds < seconds && !cancellation.IsCancellationRequested)
         {
-            if (game.IsFrozen)
-            {
-                cancellation.WaitHandle.WaitOne(WaitForPeer);
-            }
-            else if (++ticks % TicksPerSample == 0)
+            pace.Wait(game.IsFrozen, isHurried: !isRealTime || bridged.IsStepping, cancellation);
+            if (!game.IsFrozen && ++ticks % TicksPerSample == 0)
             {
                 _sampler.Take(bridged.IsByPeer);
             }
 
             Check(bridged.Tick(TickSeconds));
-            TimeSpan ahead = TimeSpan.FromSeconds(ticks * TickSeconds) - clock.Elapsed;
-            if (isRealTime && ahead > TimeSpan.Zero)
-            {
-                cancellation.WaitHandle.WaitOne(ahead);
-            }
         }
 
         return _sampler.Samples;
+    }
+
+    private void WaitForPeer(BridgedGame bridged, CancellationToken cancellation)
+    {
+        var shown = Stopwatch.StartNew();
+        while (!cancellation.IsCancellationRequested && !Check(bridged.Listen()).IsPeerAlive && !bridged.IsStepping)
+        {
+            cancellation.WaitHandle.WaitOne(Look);
+            if (shown.Elapsed > ShowAgainAfter)
+            {
+                bridged.ShowAgain();
+                shown.Restart();
+            }
+        }
     }
 
     /// <summary>A drive that is over, or that no peer takes further, does not go on for ever.</summary>

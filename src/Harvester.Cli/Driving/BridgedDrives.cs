@@ -47,7 +47,7 @@ internal sealed class BridgedDrives(BridgePlan plan, TextWriter messages)
 
         using IPeerLink link = Connect((bridge as SocketBridge)?.EndPoint);
         using var ending = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
-        Task peer = Task.Run(() => RunPeerToItsEnd(new PeerDriver(link, newController, plan.Patience), ending), CancellationToken.None);
+        Task peer = Task.Run(() => RunPeerToItsEnd(new PeerDriver(link, newController, plan.Patience, TimeProvider.System), ending), CancellationToken.None);
         IReadOnlyList<DriveSample> samples;
         try
         {
@@ -72,7 +72,7 @@ internal sealed class BridgedDrives(BridgePlan plan, TextWriter messages)
     public PeerDriver RunPeer(Func<IController> newController, double seconds, CancellationToken cancellation)
     {
         using IPeerLink link = Connect(null);
-        PeerDriver driver = new(link, newController, plan.Patience);
+        PeerDriver driver = new(link, newController, plan.Patience, TimeProvider.System);
         driver.Run(null, seconds, cancellation);
         return driver;
     }

@@ -75,5 +75,8 @@ internal sealed class BridgedGame : IDisposable
         return Listen();
     }
 
+    /// <summary>Sends a frame as soon as there is one, as if the peer had asked for it.</summary>
+    public void ShowAgain() => _session.AskForFrame();
+
     public void Dispose() => _session.Dispose();
 }

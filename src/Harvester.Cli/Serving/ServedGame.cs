@@ -1,5 +1,4 @@
 using System;
-using System.Diagnostics;
 using System.Threading;
 using Harvester.Capture.Driving;
 using Harvester.Cli.Driving;
@@ -12,31 +11,15 @@ namespace Harvester.Cli.Serving;
 internal sealed class ServedGame(SimulatedGame game, BridgedGame bridged)
 {
     private const double TickSeconds = 1 / SimulatedHarvest.TicksPerSecond;
-    private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(1);
 
     /// <summary>Serves for so many seconds of the game's time, to a fault, or until it is cancelled.</summary>
     public DrivingStatus Run(double seconds, CancellationToken cancellation)
     {
-        var wall = Stopwatch.StartNew();
-        TimeSpan due = TimeSpan.Zero;
+        WallPace pace = new(TickSeconds, TimeProvider.System);
         DrivingStatus status = bridged.Listen();
         while (game.Ports.World.TimeSeconds < seconds && !cancellation.IsCancellationRequested && !status.IsOver)
         {
-            TimeSpan wait = Poll;
-            if (!game.IsFrozen)
-            {
-                // A machine that is too slow for the pace does not hurry later.
-                TimeSpan now = wall.Elapsed;
-                due += TimeSpan.FromSeconds(TickSeconds);
-                due = bridged.IsStepping || due < now ? now : due;
-                wait = due - now;
-            }
-
-            if (wait > TimeSpan.Zero)
-            {
-                cancellation.WaitHandle.WaitOne(wait);
-            }
-
+            pace.Wait(game.IsFrozen, isHurried: bridged.IsStepping, cancellation);
             status = bridged.Tick(TickSeconds);
         }
 

@@ -23,6 +23,7 @@ public sealed class FolderLink : IPeerLink
 
     private readonly string _folder;
     private string? _seen;
+    private bool _isHeard;
     private int _commands;
 
     /// <summary>Looks into the folder.</summary>
@@ -33,9 +34,11 @@ public sealed class FolderLink : IPeerLink
         _folder = Directory.Exists(folder) ? folder : throw new IOException($"The shared folder {folder} is not there; the game's side makes it.");
         _seen = ReadState();
 
-        // A world that an earlier peer has stopped goes on.
-        Command("{\"type\":\"hello\"}");
+        AskForFrame();
     }
+
+    /// <summary>A file may be written by somebody else before the game has read it.</summary>
+    public bool MayLose => true;
 
     /// <inheritdoc/>
     public PeerFrame? Receive(TimeSpan patience)
@@ -47,6 +50,7 @@ public sealed class FolderLink : IPeerLink
             if (state is not null && state != _seen && FrameOf(state) is { } frame)
             {
                 _seen = state;
+                _isHeard = true;
                 return frame;
             }
 
@@ -59,6 +63,9 @@ public sealed class FolderLink : IPeerLink
     /// <inheritdoc/>
     public void Send(DrivingControls controls, long frame) => WriteWhole(
         "controls.txt", FormattableString.Invariant($"{controls.Steering:0.######} {controls.Throttle:0.######} {controls.Brake:0.######} {frame}\n"));
+
+    /// <summary>Asks for a frame; until the first has come by a hello, with which a world goes on that an earlier peer has stopped.</summary>
+    public void AskForFrame() => Command(_isHeard ? "{\"type\":\"requestFrame\"}" : "{\"type\":\"hello\"}");
 
     /// <inheritdoc/>
     public void Step(double seconds) => Command(string.Create(CultureInfo.InvariantCulture, $"{{\"type\":\"step\",\"seconds\":{seconds}}}"));

@@ -1,5 +1,4 @@
 using System;
-using System.Diagnostics;
 using System.IO;
 using System.Threading;
 using Harvester.Capture.Driving;
@@ -12,17 +11,22 @@ namespace Harvester.Driving.Peers;
 /// <param name="link">To the game.</param>
 /// <param name="newController">Makes who drives; asked again when the car was put elsewhere.</param>
 /// <param name="patience">For so long, on the clock, it waits for a frame.</param>
-public sealed class PeerDriver(IPeerLink link, Func<IController> newController, TimeSpan patience)
+/// <param name="clock">The clock.</param>
+public sealed class PeerDriver(IPeerLink link, Func<IController> newController, TimeSpan patience, TimeProvider clock)
 {
     private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(100);
 
-    /// <summary>An answer without a frame after it may have been lost, as a file may that two write at once: it is given again.</summary>
-    private static readonly TimeSpan AgainAfter = TimeSpan.FromSeconds(2);
+    /// <summary>
+    /// What has no frame after it for so long may have been lost, or the game is slow. A frame is asked for: it tells which, for the world
+    /// of a lost answer still stands where it stood.
+    /// </summary>
+    private static readonly TimeSpan AskAfter = TimeSpan.FromSeconds(2);
 
-    private readonly Stopwatch _silence = new();
-    private readonly Stopwatch _sinceAnswer = new();
     private IController _controller = newController();
     private PeerFrame? _last;
+    private long _heard;
+    private long _spoke;
+    private bool _isAsking;
     private DrivingControls _answer;
 
     /// <summary>Frames answered.</summary>
@@ -44,25 +48,32 @@ public sealed class PeerDriver(IPeerLink link, Func<IController> newController, 
     /// <exception cref="IOException">The bridge has failed, or no frame has come for too long.</exception>
     public void Run(double? stepSeconds, double seconds, CancellationToken cancellation)
     {
-        _silence.Restart();
+        _heard = _spoke = clock.GetTimestamp();
         try
         {
             while (!cancellation.IsCancellationRequested && Seconds < seconds)
             {
-                if (link.Receive(Look) is { } frame && frame.TimeSeconds != _last?.TimeSeconds)
+                PeerFrame? frame = link.Receive(Look);
+                if (frame is not null && frame.TimeSeconds != _last?.TimeSeconds)
                 {
                     Take(frame);
                     Answer(stepSeconds);
                     Frames++;
-                    _silence.Restart();
+                    _heard = _spoke;
                 }
-                else if (_silence.Elapsed > patience)
+                else if (clock.GetElapsedTime(_heard) > patience)
                 {
                     throw new IOException(FormattableString.Invariant($"No frame of the game has come for {patience.TotalSeconds} s."));
                 }
-                else if (stepSeconds is not null && _last is not null && _sinceAnswer.Elapsed > AgainAfter)
+                else if (frame is not null && _isAsking)
                 {
                     Answer(stepSeconds);
+                }
+                else if (link.MayLose && (_last is null || stepSeconds is not null) && clock.GetElapsedTime(_spoke) > AskAfter)
+                {
+                    link.AskForFrame();
+                    _isAsking = true;
+                    _spoke = clock.GetTimestamp();
                 }
             }
         }
@@ -97,6 +108,7 @@ public sealed class PeerDriver(IPeerLink link, Func<IController> newController, 
             link.Step(step);
         }
 
-        _sinceAnswer.Restart();
+        _isAsking = false;
+        _spoke = clock.GetTimestamp();
     }
 }

@@ -38,7 +38,7 @@ public sealed class SocketLink : IPeerLink
                 Write(new { type = "hello", token });
             }
 
-            Write(new { type = "requestFrame" });
+            AskForFrame();
         }
         catch
         {
@@ -48,6 +48,9 @@ public sealed class SocketLink : IPeerLink
     }
 
     /// <inheritdoc/>
+    public bool MayLose => false;
+
+    /// <inheritdoc/>
     public PeerFrame? Receive(TimeSpan patience)
     {
         if (!_client.Client.Poll(patience, SelectMode.SelectRead))
@@ -55,13 +58,16 @@ public sealed class SocketLink : IPeerLink
             return null;
         }
 
-        byte[] lengths = new byte[8];
-        ReadFirst(lengths);
-        byte[] header = Read(BinaryPrimitives.ReadInt32BigEndian(lengths));
-        Read(BinaryPrimitives.ReadInt32BigEndian(lengths.AsSpan(4)));
+        // Of what has come while nobody looked the last counts: the newest frame, or why the game closes the bridge.
+        byte[] newest = ReadHeader();
+        while (_client.Available > 0)
+        {
+            newest = ReadHeader();
+        }
+
         try
         {
-            using JsonDocument message = JsonDocument.Parse(header);
+            using JsonDocument message = JsonDocument.Parse(newest);
             return FrameOf(message.RootElement);
         }
         catch (Exception e) when (e is JsonException or KeyNotFoundException or InvalidOperationException or FormatException or ArgumentException)
@@ -73,6 +79,9 @@ public sealed class SocketLink : IPeerLink
     /// <inheritdoc/>
     public void Send(DrivingControls controls, long frame) =>
         Write(new { type = "controls", steering = controls.Steering, throttle = controls.Throttle, brake = controls.Brake, frame });
+
+    /// <inheritdoc/>
+    public void AskForFrame() => Write(new { type = "requestFrame" });
 
     /// <inheritdoc/>
     public void Step(double seconds) => Write(new { type = "step", seconds });
@@ -134,6 +143,16 @@ public sealed class SocketLink : IPeerLink
             // What the game said last, and why it closed the bridge, may still wait to be read: the next frame that is asked for tells.
             return;
         }
+    }
+
+    /// <summary>The header of a message; its picture is passed over.</summary>
+    private byte[] ReadHeader()
+    {
+        byte[] lengths = new byte[8];
+        ReadFirst(lengths);
+        byte[] header = Read(BinaryPrimitives.ReadInt32BigEndian(lengths));
+        Read(BinaryPrimitives.ReadInt32BigEndian(lengths.AsSpan(4)));
+        return header;
     }
 
     private void ReadFirst(byte[] bytes)

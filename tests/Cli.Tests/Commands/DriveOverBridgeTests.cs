@@ -43,6 +43,26 @@ public sealed class DriveOverBridgeTests : IDisposable
     }
 
     [Fact]
+    public async Task Peer_of_a_folder_that_comes_after_the_first_frame_drives_the_game()
+    {
+        string shared = _folder.PathOf("shared");
+        Task<CliRun> game = Start(
+            "drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--role", "game", "--folder", shared, "--distance", "4", "--traffic", "0", "--seed", "4");
+        while (!File.Exists(Path.Combine(shared, "state.txt")) && !game.IsCompleted)
+        {
+            await Task.Delay(10);
+        }
+
+        using CancellationTokenSource stopping = new();
+        Task<CliRun> peer = Start(stopping.Token, "drive", "--bridge", "folder", "--role", "peer", "--folder", shared);
+        CliRun run = await game;
+        stopping.Cancel();
+        await peer;
+
+        Assert.Equal((0, ""), (run.ExitCode, run.Error));
+    }
+
+    [Fact]
     public async Task Peer_with_a_wrong_token_is_told_and_the_game_can_be_stopped()
     {
         string at = FreePlace();

@@ -1,6 +1,9 @@
+using System.Diagnostics;
+using System.Diagnostics.CodeAnalysis;
 using Harvester.Capture.Driving;
 using Harvester.Capture.Driving.Bridge;
 using Harvester.Capture.Driving.Controllers;
+using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
 using Harvester.Cli.Driving;
 using Harvester.Driving.Evaluation;
@@ -11,6 +14,7 @@ namespace Harvester.Cli.Tests.Driving;
 public sealed class BridgedDriveTests
 {
     private static readonly TimeSpan Little = TimeSpan.FromSeconds(0.2);
+    private static readonly TimeSpan Ample = TimeSpan.FromSeconds(30);
     private static readonly DrivingControls Gentle = new(0, 0.2, 0);
 
     [Fact]
@@ -53,6 +57,42 @@ public sealed class BridgedDriveTests
     }
 
     [Fact]
+    public void Run_goes_on_with_a_peer_that_came_after_the_first_frame_and_waits_for_one()
+    {
+        // Nobody was there for frame 0.
+        using AnsweringBridge bridge = new(state => state.Frame == 0 ? [] : [new ControlsMessage(Gentle, state.Frame), new StepMessage(0.1)]);
+
+        Assert.NotEmpty(Drive(bridge, Ample, metres: 1));
+    }
+
+    [Fact]
+    public void Run_goes_on_with_a_peer_whose_first_word_is_a_step()
+    {
+        using AnsweringBridge bridge = new(state => [new StepMessage(0.1), .. state.TimeSeconds > 0 ? [new ControlsMessage(Gentle, null)] : Array.Empty<PeerMessage>()]);
+
+        Assert.NotEmpty(Drive(bridge, Ample, metres: 1));
+    }
+
+    [Fact]
+    public void Run_in_real_time_does_not_hurry_after_a_pause()
+    {
+        var pause = TimeSpan.FromSeconds(0.5);
+        using PausingBridge bridge = new(pause);
+        using CancellationTokenSource stopping = new();
+        bridge.AfterPause = frames =>
+        {
+            if (frames == 6)
+            {
+                stopping.Cancel();
+            }
+        };
+        Drive(bridge, TimeSpan.FromHours(1), isRealTime: true, stopping: stopping.Token);
+
+        // From the first frame after the pause to the sixth it is half a second; a timer may end a wait a little early, and there are ten waits.
+        Assert.InRange(bridge.SinceFirstAfterPause, TimeSpan.FromSeconds(0.4), TimeSpan.MaxValue);
+    }
+
+    [Fact]
     public void Run_that_is_stopped_gives_what_it_has()
     {
         using CancellationTokenSource stopping = new();
@@ -69,14 +109,63 @@ public sealed class BridgedDriveTests
             new RequestFrameMessage());
 
         // The tenth frame after the first is at 1.0 s: ten samples, or one more with the rest of its tick.
-        Assert.InRange(Drive(bridge, TimeSpan.FromHours(1), stopping.Token).Count, 9, 11);
+        Assert.InRange(Drive(bridge, TimeSpan.FromHours(1), stopping: stopping.Token).Count, 9, 11);
     }
 
-    private static IReadOnlyList<DriveSample> Drive(IDrivingBridge bridge, TimeSpan patience, CancellationToken stopping = default)
+    private static IReadOnlyList<DriveSample> Drive(
+        IDrivingBridge bridge, TimeSpan patience, double metres = 100, bool isRealTime = false, CancellationToken stopping = default)
     {
         SimulatedGame game = new(new SimulationOptions { Seed = 1, TrafficDensity = 0, PedestrianDensity = 0, WindowAspect = 4.0 / 3 });
         BridgedDrive drive = new(
             game, new FixedRoads(game.Roads, "simulation"), bridge, static () => new StanleyController(new StanleyOptions()), patience);
-        return drive.Run(100, 60, isRealTime: false, stopping);
+        return drive.Run(metres, 60, isRealTime, stopping);
+    }
+
+    /// <summary>To a peer that answers each frame, and after the third one stops the world for a while.</summary>
+    private sealed class PausingBridge(TimeSpan pause) : IDrivingBridge
+    {
+        private const int PauseAfter = 3;
+        private readonly Queue<PeerMessage> _messages = new([new ControlsMessage(Gentle, null)]);
+        private readonly Stopwatch _paused = new();
+        private readonly Stopwatch _sinceFirst = new();
+        private bool _isOver;
+        private int _frames;
+
+        public string? Problem => null;
+
+        public Action<int> AfterPause { get; set; } = static _ => { };
+
+        public TimeSpan SinceFirstAfterPause { get; private set; }
+
+        public void Publish(BridgeState state, PixelBuffer picture)
+        {
+            _messages.Enqueue(new ControlsMessage(Gentle, state.Frame));
+            if (_isOver)
+            {
+                _sinceFirst.Start();
+                SinceFirstAfterPause = _sinceFirst.Elapsed;
+                AfterPause(++_frames - PauseAfter);
+            }
+            else if (++_frames == PauseAfter)
+            {
+                _messages.Enqueue(new PauseMessage(true));
+                _paused.Start();
+            }
+        }
+
+        public bool TryReceive([NotNullWhen(true)] out PeerMessage? message)
+        {
+            if (!_isOver && _paused.Elapsed > pause)
+            {
+                _isOver = true;
+                _messages.Enqueue(new PauseMessage(false));
+            }
+
+            return _messages.TryDequeue(out message);
+        }
+
+        public void Dispose()
+        {
+        }
     }
 }

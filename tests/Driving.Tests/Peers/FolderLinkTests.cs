@@ -28,6 +28,22 @@ public sealed class FolderLinkTests : IDisposable
     }
 
     [Fact]
+    public void Frame_is_asked_for_by_a_hello_until_the_first_has_come()
+    {
+        using FolderLink link = new(_folder);
+        string first = File.ReadAllText(Path.Combine(_folder, "command.json"));
+        link.AskForFrame();
+        string again = File.ReadAllText(Path.Combine(_folder, "command.json"));
+        Assert.NotEqual(first, again);
+        Assert.Equal("""{"type":"hello"}""", again.TrimEnd());
+
+        Write(Indicators + "3 0.3 5 1 frame_00000003.png\n");
+        Assert.NotNull(link.Receive(Ample));
+        link.AskForFrame();
+        Assert.Equal("""{"type":"requestFrame"}""", File.ReadAllText(Path.Combine(_folder, "command.json")).TrimEnd());
+    }
+
+    [Fact]
     public void Receive_gives_each_new_state_once_and_none_from_before()
     {
         Write(Indicators + "3 0.3 5 1 frame_00000003.png\n");

@@ -21,6 +21,30 @@ public sealed class SocketLinkTests
     }
 
     [Fact]
+    public void Receive_gives_the_newest_of_the_frames_that_have_come()
+    {
+        using FakeGame game = new();
+        using SocketLink link = new("127.0.0.1", game.Port, null, Ample);
+        game.Say([.. FakeGame.Frame(1), .. FakeGame.Frame(2), .. FakeGame.Frame(3)]);
+
+        Assert.Equal(3, link.Receive(Ample)!.Frame);
+        Assert.Null(link.Receive(TimeSpan.FromMilliseconds(1)));
+    }
+
+    [Fact]
+    public void Receive_of_frames_and_the_end_gives_the_newest_and_then_tells_the_end()
+    {
+        using FakeGame game = new();
+        using SocketLink link = new("127.0.0.1", game.Port, null, Ample);
+        game.Hear();
+        game.Say([.. FakeGame.Frame(1), .. FakeGame.Frame(2)]);
+        game.Close();
+
+        Assert.Equal(2, link.Receive(Ample)!.Frame);
+        Assert.Equal("The game has closed the bridge.", Assert.ThrowsAny<IOException>(() => link.Receive(Ample)).Message);
+    }
+
+    [Fact]
     public void Receive_of_nothing_is_null()
     {
         using FakeGame game = new();

@@ -1,0 +1,77 @@
+using Harvester.Cli.Driving;
+
+namespace Harvester.Cli.Tests.Driving;
+
+public sealed class WallPaceTests
+{
+    private static readonly TimeSpan Tick = TimeSpan.FromSeconds(0.05);
+    private readonly Clock _clock = new();
+
+    [Fact]
+    public void Ticks_keep_to_the_clock_however_long_their_work_takes()
+    {
+        WallPace pace = new(Tick.TotalSeconds, _clock);
+        for (int i = 0; i < 10; i++)
+        {
+            // Work of 0.03 s leaves 0.02 s; the first tick has none before it.
+            Assert.Equal(TimeSpan.FromSeconds(i == 0 ? 0.05 : 0.02), Go(pace, isStanding: false));
+            _clock.Now += TimeSpan.FromSeconds(0.03);
+        }
+    }
+
+    [Fact]
+    public void World_that_has_stood_does_not_hurry_later()
+    {
+        WallPace pace = new(Tick.TotalSeconds, _clock);
+        Go(pace, isStanding: false);
+        for (int i = 0; i < 6000; i++)
+        {
+            Assert.Equal(TimeSpan.FromMilliseconds(1), Go(pace, isStanding: true));
+        }
+
+        // The first tick after six seconds is overdue; from there on each has its time.
+        Assert.Equal(TimeSpan.Zero, Go(pace, isStanding: false));
+        Assert.Equal(Tick, Go(pace, isStanding: false));
+        Assert.Equal(Tick, Go(pace, isStanding: false));
+    }
+
+    [Fact]
+    public void Machine_that_was_too_slow_does_not_hurry_later()
+    {
+        WallPace pace = new(Tick.TotalSeconds, _clock);
+        Go(pace, isStanding: false);
+        _clock.Now += TimeSpan.FromSeconds(3);
+
+        Assert.Equal(TimeSpan.Zero, Go(pace, isStanding: false));
+        Assert.Equal(Tick, Go(pace, isStanding: false));
+    }
+
+    [Fact]
+    public void Hurried_ticks_are_due_at_once_and_give_nothing_to_those_after_them()
+    {
+        WallPace pace = new(Tick.TotalSeconds, _clock);
+        for (int i = 0; i < 100; i++)
+        {
+            Assert.Equal(TimeSpan.Zero, pace.NextWait(isStanding: false, isHurried: true));
+        }
+
+        Assert.Equal(Tick, Go(pace, isStanding: false));
+    }
+
+    /// <summary>Waits as long as it is told, on the test's clock.</summary>
+    private TimeSpan Go(WallPace pace, bool isStanding)
+    {
+        TimeSpan wait = pace.NextWait(isStanding, isHurried: false);
+        _clock.Now += wait;
+        return wait;
+    }
+
+    private sealed class Clock : TimeProvider
+    {
+        public TimeSpan Now { get; set; }
+
+        public override long TimestampFrequency => TimeSpan.TicksPerSecond;
+
+        public override long GetTimestamp() => Now.Ticks;
+    }
+}
