@@ -32,6 +32,7 @@ public sealed class DrivingSession : IDisposable
     private readonly Queue<PeerMessage> _commands = new();
     private IController _controller;
     private bool _isFrameAskedFor;
+    private bool _isFrameMissed;
     private bool _isStepOpen;
     private string? _bridgeProblem;
     private double _nowSeconds;
@@ -68,7 +69,7 @@ public sealed class DrivingSession : IDisposable
 
     /// <summary>Whether a picture may be grabbed so soon that nothing may be drawn now that does not belong into it.</summary>
     public bool IsPictureNear => _ending is null
-        && (_pace.IsPaused || _pace.IsStepping || _isFrameAskedFor || _schedule.SecondsUntilDue(_nowSeconds) < (_options.SettleTicks + HalfATick) * _tickSeconds);
+        && (_pace.IsPaused || _pace.IsStepping || _isFrameAskedFor || _isFrameMissed || _schedule.SecondsUntilDue(_nowSeconds) < (_options.SettleTicks + HalfATick) * _tickSeconds);
 
     /// <summary>Whether the world goes on only to the end of a step that a peer asked for.</summary>
     public bool IsStepping => _pace.IsStepping;
@@ -165,7 +166,7 @@ public sealed class DrivingSession : IDisposable
     {
         _commands.Clear();
         _isStepOpen = false;
-        _isFrameAskedFor = false;
+        _isFrameAskedFor = _isFrameMissed = false;
         _controller = _newController();
         _watch.Forget();
         _pace.GoOn();
@@ -237,7 +238,7 @@ public sealed class DrivingSession : IDisposable
         bool isDue = !_pace.IsStepping && _schedule.TakeIfDue(_nowSeconds) && !_pace.IsPaused;
 
         // What was drawn before anyone asked must have gone from the picture.
-        bool isAskedFor = _isFrameAskedFor && _quietTicks >= _options.SettleTicks;
+        bool isAskedFor = (_isFrameAskedFor || _isFrameMissed) && _quietTicks >= _options.SettleTicks;
         bool isWanted = isDue || isAskedFor || _isStepOpen;
         if (!isWanted || _pace.IsStepping || !_pace.IsSettled)
         {
@@ -246,15 +247,16 @@ public sealed class DrivingSession : IDisposable
 
         if (_view.Take(_frames, out string? refusal) is { } state)
         {
-            _bridge.Publish(state, _view.Picture);
+            _bridge.Publish(state with { IsAskedFor = _isFrameAskedFor || _isStepOpen }, _view.Picture);
             _frames++;
-            _isFrameAskedFor = false;
+            _isFrameAskedFor = _isFrameMissed = false;
         }
         else
         {
             // Commands go on, or the peer could not let the world go on; the frame is sent as soon as there is a picture.
             Problem = $"the game's picture cannot be used: {refusal}.";
-            _isFrameAskedFor = true;
+            _isFrameAskedFor |= _isStepOpen;
+            _isFrameMissed = true;
         }
 
         _isStepOpen = false;

@@ -121,7 +121,7 @@ public sealed class FolderBridge : IDrivingBridge
 
     private void Send()
     {
-        if (_outbox.TryTake(Poll, out BridgeState? state, out PixelBuffer picture))
+        if (_outbox.TryTake(Poll, static _ => true, out BridgeState? state, out PixelBuffer picture))
         {
             _frames.Put(state, picture);
         }

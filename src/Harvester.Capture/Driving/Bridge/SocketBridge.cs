@@ -11,7 +11,8 @@ namespace Harvester.Capture.Driving.Bridge;
 /// <summary>
 /// A bridge over TCP, to one peer at a time: a newer peer takes the place of the older, once it has shown the token where one is asked
 /// for. Frames go out as a JSON header and a PNG, messages come in as JSON headers; docs/bridge.md has the protocol. Threads of its own do
-/// all the waiting, and a peer that sends nonsense or reads too slowly is cut off, never waited for.
+/// all the waiting, and a peer that sends nonsense or does not take a frame is cut off, never waited for. A peer is sent the newest frame when
+/// it has answered the last one.
 /// </summary>
 public sealed class SocketBridge : IDrivingBridge
 {
@@ -90,7 +91,7 @@ public sealed class SocketBridge : IDrivingBridge
         {
             try
             {
-                SocketPeer.Serve(_listener.AcceptTcpClient(), _options, _inbox, _strangers, problem => _problem = problem);
+                SocketPeer.Serve(_listener.AcceptTcpClient(), _options, _inbox, _strangers, _outbox, problem => _problem = problem);
             }
 #pragma warning disable CA1031 // An exception that leaves a thread ends the game, whatever its type.
             catch (Exception e) when (e is not ThreadAbortException)
@@ -111,14 +112,20 @@ public sealed class SocketBridge : IDrivingBridge
         using var png = new System.IO.MemoryStream();
         while (!_stopping)
         {
-            if (!_outbox.TryTake(TimeSpan.FromSeconds(1), out BridgeState? state, out PixelBuffer picture) || _inbox.Peer is not { } peer)
+            // A frame that nobody is there for is taken too, and dropped.
+            SocketPeer? peer = null;
+            if (_outbox.TryTake(TimeSpan.FromSeconds(1), MayGo, out BridgeState? state, out PixelBuffer picture) && peer is not null)
             {
-                continue;
+                png.SetLength(0);
+                encoder.Write(picture, png);
+                peer.Send(BridgeText.Header(state), new ArraySegment<byte>(png.GetBuffer(), 0, (int)png.Length));
             }
 
-            png.SetLength(0);
-            encoder.Write(picture, png);
-            peer.Send(BridgeText.Header(state), new ArraySegment<byte>(png.GetBuffer(), 0, (int)png.Length));
+            bool MayGo(BridgeState waiting)
+            {
+                peer = _inbox.Peer;
+                return peer is null || peer.MayGet(waiting);
+            }
         }
     }
 }

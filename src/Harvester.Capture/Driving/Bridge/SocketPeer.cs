@@ -10,47 +10,67 @@ internal sealed class SocketPeer : IDisposable
     /// <summary>A peer that has not taken a frame for so long is cut off, milliseconds.</summary>
     private const int SendPatience = 2000;
 
+    /// <summary>What the network may hold back on this side, bytes: less than two pictures. Linux would let it grow to megabytes.</summary>
+    private const int SendBufferBytes = 65_536;
+
     private readonly TcpClient _client;
     private readonly NetworkStream _stream;
     private readonly SocketBridgeOptions _options;
     private readonly PeerInbox<SocketPeer> _inbox;
     private readonly WaitingRoom<SocketPeer> _strangers;
+    private readonly FrameOutbox _outbox;
     private readonly Action<string> _report;
+    private readonly FrameCredit _credit = new();
     private readonly object _sending = new();
     private bool _isStranger;
     private volatile bool _isClosed;
 
     private SocketPeer(
-        TcpClient client, SocketBridgeOptions options, PeerInbox<SocketPeer> inbox, WaitingRoom<SocketPeer> strangers, Action<string> report)
+        TcpClient client,
+        SocketBridgeOptions options,
+        PeerInbox<SocketPeer> inbox,
+        WaitingRoom<SocketPeer> strangers,
+        FrameOutbox outbox,
+        Action<string> report)
     {
         _client = client;
         _client.NoDelay = true;
         _client.SendTimeout = SendPatience;
+        _client.SendBufferSize = SendBufferBytes;
         KeepAlive.Ask(client.Client);
         _stream = client.GetStream();
         _options = options;
         _inbox = inbox;
         _strangers = strangers;
+        _outbox = outbox;
         _report = report;
         _isStranger = !string.IsNullOrEmpty(options.Token);
     }
 
     /// <summary>Serves a connection on a thread of its own until it ends. Of connections without a token the one served last counts.</summary>
     public static void Serve(
-        TcpClient client, SocketBridgeOptions options, PeerInbox<SocketPeer> inbox, WaitingRoom<SocketPeer> strangers, Action<string> report)
+        TcpClient client,
+        SocketBridgeOptions options,
+        PeerInbox<SocketPeer> inbox,
+        WaitingRoom<SocketPeer> strangers,
+        FrameOutbox outbox,
+        Action<string> report)
     {
-        var peer = new SocketPeer(client, options, inbox, strangers, report);
+        var peer = new SocketPeer(client, options, inbox, strangers, outbox, report);
         if (peer._isStranger)
         {
             strangers.Enter(peer)?.CutOff("a connection was cut off that had not shown the token when too many others came.");
         }
         else
         {
-            inbox.Welcome(peer)?.Dispose();
+            peer.BeWelcome();
         }
 
         new Thread(peer.Receive) { IsBackground = true, Name = "Harvester socket bridge: receive" }.Start();
     }
+
+    /// <summary>Whether the peer may be sent a frame now; it counts as sent then.</summary>
+    public bool MayGet(BridgeState state) => _credit.TrySpend(state);
 
     /// <summary>Sends a message; a peer that does not take it is cut off.</summary>
     public void Send(byte[] header, ArraySegment<byte> payload)
@@ -111,10 +131,28 @@ internal sealed class SocketPeer : IDisposable
         {
             ShowToken(header);
         }
-        else if (!_inbox.TryPut(this, PeerMessageParser.Parse(header)))
+        else
+        {
+            Hear(PeerMessageParser.Parse(header));
+        }
+    }
+
+    private void Hear(PeerMessage word)
+    {
+        _credit.Hear(word);
+        _outbox.Wake();
+        if (!_inbox.TryPut(this, word))
         {
             _report("the peer sends commands faster than the game takes them; the newest are dropped.");
         }
+    }
+
+    /// <summary>Counts from now on, and is sent nothing that was taken for another.</summary>
+    private void BeWelcome()
+    {
+        SocketPeer? earlier = null;
+        _outbox.Clear(() => earlier = _inbox.Welcome(this));
+        earlier?.Dispose();
     }
 
     private void ShowToken(string header)
@@ -128,7 +166,7 @@ internal sealed class SocketPeer : IDisposable
         _isStranger = false;
         if (_strangers.TryLeave(this))
         {
-            _inbox.Welcome(this)?.Dispose();
+            BeWelcome();
         }
     }
 
