@@ -10,12 +10,20 @@ internal sealed class FrameCredit
     private long _lastSent;
     private bool _isAnswered = true;
 
-    /// <summary>Takes it that a frame is sent now, where it may be.</summary>
+    /// <summary>
+    /// Takes it that a frame is sent now, where it may be. One that was asked for needs no answer: the peer has said that it wants it, and a
+    /// world that stands may show it what it has seen and answered already.
+    /// </summary>
     public bool TrySpend(BridgeState state)
     {
+        if (state.IsAskedFor)
+        {
+            return true;
+        }
+
         lock (_gate)
         {
-            if (!_isAnswered && !state.IsAskedFor)
+            if (!_isAnswered)
             {
                 return false;
             }
