@@ -11,6 +11,9 @@ namespace Harvester.Cli.Arguments;
 /// <summary>The options that say over what bridge a drive goes, and from which side.</summary>
 internal static class DriveBridgeOptions
 {
+    /// <summary>Name of the shared folder in the folder of the drive, where no other is named.</summary>
+    public const string DefaultFolder = "bridge";
+
     private static readonly Option<string> Bridge = Word("--bridge", "B", "What lies between game and controller: direct, folder, socket", "direct");
     private static readonly Option<string> Role = Word("--role", "R", "What this process is of a bridge: both, game, peer", "both");
     private static readonly Option<DirectoryInfo?> Folder = new("--folder") { Description = "The shared folder of a folder bridge [default: bridge in the folder of --out]", HelpName = "DIR" };
@@ -50,7 +53,7 @@ internal static class DriveBridgeOptions
             throw new UsageException($"{stray.Name} needs a bridge: --bridge folder or socket.");
         }
 
-        string? folder = parsed.GetValue(Folder)?.FullName ?? (outFolder is null ? null : Path.Combine(outFolder, "bridge"));
+        string? folder = parsed.GetValue(Folder)?.FullName ?? (outFolder is null ? null : Path.Combine(outFolder, DefaultFolder));
         if (kind == BridgeName.Folder && folder is null)
         {
             throw new UsageException("--bridge folder needs --folder.");

@@ -31,6 +31,7 @@ internal static class DriveCommand
         + "  harvester drive --roads nodes.zip --near=-500,1000 --near=0,2700 --out drive";
 
     private static readonly Option<string?> Out = new("--out") { Description = "Folder to write drive.json and report.html to", HelpName = "DIR" };
+    private static readonly Option<bool> Overwrite = new("--overwrite") { Description = "Replace the drive that lies in the folder" };
     private static readonly ControllerOptions Controller = new("Who drives", "stanley");
 
     private static readonly Option<int> Seed = WithDefault(
@@ -76,7 +77,7 @@ internal static class DriveCommand
     {
         var command = new Command("drive", "Drive the simulated car by the lane indicators and judge the drive.")
         {
-            Out, Seed, Roads, Near, Distance, Duration, Traffic, Speed, Noise, LookAhead,
+            Out, Overwrite, Seed, Roads, Near, Distance, Duration, Traffic, Speed, Noise, LookAhead,
         };
         foreach (Option option in Controller.All.Concat(DriveBridgeOptions.All))
         {
@@ -103,15 +104,21 @@ internal static class DriveCommand
             throw new UsageException("Option '--out' is required.");
         }
 
-        Directory.CreateDirectory(folder);
-        IReadOnlyList<DriveSample> samples = new SimulatedDrives(plan, terminal.Out).Run(cancellation);
-        DriveRecord record = DriveRecord.Of(SettingsOf(parsed, plan), samples);
+        DriveFolder.Prepare(folder, parsed.GetValue(Overwrite));
+        int metres = (int)Math.Ceiling(plan.Metres * Math.Max(1, plan.Starts.Count));
+        IReadOnlyList<DriveSample> samples = new JobProgress(terminal, metres, "m").Run(report => new SimulatedDrives(plan, terminal.Out).Run(report, cancellation));
+        DriveRecord record = DriveRecord.Of(SettingsOf(parsed, plan), samples, isWhole: !cancellation.IsCancellationRequested);
         string report = Path.Combine(folder, DriveReport.FileName);
         record.Write(Path.Combine(folder, DriveRecord.FileName));
         DriveReport.Write(report, record, samples);
         foreach ((string name, string value) in record.Figures.Rows())
         {
             terminal.Out.WriteLine($"{name + ":",-19}{value}");
+        }
+
+        if (!record.IsWhole)
+        {
+            terminal.Out.WriteLine(FormattableString.Invariant($"Stopped after {record.Figures.Metres:0} of {metres} m."));
         }
 
         terminal.Out.WriteLine($"report  {report}");
@@ -150,6 +157,8 @@ internal static class DriveCommand
             ["seed"] = plan.Seed.ToString(CultureInfo.InvariantCulture),
             ["bridge"] = plan.Bridge is { } bridge ? (bridge.Kind == BridgeName.Folder ? "folder" : "socket") : "direct",
             ["roads"] = parsed.GetValue(Roads)?.Name ?? "town",
+            ["distanceMetres"] = plan.Metres.ToString(CultureInfo.InvariantCulture),
+            ["durationSeconds"] = plan.Seconds.ToString(CultureInfo.InvariantCulture),
             ["traffic"] = plan.TrafficDensity.ToString(CultureInfo.InvariantCulture),
             ["lookAheadMetres"] = plan.Controller.LookAheadMetres.ToString(CultureInfo.InvariantCulture),
             ["noise"] = plan.Noise is { } noise

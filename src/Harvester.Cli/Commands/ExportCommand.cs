@@ -95,9 +95,9 @@ internal static class ExportCommand
         Shard shard = parsed.GetValue(ShardOf);
         int frames = plan.Sessions.Sum(session => session.CountLines()) / shard.Count;
         var exporter = new DatasetExporter(plan, folder, shard);
-        ExportResult result = new FrameProgress(terminal, frames).Run(report => exporter.Run(report, cancellation));
+        ExportResult result = new JobProgress(terminal, frames).Run(report => exporter.Run(report, cancellation));
         terminal.Out.WriteLine(result.IsFinished
-            ? $"{folder}: {plan.Format.Name}, {result.Frames} frames, {result.Objects} objects"
+            ? $"{folder}: {plan.Format.Name}, {result.Frames} frames, {result.Objects} objects offered"
             : $"{folder}: shard {shard} of {plan.Format.Name}, {result.Frames} frames. When all are done: harvester merge");
         return ExitCode.Done;
     }

@@ -127,7 +127,7 @@ internal static class HarvestCommand
         terminal.Out.Flush();
         SimulatedHarvest harvest = SimulatedHarvest.Build(plan);
         OutputFolder.Clear(plan.Folder);
-        HarvestOutcome outcome = new FrameProgress(terminal, plan.Frames).Run(report => harvest.Run(report, cancellation));
+        HarvestOutcome outcome = new JobProgress(terminal, plan.Frames).Run(report => harvest.Run(report, cancellation));
         if (outcome.Fault is { } fault)
         {
             terminal.WriteError(fault);

@@ -55,6 +55,6 @@ internal static class MergeCommand
     private static string MergeDataset(IReadOnlyList<string> shards, string folder, ImageTransfer images)
     {
         ExportResult result = DatasetMerger.Merge(shards, folder, images);
-        return $"{folder}: {result.Frames} frames, {result.Objects} objects";
+        return $"{folder}: {result.Frames} frames, {result.Objects} objects offered";
     }
 }

@@ -71,7 +71,7 @@ internal static class RelabelCommand
         RelabelOptions changes = ChangesOf(parsed);
         var relabeller = new SessionRelabeller(session, changes);
         OutputFolder.Clear(folder);
-        int frames = new FrameProgress(terminal, session.CountLines() / changes.Shard.Count).Run(report => relabeller.Run(folder, report, cancellation));
+        int frames = new JobProgress(terminal, session.CountLines() / changes.Shard.Count).Run(report => relabeller.Run(folder, report, cancellation));
         if (changes.Shard.Count > 1)
         {
             terminal.Out.WriteLine($"{folder}: shard {changes.Shard}, {frames} frames. When all are done: harvester merge");

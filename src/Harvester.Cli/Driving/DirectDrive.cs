@@ -31,7 +31,7 @@ internal sealed class DirectDrive(SimulatedGame game, IRoads roads, Func<IContro
     private IController _controller = newController();
 
     /// <summary>Drives so far or so long, whichever is reached first.</summary>
-    public IReadOnlyList<DriveSample> Run(double metres, double seconds, CancellationToken cancellation)
+    public IReadOnlyList<DriveSample> Run(double metres, double seconds, Action<double> report, CancellationToken cancellation)
     {
         IDrivenCar car = game.Ports.Car!;
         DrivingControls controls = DrivingControls.Stop;
@@ -54,6 +54,7 @@ internal sealed class DirectDrive(SimulatedGame game, IRoads roads, Func<IContro
             if (tick % TicksPerControl == TicksPerControl - 1)
             {
                 _sampler.Take(isByController);
+                report(_sampler.Metres);
                 if (_sampler.Samples[^1].IsElsewhere)
                 {
                     // The car was put elsewhere; what was known of the road before does not hold there.

@@ -21,19 +21,21 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
     private FixedRoads? _roads;
 
     /// <summary>Drives from each start in turn.</summary>
+    /// <param name="report">Is told the metres that are driven in all.</param>
     /// <param name="cancellation">Ends the drive with what it has.</param>
     /// <exception cref="UsageException">There is no road at a start.</exception>
-    public IReadOnlyList<DriveSample> Run(CancellationToken cancellation)
+    public IReadOnlyList<DriveSample> Run(Action<int> report, CancellationToken cancellation)
     {
         List<DriveSample> samples = [];
         int starts = Math.Max(1, plan.Starts.Count);
         for (int i = 0; i < starts && !cancellation.IsCancellationRequested; i++)
         {
             int seed = plan.Seed + i;
+            double before = i * plan.Metres;
             SimulatedGame game = Build(plan.Starts.Count > 0 ? plan.Starts[i] : null, seed);
             samples.AddRange(plan.Bridge is { } bridge
                 ? new BridgedDrives(bridge, messages).Run(game, RoadsOf(game), () => ControllerOf(seed), plan.Metres, plan.Seconds, cancellation)
-                : new DirectDrive(game, RoadsOf(game), () => ControllerOf(seed)).Run(plan.Metres, plan.Seconds, cancellation));
+                : new DirectDrive(game, RoadsOf(game), () => ControllerOf(seed)).Run(plan.Metres, plan.Seconds, metres => report((int)(before + metres)), cancellation));
         }
 
         return samples;

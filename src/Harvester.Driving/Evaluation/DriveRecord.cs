@@ -28,6 +28,9 @@ public sealed record DriveRecord
     /// <summary>The options of the drive; "controller" is always among them.</summary>
     public required IReadOnlyDictionary<string, string> Settings { get; init; }
 
+    /// <summary>Whether the drive went on to its end; false when it was cancelled before.</summary>
+    public required bool IsWhole { get; init; }
+
     /// <summary>The figures.</summary>
     public required DriveFigures Figures { get; init; }
 
@@ -40,12 +43,14 @@ public sealed record DriveRecord
     /// <summary>Judges a drive.</summary>
     /// <param name="settings">The options of the drive.</param>
     /// <param name="samples">The drive, sampled at equal intervals of time.</param>
-    public static DriveRecord Of(IReadOnlyDictionary<string, string> settings, IReadOnlyList<DriveSample> samples)
+    /// <param name="isWhole">Whether it went on to its end.</param>
+    public static DriveRecord Of(IReadOnlyDictionary<string, string> settings, IReadOnlyList<DriveSample> samples, bool isWhole = true)
     {
         ArgumentNullException.ThrowIfNull(samples);
         return new DriveRecord
         {
             Settings = settings,
+            IsWhole = isWhole,
             Figures = DriveFigures.Of(samples),
             Departures = [.. new LaneKeeping(samples).Departures.Select(i => DriveEvent.At(samples[i]))],
             Collisions = [.. Evaluation.Collisions.In(samples).Select(i => DriveEvent.At(samples[i]))],

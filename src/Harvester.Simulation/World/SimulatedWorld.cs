@@ -28,6 +28,11 @@ internal sealed class SimulatedWorld
     {
         RoadNetwork network = options.Roads ?? TownBuilder.Build(options.Seed);
         Vector3D start = options.Near is { } near ? new Vector3D(near.X, near.Y, 0) : options.Roads is null ? Vector3D.Zero : Middle(network);
+        if (!network.Nodes.Any(node => Horizontal.Distance(node.Position, start) < options.RadiusMetres))
+        {
+            throw new ArgumentException(FormattableString.Invariant($"No road lies within {options.RadiusMetres} m of {start.X}, {start.Y}; choose another place."));
+        }
+
         RoadPlan plan = RoadPlan.Build(network, start, options.Roads is null ? double.PositiveInfinity : options.RadiusMetres);
         RoadIndex index = new(plan.Roads);
         Roads = network;

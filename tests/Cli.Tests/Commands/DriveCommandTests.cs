@@ -14,7 +14,7 @@ public sealed class DriveCommandTests
         CliRun again = Drive(folder.PathOf("two"), controller);
 
         Assert.Equal(0, run.ExitCode);
-        Assert.Equal(run.Out.Replace("one", "two", StringComparison.Ordinal), again.Out);
+        Assert.Equal(Figures(run).Select(line => line.Replace("one", "two", StringComparison.Ordinal)), Figures(again));
         foreach (string file in new[] { "drive.json", "report.html" })
         {
             Assert.Equal(File.ReadAllBytes(folder.PathOf($"one/{file}")), File.ReadAllBytes(folder.PathOf($"two/{file}")));
@@ -40,6 +40,73 @@ public sealed class DriveCommandTests
     [Fact]
     public void Drive_from_no_place_is_refused() =>
         CliRun.Of("drive", "--out", "unused", "--near", "here").AssertFailed(2, "--near takes two numbers, not 'here'.");
+
+    [Fact]
+    public void Drive_over_a_drive_asks_for_overwrite_and_then_replaces_it()
+    {
+        using TemporaryFolder folder = new();
+        string drive = folder.PathOf("drive");
+        Short(drive);
+        File.WriteAllText(Path.Combine(drive, "drive.json"), "the first");
+
+        Short(drive).AssertFailed(2, "holds a drive already. Name another folder with --out, or replace it with --overwrite.");
+        Assert.Equal("the first", File.ReadAllText(Path.Combine(drive, "drive.json")));
+        Assert.Equal(0, Short(drive, "--overwrite").ExitCode);
+        Assert.NotEqual("the first", File.ReadAllText(Path.Combine(drive, "drive.json")));
+    }
+
+    [Theory]
+    [InlineData("session.json")]
+    [InlineData("notes.txt")]
+    public void Drive_into_a_folder_of_something_else_is_refused_whatever_is_asked(string file)
+    {
+        using TemporaryFolder folder = new();
+        File.WriteAllText(folder.PathOf(file), "mine");
+
+        Short(folder.PathOf(""), "--overwrite").AssertFailed(2, $"holds more than a drive, '{file}' for one");
+        Assert.Equal("mine", File.ReadAllText(folder.PathOf(file)));
+        Assert.Single(Directory.GetFiles(folder.PathOf("")));
+    }
+
+    [Fact]
+    public void Drive_into_a_file_is_refused()
+    {
+        using TemporaryFolder folder = new();
+        File.WriteAllText(folder.PathOf("mine"), "mine");
+
+        Short(folder.PathOf("mine")).AssertFailed(2, "is a file. Name a folder with --out.");
+    }
+
+    [Fact]
+    public async Task Drive_that_is_cancelled_says_so_and_how_far_it_came()
+    {
+        using TemporaryFolder folder = new();
+        using CancellationTokenSource cancelled = new();
+        await cancelled.CancelAsync();
+
+        CliRun run = await CliRun.StartAsync("", cancelled.Token, "drive", "--out", folder.PathOf("drive"), "--distance", "1000");
+
+        Assert.Equal(130, run.ExitCode);
+        Assert.Contains("Stopped after 0 of 1000 m.", run.Out, StringComparison.Ordinal);
+        using JsonDocument record = JsonDocument.Parse(File.ReadAllText(folder.PathOf("drive/drive.json")));
+        Assert.False(record.RootElement.GetProperty("isWhole").GetBoolean());
+        Assert.Equal("1000", record.RootElement.GetProperty("settings").GetProperty("distanceMetres").GetString());
+    }
+
+    [Fact]
+    public void Drive_far_from_the_roads_of_a_made_up_town_is_refused()
+    {
+        using TemporaryFolder folder = new();
+
+        Short(folder.PathOf("drive"), "--near=100000,0").AssertFailed(2, "No road lies within 400 m of 100000, 0; choose another place.");
+    }
+
+    private static CliRun Short(string folder, params string[] more) =>
+        CliRun.Of([.. new[] { "drive", "--out", folder, "--distance", "5", "--traffic", "0" }, .. more]);
+
+    /// <summary>What was printed but how far it was in the meantime, which a slow machine is told more often.</summary>
+    private static IEnumerable<string> Figures(CliRun run) =>
+        run.Out.Split('\n').Where(line => !line.Contains(" of 250 m, ", StringComparison.Ordinal));
 
     private static CliRun Drive(string folder, string controller) =>
         CliRun.Of("drive", "--out", folder, "--controller", controller, "--distance", "250", "--traffic", "0.3", "--noise", "--seed", "4");

@@ -28,6 +28,21 @@ public sealed class MasksCommandTests
         Assert.Equal(ExitCode.Done, CliRun.Of("validate", session).ExitCode);
         Assert.NotEmpty(before.OfType<string>());
         Assert.Equal(before, VisibleBoxes(session));
+        Assert.False(File.Exists(Path.Combine(session, "report.html")));
+    }
+
+    [Fact]
+    public void Import_into_a_session_with_a_report_makes_it_anew()
+    {
+        using var folder = new TemporaryFolder();
+        string session = folder.PathOf("session");
+        string report = Path.Combine(session, "report.html");
+        Assert.Equal(ExitCode.Done, CliRun.Of("harvest", "--out", session, "--frames", "1", "--masks", "--size", "160x120").ExitCode);
+        byte[] page = File.ReadAllBytes(report);
+        File.WriteAllText(report, "of yesterday");
+
+        Assert.Equal(ExitCode.Done, CliRun.Of("masks", "import", session, Path.Combine(session, "masks")).ExitCode);
+        Assert.InRange(new FileInfo(report).Length, page.Length / 2, page.Length * 2);
     }
 
     [Fact]

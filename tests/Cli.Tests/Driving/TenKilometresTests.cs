@@ -62,7 +62,7 @@ public sealed class TenKilometresTests
         Noise = noise,
     });
 
-    private static DriveFigures Drive(DrivePlan plan) => DriveFigures.Of(new SimulatedDrives(plan, TextWriter.Null).Run(CancellationToken.None));
+    private static DriveFigures Drive(DrivePlan plan) => DriveFigures.Of(new SimulatedDrives(plan, TextWriter.Null).Run(static _ => { }, CancellationToken.None));
 
     private static void AssertClean(DriveFigures figures)
     {

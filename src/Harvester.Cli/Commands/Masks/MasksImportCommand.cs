@@ -1,7 +1,9 @@
 using System.CommandLine;
+using System.IO;
 using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Datasets.Masks;
+using Harvester.Datasets.Reports;
 using Harvester.Datasets.Sessions;
 
 namespace Harvester.Cli.Commands.Masks;
@@ -13,7 +15,7 @@ internal static class MasksImportCommand
         "DIR has a PNG of 16-bit grey, of the image's size, for every frame, named by the frame's number (12.png or 00000012.png).\n"
         + "Its values are the ids of the labels, 0 for none of them. With --match they may be any numbers that tell the objects of one frame apart;\n"
         + "each is matched with the object whose cuboid it covers best.\n"
-        + "Masks, box2dVisible, occludedFraction and visibleFraction are replaced; occlusionMethod becomes imported.\n"
+        + "Masks, box2dVisible, occludedFraction and visibleFraction are replaced; occlusionMethod becomes imported. A report is made anew.\n"
         + "The session stays as it was if any map is at fault. Meaning and limits: docs/pixel-maps.md.\n\n"
         + "Examples:\n"
         + "  harvester masks import out stencil-maps\n"
@@ -31,6 +33,12 @@ internal static class MasksImportCommand
             string session = parsed.GetRequiredValue(folder);
             MaskNumbers numbers = parsed.GetValue(match) ? MaskNumbers.Overlap : MaskNumbers.Ids;
             MaskImport done = MaskImporter.Import(new SessionReader(session), parsed.GetRequiredValue(maps), numbers, cancellation);
+            string report = Path.Combine(session, ReportWriter.FileName);
+            if (File.Exists(report))
+            {
+                new ReportWriter(new SessionReader(session)).Write(report);
+            }
+
             terminal.Out.WriteLine($"{session}: {done.Frames} masks imported, {done.Seen} of {done.Objects} labels are seen in them");
             return Task.FromResult(ExitCode.Done);
         });

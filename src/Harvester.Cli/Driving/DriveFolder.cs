@@ -1,0 +1,35 @@
+using System.IO;
+using System.Linq;
+using Harvester.Cli.Arguments;
+using Harvester.Driving.Evaluation;
+using Harvester.Driving.Reports;
+
+namespace Harvester.Cli.Driving;
+
+/// <summary>The folder that a drive is written to. Nothing but an earlier drive is ever replaced, and only when that was asked for.</summary>
+internal static class DriveFolder
+{
+    private static readonly string[] Files = [DriveRecord.FileName, DriveReport.FileName];
+
+    /// <summary>Checks that a drive may be written to a folder, and makes it where it is not there.</summary>
+    /// <exception cref="UsageException">The folder holds something that is not to be replaced, or is a file.</exception>
+    public static void Prepare(string folder, bool overwrite)
+    {
+        if (File.Exists(folder))
+        {
+            throw new UsageException($"'{folder}' is a file. Name a folder with --out.");
+        }
+
+        Directory.CreateDirectory(folder);
+        string[] found = [.. Directory.EnumerateFileSystemEntries(folder).Select(entry => Path.GetFileName(entry))];
+        if (found.Except([.. Files, DriveBridgeOptions.DefaultFolder]).FirstOrDefault() is { } other)
+        {
+            throw new UsageException($"'{folder}' holds more than a drive, '{other}' for one. Name another folder with --out.");
+        }
+
+        if (!overwrite && found.Intersect(Files).Any())
+        {
+            throw new UsageException($"'{folder}' holds a drive already. Name another folder with --out, or replace it with --overwrite.");
+        }
+    }
+}
