@@ -33,6 +33,11 @@ internal static class MergeCommand
         {
             string[] folders = parsed.GetRequiredValue(shards);
             string folder = parsed.GetRequiredValue(output);
+            if (folders.FirstOrDefault(shard => !Directory.Exists(shard)) is { } absent)
+            {
+                throw new DirectoryNotFoundException($"There is no folder '{absent}'.");
+            }
+
             terminal.Out.WriteLine(folders.Any(SessionMerger.IsSession)
                 ? MergeSession(folders, folder, parsed.GetValue(images), !parsed.GetValue(noReport))
                 : MergeDataset(folders, folder, parsed.GetValue(images)));

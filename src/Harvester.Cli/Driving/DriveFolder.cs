@@ -1,6 +1,7 @@
 using System.IO;
 using System.Linq;
 using Harvester.Cli.Arguments;
+using Harvester.Cli.Harvesting;
 using Harvester.Driving.Evaluation;
 using Harvester.Driving.Reports;
 
@@ -12,12 +13,13 @@ internal static class DriveFolder
     private static readonly string[] Files = [DriveRecord.FileName, DriveReport.FileName];
 
     /// <summary>Checks that a drive may be written to a folder, and makes it where it is not there.</summary>
-    /// <exception cref="UsageException">The folder holds something that is not to be replaced, or is a file.</exception>
+    /// <exception cref="IOException">A file is where the folder should be.</exception>
+    /// <exception cref="UsageException">The folder holds something that is not to be replaced.</exception>
     public static void Prepare(string folder, bool overwrite)
     {
-        if (File.Exists(folder))
+        if (OutputFolder.FileInTheWayOf(folder) is { } file)
         {
-            throw new UsageException($"'{folder}' is a file. Name a folder with --out.");
+            throw new IOException($"'{file}' is a file. Name a folder with --out.");
         }
 
         Directory.CreateDirectory(folder);

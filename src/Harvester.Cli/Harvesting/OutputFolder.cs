@@ -13,9 +13,15 @@ internal static class OutputFolder
     private static readonly string[] Folders = [FramePaths.Frames, FramePaths.Masks, FramePaths.Scenes];
 
     /// <summary>Checks that a session may be written to a folder, and changes nothing.</summary>
+    /// <exception cref="IOException">A file is where the folder should be.</exception>
     /// <exception cref="UsageException">The folder holds something that is not to be replaced.</exception>
     public static void Check(string folder, bool overwrite)
     {
+        if (FileInTheWayOf(folder) is { } file)
+        {
+            throw new IOException($"'{file}' is a file. Name a folder with --out.");
+        }
+
         if (HoldsNoFile(folder))
         {
             return;
@@ -35,6 +41,20 @@ internal static class OutputFolder
         {
             throw new UsageException($"'{folder}' holds more than a session, '{other}' for one. Name another folder with --out.");
         }
+    }
+
+    /// <summary>A file that stands where the folder or one that holds it should be; null when there is none.</summary>
+    public static string? FileInTheWayOf(string folder)
+    {
+        for (string? path = Path.GetFullPath(folder); path is not null; path = Path.GetDirectoryName(path))
+        {
+            if (File.Exists(path))
+            {
+                return path;
+            }
+        }
+
+        return null;
     }
 
     /// <summary>Deletes the session in a folder that has passed the check, or the empty folders of one.</summary>

@@ -82,7 +82,7 @@ public static class RoadImporter
     }
 
     private static Func<RoadSource, RoadImport>? ImporterOf(string head) =>
-        head.StartsWith('[') ? JsonDumpImporter.Import
+        JsonDumpImporter.Understands(head) ? JsonDumpImporter.Import
         : head.StartsWith('<') ? SceneImporter.Import
         : head.StartsWith(RoadCsv.FirstLine, StringComparison.Ordinal) ? CsvImporter.Import
         : IplImporter.Understands(head) ? IplImporter.Import

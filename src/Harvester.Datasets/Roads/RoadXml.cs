@@ -101,7 +101,8 @@ internal static class RoadXml
         {
             // A forbidden document type is refused without a line.
             string place = e.LineNumber > 0 ? $"line {e.LineNumber}" : "before the outermost element";
-            throw new DatasetFormatException($"{source.Name}, {place}: {e.Message}", e);
+            string what = e.Message.Contains("DTD", StringComparison.Ordinal) ? "a document type (DTD) is refused: no file of roads has one." : e.Message;
+            throw new DatasetFormatException($"{source.Name}, {place}: {what}", e);
         }
     }
 }

@@ -74,7 +74,7 @@ public sealed class DriveCommandTests
         using TemporaryFolder folder = new();
         File.WriteAllText(folder.PathOf("mine"), "mine");
 
-        Short(folder.PathOf("mine")).AssertFailed(2, "is a file. Name a folder with --out.");
+        Short(folder.PathOf("mine")).AssertFailed(3, "is a file. Name a folder with --out.");
     }
 
     [Fact]

@@ -68,6 +68,10 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
     }
 
     [Fact]
+    public void Merge_of_a_folder_that_is_not_there_says_so() =>
+        CliRun.Of("merge", _folder.PathOf("nowhere"), "--out", _folder.PathOf("out")).AssertFailed(ExitCode.InputOutput, "There is no folder '");
+
+    [Fact]
     public void Merge_into_a_folder_that_holds_something_is_refused()
     {
         _folder.File("thesis.tex", "mine");

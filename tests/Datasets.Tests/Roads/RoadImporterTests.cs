@@ -54,6 +54,23 @@ public sealed class RoadImporterTests : IDisposable
         Assert.Equal(plain.Network.Links, RoadImporter.Import(_file).Network.Links);
     }
 
+    [Fact]
+    public void Import_folder_passes_over_other_lists_that_are_made_of_the_game()
+    {
+        string folder = Directory.CreateTempSubdirectory().FullName;
+        try
+        {
+            File.WriteAllText(Path.Combine(folder, "lights.json"), """[{"Name": "prop_traffic_01d", "Position": {"X": 1, "Y": 2, "Z": 3}}]""");
+            File.WriteAllText(Path.Combine(folder, "nodes.json"), TwoNodes);
+
+            Assert.Equal(2, RoadImporter.Import(folder).Network.Nodes.Count);
+        }
+        finally
+        {
+            Directory.Delete(folder, recursive: true);
+        }
+    }
+
     [Theory]
     [InlineData("\"Id\": 8, \"Position\"", "\"Id\": 9, \"Position\"", "node 7 of cell 496 has a neighbour, node 9")]
     [InlineData("\"LaneCountForward\": 2", "\"LaneCountForward\": 8", "node 7 of cell 496 has a link without a number of lanes from 0 to 7")]

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text.Json;
@@ -21,6 +22,9 @@ internal static class JsonDumpImporter
     private const int MostLanes = 7;
 
     private static readonly JsonSerializerOptions Options = new() { MaxDepth = DeepestNesting, RespectNullableAnnotations = true };
+
+    /// <summary>Whether the beginning of a file is a list of cells, and not one of the other lists that are made of the game.</summary>
+    public static bool Understands(string head) => head.StartsWith('[') && head.Contains("\"AreaId\"", StringComparison.Ordinal);
 
     public static RoadImport Import(RoadSource source)
     {
