@@ -14,12 +14,18 @@ internal sealed class GameCarControls : ICarControls
     private const int Brake = 72;
     private const int Handbrake = 76;
 
+    /// <summary>After so many ticks what was set here is held no longer: one, and one more for a game that is late.</summary>
+    private const int TicksOfASetControl = 2;
+
     // Other controls on the same keys, buttons and sticks, as what is set is read back as if the player held it: steer left and
     // right, leave the vehicle, and of aircraft throttle up and down.
     private static readonly int[] PlayersControls = [63, 64, 75, 87, 88];
 
+    // The handbrake has no other control on its button: it is the player's when it was not set here of late.
+    private int _ticksWithoutHandbrake = TicksOfASetControl;
+
     /// <inheritdoc/>
-    public bool ArePlayers => Array.Exists(PlayersControls, static control => Natives.Call<bool>(Hash.IS_CONTROL_PRESSED, Player, control));
+    public bool ArePlayers => Array.Exists(PlayersControls, IsHeld) || (_ticksWithoutHandbrake >= TicksOfASetControl && IsHeld(Handbrake));
 
     /// <inheritdoc/>
     public void Set(double steering, double throttle, double brake, bool handbrake)
@@ -27,6 +33,7 @@ internal sealed class GameCarControls : ICarControls
         Set(Steer, steering);
         Set(Accelerate, throttle);
         Set(Brake, brake);
+        _ticksWithoutHandbrake = handbrake ? 0 : Math.Min(_ticksWithoutHandbrake + 1, TicksOfASetControl);
         if (handbrake)
         {
             Set(Handbrake, 1);
@@ -57,6 +64,8 @@ internal sealed class GameCarControls : ICarControls
 
     /// <inheritdoc/>
     public void SetTimeOfDay(TimeSpan timeOfDay) => Natives.Call(Hash.SET_CLOCK_TIME, timeOfDay.Hours, timeOfDay.Minutes, timeOfDay.Seconds);
+
+    private static bool IsHeld(int control) => Natives.Call<bool>(Hash.IS_CONTROL_PRESSED, Player, control);
 
     private static void Set(int control, double value) => Natives.Call(Hash.SET_CONTROL_VALUE_NEXT_FRAME, Player, control, (float)value);
 }

@@ -111,6 +111,36 @@ public sealed class BridgeDriveTests : BridgedGame
         Assert.Null(driver.Game.KeptWeather);
     }
 
+    [Theory]
+    [InlineData("[-50,60,31]", "1e300")]
+    [InlineData("[-50,60,31]", "-361")]
+    [InlineData("[1e39,60,31]", "90")]
+    public void Reset_to_what_the_game_could_not_hold_is_refused_and_the_car_stays(string position, string headingDegrees)
+    {
+        using ScriptDriver driver = Driven();
+        Pose before = driver.Game.Entities[driver.Game.PlayersVehicle].Pose;
+        using SocketClient peer = Connect();
+        peer.Send($"{{\"type\":\"reset\",\"position\":{position},\"headingDegrees\":{headingDegrees}}}");
+        Until(driver, () => driver.Log().Contains("The bridge: ", StringComparison.Ordinal));
+        driver.Tick(2);
+
+        Assert.Equal(before, driver.Game.Entities[driver.Game.PlayersVehicle].Pose);
+    }
+
+    [Fact]
+    public void Problem_of_one_drive_is_logged_again_when_it_comes_in_the_next()
+    {
+        using ScriptDriver driver = Driven();
+        for (int drive = 1; drive <= 2; drive++)
+        {
+            using SocketClient peer = Connect();
+            peer.Send("""{"type":"wrong"}""");
+            Until(driver, () => driver.Log().Split('\n').Count(line => line.Contains("type 'wrong'", StringComparison.Ordinal)) == drive);
+            driver.Press(Keys.N);
+            Start(driver);
+        }
+    }
+
     [Fact]
     public void Lock_step_moves_the_world_by_the_step_and_ends_with_the_drive()
     {

@@ -10,6 +10,7 @@ public sealed class BridgeTakeBackTests : BridgedGame
     [InlineData(63)]
     [InlineData(64)]
     [InlineData(75)]
+    [InlineData(76)]
     [InlineData(87)]
     [InlineData(88)]
     public void Players_control_takes_the_car_back(int control)
@@ -78,6 +79,23 @@ public sealed class BridgeTakeBackTests : BridgedGame
         driver.Tick(20);
 
         Assert.Equal(1f, driver.Game.Controls[Handbrake]);
+    }
+
+    [Fact]
+    public void Handbrake_of_the_peer_that_is_let_go_is_not_taken_for_the_players_and_the_players_is_after_it()
+    {
+        using ScriptDriver driver = Driven();
+        using SocketClient peer = Connect();
+        driver.Game.Entities[driver.Game.PlayersVehicle].Velocity = default;
+        driver.Tick(2);
+        Assert.Equal(1f, driver.Game.Controls[Handbrake]);
+        Say(driver, peer, """{"type":"controls","steering":0,"throttle":1,"brake":0}""", () => driver.Game.Controls[Accelerate] == 1);
+        driver.Tick(3);
+        Assert.False(driver.Game.Controls.ContainsKey(Handbrake));
+        driver.Game.PlayersControls.Add(Handbrake);
+        driver.Tick(1);
+
+        Assert.Contains("The car is yours.", driver.Game.Notifications[^1], StringComparison.Ordinal);
     }
 
     [Fact]

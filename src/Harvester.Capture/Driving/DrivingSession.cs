@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using Harvester.Capture.Driving.Bridge;
 using Harvester.Capture.Driving.Controllers;
 using Harvester.Capture.Harvesting;
@@ -15,10 +14,6 @@ namespace Harvester.Capture.Driving;
 /// </summary>
 public sealed class DrivingSession : IDisposable
 {
-    /// <summary>A peer that sends faster than the ticks go does not keep a tick busy.</summary>
-    private const int MostMessagesATick = 300;
-
-    private const int MostCommandsWaiting = 256;
     private const double HalfATick = 0.5;
     private readonly DrivingOptions _options;
     private readonly GamePorts _game;
@@ -29,7 +24,7 @@ public sealed class DrivingSession : IDisposable
     private readonly FrameSchedule _schedule;
     private readonly DrivingView _view;
     private readonly WorldPace _pace;
-    private readonly Queue<PeerMessage> _commands = new();
+    private readonly PeerAgenda _agenda;
     private IController _controller;
     private bool _isFrameAskedFor;
     private bool _isFrameMissed;
@@ -53,6 +48,7 @@ public sealed class DrivingSession : IDisposable
         _game = game ?? throw new ArgumentNullException(nameof(game));
         _car = game.Car ?? throw new ArgumentException("This game has no car that can be driven.", nameof(game));
         _bridge = bridge ?? throw new ArgumentNullException(nameof(bridge));
+        _agenda = new PeerAgenda(bridge, problem => Problem = problem);
         _newController = newController ?? throw new ArgumentNullException(nameof(newController));
         _controller = newController();
         _watch = new SilenceWatch(new WorldClock(game.World), options.PatienceSeconds);
@@ -131,40 +127,22 @@ public sealed class DrivingSession : IDisposable
 
     private void Receive()
     {
-        PeerMessage? newest = null;
-        for (int taken = 0; taken < MostMessagesATick && _bridge.TryReceive(out PeerMessage? message); taken++)
+        if (_agenda.Receive())
         {
-            if (message is PeerGoneMessage)
-            {
-                LosePeer();
-                newest = null;
-            }
-            else if (message is ControlsMessage or IndicatorsMessage)
-            {
-                newest = message;
-            }
-            else if (_commands.Count < MostCommandsWaiting)
-            {
-                _commands.Enqueue(message);
-            }
-            else
-            {
-                Problem = "the peer sends commands faster than they can be obeyed; the newest are dropped.";
-            }
+            LosePeer();
         }
 
-        while (!_isStepOpen && _commands.Count > 0)
+        while (!_isStepOpen && _agenda.TryTakeCommand(out PeerMessage? command))
         {
-            Obey(_commands.Dequeue());
+            Obey(command);
         }
 
-        Hear(newest);
+        Hear(_agenda.TakeNewest());
     }
 
     /// <summary>As if the peer had never been: what it asked for is void, the car brakes and the world goes on.</summary>
     private void LosePeer()
     {
-        _commands.Clear();
         _isStepOpen = false;
         _isFrameAskedFor = _isFrameMissed = false;
         _controller = _newController();

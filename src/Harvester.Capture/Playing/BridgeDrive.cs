@@ -131,6 +131,7 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
 
         if (_session is null)
         {
+            _problem = null;
             _problems = 0;
             _session = new DrivingSession(_settings.Driving, _game, opening.Result, _settings.Controller.New);
             _messages.Tell($"The car waits for a peer at {_settings.Place}. Any driving key takes it back.");

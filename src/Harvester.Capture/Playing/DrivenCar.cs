@@ -1,5 +1,6 @@
 using System;
 using Harvester.Capture.Driving;
+using Harvester.Capture.Driving.Bridge;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
@@ -53,7 +54,7 @@ public sealed class DrivenCar : IDrivenCar
         {
             if (!WeatherNames.IsKnown(weather))
             {
-                throw new ArgumentException($"The game has no weather '{weather}'.", nameof(weather));
+                throw new ArgumentException($"The game has no weather {PeerText.Quoted(weather)}.", nameof(weather));
             }
 
             _keepsWeather = true;

@@ -10,9 +10,10 @@ public sealed class DrivingSessionPeerTests : DrivenGame
     public void Gone_peers_steps_and_commands_are_dropped_the_car_brakes_and_the_world_goes_on()
     {
         using DrivingSession session = Session();
-        Bridge.Say(
-            new PauseMessage(true), new StepMessage(1), new StepMessage(1), new ResetMessage(default, 90), new PauseMessage(true), new ControlsMessage(Left, null));
-        Run(session, 3);
+        Bridge.Say(new PauseMessage(true), new StepMessage(1), new StepMessage(1), new ControlsMessage(Left, null));
+        Run(session, 1);
+        Bridge.Say(new ResetMessage(default, 90), new PauseMessage(true));
+        Run(session, 2);
         Assert.True(session.IsStepping);
         Assert.Equal(Left, Car.Driven[^1]);
 

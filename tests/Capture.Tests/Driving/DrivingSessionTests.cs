@@ -154,6 +154,17 @@ public sealed class DrivingSessionTests : DrivenGame
     }
 
     [Fact]
+    public void Controls_that_come_before_a_reset_in_the_same_tick_are_void_with_it()
+    {
+        using DrivingSession session = Session();
+        Bridge.Say(new ControlsMessage(Left, null), new ResetMessage(default, 0));
+        Run(session, 3);
+
+        Assert.Single(Car.Resets);
+        Assert.Equal(Enumerable.Repeat(DrivingControls.Stop, 3), Car.Driven);
+    }
+
+    [Fact]
     public void Environment_is_set_and_an_unknown_weather_is_told()
     {
         using DrivingSession session = Session();

@@ -94,6 +94,7 @@ public sealed class FolderBridge : IDrivingBridge
     private void Run()
     {
         using FrameFiles frames = _frames;
+        Try(frames.DeleteEarlier);
         while (!_stopping)
         {
             Try(Send);

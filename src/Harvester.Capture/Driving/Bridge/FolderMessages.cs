@@ -42,6 +42,6 @@ internal static class FolderMessages
         return Array.ConvertAll(words, word =>
             double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && Math.Abs(number) <= 1e15
                 ? number
-                : throw new BridgeException($"{file}: '{(word.Length > 40 ? word.Substring(0, 40) : word)}' is not a number."));
+                : throw new BridgeException($"{file}: {PeerText.Quoted(word)} is not a number."));
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Text.RegularExpressions;
 using Harvester.Capture.Imaging;
 
 namespace Harvester.Capture.Driving.Bridge;
@@ -21,6 +22,20 @@ internal sealed class FrameFiles(string folder) : IDisposable
     private readonly MemoryStream _png = new();
     private BridgeState? _waiting;
     private bool _isPictureWritten;
+
+    /// <summary>Deletes the pictures of earlier drives, which are known by their names. What somebody holds fast stays.</summary>
+    /// <exception cref="IOException">The folder cannot be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">The folder may not be read.</exception>
+    public void DeleteEarlier()
+    {
+        foreach (string path in Directory.GetFiles(folder, "frame_*.png"))
+        {
+            if (Regex.IsMatch(Path.GetFileName(path), @"\Aframe_[0-9]{8}\.png\z"))
+            {
+                TryDelete(path);
+            }
+        }
+    }
 
     /// <summary>Puts a frame in the place of the one that could not be written yet.</summary>
     public void Put(BridgeState state, PixelBuffer picture)
@@ -76,22 +91,28 @@ internal sealed class FrameFiles(string folder) : IDisposable
     {
         for (int i = _pictures.Count - PicturesKept; i >= 0; i--)
         {
-            try
+            if (TryDelete(Path.Combine(folder, _pictures[i])))
             {
-                File.Delete(Path.Combine(folder, _pictures[i]));
+                _pictures.RemoveAt(i);
             }
-            catch (DirectoryNotFoundException)
-            {
-                // Gone with the folder.
-                _pictures.Clear();
-                return;
-            }
-            catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-            {
-                continue;
-            }
+        }
+    }
 
-            _pictures.RemoveAt(i);
+    /// <returns>Whether it is gone, as it is with the folder too.</returns>
+    private static bool TryDelete(string path)
+    {
+        try
+        {
+            File.Delete(path);
+            return true;
+        }
+        catch (DirectoryNotFoundException)
+        {
+            return true;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            return false;
         }
     }
 

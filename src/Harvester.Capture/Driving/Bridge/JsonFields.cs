@@ -52,7 +52,7 @@ internal sealed class JsonFields
                 Expect(':');
                 if (_values.ContainsKey(name))
                 {
-                    throw Wrong($"the field {name} again");
+                    throw Wrong($"the field {PeerText.Quoted(name)} again");
                 }
 
                 _values.Add(name, ReadValue());

@@ -4,7 +4,8 @@ using System.Diagnostics.CodeAnalysis;
 namespace Harvester.Capture.Driving.Bridge;
 
 /// <summary>
-/// What the one peer that counts has said, until the game takes it: commands in their order, of controls and indicators only the newest.
+/// What the one peer that counts has said, until the game takes it: commands in their order, of controls and indicators only the newest. A
+/// reset voids those that came before it.
 /// Each word comes with who says it, under one lock with who counts. So once a peer is gone or another has its place, nothing that it said
 /// is given out any more, and the game is told so by a <see cref="PeerGoneMessage"/> before anything that comes after.
 /// </summary>
@@ -88,6 +89,11 @@ internal sealed class PeerInbox<TPeer>
             }
 
             _commands.Enqueue(message);
+            if (message is ResetMessage)
+            {
+                _newest = null;
+            }
+
             return true;
         }
     }

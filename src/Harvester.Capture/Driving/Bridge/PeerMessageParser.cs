@@ -12,6 +12,7 @@ public static class PeerMessageParser
 
     private const double LongestStepSeconds = 10;
     private const double LargestCoordinate = 100_000;
+    private const double LargestHeadingDegrees = 360;
 
     /// <summary>The message of a header.</summary>
     /// <exception cref="BridgeException">The header is no message; the line says what is wrong.</exception>
@@ -24,13 +25,13 @@ public static class PeerMessageParser
             "controls" => new ControlsMessage(
                 new DrivingControls(fields.Number("steering"), fields.Number("throttle"), fields.Number("brake")), FrameOf(fields)),
             "indicators" => new IndicatorsMessage(fields.Numbers("values", IndicatorCount), FrameOf(fields)),
-            "reset" => new ResetMessage(PositionOf(fields), fields.Number("headingDegrees")),
+            "reset" => new ResetMessage(PositionOf(fields), HeadingOf(fields)),
             "environment" => new EnvironmentMessage(
                 fields.Has("weather") ? fields.Text("weather") : null, fields.Has("timeOfDay") ? TimeOf(fields) : null),
             "pause" => new PauseMessage(fields.Truth("paused")),
             "step" => new StepMessage(SecondsOf(fields)),
             "requestFrame" => new RequestFrameMessage(),
-            _ => throw new BridgeException($"type '{type}' is none of controls, indicators, reset, environment, pause, step, requestFrame."),
+            _ => throw new BridgeException($"type {PeerText.Quoted(type)} is none of controls, indicators, reset, environment, pause, step, requestFrame."),
         };
     }
 
@@ -52,6 +53,14 @@ public static class PeerMessageParser
         return Array.TrueForAll(position, coordinate => Math.Abs(coordinate) <= LargestCoordinate)
             ? new Vector3D(position[0], position[1], position[2])
             : throw new BridgeException("field position lies outside any world.");
+    }
+
+    private static double HeadingOf(JsonFields fields)
+    {
+        double degrees = fields.Number("headingDegrees");
+        return Math.Abs(degrees) <= LargestHeadingDegrees
+            ? degrees
+            : throw new BridgeException("field headingDegrees must be from -360 to 360.");
     }
 
     private static TimeSpan TimeOf(JsonFields fields) =>

@@ -56,7 +56,7 @@ internal sealed class SocketPeer : IDisposable
         FrameOutbox outbox,
         Action<string> report)
     {
-        var peer = new SocketPeer(client, options, inbox, strangers, outbox, report);
+        SocketPeer peer = Of(client, options, inbox, strangers, outbox, report);
         if (peer._isStranger)
         {
             strangers.Enter(peer)?.CutOff("a connection was cut off that had not shown the token when too many others came.");
@@ -94,6 +94,26 @@ internal sealed class SocketPeer : IDisposable
     {
         _isClosed = true;
         _client.Close();
+    }
+
+    /// <summary>A connection may have ended before anything of it can be asked for.</summary>
+    private static SocketPeer Of(
+        TcpClient client,
+        SocketBridgeOptions options,
+        PeerInbox<SocketPeer> inbox,
+        WaitingRoom<SocketPeer> strangers,
+        FrameOutbox outbox,
+        Action<string> report)
+    {
+        try
+        {
+            return new SocketPeer(client, options, inbox, strangers, outbox, report);
+        }
+        catch
+        {
+            client.Dispose();
+            throw;
+        }
     }
 
     private void Receive()

@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using System.Diagnostics.CodeAnalysis;
 using System.IO;
 using System.Text;
@@ -10,7 +11,12 @@ internal sealed class WatchedFile(string path)
 {
     private const int LargestBytes = 65_536;
 
+    /// <summary>A writer may keep a file to itself for a moment.</summary>
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(1);
+
+    private readonly Stopwatch _unreadable = new();
     private (DateTime Written, long Length)? _seen;
+    private (DateTime Written, long Length)? _failed;
 
     /// <summary>Takes what stands in the file now for seen, so that only a later writing counts.</summary>
     /// <returns>Whether it was new.</returns>
@@ -27,17 +33,29 @@ internal sealed class WatchedFile(string path)
 
     /// <summary>Reads the file if it has been written since the last time.</summary>
     /// <returns>False when it has not, is not there, or is being written just now.</returns>
-    /// <exception cref="BridgeException">It is too large to be what it should be.</exception>
+    /// <exception cref="BridgeException">It is too large to be what it should be, or cannot be read for long; told once for each writing.</exception>
     public bool TryReadNew([NotNullWhen(true)] out string? text)
     {
         text = null;
-        if (Version() is not { } version || version == _seen || Read() is not { } bytes || Version() != version)
+        if (Version() is not { } version || version == _seen)
         {
-            // Where another writing has come in between, the next look reads that.
+            return false;
+        }
+
+        if (Read(out string? fault) is not { } bytes)
+        {
+            Fail(version, fault);
+            return false;
+        }
+
+        if (Version() != version)
+        {
+            // Another writing has come in between, and the next look reads that.
             return false;
         }
 
         _seen = version;
+        _failed = null;
         if (bytes.Length > LargestBytes)
         {
             throw new BridgeException(FormattableString.Invariant($"{Path.GetFileName(path)} is too large; at most {LargestBytes} bytes are read."));
@@ -55,8 +73,9 @@ internal sealed class WatchedFile(string path)
     }
 
     /// <summary>What the file holds, or a byte more than it may; null when it cannot be read now.</summary>
-    private MemoryStream? Read()
+    private MemoryStream? Read(out string? fault)
     {
+        fault = null;
         try
         {
             using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
@@ -71,7 +90,22 @@ internal sealed class WatchedFile(string path)
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
+            fault = e.Message;
             return null;
+        }
+    }
+
+    private void Fail((DateTime Written, long Length) version, string? fault)
+    {
+        if (version != _failed)
+        {
+            _failed = version;
+            _unreadable.Restart();
+        }
+        else if (_unreadable.IsRunning && _unreadable.Elapsed > Patience)
+        {
+            _unreadable.Stop();
+            throw new BridgeException($"{Path.GetFileName(path)} cannot be read: {fault}");
         }
     }
 }

@@ -82,6 +82,29 @@ public sealed class FolderBridgeTests : IDisposable
         Assert.Equal(new ControlsMessage(new DrivingControls(0, 0, 0.75), null), Frames.AwaitMessage(bridge));
     }
 
+    [UnixFact]
+    public void File_that_can_never_be_read_is_reported_and_the_next_good_one_is_read()
+    {
+        using var bridge = new FolderBridge(_folder, Frames.Size);
+
+        // What a link leads to that is not there can be seen and not be read, by anyone.
+        File.CreateSymbolicLink(PathOf("controls.txt"), PathOf("nowhere"));
+        Frames.Await(() => bridge.Problem is not null, "the problem to be reported");
+        Assert.StartsWith("controls.txt cannot be read: ", bridge.Problem, StringComparison.Ordinal);
+        Drop("controls.txt", "0 0 0.75\n");
+
+        Assert.Equal(new ControlsMessage(new DrivingControls(0, 0, 0.75), null), Frames.AwaitMessage(bridge));
+    }
+
+    [Fact]
+    public void Pictures_of_an_earlier_drive_are_deleted()
+    {
+        File.WriteAllText(PathOf("frame_00000123.png"), "");
+        using var bridge = new FolderBridge(_folder, Frames.Size);
+
+        Frames.Await(() => !File.Exists(PathOf("frame_00000123.png")), "the old picture to go");
+    }
+
     [Fact]
     public void Bridge_survives_a_peer_that_is_killed_and_restarted_100_times()
     {

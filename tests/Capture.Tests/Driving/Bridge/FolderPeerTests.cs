@@ -106,17 +106,20 @@ public sealed class FolderPeerTests : IDisposable
         Await(() => _game.WantsFrozen, "the pause");
         if (life % 3 > 0)
         {
-            foreach (string command in new[] { """{"type":"step","seconds":10}""", """{"type":"reset","position":[1,2,3],"headingDegrees":4}""", """{"type":"pause","paused":true}""" })
-            {
-                Command(command);
-                AwaitRead();
-            }
-
+            Command("""{"type":"step","seconds":10}""");
             Await(() => _session.IsStepping, "the step");
         }
 
         Drop("controls.txt", FormattableString.Invariant($"{steering} 1 0 {life}\n"));
         Await(() => _session.Status.Controls.Steering == steering, $"the controls of life {life}");
+        if (_session.IsStepping)
+        {
+            foreach (string command in new[] { """{"type":"reset","position":[1,2,3],"headingDegrees":4}""", """{"type":"pause","paused":true}""" })
+            {
+                Command(command);
+                AwaitRead();
+            }
+        }
     }
 
     private void Command(string json) => Drop("command.json", json);

@@ -80,10 +80,7 @@ public sealed class FuzzedDriveTests
         SocketBridgeOptions options = SocketBridgeOptions.Loopback with { Port = 0, Token = token, TokenPatience = TimeSpan.FromSeconds(10) };
         using var bridge = new SocketBridge(options, Frames.Size);
         SocketClient[] slow = [.. Enumerable.Range(0, 10).Select(_ => new SocketClient(bridge.EndPoint))];
-        using var good = new SocketClient(bridge.EndPoint);
-        good.Send("{\"type\":\"hello\",\"token\":\"open sesame\"}");
-        good.Send("""{"type":"requestFrame"}""");
-        Assert.IsType<RequestFrameMessage>(Frames.AwaitMessage(bridge));
+        using SocketClient good = Welcomed(bridge);
 
         // None of the reads waits for long, and at this pace the whole of this hello would take more than an hour.
         byte[] hello = Framed(Encoding.UTF8.GetBytes(string.Concat("{\"type\":\"hello\",", new string(' ', 60_000), "\"token\":\"open sesame\"}")));
@@ -119,6 +116,34 @@ public sealed class FuzzedDriveTests
 
         Assert.Equal("error", peer.Receive().Header.GetProperty("type").GetString());
         Assert.True(peer.IsCutOff());
+    }
+
+    /// <summary>A peer that has shown the token: on a busy machine it may be too late for that at first, and tries again.</summary>
+    private static SocketClient Welcomed(SocketBridge bridge)
+    {
+        SocketClient peer = Asking(bridge);
+        Frames.Await(
+            () =>
+            {
+                if (peer.Stream.DataAvailable)
+                {
+                    // It is told that it was too late.
+                    peer.Dispose();
+                    peer = Asking(bridge);
+                }
+
+                return bridge.TryReceive(out PeerMessage? message) && message is RequestFrameMessage;
+            },
+            "the good peer to be welcome");
+        return peer;
+    }
+
+    private static SocketClient Asking(SocketBridge bridge)
+    {
+        var peer = new SocketClient(bridge.EndPoint);
+        peer.TryWrite(Framed("{\"type\":\"hello\",\"token\":\"open sesame\"}"u8.ToArray()));
+        peer.TryWrite(Framed("{\"type\":\"requestFrame\"}"u8.ToArray()));
+        return peer;
     }
 
     private static void AwaitControls(DrivingSession session, FakeGame game) => Frames.Await(

@@ -176,6 +176,9 @@ public sealed class SocketBridgeTests
     [InlineData("""{"type":"controls","steering":1e999,"throttle":0,"brake":0}""")]
     [InlineData("""{"type":"step","seconds":-1}""")]
     [InlineData("""{"type":"reset","position":[1,2],"headingDegrees":0}""")]
+    [InlineData("""{"type":"reset","position":[1,2,3],"headingDegrees":1e300}""")]
+    [InlineData("""{"type":"reset","position":[1,2,3],"headingDegrees":-360.5}""")]
+    [InlineData("""{"type":"reset","position":[1e39,2,3],"headingDegrees":0}""")]
     [InlineData("""{"type":"environment","timeOfDay":"25:00"}""")]
     public void Peer_that_sends_nonsense_is_told_and_cut_off_and_the_next_is_served(string nonsense)
     {
@@ -233,6 +236,32 @@ public sealed class SocketBridgeTests
         Frames.AwaitWord(bridge);
         bridge.Publish(Frames.State(6000), Frames.Picture(1));
         ReceiveUntil(next, 6000);
+    }
+
+    [Theory]
+    [InlineData("type")]
+    [InlineData("field")]
+    public void Problem_of_a_long_text_of_several_lines_is_one_short_line(string where)
+    {
+        string text = "a\\nb\\r\\u2028\\u0000" + new string('x', 30_000);
+        using var bridge = new SocketBridge(AnyPort, Frames.Size);
+        using var peer = new SocketClient(bridge.EndPoint);
+        peer.Send(where == "type" ? $"{{\"type\":\"{text}\"}}" : $"{{\"{text}\":1,\"{text}\":2}}");
+
+        Assert.Contains("'a?b???xxx", peer.Receive().Header.GetProperty("reason").GetString(), StringComparison.Ordinal);
+        Frames.Await(() => bridge.Problem is not null, "the problem");
+        Assert.InRange(bridge.Problem!.Length, 1, 250);
+        Assert.DoesNotContain(bridge.Problem, letter => char.IsControl(letter) || letter == '\u2028');
+    }
+
+    [Fact]
+    public void Connection_that_ended_before_it_could_be_served_is_given_back()
+    {
+        using var nobody = new System.Net.Sockets.TcpClient();
+
+        Assert.ThrowsAny<Exception>(() => SocketPeer.Serve(
+            nobody, AnyPort, new PeerInbox<SocketPeer>(), new WaitingRoom<SocketPeer>(1), new FrameOutbox(Frames.Size), static _ => { }));
+        Assert.Null(nobody.Client);
     }
 
     [Fact]
