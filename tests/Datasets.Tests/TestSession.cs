@@ -1,5 +1,8 @@
 using System.Text.Json.Nodes;
+using Harvester.Capture.Imaging;
 using Harvester.Datasets.Sessions;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Tests;
 
@@ -20,7 +23,7 @@ internal sealed class TestSession : IDisposable
         {
             Lines.Add(Frame(frame));
             File.WriteAllBytes(PathOf($"frames/{frame:D8}.png"), TestImages.Png(Width, Height));
-            File.WriteAllBytes(PathOf($"masks/{frame:D8}.png"), TestImages.Png(Width, Height, bitDepth: 16, colourType: 0));
+            PaintMask(frame, 1, 38, 28, 43, 33);
         }
 
         Info = JsonNode.Parse(
@@ -43,6 +46,22 @@ internal sealed class TestSession : IDisposable
     public JsonObject Car(int line) => Lines[line]["objects"]![0]!.AsObject();
 
     public string PathOf(string name) => Path.Combine(Folder, name);
+
+    /// <summary>Writes a mask that shows one rectangle of a number and nothing else.</summary>
+    public void PaintMask(int frame, ushort id, int left, int top, int right, int bottom)
+    {
+        var map = new InstanceMap(new ImageSize(Width, Height));
+        for (int row = top; row < bottom; row++)
+        {
+            for (int column = left; column < right; column++)
+            {
+                map[column, row] = id;
+            }
+        }
+
+        using FileStream file = File.Create(PathOf($"masks/{frame:D8}.png"));
+        new PngEncoder().Write(map, file);
+    }
 
     /// <summary>Writes the session as it now stands and opens it.</summary>
     public SessionReader Open()

@@ -66,6 +66,7 @@ internal static class SessionJson
             .Key("rangeMetres").Number(options.RangeMetres, LabelDecimals.Metres)
             .Key("freeze").Truth(options.Freeze)
             .Key("masks").Truth(options.Masks)
+            .Key("scenes").Truth(options.Scenes)
             .Key("maskRayBudget").Integer(options.MaskRayBudget)
             .Key("rayReachMetres").Number(options.RayReachMetres, LabelDecimals.Metres)
             .Key("minBoxAreaPixels").Number(options.MinBoxAreaPixels, LabelDecimals.Pixels)

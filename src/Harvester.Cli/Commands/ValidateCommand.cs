@@ -12,7 +12,8 @@ namespace Harvester.Cli.Commands;
 internal static class ValidateCommand
 {
     private const string Notes =
-        "Checked are: every line can be read; images and masks are there, whole, and of the size in their label; boxes lie in the image and\n"
+        "Checked are: every line can be read; images and masks are there, whole, and of the size in their label; masks show the objects of their\n"
+        + "label in the boxes it says; scenes are there and can be read where the session keeps them; boxes lie in the image and\n"
         + "within their amodal boxes; fractions are 0 to 1; distances agree with cuboids and focal lengths with fields\n"
         + "of view; an id means one object; frame numbers rise.\n"
         + "Of an exported dataset: every label of its format can be read, boxes lie in the image, ids are unique and known, images are there with\n"

@@ -108,7 +108,7 @@ internal sealed class RecordedSession
     /// <exception cref="DatasetFormatException">A label or a scene is malformed.</exception>
     /// <exception cref="IOException">A scene cannot be read.</exception>
     public IEnumerable<(FrameLabel Label, RecordedScene Scene)> Frames() =>
-        Session.ReadLabels().Select(label => (label, SceneParser.Read(Session.PathOf(FramePaths.Scene(label.Frame)), label)));
+        Session.ReadLabels().Select(label => (label, ReadScene(label)));
 
     /// <summary>The numbers that objects have in it.</summary>
     public RecordedIds ReadIds()
@@ -120,6 +120,19 @@ internal sealed class RecordedSession
         }
 
         return ids;
+    }
+
+    private RecordedScene ReadScene(FrameLabel label)
+    {
+        string path = Session.PathOf(FramePaths.Scene(label.Frame));
+        try
+        {
+            return SceneParser.Read(path, label);
+        }
+        catch (DatasetFormatException e)
+        {
+            throw new DatasetFormatException($"{path}: {e.Message}", e);
+        }
     }
 
     private static double Width(JsonFields settings, string name, double usual)

@@ -14,7 +14,7 @@ namespace Harvester.Datasets.Relabelling;
 /// <summary>Reads the scene of a frame; its fields are those of docs/relabel.md. Time and weather are the label's.</summary>
 internal static class SceneParser
 {
-    /// <exception cref="DatasetFormatException">The file is not a scene; the message names file and field.</exception>
+    /// <exception cref="DatasetFormatException">The file is not a scene; the message names the field, not the file.</exception>
     /// <exception cref="IOException">It cannot be read.</exception>
     public static RecordedScene Read(string path, FrameLabel label)
     {
@@ -23,13 +23,9 @@ internal static class SceneParser
             using JsonDocument document = JsonDocument.Parse(File.ReadAllBytes(path));
             return Parse(new JsonFields(document.RootElement), label);
         }
-        catch (DatasetFormatException e)
-        {
-            throw new DatasetFormatException($"{path}: {e.Message}", e);
-        }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"{path}: not JSON, from character {e.BytePositionInLine + 1} on.", e);
+            throw new DatasetFormatException($"not JSON, from character {e.BytePositionInLine + 1} on.", e);
         }
     }
 

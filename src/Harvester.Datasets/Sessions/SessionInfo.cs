@@ -16,6 +16,9 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
     /// <summary>Name of the file.</summary>
     public const string FileName = "session.json";
 
+    /// <summary>Whether it keeps the scenes that its labels were made from; null where it does not say.</summary>
+    public bool? KeepsScenes { get; init; }
+
     /// <summary>The version of the format that this reader knows.</summary>
     private const int KnownFormatVersion = 1;
 
@@ -48,6 +51,9 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
             session.Has("seed") ? session.LargeWholeNumber("seed") : null,
             image.Checked(() => new ImageSize(image.WholeNumber("width"), image.WholeNumber("height"))),
             session.Has("counters") ? session.Fields("counters").WholeNumber("captured") : null,
-            session.OptionalText("fault"));
+            session.OptionalText("fault"))
+        {
+            KeepsScenes = session.Has("options") && session.Fields("options").Has("scenes") ? session.Fields("options").Truth("scenes") : null,
+        };
     }
 }

@@ -8,7 +8,10 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Validation;
 
-/// <summary>The files that labels name: they lie in the session, belong to one frame, are whole, and have the size that the label says.</summary>
+/// <summary>
+/// The files that labels name: they lie in the session, belong to one frame, are whole, and have the size that the label says; masks show
+/// what the label says.
+/// </summary>
 internal sealed class FileCheck
 {
     private const int MaskBitsPerPixel = 16;
@@ -20,9 +23,25 @@ internal sealed class FileCheck
 
     public IEnumerable<string> Problems(FrameLabel label)
     {
-        string? image = Problem("image", label.Image, label.Camera, bitsPerPixel: null);
-        string? mask = label.Mask is null ? null : Problem("mask", label.Mask, label.Camera, MaskBitsPerPixel);
-        return new[] { image, mask }.OfType<string>();
+        IEnumerable<string> mask = label.Mask is { } name ? MaskProblems(label, name) : MaskCheck.ProblemsWithoutMask(label);
+        return Problem("image", label.Image, label.Camera, bitsPerPixel: null) is { } image ? mask.Prepend(image) : mask;
+    }
+
+    private IEnumerable<string> MaskProblems(FrameLabel label, string name)
+    {
+        if (Problem("mask", name, label.Camera, MaskBitsPerPixel) is { } problem)
+        {
+            return [problem];
+        }
+
+        try
+        {
+            return MaskCheck.Problems(label, PngDecoder.ReadInstanceMap(_session.PathOf(name)));
+        }
+        catch (DatasetFormatException e)
+        {
+            return [$"mask '{name}' cannot be used: {e.Message}"];
+        }
     }
 
     private string? Problem(string field, string name, CameraLabel camera, int? bitsPerPixel)

@@ -20,8 +20,9 @@ internal static class ObjectCheck
 
     private const int GreatestId = ushort.MaxValue;
 
-    public static IEnumerable<string> Problems(ObjectLabel item, CameraLabel camera)
+    public static IEnumerable<string> Problems(ObjectLabel item, FrameLabel frame)
     {
+        CameraLabel camera = frame.Camera;
         var image = new Box2D(0, 0, camera.Width, camera.Height);
         if (item.Id is < 1 or > GreatestId)
         {
@@ -46,7 +47,8 @@ internal static class ObjectCheck
             yield return Of(item, $"box2d {Text(item.Box2D)} does not lie within box2dAmodal {Text(item.Box2DAmodal)}.");
         }
 
-        if (item.Box2DVisible is { } visible && !item.Box2D.Contains(visible, PixelBorder))
+        // A mask of another tool, which has no pixelMap, may show an object beyond its cuboid.
+        if (frame.PixelMap is not null && item.Box2DVisible is { } visible && !item.Box2D.Contains(visible, PixelBorder))
         {
             yield return Of(item, $"box2dVisible {Text(visible)} does not lie within box2d {Text(item.Box2D)}.");
         }
@@ -74,6 +76,10 @@ internal static class ObjectCheck
         }
     }
 
+    /// <summary>A box for people.</summary>
+    internal static string Text(Box2D box) =>
+        string.Create(CultureInfo.InvariantCulture, $"[{box.XMin:0.##}, {box.YMin:0.##}, {box.XMax:0.##}, {box.YMax:0.##}]");
+
     private static IEnumerable<(string Name, Box2D Box)> Boxes(ObjectLabel item)
     {
         yield return ("box2d", item.Box2D);
@@ -85,7 +91,4 @@ internal static class ObjectCheck
     }
 
     private static string Of(ObjectLabel item, string message) => $"object {item.Id}: {message}";
-
-    private static string Text(Box2D box) =>
-        string.Create(CultureInfo.InvariantCulture, $"[{box.XMin:0.##}, {box.YMin:0.##}, {box.XMax:0.##}, {box.YMax:0.##}]");
 }

@@ -18,6 +18,7 @@ public static class SessionValidator
         SessionInfo? info = ReadInfo(session, problems);
         var sequence = new SequenceCheck();
         var files = new FileCheck(session);
+        var scenes = new SceneCheck(session, info);
         int frames = 0;
         int objects = 0;
         foreach (LabelLine line in session.ReadLines())
@@ -34,7 +35,8 @@ public static class SessionValidator
                     .. CameraCheck.Problems(label.Camera),
                     .. sequence.Problems(label),
                     .. files.Problems(label),
-                    .. label.Objects.SelectMany(item => ObjectCheck.Problems(item, label.Camera)),
+                    .. new[] { scenes.Problem(label) }.OfType<string>(),
+                    .. label.Objects.SelectMany(item => ObjectCheck.Problems(item, label)),
                 ];
             }
 

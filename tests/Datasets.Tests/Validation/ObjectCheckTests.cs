@@ -29,8 +29,20 @@ public sealed class ObjectCheckTests : IDisposable
     public void Validate_finds_visible_pixels_outside_the_box()
     {
         _session.Car(0)["box2dVisible"] = JsonNode.Parse("[35, 27, 43, 33]");
+        _session.PaintMask(0, 1, 35, 27, 43, 33);
 
         _session.AssertProblem(1, "box2dVisible [35, 27, 43, 33] does not lie within box2d");
+    }
+
+    [Fact]
+    public void Validate_takes_pixels_outside_the_box_in_a_mask_of_another_tool()
+    {
+        _session.Lines[0]["pixelMap"] = null;
+        _session.Car(0)["occlusionMethod"] = "imported";
+        _session.Car(0)["box2dVisible"] = JsonNode.Parse("[35, 27, 43, 33]");
+        _session.PaintMask(0, 1, 35, 27, 43, 33);
+
+        Assert.Empty(SessionValidator.Validate(_session.Open()).Problems);
     }
 
     [Theory]
@@ -58,7 +70,7 @@ public sealed class ObjectCheckTests : IDisposable
     [InlineData(65536)]
     public void Validate_finds_an_id_that_no_mask_can_hold(int id)
     {
-        _session.Car(0)["id"] = id;
+        _session.Lines[0]["objects"]![1]!["id"] = id;
 
         _session.AssertProblem(1, "ids are 1 to 65535");
     }

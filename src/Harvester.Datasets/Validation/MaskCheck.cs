@@ -1,0 +1,52 @@
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Labels;
+using Harvester.Datasets.Exports.Masks;
+using Harvester.Geometry;
+using Harvester.Geometry.PixelMaps;
+
+namespace Harvester.Datasets.Validation;
+
+/// <summary>What must hold between a label and its mask: every number in the mask is an object's, and visible boxes are the bounds of pixels.</summary>
+internal static class MaskCheck
+{
+    private const int MostNumbersNamed = 5;
+
+    public static IEnumerable<string> Problems(FrameLabel label, InstanceMap map)
+    {
+        IReadOnlyDictionary<int, InstancePixels> seen = InstancePixels.AllOf(map);
+        int[] strays = [.. seen.Keys.Except(label.Objects.Select(item => item.Id)).Order()];
+        if (strays.Length > 0)
+        {
+            yield return $"mask '{label.Mask}' has {Text(strays)}, no object's id in this line.";
+        }
+
+        foreach (ObjectLabel item in label.Objects)
+        {
+            Box2D? bounds = seen.TryGetValue(item.Id, out InstancePixels? pixels) ? pixels.Box : null;
+            if (bounds != item.Box2DVisible)
+            {
+                yield return $"object {item.Id}: box2dVisible is {Text(item.Box2DVisible)}, but the bounds of its pixels in the mask are {Text(bounds)}.";
+            }
+        }
+    }
+
+    /// <summary>What must hold for a label without a mask.</summary>
+    public static IEnumerable<string> ProblemsWithoutMask(FrameLabel label)
+    {
+        if (label.PixelMap is not null)
+        {
+            yield return "pixelMap is given without a mask.";
+        }
+
+        foreach (ObjectLabel item in label.Objects.Where(item => item.Box2DVisible is not null))
+        {
+            yield return $"object {item.Id}: box2dVisible is given without a mask.";
+        }
+    }
+
+    private static string Text(int[] numbers) =>
+        string.Join(", ", numbers.Take(MostNumbersNamed)) + (numbers.Length > MostNumbersNamed ? $" and {numbers.Length - MostNumbersNamed} more" : "");
+
+    private static string Text(Box2D? box) => box is { } some ? ObjectCheck.Text(some) : "null";
+}

@@ -1,0 +1,68 @@
+using System.Text.Json.Nodes;
+using Harvester.Datasets.Validation;
+
+namespace Harvester.Datasets.Tests.Validation;
+
+/// <summary>Masks that show something else than their labels say. The car, 1, is seen in [38, 28, 43, 33], the pedestrian, 2, nowhere.</summary>
+public sealed class MaskCheckTests : IDisposable
+{
+    private readonly TestSession _session = new();
+
+    public void Dispose() => _session.Dispose();
+
+    [Fact]
+    public void Validate_finds_a_mask_that_shows_nothing()
+    {
+        _session.PaintMask(1, 0, 0, 0, 80, 60);
+
+        _session.AssertProblem(2, "object 1: box2dVisible is [38, 28, 43, 33], but the bounds of its pixels in the mask are null");
+    }
+
+    [Fact]
+    public void Validate_finds_a_number_that_is_no_objects()
+    {
+        _session.PaintMask(0, 999, 38, 28, 43, 33);
+
+        IReadOnlyList<SessionProblem> problems = SessionValidator.Validate(_session.Open()).Problems;
+
+        Assert.Equal(2, problems.Count);
+        Assert.Equal("labels.jsonl, line 1: mask 'masks/00000000.png' has 999, no object's id in this line.", problems[0].ToString());
+    }
+
+    [Fact]
+    public void Validate_finds_masks_that_are_swapped()
+    {
+        _session.Car(2)["box2dVisible"] = JsonNode.Parse("[37, 28, 43, 33]");
+        _session.PaintMask(2, 1, 37, 28, 43, 33);
+        Assert.Empty(SessionValidator.Validate(_session.Open()).Problems);
+        (_session.Lines[0]["mask"], _session.Lines[2]["mask"]) = ("masks/00000002.png", "masks/00000000.png");
+
+        Assert.Equal([1, 3], SessionValidator.Validate(_session.Open()).Problems.Select(problem => problem.Line!.Value));
+    }
+
+    [Fact]
+    public void Validate_finds_pixels_of_an_object_that_says_it_has_none()
+    {
+        _session.Car(0)["box2dVisible"] = null;
+
+        _session.AssertProblem(1, "object 1: box2dVisible is null, but the bounds of its pixels in the mask are [38, 28, 43, 33]");
+    }
+
+    [Fact]
+    public void Validate_finds_a_mask_of_damaged_pixels()
+    {
+        File.WriteAllBytes(_session.PathOf("masks/00000000.png"), TestImages.Png(80, 60, bitDepth: 16, colourType: 0));
+
+        _session.AssertProblem(1, "mask 'masks/00000000.png' cannot be used: its pixels are damaged.");
+    }
+
+    [Fact]
+    public void Validate_finds_what_only_a_mask_can_tell_in_a_label_without_one()
+    {
+        _session.Lines[0]["mask"] = null;
+
+        Assert.Equal(
+            ["pixelMap is given without a mask.", "object 1: box2dVisible is given without a mask."],
+            SessionValidator.Validate(_session.Open()).Problems.Select(problem => problem.Message));
+    }
+}

@@ -1,0 +1,57 @@
+using Harvester.Capture.Harvesting;
+using Harvester.Datasets.Sessions;
+using Harvester.Datasets.Tests.Exports;
+using Harvester.Datasets.Validation;
+
+namespace Harvester.Datasets.Tests.Validation;
+
+/// <summary>Scenes that are gone or damaged.</summary>
+[Collection(SimulatedSession.Collection)]
+public sealed class SceneCheckTests : IDisposable
+{
+    private readonly string _folder = Directory.CreateTempSubdirectory("harvester-test-").FullName;
+
+    public SceneCheckTests(SimulatedSession session)
+    {
+        foreach (string file in Directory.EnumerateFiles(session.Folder, "*", SearchOption.AllDirectories))
+        {
+            string target = Path.Combine(_folder, Path.GetRelativePath(session.Folder, file));
+            Directory.CreateDirectory(Path.GetDirectoryName(target)!);
+            File.Copy(file, target);
+        }
+    }
+
+    private string Scene => Path.Combine(_folder, FramePaths.Scene(2));
+
+    public void Dispose() => Directory.Delete(_folder, recursive: true);
+
+    [Fact]
+    public void Validate_of_a_harvest_with_masks_and_scenes_finds_nothing() => Assert.Empty(Problems());
+
+    [Fact]
+    public void Validate_finds_a_scene_that_is_cut_off()
+    {
+        File.WriteAllBytes(Scene, File.ReadAllBytes(Scene)[..400]);
+
+        Assert.StartsWith("labels.jsonl, line 3: scene 'scenes/00000002.json' cannot be used: not JSON", Assert.Single(Problems()), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Validate_finds_a_scene_that_is_gone()
+    {
+        File.Delete(Scene);
+
+        Assert.Equal("labels.jsonl, line 3: scene 'scenes/00000002.json' is missing.", Assert.Single(Problems()));
+    }
+
+    [Fact]
+    public void Validate_finds_that_all_scenes_are_gone()
+    {
+        Directory.Delete(Path.GetDirectoryName(Scene)!, recursive: true);
+
+        Assert.Equal(SimulatedSession.Frames, Problems().Length);
+    }
+
+    private string[] Problems() =>
+        [.. SessionValidator.Validate(new SessionReader(_folder)).Problems.Select(problem => problem.ToString())];
+}
