@@ -49,6 +49,7 @@ public sealed class SessionJsonTests
                 "rangeMetres": 150,
                 "freeze": true,
                 "masks": false,
+                "scenes": true,
                 "maskRayBudget": 50000,
                 "rayReachMetres": 1000,
                 "minBoxAreaPixels": 16,
