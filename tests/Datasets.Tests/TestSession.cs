@@ -98,14 +98,14 @@ internal sealed class TestSession : IDisposable
             {
               "id": 1, "class": "car", "model": "blista", "name": null,
               "box2d": [37, 27, 43, 33], "box2dAmodal": [37, 27, 43, 33], "box2dVisible": [38, 28, 43, 33],
-              "truncatedFraction": 0, "occludedFraction": 0.25, "occlusionMethod": "rays",
+              "truncatedFraction": 0, "occludedFraction": 0.25, "occlusionMethod": "rays", "visibleFraction": 0.75,
               "box3d": { "centre": [0, 11, 0], "halfExtents": [1, 1, 1], "right": [1, 0, 0], "forward": [0, 1, 0], "up": [0, 0, 1] },
               "distanceMetres": 11, "velocity": [0, 5, 0]
             },
             {
               "id": 2, "class": "pedestrian", "model": "a_m_y_hipster_01", "name": null,
               "box2d": [70, 24, 80, 36], "box2dAmodal": [70, 24, 82, 36], "box2dVisible": null,
-              "truncatedFraction": 0.2, "occludedFraction": null, "occlusionMethod": "none",
+              "truncatedFraction": 0.2, "occludedFraction": null, "occlusionMethod": "none", "visibleFraction": null,
               "box3d": { "centre": [6, 5, 0], "halfExtents": [1, 0, 1], "right": [1, 0, 0], "forward": [0, 1, 0], "up": [0, 0, 1] },
               "distanceMetres": 7.810249675906654, "velocity": [0, 0, 0]
             }

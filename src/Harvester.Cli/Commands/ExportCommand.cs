@@ -8,7 +8,6 @@ using System.Threading.Tasks;
 using Harvester.Capture.Harvesting;
 using Harvester.Cli.Arguments;
 using Harvester.Datasets.Exports;
-using Harvester.Datasets.Sessions;
 
 namespace Harvester.Cli.Commands;
 
@@ -90,7 +89,7 @@ internal static class ExportCommand
 
     private static int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
     {
-        ExportPlan plan = PlanOf(parsed);
+        ExportPlan plan = PlanOf(terminal, parsed);
         string folder = parsed.GetRequiredValue(Out);
         Shard shard = parsed.GetValue(ShardOf);
         int frames = plan.Sessions.Sum(session => session.CountLines()) / shard.Count;
@@ -102,7 +101,7 @@ internal static class ExportCommand
         return ExitCode.Done;
     }
 
-    private static ExportPlan PlanOf(ParseResult parsed)
+    private static ExportPlan PlanOf(Terminal terminal, ParseResult parsed)
     {
         string name = parsed.GetRequiredValue(Format);
         DatasetFormat format = DatasetFormats.Find(name) ?? throw new UsageException(
@@ -117,7 +116,7 @@ internal static class ExportCommand
             Segmentation = parsed.GetValue(Segmentation),
             Images = parsed.GetValue(Images),
         };
-        return new ExportPlan(format, [.. parsed.GetRequiredValue(Sessions).Select(folder => new SessionReader(folder))], options);
+        return new ExportPlan(format, [.. parsed.GetRequiredValue(Sessions).Select(folder => RecordedSessions.Open(terminal, folder))], options);
     }
 
     private static void CheckOptions(ParseResult parsed, DatasetFormat format)

@@ -125,7 +125,7 @@ internal static class HarvestCommand
         OutputFolder.Check(plan.Folder, plan.Overwrite);
         terminal.Out.WriteLine($"Harvesting {(plan.Shard.Count > 1 ? $"shard {plan.Shard} of " : "")}{plan.Frames} frames of {plan.Image.Width} x {plan.Image.Height}, seed {plan.Seed}, to {plan.Folder}");
         terminal.Out.Flush();
-        SimulatedHarvest harvest = SimulatedHarvest.Build(plan);
+        SimulatedHarvest harvest = SimulatedHarvest.Build(plan, terminal.WriteError);
         OutputFolder.Clear(plan.Folder);
         HarvestOutcome outcome = new JobProgress(terminal, plan.Frames).Run(report => harvest.Run(report, cancellation));
         if (outcome.Fault is { } fault)

@@ -60,7 +60,7 @@ internal static class RelabelCommand
 
     private static int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
     {
-        var session = new SessionReader(parsed.GetRequiredValue(Session));
+        SessionReader session = RecordedSessions.Open(terminal, parsed.GetRequiredValue(Session));
         string folder = parsed.GetRequiredValue(Out);
         if (string.Equals(Path.GetFullPath(folder), Path.GetFullPath(session.Folder), StringComparison.Ordinal))
         {
@@ -68,7 +68,7 @@ internal static class RelabelCommand
         }
 
         OutputFolder.Check(folder, parsed.GetValue(Overwrite));
-        RelabelOptions changes = ChangesOf(parsed);
+        RelabelOptions changes = ChangesOf(terminal, parsed);
         var relabeller = new SessionRelabeller(session, changes);
         OutputFolder.Clear(folder);
         int frames = new JobProgress(terminal, session.CountLines() / changes.Shard.Count).Run(report => relabeller.Run(folder, report, cancellation));
@@ -87,7 +87,7 @@ internal static class RelabelCommand
         return ExitCode.Done;
     }
 
-    private static RelabelOptions ChangesOf(ParseResult parsed) => new()
+    private static RelabelOptions ChangesOf(Terminal terminal, ParseResult parsed) => new()
     {
         RangeMetres = parsed.GetValue(Range),
         Classes = ClassList.Parse(parsed.GetValue(Classes)),
@@ -95,7 +95,7 @@ internal static class RelabelCommand
         MinBoxSidePixels = parsed.GetValue(MinSide),
         MaxOccludedFraction = parsed.GetValue(MaxOccluded),
         Lens = parsed.GetValue(Calibration) is { } calibration ? LensFile.Read(calibration.FullName) : null,
-        Spaces = parsed.GetValue(Spaces) is { } spaces ? SpaceFile.AsWritten(SpaceFile.ReadWhole(spaces.FullName)) : null,
+        Spaces = parsed.GetValue(Spaces) is { } spaces ? SpaceFile.AsWritten(SpaceFile.ReadGood(spaces.FullName, terminal.WriteError)) : null,
         SpacesName = parsed.GetValue(Spaces)?.Name,
         Roads = parsed.GetValue(Roads) is { } roads ? RoadImporter.Import(roads.FullName).Network : null,
         RoadsName = parsed.GetValue(Roads)?.Name,

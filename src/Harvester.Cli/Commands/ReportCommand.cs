@@ -34,7 +34,7 @@ internal static class ReportCommand
         command.SetAction(parsed =>
         {
             string session = parsed.GetRequiredValue(folder);
-            var reader = new SessionReader(session);
+            SessionReader reader = RecordedSessions.Open(terminal, session);
             if (parsed.GetValue(still) is { } frame)
             {
                 string picture = parsed.GetValue(output) ?? $"frame-{frame}.png";

@@ -26,7 +26,7 @@ internal static class StatsCommand
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(parsed =>
         {
-            SessionReader[] readers = [.. parsed.GetRequiredValue(sessions).Select(folder => new SessionReader(folder))];
+            SessionReader[] readers = [.. parsed.GetRequiredValue(sessions).Select(folder => RecordedSessions.Open(terminal, folder))];
             foreach (string line in Lines(SessionStatistics.Of(readers.Select(reader => reader.ReadLabels()))))
             {
                 terminal.Out.WriteLine(line);

@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
+using Harvester.Datasets;
 using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
@@ -14,12 +15,12 @@ internal static class ValidateCommand
     private const string Notes =
         "Checked are: every line can be read; images and masks are there, whole, and of the size in their label; masks show the objects of their\n"
         + "label in the boxes it says; scenes are there and can be read where the session keeps them; boxes lie in the image and\n"
-        + "within their amodal boxes; fractions are 0 to 1; distances agree with cuboids and focal lengths with fields\n"
-        + "of view; an id means one object; frame numbers rise.\n"
+        + "within their amodal boxes; fractions are 0 to 1 and follow from each other; distances agree with cuboids and focal lengths with fields\n"
+        + "of view; lane indicators are in their ranges; an id means one object; frame numbers and times rise.\n"
         + "Of an exported dataset: every label of its format can be read, boxes lie in the image, ids are unique and known, images are there with\n"
         + "their sizes, splits share no frame, calibrations project boxes onto boxes, archives are whole; and there are as many frames as\n"
         + "export.json counts. docs/exports has the list.\n"
-        + "All problems are listed, one a line; the exit code is 1 if there is any.\n\n"
+        + "All problems are listed, one a line; the exit code is 1 if there is any. A last line without a line feed is none: it is noted.\n\n"
         + "Example:\n"
         + "  harvester validate out";
 
@@ -37,10 +38,22 @@ internal static class ValidateCommand
                 return Task.FromResult(ValidateDataset(terminal, session, cancellation));
             }
 
-            SessionValidation validation = SessionValidator.Validate(new SessionReader(session), cancellation);
+            if (DatasetValidator.IsUnfinished(session))
+            {
+                throw new DatasetFormatException(
+                    $"'{session}' is an unfinished export. Give the same export command again and it goes on; where shards were written, merge them.");
+            }
+
+            var reader = new SessionReader(session);
+            SessionValidation validation = SessionValidator.Validate(reader, cancellation);
             foreach (SessionProblem problem in validation.Problems)
             {
                 terminal.Out.WriteLine(problem);
+            }
+
+            if (RecordedSessions.NoteOf(reader) is { } note)
+            {
+                terminal.Out.WriteLine($"Note: {note}");
             }
 
             if (validation.Info is { CapturedFrames: null })

@@ -42,10 +42,10 @@ internal sealed class SimulatedHarvest
     /// <summary>Reads roads and props, if any are named, and builds the world.</summary>
     /// <exception cref="DatasetFormatException">A file of roads, props or spaces is malformed.</exception>
     /// <exception cref="UsageException">There is no road where the harvest is to begin.</exception>
-    public static SimulatedHarvest Build(HarvestPlan plan)
+    public static SimulatedHarvest Build(HarvestPlan plan, Action<string> warn)
     {
         RoadNetwork? roads = plan.Roads is null ? null : RoadImporter.Import(plan.Roads).Network;
-        SpaceTable spaces = SpaceFile.AsWritten(plan.Spaces is null ? ModelSpaces.Table : ModelSpaces.Table.OverriddenBy(SpaceFile.ReadWhole(plan.Spaces)));
+        SpaceTable spaces = SpaceFile.AsWritten(plan.Spaces is null ? ModelSpaces.Table : ModelSpaces.Table.OverriddenBy(SpaceFile.ReadGood(plan.Spaces, warn)));
         List<PropPlacement> props = [.. plan.Props.SelectMany(PropPlacementImporter.Import)];
         try
         {

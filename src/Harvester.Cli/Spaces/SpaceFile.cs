@@ -1,4 +1,6 @@
+using System;
 using System.IO;
+using System.Linq;
 using Harvester.Capture.Spaces;
 using Harvester.Capture.Spaces.Survey;
 using Harvester.Datasets;
@@ -8,6 +10,8 @@ namespace Harvester.Cli.Spaces;
 /// <summary>Reads tables of spaces of interest from files.</summary>
 internal static class SpaceFile
 {
+    private const int MostProblemsTold = 5;
+
     /// <summary>The table that is meant: a survey's folder stands for the table in it.</summary>
     public static string TableOf(string path) => Directory.Exists(path) ? Path.Combine(path, SurveyFolder.TableName) : path;
 
@@ -22,14 +26,32 @@ internal static class SpaceFile
     /// <summary>A table as it is read again when it has been written, with corners to the millimetre.</summary>
     public static SpaceTable AsWritten(SpaceTable table) => SpaceTableReader.Read(new StringReader(SpaceTableWriter.Text(table))).Table;
 
-    /// <summary>A table of which every row is good: a harvest shall not go on with some of them left out.</summary>
+    /// <summary>The good rows of a table; of the others the first few and their number are told.</summary>
+    /// <param name="path">The table, or a survey's folder.</param>
+    /// <param name="warn">Is told what is refused, a line at a time.</param>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="DatasetFormatException">A row is refused.</exception>
-    public static SpaceTable ReadWhole(string path)
+    /// <exception cref="DatasetFormatException">No row is good, and some are refused.</exception>
+    public static SpaceTable ReadGood(string path, Action<string> warn)
     {
         SpaceTableContent content = Read(path);
-        return content.Problems.Count == 0
-            ? content.Table
-            : throw new DatasetFormatException($"{path}: {content.Problems.Count} rows are refused, the first at {content.Problems[0]} See 'harvester spaces check'.");
+        int good = content.Table.Spaces.Count();
+        int refused = content.Problems.Count;
+        if (refused == 0)
+        {
+            return content.Table;
+        }
+
+        if (good == 0)
+        {
+            throw new DatasetFormatException($"{path}: no row can be used; {refused} are refused, the first at {content.Problems[0]} See 'harvester spaces check'.");
+        }
+
+        foreach (SpaceTableProblem problem in content.Problems.Take(MostProblemsTold))
+        {
+            warn($"{path}: {problem}");
+        }
+
+        warn($"{path}: {refused} of the rows are refused, the other {good} are used. See 'harvester spaces check'.");
+        return content.Table;
     }
 }

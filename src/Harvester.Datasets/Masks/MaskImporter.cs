@@ -41,7 +41,7 @@ public static class MaskImporter
             {
                 using (var lines = new StreamWriter(file, new UTF8Encoding(false), leaveOpen: true) { NewLine = "\n" })
                 {
-                    foreach ((string line, FrameLabel label) in File.ReadLines(session.PathOf(SessionReader.LabelsFile)).Zip(session.ReadLabels()))
+                    foreach ((string line, FrameLabel label) in session.ReadTexts().Zip(session.ReadLabels()))
                     {
                         cancellation.ThrowIfCancellationRequested();
                         var size = new ImageSize(label.Camera.Width, label.Camera.Height);

@@ -32,6 +32,28 @@ public sealed class SessionReader
     /// <summary>The session's folder, as it was given.</summary>
     public string Folder { get; }
 
+    /// <summary>Whether the labels end in a line without a line feed, a leftover of a harvest that was cut off; it is no part of the session.</summary>
+    public bool HasUnfinishedLine
+    {
+        get
+        {
+            string path = PathOf(LabelsFile);
+            if (!File.Exists(path))
+            {
+                return false;
+            }
+
+            using FileStream file = File.OpenRead(path);
+            if (file.Length == 0)
+            {
+                return false;
+            }
+
+            file.Seek(-1, SeekOrigin.End);
+            return file.ReadByte() != '\n';
+        }
+    }
+
     /// <summary>Whether a name that a label gives for a file stays within the session.</summary>
     public static bool IsWithin(string name) => !Path.IsPathRooted(name) && !name.Split('/', '\\').Contains("..", StringComparer.Ordinal);
 
@@ -63,17 +85,16 @@ public sealed class SessionReader
         line.Label is not null ? line : throw new DatasetFormatException($"{LabelsFile}, line {line.Number}: {line.Problem}"));
 
     /// <summary>The lines of labels, those that cannot be read included; none when not one frame was written.</summary>
-    public IEnumerable<LabelLine> ReadLines()
-    {
-        string path = PathOf(LabelsFile);
-        return File.Exists(path) ? File.ReadLines(path).Select((line, index) => ReadLine(index + 1, line)) : [];
-    }
+    public IEnumerable<LabelLine> ReadLines() => ReadTexts().Select((line, index) => ReadLine(index + 1, line));
 
     /// <summary>How many lines of labels there are, good or not.</summary>
-    public int CountLines()
+    public int CountLines() => ReadTexts().Count();
+
+    /// <summary>The lines of labels as they stand there, without one that has no end.</summary>
+    internal IEnumerable<string> ReadTexts()
     {
         string path = PathOf(LabelsFile);
-        return File.Exists(path) ? File.ReadLines(path).Count() : 0;
+        return !File.Exists(path) ? [] : HasUnfinishedLine ? File.ReadLines(path).SkipLast(1) : File.ReadLines(path);
     }
 
     private static LabelLine ReadLine(int number, string line)

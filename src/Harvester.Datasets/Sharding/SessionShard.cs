@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using System.IO;
 using System.Text.Json.Nodes;
 using Harvester.Capture.Harvesting;
 using Harvester.Datasets.Sessions;
@@ -21,7 +20,7 @@ internal sealed record SessionShard(SessionReader Session, Shard Shard, string C
         var session = new SessionReader(folder);
         SessionHeader header = SessionHeader.Read(session);
         Shard shard = header.Shard ?? throw new DatasetFormatException($"'{folder}' is a whole session, no shard of one.");
-        if (header.Json["state"]?.ToString() != Complete)
+        if (header.Json["state"]?.ToString() != Complete || session.HasUnfinishedLine)
         {
             throw new DatasetFormatException($"Shard {shard} in '{folder}' is not finished. Run it again.");
         }
@@ -30,7 +29,7 @@ internal sealed record SessionShard(SessionReader Session, Shard Shard, string C
     }
 
     /// <summary>The lines of its labels.</summary>
-    public IEnumerable<string> ReadLines() => File.Exists(Session.PathOf(SessionReader.LabelsFile)) ? File.ReadLines(Session.PathOf(SessionReader.LabelsFile)) : [];
+    public IEnumerable<string> ReadLines() => Session.ReadTexts();
 
     /// <summary>Writes the session.json of the whole session.</summary>
     public void WriteWholeHeader(string folder, int frames)

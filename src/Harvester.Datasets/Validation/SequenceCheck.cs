@@ -1,14 +1,17 @@
+using System;
 using System.Collections.Generic;
 using Harvester.Capture.Labels;
 using Harvester.Capture.Scenes;
 
 namespace Harvester.Datasets.Validation;
 
-/// <summary>What must hold from line to line: rising frame numbers, and object numbers that mean one object.</summary>
+/// <summary>What must hold from line to line: rising frame numbers and times, and object numbers that mean one object.</summary>
 internal sealed class SequenceCheck
 {
     private readonly Dictionary<int, (ObjectClass Class, string Model)> _objects = [];
     private int _lastFrame = -1;
+    private double _lastTime;
+    private long _lastGameFrame;
 
     public IEnumerable<string> Problems(FrameLabel label)
     {
@@ -17,7 +20,16 @@ internal sealed class SequenceCheck
             yield return $"frame is {label.Frame}, but the numbers must rise and {_lastFrame} came before.";
         }
 
-        _lastFrame = label.Frame;
+        if (label.TimeSeconds < 0)
+        {
+            yield return FormattableString.Invariant($"timeSeconds is {label.TimeSeconds}; it must be 0 or more.");
+        }
+        else if (label.TimeSeconds < _lastTime && label.GameFrame > _lastGameFrame)
+        {
+            yield return FormattableString.Invariant($"timeSeconds is {label.TimeSeconds}, but {_lastTime} came before; it falls only with gameFrame, in a game that was started anew.");
+        }
+
+        (_lastFrame, _lastTime, _lastGameFrame) = (label.Frame, label.TimeSeconds, label.GameFrame);
         var seen = new HashSet<int>();
         foreach (ObjectLabel item in label.Objects)
         {

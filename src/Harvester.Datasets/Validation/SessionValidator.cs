@@ -36,6 +36,8 @@ public static class SessionValidator
                     .. sequence.Problems(label),
                     .. files.Problems(label),
                     .. new[] { scenes.Problem(label) }.OfType<string>(),
+                    .. DerivedFieldCheck.Problems(label, line.Text),
+                    .. label.Lanes is { } lanes ? LanesCheck.Problems(lanes) : [],
                     .. label.Objects.SelectMany(item => ObjectCheck.Problems(item, label)),
                 ];
             }

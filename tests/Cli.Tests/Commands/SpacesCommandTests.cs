@@ -124,7 +124,29 @@ public sealed class SpacesCommandTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_with_a_table_of_which_a_row_is_refused_does_not_begin()
+    public void A_row_that_is_refused_is_told_and_the_others_are_used()
+    {
+        string file = _folder.File("spaces.csv", InsideOut + "\n" + Good + "\n");
+        string session = _folder.PathOf("session");
+
+        CliRun[] runs =
+        [
+            CliRun.Of("harvest", "--out", session, "--frames", "1", "--size", "64x48", "--no-report", "--spaces", file),
+            CliRun.Of("relabel", session, "--out", _folder.PathOf("relabelled"), "--no-report", "--spaces", file),
+            CliRun.Of("spaces", "gallery", file),
+        ];
+
+        Assert.All(runs, run =>
+        {
+            Assert.Equal(ExitCode.Done, run.ExitCode);
+            Assert.Contains($"{file}: line 1, fulX", run.Error, StringComparison.Ordinal);
+            Assert.Contains("1 of the rows are refused, the other 1 are used", run.Error, StringComparison.Ordinal);
+        });
+        Assert.Contains("BIG STOP", File.ReadAllText(Path.Combine(session, "scenes", "spaces.csv")), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Harvest_with_a_table_of_which_no_row_is_good_does_not_begin()
     {
         string file = _folder.File("spaces.csv", InsideOut + "\n");
 

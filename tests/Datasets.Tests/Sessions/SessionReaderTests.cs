@@ -52,6 +52,18 @@ public sealed class SessionReaderTests : IDisposable
         Assert.Null(pedestrian.Box2DVisible);
     }
 
+    [Theory]
+    [InlineData("", false, 0)]
+    [InlineData("{}", true, 0)]
+    [InlineData("{}\n", false, 1)]
+    [InlineData("{}\n{}\n{\"frame\"", true, 2)]
+    public void ReadLines_leaves_a_line_without_end_aside(string labels, bool isUnfinished, int lines)
+    {
+        SessionReader reader = _session.OpenWithLabels(labels);
+
+        Assert.Equal((isUnfinished, lines, lines), (reader.HasUnfinishedLine, reader.CountLines(), reader.ReadLines().Count()));
+    }
+
     [Fact]
     public void ReadLabels_passes_over_fields_of_later_versions()
     {

@@ -53,8 +53,19 @@ public sealed class ObjectCheckTests : IDisposable
     public void Validate_finds_a_fraction_out_of_range(string field, double value)
     {
         _session.Car(0)[field] = value;
+        _session.Car(0)["visibleFraction"] = 0.75 * (1 - value) / (field == "occludedFraction" ? 0.75 : 1);
 
         _session.AssertProblem(1, $"{field} is");
+    }
+
+    [Theory]
+    [InlineData("0.9")]
+    [InlineData("null")]
+    public void Validate_finds_a_visible_fraction_that_does_not_follow(string visible)
+    {
+        _session.Car(0)["visibleFraction"] = JsonNode.Parse(visible);
+
+        _session.AssertProblem(1, $"visibleFraction is {visible}, but (1 - truncatedFraction)(1 - occludedFraction) is 0.75");
     }
 
     [Fact]

@@ -36,6 +36,24 @@ public sealed class SequenceCheckTests : IDisposable
     }
 
     [Theory]
+    [InlineData(-5, "timeSeconds is -5; it must be 0 or more")]
+    [InlineData(0.25, "timeSeconds is 0.25, but 0.5 came before")]
+    public void Validate_finds_a_time_that_falls(double seconds, string message)
+    {
+        _session.Lines[1]["timeSeconds"] = seconds;
+
+        _session.AssertProblem(2, message);
+    }
+
+    [Fact]
+    public void Validate_takes_a_time_that_falls_in_a_game_started_anew()
+    {
+        (_session.Lines[2]["timeSeconds"], _session.Lines[2]["gameFrame"]) = (0.25, 3);
+
+        Assert.Empty(SessionValidator.Validate(_session.Open()).Problems);
+    }
+
+    [Theory]
     [InlineData(0)]
     [InlineData(-7)]
     public void Validate_finds_frame_numbers_that_do_not_rise(int frame)

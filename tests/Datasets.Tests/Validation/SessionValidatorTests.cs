@@ -61,10 +61,21 @@ public sealed class SessionValidatorTests : IDisposable
     {
         string whole = _session.Lines[0].ToJsonString();
 
-        SessionValidation validation = SessionValidator.Validate(_session.OpenWithLabels(whole + "\n" + whole[..200]));
+        SessionValidation validation = SessionValidator.Validate(_session.OpenWithLabels(whole + "\n" + whole[..200] + "\n"));
 
         validation.AssertProblem(2, "not JSON");
         Assert.Equal(1, validation.Frames);
+    }
+
+    [Fact]
+    public void Validate_leaves_a_last_line_without_a_line_feed_aside()
+    {
+        string lines = string.Concat(_session.Lines.Select(line => line.ToJsonString() + "\n"));
+
+        SessionValidation validation = SessionValidator.Validate(_session.OpenWithLabels(lines + lines[..200]));
+
+        Assert.Empty(validation.Problems);
+        Assert.Equal(3, validation.Frames);
     }
 
     [Fact]
@@ -90,7 +101,7 @@ public sealed class SessionValidatorTests : IDisposable
     [Fact]
     public void Validate_collects_all_problems_in_the_order_of_lines()
     {
-        _session.Car(0)["truncatedFraction"] = 2;
+        _session.Car(0)["distanceMetres"] = 12;
         _session.Lines[1].Remove("ego");
         File.Delete(_session.PathOf("frames/00000002.png"));
 

@@ -22,7 +22,7 @@ internal static class GalleryCommand
             string folder = Path.GetDirectoryName(Path.GetFullPath(table))!;
             string page = parsed.GetValue(output) ?? Path.Combine(folder, FileName);
             var text = new StringWriter();
-            int models = new SpaceGallery(SpaceFile.ReadWhole(table), folder).Write(text);
+            int models = new SpaceGallery(SpaceFile.ReadGood(table, terminal.WriteError), folder).Write(text);
             WholeFile.Write(page, stream => stream.Write(new UTF8Encoding(false).GetBytes(text.ToString())));
             terminal.Out.WriteLine($"{page}: {models} models shown");
             return ExitCode.Done;

@@ -17,6 +17,9 @@ public static class DatasetValidator
     /// <summary>Whether a folder is a finished dataset.</summary>
     public static bool IsDataset(string folder) => new DatasetFolder(folder).IsFinished;
 
+    /// <summary>Whether a folder holds an export that was begun and not finished.</summary>
+    public static bool IsUnfinished(string folder) => new DatasetFolder(folder).IsBegun;
+
     /// <summary>Validates a dataset.</summary>
     /// <param name="folder">Its folder.</param>
     /// <param name="cancellation">Stops between two images.</param>

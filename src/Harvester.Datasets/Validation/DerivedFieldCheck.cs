@@ -1,0 +1,58 @@
+using System;
+using System.Collections.Generic;
+using System.Text.Json;
+using Harvester.Capture.Labels;
+using Harvester.Datasets.Json;
+
+namespace Harvester.Datasets.Validation;
+
+/// <summary>Fields of a line that follow from others and so are not part of the label that was read from it.</summary>
+internal static class DerivedFieldCheck
+{
+    /// <summary>The two fractions and their product are each rounded to four decimals: at most 1.5e-4 in all.</summary>
+    private const double RoundingFraction = 2e-4;
+
+    /// <summary>Angles are rounded to four decimals; one so near to 90 may have been on either side.</summary>
+    private const double RoundingDegrees = 1e-4;
+
+    /// <param name="label">The label.</param>
+    /// <param name="line">The line that it was read from.</param>
+    public static IEnumerable<string> Problems(FrameLabel label, string line)
+    {
+        using JsonDocument document = JsonDocument.Parse(line);
+        IReadOnlyList<JsonFields> objects = new JsonFields(document.RootElement).List("objects");
+        var problems = new List<string>();
+        for (int i = 0; i < objects.Count; i++)
+        {
+            try
+            {
+                problems.AddRange(Problems(label.Objects[i], objects[i]));
+            }
+            catch (DatasetFormatException e)
+            {
+                problems.Add(e.Message);
+            }
+        }
+
+        return problems;
+    }
+
+    private static IEnumerable<string> Problems(ObjectLabel item, JsonFields fields)
+    {
+        double? visible = fields.OptionalNumber("visibleFraction");
+        if (visible is null != item.VisibleFraction is null || Math.Abs((visible - item.VisibleFraction) ?? 0) > RoundingFraction)
+        {
+            yield return FormattableString.Invariant(
+                $"object {item.Id}: visibleFraction is {Text(visible)}, but (1 - truncatedFraction)(1 - occludedFraction) is {Text(item.VisibleFraction)}.");
+        }
+
+        if (item.Space is { FacingAngleDegrees: >= 0 and <= 180 and var angle }
+            && Math.Abs(angle - 90) > RoundingDegrees
+            && fields.Fields("space").Truth("facesCamera") != angle < 90)
+        {
+            yield return FormattableString.Invariant($"object {item.Id}: facesCamera contradicts facingAngleDegrees, which is {angle}.");
+        }
+    }
+
+    private static string Text(double? fraction) => fraction is { } number ? FormattableString.Invariant($"{number:0.####}") : "null";
+}

@@ -1,0 +1,78 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Capture.Labels;
+using Harvester.Geometry.Lanes;
+
+namespace Harvester.Datasets.Validation;
+
+/// <summary>What must hold for the lanes of a frame: the ranges of docs/lanes.md, scaled with the lane, and the values that stand for nothing.</summary>
+internal static class LanesCheck
+{
+    /// <summary>Numbers in files are rounded to at least three decimals, and scaled by the width of a lane.</summary>
+    private const double Rounding = 0.01;
+
+    private static readonly IndicatorRange Dist = IndicatorRanges.Dist with { Max = IndicatorCalculator.VehicleRange };
+
+    private static readonly Dictionary<string, IndicatorRange> Ranges = new(StringComparer.Ordinal)
+    {
+        [NamedIndicators.Angle] = new IndicatorRange(-Math.PI, Math.PI, IndicatorRanges.Angle.InactiveValue),
+        ["toMarkingL"] = IndicatorRanges.ToMarkingL,
+        ["toMarkingM"] = IndicatorRanges.ToMarkingM,
+        ["toMarkingR"] = IndicatorRanges.ToMarkingR,
+        ["toMarkingLL"] = IndicatorRanges.ToMarkingLL,
+        ["toMarkingML"] = IndicatorRanges.ToMarkingML,
+        ["toMarkingMR"] = IndicatorRanges.ToMarkingMR,
+        ["toMarkingRR"] = IndicatorRanges.ToMarkingRR,
+    };
+
+    public static IEnumerable<string> Problems(LanesLabel lanes)
+    {
+        if (lanes.Confidence is < 0 or > 1)
+        {
+            yield return FormattableString.Invariant($"lanes.confidence is {lanes.Confidence}; it must be 0 to 1.");
+        }
+
+        if (lanes.Lane is { } lane && lanes.LaneCount is { } count && (lane < 0 || lane >= count))
+        {
+            yield return $"lanes.lane is {lane}, but lanes.laneCount is {count}.";
+        }
+
+        // How wide the lanes are is known at the look-ahead point only; at the car they may be narrower or wider.
+        double atLookAhead = (lanes.LaneWidthMetres ?? LaneSection.TorcsLaneWidth) / LaneSection.TorcsLaneWidth;
+        foreach ((string name, LaneIndicators indicators, double? scaleOfMarkings) in new (string Name, LaneIndicators Indicators, double? Scale)[]
+        {
+            ("indicators", lanes.Indicators, atLookAhead), ("torcsEquivalent", lanes.TorcsEquivalent, 1), ("atCar.indicators", lanes.IndicatorsAtCar, null),
+        })
+        {
+            foreach ((string indicator, Indicator value) in NamedIndicators.Of(indicators))
+            {
+                if (Problem(indicator, value, scaleOfMarkings) is { } problem)
+                {
+                    yield return $"lanes.{name}.{indicator} is {problem}";
+                }
+            }
+        }
+    }
+
+    private static string? Problem(string name, Indicator indicator, double? scale)
+    {
+        bool isToMarking = Ranges.ContainsKey(name) && name != NamedIndicators.Angle;
+        IndicatorRange range = Ranges.GetValueOrDefault(name, Dist);
+        if (!indicator.IsValid)
+        {
+            return Math.Abs(indicator.Value - range.InactiveValue) > Rounding
+                ? FormattableString.Invariant($"{indicator.Value}, but what is not valid has {range.InactiveValue}.")
+                : null;
+        }
+
+        if (isToMarking && scale is null)
+        {
+            return null;
+        }
+
+        double by = isToMarking ? scale!.Value : 1;
+        return indicator.Value < (range.Min * by) - Rounding || indicator.Value > (range.Max * by) + Rounding
+            ? FormattableString.Invariant($"{indicator.Value}; it must be {range.Min * by:0.##} to {range.Max * by:0.##}.")
+            : null;
+    }
+}

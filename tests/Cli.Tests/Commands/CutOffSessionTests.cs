@@ -1,0 +1,73 @@
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Cli.Tests.Commands;
+
+/// <summary>What commands make of a session whose files were cut off.</summary>
+public sealed class CutOffSessionTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    public CutOffSessionTests() =>
+        Assert.Equal(ExitCode.Done, CliRun.Of("harvest", "--out", Session, "--frames", "2", "--size", "160x120", "--no-report").ExitCode);
+
+    private string Session => _folder.PathOf("session");
+
+    private string Labels => Path.Combine(Session, SessionReader.LabelsFile);
+
+    public static TheoryData<string[]> Commands =>
+    [
+        ["stats", "SESSION"],
+        ["report", "SESSION"],
+        ["export", "SESSION", "--format", "csv", "--out", "OUT"],
+        ["relabel", "SESSION", "--out", "OUT"],
+    ];
+
+    public void Dispose() => _folder.Dispose();
+
+    [Theory]
+    [MemberData(nameof(Commands))]
+    public void Command_leaves_a_last_line_without_a_line_feed_aside_and_says_so(string[] arguments)
+    {
+        File.AppendAllText(Labels, File.ReadAllText(Labels)[..500]);
+
+        CliRun run = Run(arguments);
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.Equal($"harvester: {Session}: the last line of labels.jsonl has no line feed, as a harvest that was cut off leaves it; it is left aside.\n", run.Error);
+    }
+
+    [Fact]
+    public void Validate_notes_a_last_line_without_a_line_feed()
+    {
+        File.AppendAllText(Labels, File.ReadAllText(Labels)[..500]);
+
+        CliRun run = CliRun.Of("validate", Session);
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.StartsWith("Note: the last line of labels.jsonl has no line feed", run.Out, StringComparison.Ordinal);
+        Assert.EndsWith("good\n", run.Out, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [MemberData(nameof(Commands))]
+    public void Command_refuses_a_session_json_that_is_cut_off(string[] arguments)
+    {
+        string header = Path.Combine(Session, SessionInfo.FileName);
+        File.WriteAllText(header, File.ReadAllText(header)[..300]);
+
+        Run(arguments).AssertFailed(ExitCode.BadData, "session.json: not JSON");
+        Assert.False(Directory.Exists(_folder.PathOf("out")));
+    }
+
+    [Fact]
+    public void Validate_of_an_unfinished_export_says_how_it_goes_on()
+    {
+        string export = _folder.PathOf("out");
+        Assert.Equal(ExitCode.Done, Run(["export", "SESSION", "--format", "csv", "--out", "OUT", "--shard", "1/2"]).ExitCode);
+
+        CliRun.Of("validate", export).AssertFailed(ExitCode.BadData, "is an unfinished export. Give the same export command again");
+    }
+
+    private CliRun Run(string[] arguments) =>
+        CliRun.Of([.. arguments.Select(word => word switch { "SESSION" => Session, "OUT" => _folder.PathOf("out"), _ => word })]);
+}
