@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
@@ -117,6 +118,11 @@ public sealed class CalibrationSession : IDisposable
 
     private LensFit Fit(IReadOnlyList<Sighting> sightings, int shown)
     {
+        if (_survey.ExcessiveLagTicks is { } lag)
+        {
+            throw new CalibrationException(PictureLag.Refusal(FormattableString.Invariant($"{lag} ticks"), "calibration", _options.MaxPictureLagTicks));
+        }
+
         LensFit fit = LensFitter.Fit(_survey.CameraWith(Lens.Ideal), sightings);
         return fit.Outcome == LensFitOutcome.Fitted
             ? fit

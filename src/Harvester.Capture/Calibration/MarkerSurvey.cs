@@ -1,7 +1,9 @@
 using System.Collections.Generic;
+using Harvester.Capture.Harvesting;
 using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
+using Harvester.Geometry;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
 
@@ -9,7 +11,9 @@ namespace Harvester.Capture.Calibration;
 
 /// <summary>
 /// Shows a grid of markers in a frozen world and finds where they are seen: a picture without them, one with them, both after
-/// everything has stood still for longer than a picture may be late. Runs over many ticks; each step of the iteration ends one.
+/// everything has stood still for longer than a picture may be late. When few are seen it goes on looking for as long as any picture is
+/// known to be late, to tell markers that come too late from markers that are not shown. Runs over many ticks; each step of the
+/// iteration ends one.
 /// </summary>
 internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, IMarkers markers)
 {
@@ -17,8 +21,8 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
     private const double StillToleranceMetres = 1e-4;
     private const double StillToleranceOfAxes = 1e-4;
     private const int GrabAttempts = 20;
-    private readonly PixelBuffer _without = new(options.Image);
-    private readonly PixelBuffer _with = new(options.Image);
+    private PixelBuffer _without = new(options.Image);
+    private PixelBuffer _with = new(options.Image);
     private CameraState? _camera;
 
     /// <summary>The markers that were seen in the last survey.</summary>
@@ -26,6 +30,12 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
 
     /// <summary>Markers shown in the last survey.</summary>
     public int Shown { get; private set; }
+
+    /// <summary>By how many ticks the picture is behind the state when that is more than the options allow, as the markers that came late show; null otherwise.</summary>
+    public int? ExcessiveLagTicks { get; private set; }
+
+    /// <summary>Whether at least half of the markers were seen, and in time.</summary>
+    public bool IsSeen => IsMost(Sightings);
 
     /// <summary>Takes a survey; the world must be frozen, and stays so.</summary>
     /// <param name="columns">Markers in a row.</param>
@@ -35,6 +45,7 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
     public IEnumerable<CalibrationPhase> Take(int columns, int rows, Lens lens)
     {
         Sightings = [];
+        ExcessiveLagTicks = null;
         markers.Clear();
         foreach (CalibrationPhase phase in Picture(_without))
         {
@@ -49,7 +60,14 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
         try
         {
             markers.Show(plan.Markers);
+            long firstFrame = game.World.GameFrame + 1;
             foreach (CalibrationPhase phase in Picture(_with))
+            {
+                yield return phase;
+            }
+
+            Sightings = MarkersIn(plan, camera.Pose);
+            foreach (CalibrationPhase phase in IsSeen ? [] : LateMarkers(plan, camera.Pose, firstFrame))
             {
                 yield return phase;
             }
@@ -63,8 +81,6 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
         {
             throw new CalibrationException("The camera moved while the markers were shown: stop the car and try again.");
         }
-
-        Sightings = MarkerMatcher.Match(plan, camera.Pose, MarkerDetector.Find(_without, _with, options.MarkerRadiusPixels));
     }
 
     /// <summary>The camera of the last survey with a lens.</summary>
@@ -76,6 +92,35 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
         && (a.Pose.Axes.Right - b.Pose.Axes.Right).Length <= StillToleranceOfAxes
         && (a.Pose.Axes.Forward - b.Pose.Axes.Forward).Length <= StillToleranceOfAxes
         && a with { Pose = b.Pose } == b;
+
+    private bool IsMost(IReadOnlyList<Sighting> sightings) => 2 * sightings.Count >= Shown;
+
+    private IReadOnlyList<Sighting> MarkersIn(MarkerPlan plan, Pose camera) =>
+        MarkerMatcher.Match(plan, camera, MarkerDetector.Find(_without, _with, options.MarkerRadiusPixels));
+
+    /// <summary>
+    /// Looks on, tick by tick, for markers that were not seen in time. All come into the picture at once, so each picture is held against
+    /// the one before: what else changed since the markers were shown, as in a picture that lags behind traffic, is in both.
+    /// </summary>
+    /// <param name="plan">The markers.</param>
+    /// <param name="camera">The camera, which stands.</param>
+    /// <param name="firstFrame">The first game frame whose state has the markers.</param>
+    private IEnumerable<CalibrationPhase> LateMarkers(MarkerPlan plan, Pose camera, long firstFrame)
+    {
+        while (ExcessiveLagTicks is null && game.World.GameFrame < firstFrame + HarvestOptions.GreatestPictureLagTicks)
+        {
+            yield return CalibrationPhase.Settling;
+            (_without, _with) = (_with, _without);
+            if (game.Screen.Grab(_with).Refusal is not null)
+            {
+                (_without, _with) = (_with, _without);
+            }
+            else if (IsMost(MarkersIn(plan, camera)))
+            {
+                ExcessiveLagTicks = (int)(game.World.GameFrame - firstFrame);
+            }
+        }
+    }
 
     private IEnumerable<CalibrationPhase> Picture(PixelBuffer target)
     {

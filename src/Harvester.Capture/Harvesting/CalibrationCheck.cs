@@ -10,8 +10,9 @@ namespace Harvester.Capture.Harvesting;
 
 /// <summary>
 /// Holds the camera model of a harvest against a handful of markers before anything is recorded. Games that draw no markers are not
-/// checked. Where not one marker is seen, the game may not draw them after all: then the harvest goes on with a warning, for nothing is
-/// known against its model, and the session says that it was not checked.
+/// checked. Where not one marker is seen, however long is waited, the game may not draw them after all: then the harvest goes on with a
+/// warning, for nothing is known against its model, and the session says that it was not checked. Markers also show how late the
+/// picture is: when they are seen later than the options allow, the harvest does not start.
 /// </summary>
 internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
 {
@@ -24,9 +25,9 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
     // One marker in ten may be mistaken for something else; the four in the corners, where a wrong lens shows first, are more than that.
     private const double JudgedFraction = 0.9;
 
-    // Markers as large as a calibration's in an image of 600 rows, and smaller in smaller ones, so that they fit; below 1.5 pixels
-    // a picture hardly shows them.
-    private const double RowsPerRadius = 100;
+    // Markers as large as a calibration's in an image of 600 rows, and smaller in smaller ones, so that they fit, narrow ones too; below
+    // 1.5 pixels a picture hardly shows them.
+    private const double SidesPerRadius = 100;
     private const double SmallestRadiusPixels = 1.5;
 
     /// <summary>By how much the model was off, pixels; null when it was not checked.</summary>
@@ -36,7 +37,7 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
     public string? Warning { get; private set; }
 
     /// <summary>Runs the check over some ticks; the game is frozen meanwhile.</summary>
-    /// <exception cref="HarvestFaultException">The model is off by more than the options allow, or too few markers are seen to tell.</exception>
+    /// <exception cref="HarvestFaultException">The model is off, or the picture late, by more than the options allow, or too few markers are seen to tell.</exception>
     public IEnumerable<HarvestPhase> Run()
     {
         if (options.MaxCalibrationErrorPixels is not { } allowed || game.Markers is not { } markers)
@@ -48,7 +49,7 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
         {
             Image = options.Image,
             MaxPictureLagTicks = options.MaxPictureLagTicks,
-            MarkerRadiusPixels = Math.Max(SmallestRadiusPixels, options.Image.Height / RowsPerRadius),
+            MarkerRadiusPixels = Math.Max(SmallestRadiusPixels, Math.Min(options.Image.Width, options.Image.Height) / SidesPerRadius),
         };
         var survey = new MarkerSurvey(settings, game, markers);
         game.Pause.Freeze();
@@ -64,6 +65,11 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
             game.Pause.Unfreeze();
         }
 
+        if (survey.ExcessiveLagTicks is { } lag)
+        {
+            throw new HarvestFaultException(PictureLag.Refusal(FormattableString.Invariant($"{lag} ticks"), "harvest", options.MaxPictureLagTicks));
+        }
+
         Judge(survey.CameraWith(options.Lens), survey.Sightings, allowed);
     }
 
@@ -71,7 +77,7 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
     {
         if (sightings.Count == 0)
         {
-            Warning = $"The camera model was not checked, as none of {Columns * Rows} markers was seen: look whether the boxes sit on the things. {WayWithout}";
+            Warning = $"The camera model was not checked, as none of {Columns * Rows} markers was seen in {HarvestOptions.GreatestPictureLagTicks} ticks: look whether the boxes sit on the things. {WayWithout}";
             return;
         }
 

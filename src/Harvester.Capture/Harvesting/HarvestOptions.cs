@@ -15,6 +15,9 @@ public sealed record HarvestOptions
     /// <summary>The greatest <see cref="MaskRayBudget"/>: more than a ray for every pixel of a large image.</summary>
     public const int MostMaskRays = 10_000_000;
 
+    /// <summary>The greatest lag of a picture that is looked for and that <see cref="MaxPictureLagTicks"/> may allow, ticks: a second at 60 frames a second.</summary>
+    public const int GreatestPictureLagTicks = 60;
+
     /// <summary>Size of the saved images, pixels; 800 x 600 as in the thesis.</summary>
     public ImageSize Image { get; init; } = new(800, 600);
 
@@ -82,7 +85,7 @@ public sealed record HarvestOptions
     /// By how many ticks the picture may at most be behind the state, 0 to 60. A frozen frame is kept only if nothing has moved in so many
     /// ticks before its grab, so whichever of them the picture shows, it shows what the label says.
     /// </summary>
-    public int MaxPictureLagTicks { get; init => field = OptionCheck.InRange(value, 0, 60, nameof(MaxPictureLagTicks)); } = 4;
+    public int MaxPictureLagTicks { get; init => field = OptionCheck.InRange(value, 0, GreatestPictureLagTicks, nameof(MaxPictureLagTicks)); } = 4;
 
     /// <summary>
     /// Whether the lag of the picture is measured before the first frame, by freezing the moving game. Live mode needs it, unless

@@ -17,6 +17,9 @@ namespace Harvester.Capture.Harvesting;
 /// </summary>
 public sealed class HarvestSession : IDisposable
 {
+    private const string LagNotChecked =
+        "How late the picture is was not checked, as neither markers nor movement showed it: look whether the boxes sit on what moves.";
+
     private readonly HarvestOptions _options;
     private readonly GamePorts _game;
     private readonly IFrameSink _sink;
@@ -138,8 +141,6 @@ public sealed class HarvestSession : IDisposable
             yield return phase;
         }
 
-        Warning = check.Warning;
-
         ReadTime();
         _startMilliseconds = _game.Clock.Milliseconds;
         _sink.Open(new SessionStart(_options, _gameFrame, _timeSeconds, _game.World.ReadCamera()) { CameraErrorPixels = check.ErrorPixels });
@@ -159,7 +160,7 @@ public sealed class HarvestSession : IDisposable
         }
         else if (_options.ProbeLag)
         {
-            var probe = new LagProbe(_options, _game, reader, pool);
+            var probe = new LagProbe(_options, _game, reader, pool) { IsLagWithinLimit = check.ErrorPixels is not null };
             foreach (HarvestPhase phase in probe.Measure(_options.Freeze))
             {
                 yield return phase;
@@ -167,6 +168,9 @@ public sealed class HarvestSession : IDisposable
 
             Lag = probe.Lag;
         }
+
+        bool isLagOpen = Lag is null && check.ErrorPixels is null && (_options.ProbeLag || check.Warning is not null);
+        Warning = isLagOpen ? string.Join(" ", new[] { check.Warning, LagNotChecked }.OfType<string>()) : check.Warning;
 
         ICaptureFlow flow = _options.Freeze
             ? new FrozenFlow(_options, _game, reader, labeller, pool, _budget, Counters)

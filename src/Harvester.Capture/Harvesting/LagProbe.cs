@@ -17,8 +17,13 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
 
     private readonly SceneComparison _comparison = new(options.StillToleranceMetres);
 
+    /// <summary>Whether it is known already that the picture is not later than the options allow; otherwise greater lags are looked for too.</summary>
+    public bool IsLagWithinLimit { get; init; }
+
+    private int GreatestTicks => IsLagWithinLimit ? options.MaxPictureLagTicks : HarvestOptions.GreatestPictureLagTicks;
+
     /// <summary>Long enough to see the latest change that is looked for, and after it the picture's own noise.</summary>
-    private int StillTicksToWatch => options.MaxPictureLagTicks + LagRecord.NoiseTicks + 1;
+    private int StillTicksToWatch => GreatestTicks + LagRecord.NoiseTicks + 1;
 
     /// <summary>The lag; null when it could not be measured.</summary>
     public PictureLag? Lag { get; private set; }
@@ -48,7 +53,7 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
             }
 
             // The pipeline fills with moving pictures again before the next freeze.
-            for (int tick = 0; tick < options.MaxPictureLagTicks + TicksBefore; tick++)
+            for (int tick = 0; tick < GreatestTicks + TicksBefore; tick++)
             {
                 yield return HarvestPhase.Probing;
             }
@@ -57,8 +62,8 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
         Lag = found >= agreement ? greatest : null;
         if (Lag is { } measured && Math.Max(measured.CameraTicks, measured.EntityTicks) > options.MaxPictureLagTicks)
         {
-            throw new HarvestFaultException(FormattableString.Invariant(
-                $"The picture is {Math.Max(measured.CameraTicks, measured.EntityTicks)} ticks or more behind the game, and the harvest allows for {options.MaxPictureLagTicks}. Raise the limit (MaxPictureLagTicks) and start again."));
+            string atLeast = FormattableString.Invariant($"{Math.Max(measured.CameraTicks, measured.EntityTicks)} ticks or more");
+            throw new HarvestFaultException(PictureLag.Refusal(atLeast, "harvest", options.MaxPictureLagTicks));
         }
     }
 
@@ -69,7 +74,7 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
         var gate = new StillnessGate(_comparison);
         try
         {
-            for (int tick = 0; tick < TicksBefore + options.MaxSettleTicks && gate.StillTicks < StillTicksToWatch; tick++)
+            for (int tick = 0; tick < TicksBefore + options.MaxSettleTicks + StillTicksToWatch && gate.StillTicks < StillTicksToWatch; tick++)
             {
                 if (tick == TicksBefore)
                 {

@@ -1,3 +1,5 @@
+using System;
+
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
@@ -6,4 +8,9 @@ namespace Harvester.Capture.Harvesting;
 /// </summary>
 /// <param name="CameraTicks">Behind the camera that is reported; -1 when the picture shows a camera that is reported in the next tick.</param>
 /// <param name="EntityTicks">Behind the entities; 0 or more.</param>
-public readonly record struct PictureLag(int CameraTicks, int EntityTicks);
+public readonly record struct PictureLag(int CameraTicks, int EntityTicks)
+{
+    /// <summary>One line that says that the picture is too late, and what to do.</summary>
+    internal static string Refusal(string lag, string what, int allowedTicks) => FormattableString.Invariant(
+        $"The picture is {lag} behind the game, and the {what} allows for {allowedTicks}. Raise the limit (MaxPictureLagTicks) and start again.");
+}

@@ -16,6 +16,12 @@ internal static class CalibrateCommand
     private const double SecondsPerTick = 1 / 30.0;
     private const int MostTicks = 10_000;
 
+    // A calibration's markers, fifteen in a row and eleven rows three radii apart and from the edges, do not fit into less.
+    private const int SmallestWidth = 288;
+    private const int SmallestHeight = 216;
+
+    private const string LensForm = "a number from -1 to 1";
+
     private const string Notes =
         "The simulated game's camera gets the lens that the options describe; the calibration sees nothing but its pictures, in which it\n"
         + "puts markers at known places. Written are the lens found, as lines for the mod's ini file, and the errors before and after.\n\n"
@@ -32,8 +38,8 @@ internal static class CalibrateCommand
         Option<double> focalScale = Coefficient("--focal-scale", "Factor on the game's focal length", value => value > 0, "a number greater than 0");
         focalScale.DefaultValueFactory = _ => 1;
         Option<Vector2D?> centre = ValueParsers.Point("--centre-offset", "X,Y", "Shift of the game's principal point, fractions of width and height");
-        Option<double> k1 = Coefficient("--k1", "Coefficient of the squared radius in the game's lens", _ => true, "a number");
-        Option<double> k2 = Coefficient("--k2", "Coefficient of its fourth power", _ => true, "a number");
+        Option<double> k1 = Coefficient("--k1", "Coefficient of the squared radius in the game's lens", IsLensCoefficient, LensForm);
+        Option<double> k2 = Coefficient("--k2", "Coefficient of its fourth power", IsLensCoefficient, LensForm);
         Option<double> threshold = Coefficient("--threshold", "Largest error allowed, pixels", value => value > 0, "a number greater than 0");
         threshold.DefaultValueFactory = _ => new CalibrationOptions().ThresholdPixels;
         var command = new Command("calibrate", "Calibrate the camera of a simulated game by markers in its pictures.")
@@ -44,6 +50,11 @@ internal static class CalibrateCommand
         command.SetAction(parsed =>
         {
             ImageSize image = parsed.GetValue(size);
+            if (image.Width < SmallestWidth || image.Height < SmallestHeight)
+            {
+                throw new UsageException($"--size: the images of a calibration are {SmallestWidth}x{SmallestHeight} pixels at least.");
+            }
+
             Vector2D shift = parsed.GetValue(centre) ?? default;
             var game = new SimulatedGame(new SimulationOptions
             {
@@ -87,6 +98,8 @@ internal static class CalibrateCommand
         output.WriteLine(FormattableString.Invariant($"K1 = {WithoutMinusZero(lens.K1):0.000000}"));
         output.WriteLine(FormattableString.Invariant($"K2 = {WithoutMinusZero(lens.K2):0.000000}"));
     }
+
+    private static bool IsLensCoefficient(double value) => value is >= -1 and <= 1;
 
     private static double WithoutMinusZero(double value) => Math.Round(value, 6) + 0.0;
 

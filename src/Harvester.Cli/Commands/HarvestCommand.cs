@@ -22,7 +22,7 @@ namespace Harvester.Cli.Commands;
 internal static class HarvestCommand
 {
     private const int MostFrames = 1_000_000;
-    private const int SmallestSide = 16;
+    private const int SmallestSide = 32;
     private const int GreatestSide = 8192;
     private const double SmallestFovDegrees = 1;
     private const double GreatestFovDegrees = 170;
@@ -128,8 +128,14 @@ internal static class HarvestCommand
         SimulatedHarvest harvest = SimulatedHarvest.Build(plan, terminal.WriteError);
         OutputFolder.Clear(plan.Folder);
         HarvestOutcome outcome = new JobProgress(terminal, plan.Frames).Run(report => harvest.Run(report, cancellation));
+        if (outcome.Warning is { } warning)
+        {
+            terminal.WriteError(warning);
+        }
+
         if (outcome.Fault is { } fault)
         {
+            OutputFolder.DiscardUnopened(plan.Folder);
             terminal.WriteError(fault);
             return outcome.ExitCode;
         }

@@ -20,7 +20,7 @@ internal static class LanesCommand
         "The fields are those of `lanes` in docs/dataset-format.md, without markings; docs/lanes.md says what each means.\n"
         + "A file of vehicles has a line for each: x,y,z,heading and, if known, its length, metres and degrees.\n\n"
         + "Example:\n"
-        + "  harvester lanes --roads roads.csv --position 21.4,-980.2,29.1 --heading 340";
+        + "  harvester lanes --roads roads.csv --position -72.6,-1049.5,27.1 --heading 159";
 
     private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true, NewLine = "\n" };
 

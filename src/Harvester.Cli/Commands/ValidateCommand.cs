@@ -61,6 +61,11 @@ internal static class ValidateCommand
                 terminal.Out.WriteLine("Note: the recording was cut off before session.json could be closed; the frames it has are listed all the same.");
             }
 
+            foreach (string open in validation.Info?.Unchecked ?? [])
+            {
+                terminal.Out.WriteLine($"Note: {open}");
+            }
+
             terminal.Out.WriteLine($"{session}: {validation.Frames} frames, {validation.Objects} labels, {Verdict(validation.Problems.Count)}");
             return Task.FromResult(validation.IsGood ? ExitCode.Done : ExitCode.BadData);
         });

@@ -11,6 +11,9 @@ namespace Harvester.Cli.Harvesting;
 /// <param name="IsCancelled">Whether it was stopped by the user.</param>
 internal sealed record HarvestOutcome(int Frames, int Discarded, TimeSpan Elapsed, string? Fault, bool IsDiskFault, bool IsCancelled)
 {
+    /// <summary>What could not be made sure of; null when there is nothing.</summary>
+    public string? Warning { get; init; }
+
     /// <summary>Frames a second of the clock on the wall.</summary>
     public double FramesPerSecond => Elapsed > TimeSpan.Zero ? Frames / Elapsed.TotalSeconds : 0;
 

@@ -76,6 +76,19 @@ internal static class OutputFolder
         }
     }
 
+    /// <summary>Deletes what a harvest left that ended before its session was opened, and the folder with it, unless it holds something else.</summary>
+    public static void DiscardUnopened(string folder)
+    {
+        if (Directory.Exists(folder) && !File.Exists(Path.Combine(folder, SessionInfo.FileName)))
+        {
+            Clear(folder);
+            if (!Directory.EnumerateFileSystemEntries(folder).Any())
+            {
+                Directory.Delete(folder);
+            }
+        }
+    }
+
     /// <summary>Whether there is no folder or nothing but folders in it, as a harvest leaves them that found the disk full.</summary>
     private static bool HoldsNoFile(string folder) =>
         !Directory.Exists(folder) || !Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories).Any();

@@ -99,7 +99,10 @@ internal sealed class SimulatedHarvest
             clock.Elapsed,
             session.Fault ?? writer.Fault,
             writer.Fault is not null,
-            cancellation.IsCancellationRequested && session.Status.Captured < _plan.Frames);
+            cancellation.IsCancellationRequested && session.Status.Captured < _plan.Frames)
+        {
+            Warning = session.Warning,
+        };
     }
 
     /// <summary>Writes the roads of a made-up town beside the scenes; labels are made on them as they are written, so that they can be made again.</summary>

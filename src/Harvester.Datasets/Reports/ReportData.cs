@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using System.Text.Json;
 using Harvester.Capture.Labels;
 using Harvester.Datasets.Json;
@@ -27,7 +28,7 @@ internal static class ReportData
             json.WriteNumber("width", info.Image.Width);
             json.WriteNumber("height", info.Image.Height);
             ReportFigures.Write(json, info, statistics);
-            json.WriteString("note", Note(statistics.Frames, frames.Count));
+            json.WriteString("note", string.Join(" ", [Note(statistics.Frames, frames.Count), .. info.Unchecked.Select(open => $"Note: {open}")]));
             json.WriteStartArray("frames");
             foreach (FrameLabel frame in frames)
             {

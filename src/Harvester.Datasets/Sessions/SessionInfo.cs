@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.IO;
 using System.Text.Json;
 using Harvester.Datasets.Json;
@@ -22,6 +23,9 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
     /// <summary>The version of the format that this reader knows.</summary>
     private const int KnownFormatVersion = 1;
 
+    /// <summary>What was not made sure of when the session was recorded, a line each; empty when all was, and for one that was cut off.</summary>
+    public IReadOnlyList<string> Unchecked { get; init; } = [];
+
     /// <summary>Reads the file.</summary>
     /// <exception cref="DatasetFormatException">It is not what its format asks for; the message names the field, not the file.</exception>
     internal static SessionInfo Read(string path)
@@ -34,6 +38,21 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
         catch (JsonException e)
         {
             throw new DatasetFormatException($"not JSON, line {e.LineNumber + 1}.", e);
+        }
+    }
+
+    private static IEnumerable<string> UncheckedOf(JsonFields session)
+    {
+        // Markers that are seen in time show both.
+        if (session.Fields("start").Has("cameraErrorPixels"))
+        {
+            yield break;
+        }
+
+        yield return "the camera model was not held against markers: look whether the boxes sit on the things.";
+        if (!session.Has("pictureLag"))
+        {
+            yield return "how late the picture is was not checked: look whether the boxes sit on what moves.";
         }
     }
 
@@ -54,6 +73,7 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
             session.OptionalText("fault"))
         {
             KeepsScenes = session.Has("options") && session.Fields("options").Has("scenes") ? session.Fields("options").Truth("scenes") : null,
+            Unchecked = session.Has("counters") && session.Has("start") ? [.. UncheckedOf(session)] : [],
         };
     }
 }

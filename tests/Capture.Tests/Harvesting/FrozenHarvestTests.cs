@@ -78,6 +78,23 @@ public sealed class FrozenHarvestTests
             session.Fault);
     }
 
+    [Theory]
+    [InlineData(7)]
+    [InlineData(40)]
+    [InlineData(60)]
+    public void Step_with_a_lag_far_above_the_limit_is_found_out_by_the_probe(int lag)
+    {
+        var game = new FakeGame { PictureLag = lag };
+        game.RunAlone(lag);
+        var sink = new MemorySink();
+        using var session = new HarvestSession(Small, game.Ports, sink);
+        game.Run(session);
+
+        Assert.StartsWith($"The picture is {lag} ticks or more behind the game, and the harvest allows for 4.", session.Fault, StringComparison.Ordinal);
+        Assert.Empty(sink.Frames);
+        Assert.False(game.WantsFrozen);
+    }
+
     [Fact]
     public void Step_in_a_standing_world_harvests_without_a_measured_lag()
     {
@@ -89,6 +106,7 @@ public sealed class FrozenHarvestTests
 
         Assert.Equal(25, sink.Frames.Count);
         Assert.Null(session.Lag);
+        Assert.StartsWith("How late the picture is was not checked", session.Warning, StringComparison.Ordinal);
     }
 
     [Fact]

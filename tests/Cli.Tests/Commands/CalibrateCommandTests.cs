@@ -30,6 +30,15 @@ public sealed class CalibrateCommandTests
     public void Calibrate_with_a_focal_scale_of_nothing_is_refused() =>
         CliRun.Of("calibrate", "--focal-scale", "0").AssertFailed(2, "--focal-scale takes a number greater than 0");
 
+    [Theory]
+    [InlineData("--size", "64x48")]
+    [InlineData("--size", "287x216")]
+    [InlineData("--size", "288x215")]
+    [InlineData("--k1", "-5")]
+    [InlineData("--k2", "1.5")]
+    public void Calibrate_with_an_impossible_value_is_a_usage_error(string option, string value) =>
+        CliRun.Of("calibrate", option, value).AssertFailed(ExitCode.Usage, option);
+
     private static double Value(CliRun run, string key) =>
         double.Parse(run.Out.Split('\n').Single(line => line.StartsWith(key + " = ", StringComparison.Ordinal))[(key.Length + 3)..], CultureInfo.InvariantCulture);
 }

@@ -91,6 +91,28 @@ public sealed class HarvestCommandTests : IDisposable
         Assert.Contains(quirks, File.ReadAllText(Path.Combine(Session, "session.json")), StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData(7)]
+    [InlineData(40)]
+    public void Harvest_whose_picture_is_too_late_is_refused_and_leaves_no_folder(int lag)
+    {
+        Harvest(Session, "--frames", "2", "--seed", "3", "--hz", "2", "--quirks", $"lag={lag}").AssertFailed(ExitCode.HarvestFault, $"The picture is {lag} ticks behind the game");
+
+        Assert.False(Directory.Exists(Session));
+    }
+
+    [Theory]
+    [InlineData("32x32")]
+    [InlineData("300x32")]
+    [InlineData("32x300")]
+    public void Harvest_of_the_smallest_images_checks_its_camera(string size)
+    {
+        CliRun run = CliRun.Of("harvest", "--out", Session, "--size", size, "--frames", "1", "--no-report");
+
+        Assert.Equal("", run.Error);
+        Assert.DoesNotContain("\"cameraErrorPixels\": null", File.ReadAllText(Path.Combine(Session, "session.json")), StringComparison.Ordinal);
+    }
+
     [Fact]
     public async Task Harvest_that_is_cancelled_leaves_a_valid_session()
     {
@@ -189,6 +211,8 @@ public sealed class HarvestCommandTests : IDisposable
     [InlineData("--frames", "many")]
     [InlineData("--seed", "-1")]
     [InlineData("--size", "8x8")]
+    [InlineData("--size", "31x300")]
+    [InlineData("--size", "300x31")]
     [InlineData("--size", "65535x65535")]
     [InlineData("--size", "0x600")]
     [InlineData("--fov", "180")]

@@ -49,6 +49,21 @@ public sealed class ValidateCommandTests
         Assert.StartsWith("Note: the recording was cut off", run.Out, StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("""{ "cameraErrorPixels": null }""", "", 2)]
+    [InlineData("""{ "cameraErrorPixels": null }""", ""","pictureLag": { "cameraTicks": 1, "entityTicks": 1 }""", 1)]
+    [InlineData("""{ "cameraErrorPixels": 0.2 }""", "", 0)]
+    public void Validate_notes_what_was_not_checked_when_the_session_was_recorded(string start, string lag, int notes)
+    {
+        using var folder = new TemporaryFolder();
+        folder.File("session.json", Header.Replace(""", "counters":""", $""", "start": {start}{lag}, "counters":""", StringComparison.Ordinal));
+
+        CliRun run = CliRun.Of("validate", folder.Path);
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.Equal(notes, run.Out.Split('\n').Count(line => line.StartsWith("Note: ", StringComparison.Ordinal)));
+    }
+
     [Fact]
     public void Validate_of_no_folder_is_an_input_error() =>
         CliRun.Of("validate", "no-such-session").AssertFailed(ExitCode.InputOutput, "no-such-session");

@@ -62,13 +62,35 @@ public sealed class CalibrationCheckTests
         Assert.Matches(@"only 5 of 20 markers are seen.*MaxError = 0 in \[Lens\]", outcome.Fault);
     }
 
+    [Theory]
+    [InlineData(5)]
+    [InlineData(8)]
+    [InlineData(40)]
+    [InlineData(60)]
+    public void Step_with_markers_that_come_later_than_allowed_refuses_and_says_how_late_the_picture_is(int lag)
+    {
+        var game = new RenderedGame { PictureLag = lag };
+
+        HarvestOutcome outcome = Harvest(game, Options with { Image = new ImageSize(160, 120) }, []);
+
+        Assert.Equal(
+            $"The picture is {lag} ticks behind the game, and the harvest allows for 4. Raise the limit (MaxPictureLagTicks) and start again.", outcome.Fault);
+        Assert.False(outcome.IsOpened);
+        Assert.False(game.IsFrozen);
+        Assert.False(game.ShowsMarkers);
+    }
+
+    [Fact]
+    public void Step_with_a_lag_that_is_just_allowed_records() =>
+        AssertRecorded(Harvest(new RenderedGame { PictureLag = 7 }, Options with { Image = new ImageSize(160, 120), MaxPictureLagTicks = 7 }, []), isChecked: true);
+
     [Fact]
     public void Step_in_a_game_that_shows_no_marker_records_with_a_warning_and_says_in_the_session_that_it_was_not_checked()
     {
         HarvestOutcome outcome = Harvest(new RenderedGame { HiddenMarkers = int.MaxValue }, Options, []);
 
         Assert.True(outcome is { IsOpened: true, Frames: 1, Fault: null, CameraErrorPixels: null }, outcome.ToString());
-        Assert.Matches(@"not checked, as none of 20 markers was seen.*MaxError = 0 in \[Lens\]", outcome.Warning);
+        Assert.Matches(@"not checked, as none of 20 markers was seen.*MaxError = 0 in \[Lens\].*How late the picture is was not checked", outcome.Warning);
     }
 
     private static RenderedGame Game() =>
