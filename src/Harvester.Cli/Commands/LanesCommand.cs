@@ -25,9 +25,16 @@ internal static class LanesCommand
     private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true, NewLine = "\n" };
 
     private static readonly Option<FileInfo> Roads = new("--roads") { Description = "The roads: any file that harvester roads import reads", HelpName = "FILE", Required = true };
-    private static readonly Option<Vector3D> Position = Required(ValueParsers.Vector("--position", "X,Y,Z", "Where the car is, metres, at about the height of the road"));
+    private static readonly Option<Vector3D> Position = Required(ValueParsers.Vector("--position", "X,Y,Z", "Middle of the car's box, metres, world; with --box-centre the car's origin, as ego.position"));
     private static readonly Option<double> Heading = Required(
         ValueParsers.Number("--heading", "DEG", "The car's heading, degrees counter-clockwise from north", _ => true, "a number of degrees"));
+
+    private static readonly Option<Vector3D?> BoxCentre = ValueParsers.Optional<Vector3D>(
+        "--box-centre",
+        "R,F,U",
+        "Middle of the car's box from its origin, metres to the right, ahead and up: half the sum of the scene's ego.modelMin and modelMax",
+        text => ValueParsers.Numbers(text, 3) is { } n ? new Vector3D(n[0], n[1], n[2]) : null,
+        "three numbers");
 
     private static readonly Option<FileInfo?> Vehicles = new("--vehicles") { Description = "Other vehicles", HelpName = "FILE" };
     private static readonly Option<double> Length = WithDefault(Metres("--length", "The car's length, metres"), 4.5);
@@ -42,7 +49,7 @@ internal static class LanesCommand
     {
         var command = new Command("lanes", "Write the lane indicators of a car at a place as JSON.")
         {
-            Roads, Position, Heading, Vehicles, Length, LaneLookAhead, Speed, LaneWidth, NarrowLaneWidth,
+            Roads, Position, Heading, BoxCentre, Vehicles, Length, LaneLookAhead, Speed, LaneWidth, NarrowLaneWidth,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(parsed =>
@@ -50,8 +57,10 @@ internal static class LanesCommand
             RoadNetwork network = RoadImporter.Import(parsed.GetRequiredValue(Roads).FullName).Network;
             var observer = new LaneObserver(
                 new RoadCurves(network), new LaneModel(network, parsed.GetValue(LaneWidth), parsed.GetValue(NarrowLaneWidth)), parsed.GetValue(LaneLookAhead));
+            double heading = parsed.GetRequiredValue(Heading);
+            var car = new Pose(parsed.GetRequiredValue(Position), Axes.FromHeading(heading));
             LaneObservation seen = observer.Observe(
-                parsed.GetRequiredValue(Position), parsed.GetRequiredValue(Heading), parsed.GetValue(Speed), parsed.GetValue(Length), ReadVehicles(parsed.GetValue(Vehicles)), null);
+                car.ToWorld(parsed.GetValue(BoxCentre) ?? Vector3D.Zero), heading, parsed.GetValue(Speed), parsed.GetValue(Length), ReadVehicles(parsed.GetValue(Vehicles)), null);
             using JsonDocument lanes = JsonDocument.Parse(JsonLabelWriter.Lanes(LanesLabel.Of(seen, "roadFile", [])));
             terminal.Out.WriteLine(JsonSerializer.Serialize(lanes.RootElement, Indented));
             return ExitCode.Done;

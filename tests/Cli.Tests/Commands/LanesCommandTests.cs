@@ -1,6 +1,10 @@
+using System.Globalization;
 using System.Text.Json;
+using Harvester.Capture.Labels;
 using Harvester.Capture.Roads;
+using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Cli.Tests.Commands;
@@ -37,6 +41,46 @@ public sealed class LanesCommandTests : IDisposable
         Assert.False(lanes.GetProperty("valid").GetProperty("toMarkingRR").GetBoolean());
         Assert.Equal(-2, lanes.GetProperty("torcsEquivalent").GetProperty("toMarkingML").GetDouble());
         Assert.Equal(70, indicators.GetProperty("distMM").GetDouble());
+    }
+
+    [Fact]
+    public void Lanes_measures_from_the_middle_of_the_box()
+    {
+        // Turned 30 degrees to the left, 2 m ahead are 2 sin 30 = 1 m to the west, and 1 m to the right is cos 30 = 0.866 m to the east.
+        JsonElement lanes = Lanes("--position", "8.1,50,0", "--heading", "30", "--box-centre", "0,2,0.5");
+        JsonElement right = Lanes("--position", "8.1,50,0", "--heading", "30", "--box-centre", "1,0,0.5");
+
+        Assert.Equal(-1, lanes.GetProperty("offsetFromLaneCentreMetres").GetDouble());
+        Assert.Equal(0.866, right.GetProperty("offsetFromLaneCentreMetres").GetDouble(), 3);
+    }
+
+    [Fact]
+    public void Lanes_at_the_middle_of_the_box_in_a_scene_are_exactly_the_labels()
+    {
+        string session = _folder.PathOf("session");
+        CliRun.Of("harvest", "--out", session, "--frames", "6", "--hz", "1", "--seed", "3", "--size", "64x48", "--no-report");
+        FrameLabel[] known = [.. new SessionReader(session).ReadLabels().Where(label => label.Lanes!.Status == LaneStatus.Known)];
+
+        Assert.NotEmpty(known);
+        foreach (FrameLabel label in known)
+        {
+            string scene = Path.Combine(session, "scenes", $"{label.Frame:00000000}.json");
+            JsonElement ego = JsonDocument.Parse(File.ReadAllText(scene)).RootElement.GetProperty("ego");
+            var car = new Pose(Vector(ego, "position"), Axes.FromVectors(Vector(ego, "right"), Vector(ego, "forward"), Vector(ego, "up")));
+            Vector3D middle = car.ToWorld((Vector(ego, "modelMin") + Vector(ego, "modelMax")) * 0.5);
+            CliRun run = CliRun.Of(
+                "lanes", "--roads", Path.Combine(session, "scenes", "roads.csv"), "--position", Text(middle.X, middle.Y, middle.Z),
+                "--heading", Text(Angles.HeadingDegrees(car.Axes.Forward)));
+            JsonElement lanes = JsonDocument.Parse(run.Out).RootElement;
+
+            Assert.Equal(label.Lanes!.Indicators!.Angle.Value, lanes.GetProperty("indicators").GetProperty("angle").GetDouble());
+            Assert.Equal(label.Lanes.Indicators.ToMarkingML.Value, lanes.GetProperty("indicators").GetProperty("toMarkingML").GetDouble());
+            Assert.Equal(label.Lanes.OffsetFromLaneCentreMetres!.Value, lanes.GetProperty("offsetFromLaneCentreMetres").GetDouble());
+        }
+
+        static Vector3D Vector(JsonElement ego, string name) => new(ego.GetProperty(name)[0].GetDouble(), ego.GetProperty(name)[1].GetDouble(), ego.GetProperty(name)[2].GetDouble());
+
+        static string Text(params double[] numbers) => string.Join(",", numbers.Select(number => number.ToString(CultureInfo.InvariantCulture)));
     }
 
     [Fact]
