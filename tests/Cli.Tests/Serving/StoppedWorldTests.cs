@@ -1,0 +1,49 @@
+using Harvester.Capture.Driving;
+using Harvester.Capture.Driving.Bridge;
+using Harvester.Capture.Driving.Controllers;
+using Harvester.Capture.Ports;
+using Harvester.Cli.Driving;
+using Harvester.Cli.Serving;
+using Harvester.Driving.Peers;
+using Harvester.Geometry.Cameras;
+using Harvester.Simulation;
+
+namespace Harvester.Cli.Tests.Serving;
+
+/// <summary>A world that a peer of the folder has stopped before it went.</summary>
+public sealed class StoppedWorldTests
+{
+    private static readonly TimeSpan Ample = TimeSpan.FromSeconds(60);
+
+    [Theory]
+    [InlineData(null)]
+    [InlineData(0.1)]
+    public async Task Peer_of_the_folder_drives_on_in_a_world_that_another_has_left_stopped(double? stepSeconds)
+    {
+        using TemporaryFolder folder = new();
+        SimulatedGame game = new(new SimulationOptions { Seed = 1, TrafficDensity = 0, PedestrianDensity = 0 });
+        ImageSize picture = new(32, 24);
+        using FolderBridge bridge = new(folder.Path, picture);
+        using BridgedGame bridged = new(
+            game, new FixedRoads(game.Roads, "simulation"), new DrivingOptions { Picture = picture }, bridge, static () => new DeepDrivingController(), isAssisted: true);
+        using CancellationTokenSource ending = new();
+        Task<DrivingStatus> serving = Task.Run(() => new ServedGame(game, bridged).Run(double.PositiveInfinity, ending.Token));
+        await File.WriteAllTextAsync(folder.PathOf("command.json"), """{"type":"pause","paused":true}""");
+        DateTime deadline = DateTime.UtcNow + Ample;
+        while (!game.IsFrozen)
+        {
+            Assert.True(DateTime.UtcNow < deadline, "The world was not stopped.");
+            await Task.Delay(10);
+        }
+
+        using (FolderLink link = new(folder.Path))
+        {
+            PeerDriver driver = new(link, static () => new StanleyController(new StanleyOptions()), Ample, TimeProvider.System);
+            driver.Run(stepSeconds, 1, CancellationToken.None);
+            Assert.True(driver.Seconds >= 1);
+        }
+
+        ending.Cancel();
+        Assert.Null((await serving).Ending);
+    }
+}
