@@ -182,6 +182,8 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     [Fact]
     public void Export_of_a_mask_without_pixels_names_it()
     {
+        File.WriteAllBytes(Session.PathOf("masks/00000000.png"), TestImages.Png(TestSession.Width, TestSession.Height, bitDepth: 16, colourType: 0));
+
         Assert.Contains("masks/00000000.png", Assert.Throws<DatasetFormatException>(() => Folder.Export("coco", Session.Open())).Message, StringComparison.Ordinal);
     }
 
