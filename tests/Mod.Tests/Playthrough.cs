@@ -13,6 +13,8 @@ internal static class Playthrough
     /// <summary>The settings that it needs.</summary>
     public const string Ini = "[Bridge]\nKind = Folder\nFolder = out/bridge\n[Harvest]\nDriveLights = On\n";
 
+    /// <summary>More than a calibration takes that looks for markers in vain: 60 ticks after the usual 20.</summary>
+    private const int TicksOfCalibration = 100;
     private const string Failed = " failed: ";
     private const string Stopped = " stopped: ";
 
@@ -40,7 +42,7 @@ internal static class Playthrough
         driver.Press(Keys.L);
         driver.Press(Keys.I);
         driver.Press(Keys.C);
-        driver.Tick(20);
+        driver.Tick(TicksOfCalibration);
         driver.Press(Keys.J);
         driver.Tick(25);
         driver.Press(Keys.J);
