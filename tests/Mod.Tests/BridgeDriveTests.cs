@@ -128,20 +128,6 @@ public sealed class BridgeDriveTests : BridgedGame
     }
 
     [Fact]
-    public void Problem_of_one_drive_is_logged_again_when_it_comes_in_the_next()
-    {
-        using ScriptDriver driver = Driven();
-        for (int drive = 1; drive <= 2; drive++)
-        {
-            using SocketClient peer = Connect();
-            peer.Send("""{"type":"wrong"}""");
-            Until(driver, () => driver.Log().Split('\n').Count(line => line.Contains("type 'wrong'", StringComparison.Ordinal)) == drive);
-            driver.Press(Keys.N);
-            Start(driver);
-        }
-    }
-
-    [Fact]
     public void Lock_step_moves_the_world_by_the_step_and_ends_with_the_drive()
     {
         using ScriptDriver driver = Driven();
@@ -188,47 +174,6 @@ public sealed class BridgeDriveTests : BridgedGame
     }
 
     [Fact]
-    public void Malformed_peers_are_cut_off_while_the_car_brakes_and_the_next_is_served()
-    {
-        using ScriptDriver driver = Driven();
-        var random = new Random(7);
-        for (int i = 0; i < 20; i++)
-        {
-            using SocketClient peer = Connect();
-            byte[] bytes = new byte[random.Next(8, 200)];
-            random.NextBytes(bytes);
-            peer.Stream.Write(bytes);
-            driver.Tick();
-            Assert.Equal((0f, 1f), (driver.Game.Controls.GetValueOrDefault(Accelerate), driver.Game.Controls.GetValueOrDefault(Brake, 1f)));
-        }
-
-        using SocketClient good = Connect();
-        Say(driver, good, """{"type":"controls","steering":0.5,"throttle":0,"brake":0}""", () => driver.Game.Controls[Steer] != 0);
-        Assert.Equal(-0.5f, driver.Game.Controls[Steer]);
-    }
-
-    [Fact]
-    public void Peers_that_do_wrong_without_end_do_not_fill_the_log()
-    {
-        using ScriptDriver driver = Driven();
-        for (int i = 0; i < 150; i++)
-        {
-            using SocketClient peer = Connect();
-            peer.Send(string.Create(CultureInfo.InvariantCulture, $$"""{"type":"wrong {{i}}"}"""));
-            Assert.True(peer.IsCutOff());
-            driver.Tick();
-        }
-
-        Assert.Equal(100, driver.Log().Split('\n').Count(line => line.Contains("The bridge: ", StringComparison.Ordinal)));
-        Assert.Contains("No more problems of this drive are logged.", driver.Log(), StringComparison.Ordinal);
-        driver.Press(Keys.N);
-        Start(driver);
-        using SocketClient next = Connect();
-        next.Send("""{"type":"wrong again"}""");
-        Until(driver, () => driver.Log().Contains("wrong again", StringComparison.Ordinal));
-    }
-
-    [Fact]
     public void Key_again_ends_the_drive_and_once_more_starts_another_at_the_same_place()
     {
         using ScriptDriver driver = Driven();
@@ -240,38 +185,6 @@ public sealed class BridgeDriveTests : BridgedGame
             Assert.Empty(driver.Game.Controls);
             Start(driver);
         }
-    }
-
-    [Fact]
-    public void Port_in_use_is_told_and_the_next_try_works()
-    {
-        using var driver = new ScriptDriver(Ini(Port));
-        Street(driver.Game);
-        var other = new TcpListener(IPAddress.Loopback, Port);
-        other.Start();
-        driver.Press(Keys.N);
-        Until(driver, () => driver.Game.Notifications[^1].Contains("The drive failed", StringComparison.Ordinal));
-        other.Dispose();
-        Start(driver);
-    }
-
-    [Fact]
-    public void Address_that_others_reach_without_a_token_is_refused()
-    {
-        using var driver = new ScriptDriver(Ini(Port) + "Address = 0.0.0.0\n");
-        Street(driver.Game);
-        driver.Press(Keys.N);
-        Until(driver, () => driver.Game.Notifications[^1].Contains("needs a token", StringComparison.Ordinal));
-    }
-
-    [Fact]
-    public void Bridge_that_is_off_is_told()
-    {
-        using var driver = new ScriptDriver("[Bridge]\nKind = Off\n");
-        Street(driver.Game);
-        driver.Press(Keys.N);
-
-        Assert.Contains("Change Kind under [Bridge]", Assert.Single(driver.Game.Notifications), StringComparison.Ordinal);
     }
 
     [Fact]

@@ -27,7 +27,6 @@ internal sealed class BridgedDrive(SimulatedGame game, IRoads roads, IDrivingBri
     /// <summary>A peer may have come after the frame of the world that waits for it, and may wait for a frame itself: it is shown so often.</summary>
     private static readonly TimeSpan ShowAgainAfter = TimeSpan.FromSeconds(0.5);
 
-
     private readonly DriveSampler _sampler = new(game);
     private readonly Stopwatch _silence = new();
     private double _heardSeconds;
