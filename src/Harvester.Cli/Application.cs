@@ -2,6 +2,7 @@ using System;
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.IO;
+using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Cli.Commands;
@@ -22,7 +23,7 @@ internal static class Application
         "Exit codes:\n"
         + "  0    done\n"
         + "  1    the data is at fault: a session with problems, a malformed file\n"
-        + "  2    the command line is at fault\n"
+        + "  2    the command line is at fault, or names a folder for output that holds something else\n"
         + "  3    a file cannot be read or written, or a bridge to another program failed\n"
         + "  4    the game failed; what was written is whole\n"
         + "  130  stopped by Ctrl+C; what was written is whole";
@@ -62,7 +63,7 @@ internal static class Application
             await terminal.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
             return code;
         }
-        catch (UsageException e)
+        catch (Exception e) when (e is UsageException or OccupiedFolderException)
         {
             return Fail(terminal, ExitCode.Usage, $"{e.Message} See '{HelpOf(parsed.CommandResult)}'.");
         }
@@ -76,7 +77,7 @@ internal static class Application
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            return Fail(terminal, ExitCode.InputOutput, e.Message);
+            return Fail(terminal, ExitCode.InputOutput, FileFault.TextOf(e, OutputOf(parsed)));
         }
         catch (OperationCanceledException)
         {
@@ -122,6 +123,10 @@ internal static class Application
 
         return code;
     }
+
+    /// <summary>Where the command's output goes; null where that was not said.</summary>
+    private static string? OutputOf(ParseResult parsed) =>
+        parsed.CommandResult.Children.OfType<OptionResult>().FirstOrDefault(option => option.Option.Name == "--out") is { Tokens: [{ Value: var place }, ..] } ? place : null;
 
     private static string HelpOf(CommandResult command) => $"harvester {PathOf(command)}--help";
 

@@ -9,7 +9,7 @@ internal static class ExitCode
     /// <summary>The data is at fault: a session with problems, a malformed file.</summary>
     public const int BadData = 1;
 
-    /// <summary>The command line is at fault.</summary>
+    /// <summary>The command line is at fault, or names a folder for output that holds something else.</summary>
     public const int Usage = 2;
 
     /// <summary>A file cannot be read or written, missing, read-only, disk full, or a bridge to another program failed.</summary>

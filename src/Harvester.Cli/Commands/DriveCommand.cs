@@ -129,7 +129,7 @@ internal static class DriveCommand
     {
         PeerDriver driver = new BridgedDrives(bridge, terminal.Out).RunPeer(() => new SimulatedDrives(plan, terminal.Out).ControllerOf(plan.Seed), plan.Seconds, cancellation);
         string ending = driver.IsEndedByGame ? "; the game has closed the bridge" : "";
-        terminal.Out.WriteLine(FormattableString.Invariant($"{driver.Frames} frames answered, {driver.Metres:0} m driven in {driver.Seconds:0} s{ending}"));
+        terminal.Out.WriteLine(FormattableString.Invariant($"{Counted.Of(driver.Frames, "frame")} answered, {driver.Metres:0} m driven in {driver.Seconds:0} s{ending}"));
         return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;
     }
 

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
+using System.IO;
 using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
@@ -107,6 +108,12 @@ internal static class ExportCommand
         DatasetFormat format = DatasetFormats.Find(name) ?? throw new UsageException(
             $"--format takes one of {string.Join(", ", DatasetFormats.All.Select(each => each.Name))}, not '{name}'.");
         CheckOptions(parsed, format);
+        string[] sessions = parsed.GetRequiredValue(Sessions);
+        if (sessions.GroupBy(folder => Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder))).FirstOrDefault(same => same.Count() > 1) is { } twice)
+        {
+            throw new UsageException($"'{twice.First()}' is named twice, and its frames would be there twice. Name each session once.");
+        }
+
         var options = new ExportOptions
         {
             Splits = SplitsOf(parsed),
@@ -116,7 +123,7 @@ internal static class ExportCommand
             Segmentation = parsed.GetValue(Segmentation),
             Images = parsed.GetValue(Images),
         };
-        return new ExportPlan(format, [.. parsed.GetRequiredValue(Sessions).Select(folder => RecordedSessions.Open(terminal, folder))], options);
+        return new ExportPlan(format, [.. sessions.Select(folder => RecordedSessions.Open(terminal, folder))], options);
     }
 
     private static void CheckOptions(ParseResult parsed, DatasetFormat format)

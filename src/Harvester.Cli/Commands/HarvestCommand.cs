@@ -104,6 +104,10 @@ internal static class HarvestCommand
 
     private static readonly Option<string?> Quirks = QuirkList.Option();
 
+    private static readonly Option<int> MaxPictureLag = WithDefault(
+        ValueParsers.Integer("--max-picture-lag", "TICKS", "How late the game's picture may be, of 60 ticks a second", 0, HarvestOptions.GreatestPictureLagTicks),
+        new HarvestOptions().MaxPictureLagTicks);
+
     private static readonly Option<Shard> ShardOf = ShardOption.Create();
 
     private static readonly Option<bool> NoReport = ReportOption.Create();
@@ -112,7 +116,7 @@ internal static class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, MaskRays, RayReach, NoScenes, Range, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, Quirks, ShardOf, NoReport,
+            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, MaskRays, RayReach, NoScenes, Range, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, Quirks, MaxPictureLag, ShardOf, NoReport,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
@@ -123,7 +127,7 @@ internal static class HarvestCommand
     private static int Run(Terminal terminal, HarvestPlan plan, bool withReport, CancellationToken cancellation)
     {
         OutputFolder.Check(plan.Folder, plan.Overwrite);
-        terminal.Out.WriteLine($"Harvesting {(plan.Shard.Count > 1 ? $"shard {plan.Shard} of " : "")}{plan.Frames} frames of {plan.Image.Width} x {plan.Image.Height}, seed {plan.Seed}, to {plan.Folder}");
+        terminal.Out.WriteLine($"Harvesting {(plan.Shard.Count > 1 ? $"shard {plan.Shard} of " : "")}{Counted.Of(plan.Frames, "frame")} of {plan.Image.Width} x {plan.Image.Height}, seed {plan.Seed}, to {plan.Folder}");
         terminal.Out.Flush();
         SimulatedHarvest harvest = SimulatedHarvest.Build(plan, terminal.WriteError);
         OutputFolder.Clear(plan.Folder);
@@ -136,7 +140,8 @@ internal static class HarvestCommand
         if (outcome.Fault is { } fault)
         {
             OutputFolder.DiscardUnopened(plan.Folder);
-            terminal.WriteError(fault);
+            // The harvest names its limits as the mod's ini file does.
+            terminal.WriteError(fault.Replace(nameof(HarvestOptions.MaxPictureLagTicks), MaxPictureLag.Name, StringComparison.Ordinal));
             return outcome.ExitCode;
         }
 
@@ -150,7 +155,7 @@ internal static class HarvestCommand
         HarvestSummary.Write(terminal, plan, outcome, SessionStatistics.Of(session.ReadLabels()), page);
         if (outcome.IsCancelled)
         {
-            terminal.WriteError($"Stopped after {outcome.Frames} of {plan.Frames} frames; the session is valid.");
+            terminal.WriteError($"Stopped after {outcome.Frames} of {Counted.Of(plan.Frames, "frame")}; the session is valid.");
         }
 
         return outcome.ExitCode;
@@ -168,6 +173,11 @@ internal static class HarvestCommand
         if (fov is < SmallestFovDegrees or > GreatestFovDegrees)
         {
             throw new UsageException($"--fov: the images of a harvest have a field of view of {SmallestFovDegrees} to {GreatestFovDegrees} degrees.");
+        }
+
+        if (!parsed.GetValue(Masks) && new Option[] { MaskRays, RayReach }.FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false }) is { } idle)
+        {
+            throw new UsageException($"{idle.Name} does nothing without --masks.");
         }
 
         string weather = parsed.GetRequiredValue(WeatherName);
@@ -199,6 +209,7 @@ internal static class HarvestCommand
             NarrowLaneWidth = parsed.GetValue(NarrowLaneWidth),
             Classes = ClassList.Parse(parsed.GetValue(Classes)),
             Quirks = QuirkList.Parse(parsed.GetValue(Quirks)),
+            MaxPictureLagTicks = parsed.GetValue(MaxPictureLag),
             QuirksAsked = parsed.GetValue(Quirks),
         };
     }

@@ -54,7 +54,7 @@ internal static class MergeCommand
             new ReportWriter(new SessionReader(folder)).Write(Path.Combine(folder, ReportWriter.FileName));
         }
 
-        return $"{folder}: {frames} frames";
+        return $"{folder}: {Counted.Of(frames, "frame")}";
     }
 
     private static string MergeDataset(IReadOnlyList<string> shards, string folder, ImageTransfer images)

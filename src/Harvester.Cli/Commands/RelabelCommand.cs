@@ -74,7 +74,7 @@ internal static class RelabelCommand
         int frames = new JobProgress(terminal, session.CountLines() / changes.Shard.Count).Run(report => relabeller.Run(folder, report, cancellation));
         if (changes.Shard.Count > 1)
         {
-            terminal.Out.WriteLine($"{folder}: shard {changes.Shard}, {frames} frames. When all are done: harvester merge");
+            terminal.Out.WriteLine($"{folder}: shard {changes.Shard}, {Counted.Of(frames, "frame")}. When all are done: harvester merge");
             return ExitCode.Done;
         }
 
@@ -83,7 +83,7 @@ internal static class RelabelCommand
             new ReportWriter(new SessionReader(folder)).Write(Path.Combine(folder, ReportWriter.FileName));
         }
 
-        terminal.Out.WriteLine($"{folder}: {frames} frames");
+        terminal.Out.WriteLine($"{folder}: {Counted.Of(frames, "frame")}");
         return ExitCode.Done;
     }
 

@@ -1,5 +1,8 @@
+using System;
 using System.CommandLine;
+using System.Globalization;
 using System.IO;
+using System.Linq;
 using Harvester.Cli.Arguments;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Sessions;
@@ -28,7 +31,8 @@ internal static class ReportCommand
         };
         Option<int> frames = ValueParsers.Integer("--frames", "N", "Frames to show at most, evenly chosen", 1, MostFrames);
         frames.DefaultValueFactory = _ => new ReportLimits().Frames;
-        var still = new Option<int?>("--still") { Description = "Draw this frame with its boxes as a PNG picture instead", HelpName = "FRAME" };
+        Option<int?> still = ValueParsers.Optional<int>(
+            "--still", "FRAME", "Draw this frame with its boxes as a PNG picture instead", FrameNumber, "a frame's number, as 12");
         var command = new Command("report", "Show a session as one self-contained HTML page.") { folder, output, frames, still };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(parsed =>
@@ -38,17 +42,30 @@ internal static class ReportCommand
             if (parsed.GetValue(still) is { } frame)
             {
                 string picture = parsed.GetValue(output) ?? $"frame-{frame}.png";
+                CheckExtension(picture, ".png");
                 StillWriter.Write(reader, frame, picture);
                 terminal.Out.WriteLine(picture);
                 return ExitCode.Done;
             }
 
             string page = parsed.GetValue(output) ?? Path.Combine(session, ReportWriter.FileName);
+            CheckExtension(page, ".html", ".htm");
             var limits = new ReportLimits(parsed.GetValue(frames));
             int shown = new ReportWriter(reader, limits).Write(page);
-            terminal.Out.WriteLine($"{page}: {shown} frames shown");
+            terminal.Out.WriteLine($"{page}: {Counted.Of(shown, "frame")} shown");
             return ExitCode.Done;
         });
         return command;
+    }
+
+    private static int? FrameNumber(string text) => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int frame) ? frame : null;
+
+    /// <summary>What a file is called says what it is.</summary>
+    private static void CheckExtension(string file, params string[] allowed)
+    {
+        if (!allowed.Contains(Path.GetExtension(file), StringComparer.OrdinalIgnoreCase))
+        {
+            throw new UsageException($"--out takes a file that ends in {string.Join(" or ", allowed)}, not '{file}'.");
+        }
     }
 }

@@ -92,7 +92,7 @@ internal static class ServeCommand
         using var game = new BridgedGame(simulated, roads, options, bridge, controller.New, !parsed.GetValue(Unassisted));
         DrivingStatus status = new ServedGame(simulated, game).Run(parsed.GetValue(Duration) ?? double.PositiveInfinity, cancellation);
         terminal.Out.WriteLine(string.Create(
-            CultureInfo.InvariantCulture, $"{status.Frames} frames, {game.Metres:0} m driven in {simulated.Ports.World.TimeSeconds:0.0} s"));
+            CultureInfo.InvariantCulture, $"{Counted.Of(status.Frames, "frame")}, {game.Metres:0} m driven in {simulated.Ports.World.TimeSeconds:0.0} s"));
         if (status.Ending is { } fault)
         {
             throw new GameFaultException(fault);

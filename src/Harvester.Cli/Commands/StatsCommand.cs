@@ -40,11 +40,11 @@ internal static class StatsCommand
     private static IEnumerable<string> Lines(SessionStatistics statistics)
     {
         PublishedDataset kitti = PublishedDataset.Kitti;
-        yield return Text($"{statistics.Frames} frames, {statistics.Labels} labels, {statistics.LabelsPerFrame:0.0} a frame");
+        yield return Text($"{Counted.Of(statistics.Frames, "frame")}, {Counted.Of(statistics.Labels, "label")}, {statistics.LabelsPerFrame:0.0} a frame");
         yield return Text($"for comparison, {kitti.Name}: {kitti.TrainingImages} images for training, {kitti.TestImages} for testing, {kitti.Labels} labelled objects, {kitti.LabelsPerImage:0.0} an image");
         foreach ((ObjectClass kind, ClassStatistics figures) in statistics.Classes)
         {
-            yield return Text($"class {JsonName.Of(kind)}: {figures.Labels} labels, {figures.Objects} objects, nearest {figures.NearestMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m");
+            yield return Text($"class {JsonName.Of(kind)}: {Counted.Of(figures.Labels, "label")}, {Counted.Of(figures.Objects, "object")}, nearest {figures.NearestMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m");
         }
 
         yield return Bins("distance, m", statistics.Distances);
@@ -57,7 +57,7 @@ internal static class StatsCommand
         yield return "hour: " + string.Join(", ", statistics.FramesOfHours.Select(pair => Text($"{pair.Key:00} {pair.Value}")));
         foreach ((string name, IndicatorSpan span) in statistics.Indicators)
         {
-            yield return Text($"indicator {name}: {span.Count} frames, {span.Least:0.00} to {span.Greatest:0.00}");
+            yield return Text($"indicator {name}: {Counted.Of(span.Count, "frame")}, {span.Least:0.00} to {span.Greatest:0.00}");
         }
     }
 

@@ -66,7 +66,7 @@ internal static class ValidateCommand
                 terminal.Out.WriteLine($"Note: {open}");
             }
 
-            terminal.Out.WriteLine($"{session}: {validation.Frames} frames, {validation.Objects} labels, {Verdict(validation.Problems.Count)}");
+            terminal.Out.WriteLine($"{session}: {Counted.Of(validation.Frames, "frame")}, {Counted.Of(validation.Objects, "label")}, {Verdict(validation.Problems.Count)}");
             return Task.FromResult(validation.IsGood ? ExitCode.Done : ExitCode.BadData);
         });
         return command;
@@ -80,9 +80,9 @@ internal static class ValidateCommand
             terminal.Out.WriteLine(problem);
         }
 
-        terminal.Out.WriteLine($"{folder}: {validation.Format}, {validation.Frames} frames, {Verdict(validation.Problems.Count)}");
+        terminal.Out.WriteLine($"{folder}: {validation.Format}, {Counted.Of(validation.Frames, "frame")}, {Verdict(validation.Problems.Count)}");
         return validation.Problems.Count == 0 ? ExitCode.Done : ExitCode.BadData;
     }
 
-    private static string Verdict(int problems) => problems == 0 ? "good" : problems == 1 ? "1 problem" : $"{problems} problems";
+    private static string Verdict(int problems) => problems == 0 ? "good" : Counted.Of(problems, "problem");
 }

@@ -2,6 +2,7 @@ using System.IO;
 using System.Linq;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Harvesting;
+using Harvester.Datasets;
 using Harvester.Driving.Evaluation;
 using Harvester.Driving.Reports;
 
@@ -14,7 +15,7 @@ internal static class DriveFolder
 
     /// <summary>Checks that a drive may be written to a folder, and makes it where it is not there.</summary>
     /// <exception cref="IOException">A file is where the folder should be.</exception>
-    /// <exception cref="UsageException">The folder holds something that is not to be replaced.</exception>
+    /// <exception cref="OccupiedFolderException">The folder holds something that is not to be replaced.</exception>
     public static void Prepare(string folder, bool overwrite)
     {
         if (OutputFolder.FileInTheWayOf(folder) is { } file)
@@ -26,12 +27,12 @@ internal static class DriveFolder
         string[] found = [.. Directory.EnumerateFileSystemEntries(folder).Select(entry => Path.GetFileName(entry))];
         if (found.Except([.. Files, DriveBridgeOptions.DefaultFolder]).FirstOrDefault() is { } other)
         {
-            throw new UsageException($"'{folder}' holds more than a drive, '{other}' for one. Name another folder with --out.");
+            throw new OccupiedFolderException($"'{folder}' holds more than a drive, '{other}' for one. Name another folder with --out.");
         }
 
         if (!overwrite && found.Intersect(Files).Any())
         {
-            throw new UsageException($"'{folder}' holds a drive already. Name another folder with --out, or replace it with --overwrite.");
+            throw new OccupiedFolderException($"'{folder}' holds a drive already. Name another folder with --out, or replace it with --overwrite.");
         }
     }
 }

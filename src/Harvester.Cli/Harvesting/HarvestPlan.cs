@@ -81,6 +81,9 @@ internal sealed record HarvestPlan
     /// <summary>The classes to label; null for all.</summary>
     public required IReadOnlyList<ObjectClass>? Classes { get; init; }
 
+    /// <summary>How many ticks the game's picture may be late.</summary>
+    public required int MaxPictureLagTicks { get; init; }
+
     /// <summary>In what the game misbehaves.</summary>
     public required GameQuirks Quirks { get; init; }
 

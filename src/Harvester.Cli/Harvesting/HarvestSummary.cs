@@ -16,19 +16,18 @@ internal static class HarvestSummary
 
     public static void Write(Terminal terminal, HarvestPlan plan, HarvestOutcome outcome, SessionStatistics statistics, string? report)
     {
-        List<string[]> rows = [.. statistics.Classes.Select(Row)];
         if (terminal.IsInteractive)
         {
-            WriteTable(terminal, rows);
+            WriteTable(terminal, statistics.Classes.Select(Row));
         }
         else
         {
-            WriteLines(terminal, rows);
+            WriteLines(terminal, statistics.Classes);
         }
 
         terminal.Out.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"{outcome.Frames} frames, {statistics.Labels} labels in {outcome.Elapsed.TotalSeconds:0.0} s ({outcome.FramesPerSecond:0.0} frames a second), {outcome.Discarded} discarded"));
+            $"{Counted.Of(outcome.Frames, "frame")}, {Counted.Of(statistics.Labels, "label")} in {outcome.Elapsed.TotalSeconds:0.0} s ({outcome.FramesPerSecond:0.0} frames a second), {outcome.Discarded} discarded"));
         terminal.Out.WriteLine($"session  {plan.Folder}");
         if (report is not null)
         {
@@ -49,7 +48,7 @@ internal static class HarvestSummary
         string.Create(CultureInfo.InvariantCulture, $"{kind.Value.MedianDistanceMetres:0.0} m"),
     ];
 
-    private static void WriteTable(Terminal terminal, List<string[]> rows)
+    private static void WriteTable(Terminal terminal, IEnumerable<string[]> rows)
     {
         Table table = new Table().RoundedBorder();
         foreach (string column in Columns)
@@ -65,11 +64,13 @@ internal static class HarvestSummary
         terminal.ToAnsiConsole().Write(table);
     }
 
-    private static void WriteLines(Terminal terminal, List<string[]> rows)
+    private static void WriteLines(Terminal terminal, IEnumerable<KeyValuePair<ObjectClass, ClassStatistics>> classes)
     {
-        foreach (string[] row in rows)
+        foreach ((ObjectClass kind, ClassStatistics figures) in classes)
         {
-            terminal.Out.WriteLine($"{row[0]}: {row[1]} labels, {row[2]} objects, nearest {row[3]}, median distance {row[4]}");
+            terminal.Out.WriteLine(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{JsonName.Of(kind)}: {Counted.Of(figures.Labels, "label")}, {Counted.Of(figures.Objects, "object")}, nearest {figures.NearestMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m"));
         }
     }
 

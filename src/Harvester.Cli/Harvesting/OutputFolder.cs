@@ -1,6 +1,7 @@
 using System.IO;
 using System.Linq;
 using Harvester.Capture.Harvesting;
+using Harvester.Datasets;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Sessions;
 
@@ -14,7 +15,7 @@ internal static class OutputFolder
 
     /// <summary>Checks that a session may be written to a folder, and changes nothing.</summary>
     /// <exception cref="IOException">A file is where the folder should be.</exception>
-    /// <exception cref="UsageException">The folder holds something that is not to be replaced.</exception>
+    /// <exception cref="OccupiedFolderException">The folder holds something that is not to be replaced.</exception>
     public static void Check(string folder, bool overwrite)
     {
         if (FileInTheWayOf(folder) is { } file)
@@ -29,17 +30,17 @@ internal static class OutputFolder
 
         if (!File.Exists(Path.Combine(folder, SessionInfo.FileName)))
         {
-            throw new UsageException($"'{folder}' is not empty and holds no session. Name another folder with --out.");
+            throw new OccupiedFolderException($"'{folder}' is not empty and holds no session. Name another folder with --out.");
         }
 
         if (!overwrite)
         {
-            throw new UsageException($"'{folder}' holds a session already. Name another folder with --out, or replace it with --overwrite.");
+            throw new OccupiedFolderException($"'{folder}' holds a session already. Name another folder with --out, or replace it with --overwrite.");
         }
 
         if (Directory.EnumerateFileSystemEntries(folder).Select(Path.GetFileName).Except([.. Files, .. Folders]).FirstOrDefault() is { } other)
         {
-            throw new UsageException($"'{folder}' holds more than a session, '{other}' for one. Name another folder with --out.");
+            throw new OccupiedFolderException($"'{folder}' holds more than a session, '{other}' for one. Name another folder with --out.");
         }
     }
 

@@ -135,6 +135,7 @@ internal sealed class SimulatedHarvest
         Masks = _plan.Masks,
         MaskRayBudget = _plan.MaskRayBudget,
         RayReachMetres = _plan.RayReachMetres,
+        MaxPictureLagTicks = _plan.MaxPictureLagTicks,
         Scenes = _plan.Scenes,
         Spaces = _spaces,
     };

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Harvester.Capture.Spaces;
@@ -12,15 +13,25 @@ internal static class SpaceFile
 {
     private const int MostProblemsTold = 5;
 
+    // The column of a problem with a row that has not even the fields of one.
+    private const string WholeRow = "row";
+
+    private static readonly string Header = SpaceTableWriter.Text(new SpaceTable([])).Trim();
+
     /// <summary>The table that is meant: a survey's folder stands for the table in it.</summary>
     public static string TableOf(string path) => Directory.Exists(path) ? Path.Combine(path, SurveyFolder.TableName) : path;
 
     /// <summary>The good rows and why the others were refused.</summary>
     /// <exception cref="IOException">The file cannot be read.</exception>
+    /// <exception cref="DatasetFormatException">It is something else than a table.</exception>
     public static SpaceTableContent Read(string path)
     {
-        using StreamReader text = File.OpenText(TableOf(path));
-        return SpaceTableReader.Read(text);
+        string table = TableOf(path);
+        using StreamReader text = File.OpenText(table);
+        SpaceTableContent content = SpaceTableReader.Read(text);
+        return content.Table.Spaces.Any() || IsTable(content.Problems, table)
+            ? content
+            : throw new DatasetFormatException($"'{table}' is no table of faces and heads: it has neither the header of one nor a row. data/README.md says what belongs there.");
     }
 
     /// <summary>A table as it is read again when it has been written, with corners to the millimetre.</summary>
@@ -30,7 +41,7 @@ internal static class SpaceFile
     /// <param name="path">The table, or a survey's folder.</param>
     /// <param name="warn">Is told what is refused, a line at a time.</param>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="DatasetFormatException">No row is good, and some are refused.</exception>
+    /// <exception cref="DatasetFormatException">It is something else than a table, or no row of it is good and some are refused.</exception>
     public static SpaceTable ReadGood(string path, Action<string> warn)
     {
         SpaceTableContent content = Read(path);
@@ -54,4 +65,12 @@ internal static class SpaceFile
         warn($"{path}: {refused} of the rows are refused, the other {good} are used. See 'harvester spaces check'.");
         return content.Table;
     }
+
+    /// <summary>Whether a file without a good row is a table all the same: one with the header or bad rows, or with remarks alone.</summary>
+    private static bool IsTable(IReadOnlyList<SpaceTableProblem> problems, string table) => problems switch
+    {
+        [] => File.ReadLines(table).Any(line => line.Trim().Length > 0),
+        [{ Column: not WholeRow }, ..] => true,
+        _ => File.ReadLines(table).Any(line => string.Equals(line.Trim().TrimStart('\uFEFF'), Header, StringComparison.OrdinalIgnoreCase)),
+    };
 }

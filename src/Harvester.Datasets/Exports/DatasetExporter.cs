@@ -37,7 +37,8 @@ public sealed class DatasetExporter
     /// <param name="report">Is told the number of frames done after each.</param>
     /// <param name="cancellation">Stops between two frames.</param>
     /// <exception cref="DatasetFormatException">A session is malformed, or has what the format cannot say.</exception>
-    /// <exception cref="IOException">Something cannot be read or written, or the folder holds something else.</exception>
+    /// <exception cref="OccupiedFolderException">The folder holds something else.</exception>
+    /// <exception cref="IOException">Something cannot be read or written.</exception>
     public ExportResult Run(Action<int> report, CancellationToken cancellation = default)
     {
         string identity = _plan.Identity;
@@ -49,7 +50,7 @@ public sealed class DatasetExporter
 
         if (_folder.IsFinished)
         {
-            throw new IOException($"'{_folder.Path}' holds a finished dataset already. Name another folder.");
+            throw new OccupiedFolderException($"'{_folder.Path}' holds a finished dataset already. Name another folder.");
         }
 
         _folder.Begin(identity);

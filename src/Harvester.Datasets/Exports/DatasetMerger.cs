@@ -15,6 +15,7 @@ public static class DatasetMerger
     /// <param name="folder">Where the dataset goes: one of the shards' folders, or a new or empty one; a merge that was stopped can be run again.</param>
     /// <param name="transfer">How files get from the shards into the dataset.</param>
     /// <exception cref="DatasetFormatException">A shard is missing, unfinished, twice there, or of another export.</exception>
+    /// <exception cref="OccupiedFolderException">The folder holds something else.</exception>
     /// <exception cref="IOException">Something cannot be read or written.</exception>
     public static ExportResult Merge(IReadOnlyList<string> shards, string folder, ImageTransfer transfer)
     {
@@ -27,7 +28,7 @@ public static class DatasetMerger
 
         if (target.IsFinished)
         {
-            throw new IOException($"'{folder}' holds a finished dataset already. Name another folder.");
+            throw new OccupiedFolderException($"'{folder}' holds a finished dataset already. Name another folder.");
         }
 
         DatasetFolder[] sources = [.. shards.Select(shard => new DatasetFolder(shard))];

@@ -39,7 +39,7 @@ public sealed class SessionRelabeller
         if (changes.RangeMetres > recorded.RangeMetres)
         {
             throw new DatasetFormatException(FormattableString.Invariant(
-                $"'{session.Folder}' was recorded up to {recorded.RangeMetres} m; of what is farther nothing is known."));
+                $"'{session.Folder}' was recorded up to {recorded.RangeMetres} m, and of what is farther nothing is known. Ask for a range of {recorded.RangeMetres} m at most, or harvest again with a greater one."));
         }
 
         _options = recorded with
@@ -60,13 +60,14 @@ public sealed class SessionRelabeller
     /// <param name="cancellation">Stops between two frames and leaves no session.</param>
     /// <returns>The number of frames.</returns>
     /// <exception cref="DatasetFormatException">A label or scene is malformed, or all object numbers are used up.</exception>
-    /// <exception cref="IOException">Something cannot be read or written, or the folder is not empty.</exception>
+    /// <exception cref="OccupiedFolderException">The folder is not empty.</exception>
+    /// <exception cref="IOException">Something cannot be read or written.</exception>
     public int Run(string folder, Action<int> report, CancellationToken cancellation = default)
     {
         ArgumentNullException.ThrowIfNull(report);
         if (Directory.Exists(folder) && Directory.EnumerateFileSystemEntries(folder).Any())
         {
-            throw new IOException($"'{folder}' is not empty. Name another folder.");
+            throw new OccupiedFolderException($"'{folder}' is not empty. Name another folder.");
         }
 
         RecordedIds ids = _recorded.ReadIds();

@@ -3,6 +3,7 @@ using System.Linq;
 using Harvester.Capture.Imaging;
 using Harvester.Capture.Labels;
 using Harvester.Datasets.Images;
+using Harvester.Datasets.Roads;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
@@ -50,8 +51,7 @@ public static class StillWriter
             canvas.Rectangle(item.Box2D, BoxWidth, colour, opacity);
         }
 
-        using FileStream file = File.Create(path);
-        new PngEncoder().Write(picture, file);
+        WholeFile.Write(path, file => new PngEncoder().Write(picture, file));
     }
 
     private static PixelBuffer ReadPicture(SessionReader session, string image)

@@ -19,7 +19,7 @@ public sealed class SessionReader
     {
         if (!Directory.Exists(folder))
         {
-            throw new DirectoryNotFoundException($"There is no folder '{folder}'.");
+            throw new DirectoryNotFoundException(File.Exists(folder) ? $"'{folder}' is a file. Name the folder of a session." : $"There is no folder '{folder}'.");
         }
 
         Folder = folder;
@@ -82,7 +82,7 @@ public sealed class SessionReader
     /// <summary>The labels with the text that they were read from, in the order of the file.</summary>
     /// <exception cref="DatasetFormatException">A line cannot be read; the message names file, line and field.</exception>
     public IEnumerable<LabelLine> ReadGoodLines() => ReadLines().Select(line =>
-        line.Label is not null ? line : throw new DatasetFormatException($"{LabelsFile}, line {line.Number}: {line.Problem}"));
+        line.Label is not null ? line : throw new DatasetFormatException($"{PathOf(LabelsFile)}, line {line.Number}: {line.Problem}"));
 
     /// <summary>The lines of labels, those that cannot be read included; none when not one frame was written.</summary>
     public IEnumerable<LabelLine> ReadLines() => ReadTexts().Select((line, index) => ReadLine(index + 1, line));

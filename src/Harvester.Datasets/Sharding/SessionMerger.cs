@@ -25,12 +25,13 @@ public static class SessionMerger
     /// <param name="transfer">How pictures get from the shards into the session.</param>
     /// <returns>The number of frames.</returns>
     /// <exception cref="DatasetFormatException">A shard is missing, unfinished, twice there, or of another session.</exception>
-    /// <exception cref="IOException">Something cannot be read or written, or the folder is not empty.</exception>
+    /// <exception cref="OccupiedFolderException">The folder is not empty.</exception>
+    /// <exception cref="IOException">Something cannot be read or written.</exception>
     public static int Merge(IReadOnlyList<string> shards, string folder, ImageTransfer transfer)
     {
         if (Directory.Exists(folder) && Directory.EnumerateFileSystemEntries(folder).Any())
         {
-            throw new IOException($"'{folder}' is not empty. Name another folder.");
+            throw new OccupiedFolderException($"'{folder}' is not empty. Name another folder.");
         }
 
         IReadOnlyList<SessionShard> sources = Find(shards);

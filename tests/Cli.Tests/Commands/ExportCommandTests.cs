@@ -82,6 +82,46 @@ public sealed class ExportCommandTests : IDisposable
     }
 
     [Fact]
+    public void Export_of_a_session_that_is_named_twice_is_refused()
+    {
+        CliRun.Of("export", _folder.PathOf("session"), _folder.PathOf("session/"), "--format", "csv", "--out", _folder.PathOf("out"))
+            .AssertFailed(ExitCode.Usage, $"'{_folder.PathOf("session")}' is named twice");
+
+        Assert.False(Directory.Exists(_folder.PathOf("out")));
+    }
+
+    [Theory]
+    [InlineData("export", "session", "--format", "csv")]
+    [InlineData("merge", "shards")]
+    [InlineData("harvest")]
+    [InlineData("drive")]
+    public void Folder_for_output_that_holds_something_else_is_a_usage_error(params string[] command)
+    {
+        foreach (string shard in (string[])["1/2", "2/2"])
+        {
+            CliRun.Of("export", _folder.PathOf("session"), "--format", "csv", "--out", _folder.PathOf("shards"), "--shard", shard);
+        }
+
+        string[] words = [.. command.Select(word => word is "session" or "shards" ? _folder.PathOf(word) : word)];
+
+        CliRun run = CliRun.Of([.. words, "--out", _folder.PathOf("session")]);
+
+        run.AssertFailed(ExitCode.Usage, _folder.PathOf("session"));
+        Assert.Contains("Name another folder", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Export_of_a_malformed_line_names_the_session_that_it_is_in()
+    {
+        Directory.CreateDirectory(_folder.PathOf("other"));
+        File.Copy(_folder.PathOf("session/session.json"), _folder.PathOf("other/session.json"));
+        _folder.File("other/labels.jsonl", "{}\n");
+
+        CliRun.Of("export", _folder.PathOf("session"), _folder.PathOf("other"), "--format", "csv", "--out", _folder.PathOf("out"))
+            .AssertFailed(ExitCode.BadData, $"{_folder.PathOf("other/labels.jsonl")}, line 1: frame is missing.");
+    }
+
+    [Fact]
     public void Export_of_no_session_is_an_input_error() =>
         CliRun.Of("export", "no-such-session", "--format", "csv", "--out", _folder.PathOf("out")).AssertFailed(ExitCode.InputOutput, "no-such-session");
 

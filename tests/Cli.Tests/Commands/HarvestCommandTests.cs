@@ -96,9 +96,20 @@ public sealed class HarvestCommandTests : IDisposable
     [InlineData(40)]
     public void Harvest_whose_picture_is_too_late_is_refused_and_leaves_no_folder(int lag)
     {
-        Harvest(Session, "--frames", "2", "--seed", "3", "--hz", "2", "--quirks", $"lag={lag}").AssertFailed(ExitCode.HarvestFault, $"The picture is {lag} ticks behind the game");
+        Harvest(Session, "--frames", "2", "--seed", "3", "--hz", "2", "--quirks", $"lag={lag}").AssertFailed(
+            ExitCode.HarvestFault, $"The picture is {lag} ticks behind the game, and the harvest allows for 4. Raise the limit (--max-picture-lag) and start again.");
 
         Assert.False(Directory.Exists(Session));
+    }
+
+    [Fact]
+    public void Harvest_whose_picture_is_late_goes_ahead_where_that_is_allowed()
+    {
+        CliRun run = Harvest(Session, "--frames", "1", "--quirks", "lag=7", "--max-picture-lag", "7");
+
+        Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
+        Assert.Contains("\n1 frame, ", run.Out, StringComparison.Ordinal);
+        Assert.DoesNotMatch(@"(?<![\d.])1 (frames|labels|objects)\b", run.Out);
     }
 
     [Theory]
@@ -223,6 +234,7 @@ public sealed class HarvestCommandTests : IDisposable
     [InlineData("--range", "0")]
     [InlineData("--weather", "sunshine")]
     [InlineData("--quirks", "lag")]
+    [InlineData("--max-picture-lag", "61")]
     [InlineData("--quirks", "lag=2,lateCamera=1")]
     [InlineData("--quirks", "vanish=1.5")]
     [InlineData("--time", "25:00")]

@@ -48,6 +48,16 @@ public sealed class HarvestMasksTests : IDisposable
         Assert.False(Directory.Exists(Session));
     }
 
+    [Theory]
+    [InlineData("--mask-rays", "100")]
+    [InlineData("--ray-reach", "100")]
+    public void Harvest_limit_of_masks_without_masks_is_refused(string option, string value)
+    {
+        Harvest(Session, option, value).AssertFailed(ExitCode.Usage, $"{option} does nothing without --masks.");
+
+        Assert.False(Directory.Exists(Session));
+    }
+
     private double OptionOfSession(string name)
     {
         using JsonDocument info = JsonDocument.Parse(File.ReadAllText(Path.Combine(Session, "session.json")));

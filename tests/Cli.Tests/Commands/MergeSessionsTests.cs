@@ -76,7 +76,7 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
     {
         _folder.File("thesis.tex", "mine");
 
-        Merge(".", "part-1", "part-2", "part-3").AssertFailed(ExitCode.InputOutput, "is not empty");
+        Merge(".", "part-1", "part-2", "part-3").AssertFailed(ExitCode.Usage, "is not empty");
     }
 
     /// <summary>A copy of a shard with one of its files changed.</summary>

@@ -49,6 +49,24 @@ public sealed class ReportCommandTests
     }
 
     [Theory]
+    [InlineData("page.png")]
+    [InlineData("frame.jpg", "--still", "7")]
+    [InlineData("frame", "--still", "7")]
+    public void Report_to_a_file_that_is_called_otherwise_than_what_it_is_is_refused(string file, params string[] still)
+    {
+        using var folder = new TemporaryFolder();
+        folder.File("session.json", Header);
+
+        CliRun.Of(["report", folder.Path, "--out", folder.PathOf(file), .. still]).AssertFailed(ExitCode.Usage, "--out takes a file that ends in .");
+
+        Assert.False(File.Exists(folder.PathOf(file)));
+    }
+
+    [Fact]
+    public void Report_still_takes_the_number_of_a_frame() =>
+        CliRun.Of("report", "session", "--still", "frame.png").AssertFailed(ExitCode.Usage, "--still takes a frame's number, as 12, not 'frame.png'.");
+
+    [Theory]
     [InlineData("0")]
     [InlineData("many")]
     public void Report_of_an_impossible_number_of_frames_is_a_usage_error(string frames) =>

@@ -21,7 +21,7 @@ public sealed class SpacesCommandTests : IDisposable
         CliRun run = CliRun.Of("spaces", "check", file);
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.Equal($"{file}: 1 rows are good, 0 are refused\n", run.Out);
+        Assert.Equal($"{file}: 1 row good, 0 refused\n", run.Out);
     }
 
     [Fact]
@@ -33,7 +33,36 @@ public sealed class SpacesCommandTests : IDisposable
 
         Assert.Equal(ExitCode.BadData, run.ExitCode);
         Assert.StartsWith($"{file}: line 2, fulX, blrX: the cuboid is inside out: fulX must be less than blrX.", run.Out, StringComparison.Ordinal);
-        Assert.EndsWith($"{file}: 1 rows are good, 1 are refused\n", run.Out, StringComparison.Ordinal);
+        Assert.EndsWith($"{file}: 1 row good, 1 refused\n", run.Out, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("")]
+    [InlineData("{\n  \"formatVersion\": 1,\n  \"game\": \"simulation\"\n}\n")]
+    [InlineData("\u0089PNG\r\n\u001a\n")]
+    [InlineData("# Signs\n\nThis is prose, with commas.\nNot one of its eight words is a number.\n")]
+    public void What_is_no_table_is_refused_in_one_line(string content)
+    {
+        string file = _folder.File("something", content);
+
+        foreach (string command in (string[])["check", "list", "gallery"])
+        {
+            CliRun.Of("spaces", command, file).AssertFailed(ExitCode.BadData, $"'{file}' is no table of faces and heads");
+        }
+
+        Assert.Equal(ExitCode.BadData, CliRun.Of("harvest", "--out", _folder.PathOf("session"), "--spaces", file).ExitCode);
+    }
+
+    [Theory]
+    [InlineData("model,hash,class,name,mutcd,face,fulX,fulY,fulZ,blrX,blrY,blrZ,facing,provenance,source\n", ExitCode.Done)]
+    [InlineData("# none yet\n", ExitCode.Done)]
+    [InlineData(InsideOut + "\n", ExitCode.BadData)]
+    public void Check_of_a_table_without_a_good_row_counts_none(string content, int code)
+    {
+        CliRun run = CliRun.Of("spaces", "check", _folder.File("spaces.csv", content));
+
+        Assert.Equal((code, ""), (run.ExitCode, run.Error));
+        Assert.Contains(": 0 rows good, ", run.Out, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -54,7 +83,7 @@ public sealed class SpacesCommandTests : IDisposable
         CliRun run = CliRun.Of("spaces", "gallery", _folder.Path);
 
         string page = Path.Combine(_folder.Path, "gallery.html");
-        Assert.Equal($"{page}: 1 models shown\n", run.Out);
+        Assert.Equal($"{page}: 1 model shown\n", run.Out);
         string html = File.ReadAllText(page);
         Assert.Contains("&lt;STOP&gt;", html, StringComparison.Ordinal);
         Assert.DoesNotContain("src=\"http", html, StringComparison.Ordinal);
@@ -96,7 +125,7 @@ public sealed class SpacesCommandTests : IDisposable
     {
         _folder.File("spaces.csv", Good + "\n");
 
-        Assert.Contains("1 rows are good", CliRun.Of("spaces", "check", _folder.Path).Out, StringComparison.Ordinal);
+        Assert.Contains("1 row good", CliRun.Of("spaces", "check", _folder.Path).Out, StringComparison.Ordinal);
         Assert.Contains("prop_sign_road_01a", CliRun.Of("spaces", "list", _folder.Path).Out, StringComparison.Ordinal);
     }
 

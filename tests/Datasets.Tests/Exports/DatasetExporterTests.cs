@@ -60,7 +60,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     {
         KillAfter(2, "csv");
 
-        IOException refused = Assert.Throws<IOException>(() => Folder.Export("csv", simulated.Open(), to: "killed"));
+        OccupiedFolderException refused = Assert.Throws<OccupiedFolderException>(() => Folder.Export("csv", simulated.Open(), to: "killed"));
 
         Assert.Contains("other sessions or options", refused.Message, StringComparison.Ordinal);
     }
@@ -71,7 +71,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Directory.CreateDirectory(Folder.PathOf("out"));
         File.WriteAllText(Folder.PathOf("out/thesis.tex"), "mine");
 
-        Assert.Throws<IOException>(() => Folder.Export("csv", simulated.Open()));
+        Assert.Throws<OccupiedFolderException>(() => Folder.Export("csv", simulated.Open()));
     }
 
     [Fact]
@@ -79,7 +79,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     {
         Folder.Export("csv", simulated.Open());
 
-        Assert.Throws<IOException>(() => Folder.Export("csv", simulated.Open()));
+        Assert.Throws<OccupiedFolderException>(() => Folder.Export("csv", simulated.Open()));
     }
 
     [Fact]
@@ -160,7 +160,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
 
         DatasetFormatException refused = Assert.Throws<DatasetFormatException>(() => Folder.Export("kitti", Session.Open()));
 
-        Assert.Equal("labels.jsonl, line 2: objects[0].box3d is missing.", refused.Message);
+        Assert.Equal($"{Session.PathOf("labels.jsonl")}, line 2: objects[0].box3d is missing.", refused.Message);
     }
 
     [Fact]

@@ -90,7 +90,7 @@ public sealed class SessionReaderTests : IDisposable
 
         DatasetFormatException error = Assert.Throws<DatasetFormatException>(() => reader.ReadLabels().Count());
 
-        Assert.StartsWith($"labels.jsonl, line 2: {message}", error.Message, StringComparison.Ordinal);
+        Assert.StartsWith($"{_session.PathOf("labels.jsonl")}, line 2: {message}", error.Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -100,7 +100,7 @@ public sealed class SessionReaderTests : IDisposable
 
         DatasetFormatException error = Assert.Throws<DatasetFormatException>(() => _session.Open().ReadLabels().Count());
 
-        Assert.StartsWith("labels.jsonl, line 3: objects[0].box3d: A cuboid's half extents", error.Message, StringComparison.Ordinal);
+        Assert.StartsWith($"{_session.PathOf("labels.jsonl")}, line 3: objects[0].box3d: A cuboid's half extents", error.Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -110,7 +110,7 @@ public sealed class SessionReaderTests : IDisposable
 
         DatasetFormatException error = Assert.Throws<DatasetFormatException>(() => _session.Open().ReadLabels().Count());
 
-        Assert.StartsWith("labels.jsonl, line 1: camera: The axes must be", error.Message, StringComparison.Ordinal);
+        Assert.StartsWith($"{_session.PathOf("labels.jsonl")}, line 1: camera: The axes must be", error.Message, StringComparison.Ordinal);
     }
 
     [Fact]

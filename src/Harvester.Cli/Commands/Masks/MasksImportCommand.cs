@@ -39,7 +39,7 @@ internal static class MasksImportCommand
                 new ReportWriter(new SessionReader(session)).Write(report);
             }
 
-            terminal.Out.WriteLine($"{session}: {done.Frames} masks imported, {done.Seen} of {done.Objects} labels are seen in them");
+            terminal.Out.WriteLine($"{session}: {Counted.Of(done.Frames, "mask")} imported, of {Counted.Of(done.Objects, "label")} they show {done.Seen}");
             return Task.FromResult(ExitCode.Done);
         });
         return command;

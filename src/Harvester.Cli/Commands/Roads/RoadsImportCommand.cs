@@ -16,7 +16,7 @@ internal static class RoadsImportCommand
             RoadImport import = RoadSourceArgument.Import(parsed, from, terminal);
             string file = parsed.GetRequiredValue(output);
             RoadWriter.Write(import.Network, file);
-            terminal.Out.WriteLine($"{file}: {import.Network.Nodes.Count} nodes, {import.Network.Links.Count} links, from {import.Format}");
+            terminal.Out.WriteLine($"{file}: {Counted.Of(import.Network.Nodes.Count, "node")}, {Counted.Of(import.Network.Links.Count, "link")}, from {import.Format}");
             return ExitCode.Done;
         });
         return command;

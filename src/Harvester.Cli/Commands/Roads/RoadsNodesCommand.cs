@@ -27,7 +27,7 @@ internal static class RoadsNodesCommand
                 using var text = new StreamWriter(stream, leaveOpen: true);
                 count = NodeDatabaseWriter.Write(database, text);
             });
-            terminal.Out.WriteLine($"{file}: {count} entries of {network.Nodes.Count} nodes");
+            terminal.Out.WriteLine($"{file}: {count} entries of {Counted.Of(network.Nodes.Count, "node")}");
             return ExitCode.Done;
         });
         return command;

@@ -24,7 +24,7 @@ internal static class GalleryCommand
             var text = new StringWriter();
             int models = new SpaceGallery(SpaceFile.ReadGood(table, terminal.WriteError), folder).Write(text);
             WholeFile.Write(page, stream => stream.Write(new UTF8Encoding(false).GetBytes(text.ToString())));
-            terminal.Out.WriteLine($"{page}: {models} models shown");
+            terminal.Out.WriteLine($"{page}: {Counted.Of(models, "model")} shown");
             return ExitCode.Done;
         });
         return command;

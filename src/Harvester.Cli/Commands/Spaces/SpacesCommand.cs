@@ -47,7 +47,7 @@ internal static class SpacesCommand
             }
 
             int good = content.Table.Spaces.Count();
-            terminal.Out.WriteLine($"{path}: {good} rows are good, {content.Problems.Count} are refused");
+            terminal.Out.WriteLine($"{path}: {Counted.Of(good, "row")} good, {content.Problems.Count} refused");
             return content.Problems.Count > 0 ? ExitCode.BadData : ExitCode.Done;
         });
         return command;

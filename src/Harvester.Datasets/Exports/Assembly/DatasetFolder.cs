@@ -44,12 +44,12 @@ internal sealed class DatasetFolder(string path)
     {
         if (!IsEmpty && !IsBegun)
         {
-            throw new IOException($"'{path}' is not empty and holds no export that could be continued. Name another folder.");
+            throw new OccupiedFolderException($"'{path}' is not empty and holds no export that could be continued. Name another folder.");
         }
 
         if (IsBegun && !string.Equals(ReadPlan(), plan, StringComparison.Ordinal))
         {
-            throw new IOException($"'{path}' holds an export that was begun with other sessions or options. Use the same ones, or name another folder.");
+            throw new OccupiedFolderException($"'{path}' holds an export that was begun with other sessions or options. Use the same ones, or name another folder.");
         }
 
         Write(PlanFile, stream => stream.Write(Encoding.UTF8.GetBytes(plan)));
