@@ -21,6 +21,7 @@ internal static class CostCases
         using var window = new PatternWindow(new(0, 0, 1920, 1080), Pattern.Distinct(1));
         using var screen = GameWindowScreen.OfThisProcess();
         var buffer = new PixelBuffer(new(width, height));
+        window.AwaitOnScreen();
         GrabAll(screen, buffer);
         long start = Stopwatch.GetTimestamp();
         GrabAll(screen, buffer);
@@ -34,6 +35,7 @@ internal static class CostCases
         using var window = new PatternWindow(new(10, 10, 320, 240), Pattern.Distinct(2));
         using var screen = GameWindowScreen.OfThisProcess();
         var buffer = new PixelBuffer(new(200, 150));
+        window.AwaitOnScreen();
         GrabAll(screen, buffer);
         long before = GC.GetAllocatedBytesForCurrentThread();
         GrabAll(screen, buffer);
@@ -44,6 +46,7 @@ internal static class CostCases
     private static void Handles()
     {
         using var window = new PatternWindow(new(10, 10, 320, 240), Pattern.Distinct(3));
+        window.AwaitOnScreen();
         int before = GdiObjects();
         for (int size = 100; size < 100 + Grabs; size++)
         {

@@ -12,6 +12,7 @@ internal static class Expect
     /// <summary>A grab is good and shows a pattern in every pixel.</summary>
     public static void Shows(Area client, Pattern pattern, IScreen screen)
     {
+        PatternWindow.AwaitOnScreen(client, pattern);
         var buffer = new PixelBuffer(new(client.Width, client.Height));
         Good(screen.Grab(buffer));
         for (int y = 0, i = 0; y < client.Height; y++)

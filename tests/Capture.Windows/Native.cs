@@ -85,6 +85,15 @@ internal static class Native
     [DllImport("user32")]
     public static extern int GetGuiResources(IntPtr process, uint kind);
 
+    [DllImport("user32")]
+    public static extern IntPtr GetDC(IntPtr window);
+
+    [DllImport("user32")]
+    public static extern int ReleaseDC(IntPtr window, IntPtr context);
+
+    [DllImport("gdi32")]
+    public static extern int GetPixel(IntPtr context, int x, int y);
+
     [DllImport("gdi32")]
     public static extern int SetDIBitsToDevice(IntPtr context, int x, int y, int width, int height, int sourceX, int sourceY, int firstRow, int rows, byte[] pixels, ref BitmapHeader header, uint usage);
 

@@ -1,4 +1,5 @@
 using System.ComponentModel;
+using System.Diagnostics;
 using System.Runtime.InteropServices;
 
 namespace Harvester.Capture.Windows;
@@ -7,6 +8,10 @@ namespace Harvester.Capture.Windows;
 internal sealed class PatternWindow : IDisposable
 {
     private const string ClassName = "HarvesterPattern";
+
+    /// <summary>Only a screen that shows something else takes so long.</summary>
+    private static readonly TimeSpan LongestWaitForTheScreen = TimeSpan.FromSeconds(30);
+
     private static readonly Native.WindowProcedure Procedure = HandleMessage;
     private static readonly Dictionary<IntPtr, PatternWindow> Windows = [];
     private static bool _isRegistered;
@@ -44,7 +49,21 @@ internal sealed class PatternWindow : IDisposable
 
     public Pattern Pattern { get; private set; }
 
-    /// <summary>Lets windows paint themselves and the picture reach the screen.</summary>
+    /// <summary>
+    /// Waits until the screen shows a pattern at the corners and in the middle of an area: another process, and on a busy machine a late one,
+    /// puts there what a window has painted. When it never comes the grab that follows tells.
+    /// </summary>
+    public static void AwaitOnScreen(Area client, Pattern pattern)
+    {
+        using var pixels = PhysicalThread.Enter();
+        long start = Stopwatch.GetTimestamp();
+        while (!IsOnScreen(client, pattern) && Stopwatch.GetElapsedTime(start) < LongestWaitForTheScreen)
+        {
+            Settle();
+        }
+    }
+
+    /// <summary>Lets windows paint themselves.</summary>
     public static void Settle()
     {
         const int rounds = 8;
@@ -58,6 +77,9 @@ internal sealed class PatternWindow : IDisposable
             Thread.Sleep(5);
         }
     }
+
+    /// <summary>Waits until the screen shows this window.</summary>
+    public void AwaitOnScreen() => AwaitOnScreen(Client, Pattern);
 
     public void Place(Area client)
     {
@@ -113,6 +135,18 @@ internal sealed class PatternWindow : IDisposable
             ClassName = Marshal.StringToHGlobalUni(ClassName),
         };
         _isRegistered = Native.RegisterClass(ref windowClass) != 0 ? true : throw new Win32Exception();
+    }
+
+    private static bool IsOnScreen(Area client, Pattern pattern)
+    {
+        (int X, int Y)[] places =
+            [(0, 0), (client.Width - 1, 0), (0, client.Height - 1), (client.Width - 1, client.Height - 1), (client.Width / 2, client.Height / 2)];
+        IntPtr desktop = Native.GetDC(IntPtr.Zero);
+        bool isShown = places.All(place =>
+            Native.GetPixel(desktop, client.Left + place.X, client.Top + place.Y)
+            == (pattern.Red(place.X, place.Y) | (pattern.Green(place.X, place.Y) << 8) | (pattern.Blue(place.X, place.Y) << 16)));
+        _ = Native.ReleaseDC(IntPtr.Zero, desktop);
+        return isShown;
     }
 
     private static IntPtr HandleMessage(IntPtr window, uint message, IntPtr wide, IntPtr extra)

@@ -106,6 +106,7 @@ internal static class RefusalCases
     private static void Content(Pattern pattern, string? refusal)
     {
         using var window = new PatternWindow(Client, pattern);
+        window.AwaitOnScreen();
         using var screen = GameWindowScreen.OfThisProcess();
         if (refusal is null)
         {

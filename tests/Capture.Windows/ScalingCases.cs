@@ -21,6 +21,7 @@ internal static class ScalingCases
     private static void Shrunk(Area client, int columns, int rows)
     {
         using var window = new PatternWindow(client, Pattern.Distinct(9));
+        window.AwaitOnScreen();
         using var screen = GameWindowScreen.OfThisProcess();
         var buffer = new PixelBuffer(new(client.Width / columns, client.Height / rows));
         Expect.Good(screen.Grab(buffer));
@@ -55,6 +56,7 @@ internal static class ScalingCases
     {
         // Output column x lies at (x + 0.5) / 2 - 0.5: columns 1 and 2 a quarter and three quarters of the way from source 0 to 1.
         using var window = new PatternWindow(new(64, 64, 40, 30), new((x, _) => (byte)(x * 4), (_, y) => (byte)(y * 8), (_, _) => 0));
+        window.AwaitOnScreen();
         using var screen = GameWindowScreen.OfThisProcess();
         var buffer = new PixelBuffer(new(80, 60));
         Expect.Good(screen.Grab(buffer));
@@ -68,6 +70,7 @@ internal static class ScalingCases
     private static void SizesInTurn()
     {
         using var window = new PatternWindow(new(90, 70, 320, 240), Pattern.Distinct(10));
+        window.AwaitOnScreen();
         using var screen = GameWindowScreen.OfThisProcess();
         Expect.Good(screen.Grab(new(new(80, 60))));
         Expect.Shows(window, screen);

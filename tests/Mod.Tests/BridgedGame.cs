@@ -1,11 +1,11 @@
 using System.Globalization;
 using System.Net;
-using System.Net.Sockets;
 using System.Text;
 using System.Windows.Forms;
 using Harvester.Capture.Tests.Driving.Bridge;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
+using Harvester.TestSupport;
 
 namespace Harvester.Mod.Tests;
 
@@ -20,7 +20,7 @@ public abstract class BridgedGame
     /// <summary>Time that a peer has between ticks.</summary>
     internal const int PeersPauseMilliseconds = 2;
 
-    private protected int Port { get; } = FreePort();
+    private protected int Port { get; } = FreePort.Find();
 
     /// <summary>A file that appears whole.</summary>
     internal static void Drop(string folder, string name, string content)
@@ -31,28 +31,6 @@ public abstract class BridgedGame
     }
 
     private protected static string Ini(int port) => string.Create(CultureInfo.InvariantCulture, $"[Bridge]\nPort = {port}\n");
-
-    /// <summary>
-    /// A port that nobody listens at, below those that systems give to connections on their way out: of the latter another process's
-    /// could take it before the mod does.
-    /// </summary>
-    private protected static int FreePort()
-    {
-        while (true)
-        {
-            int port = Random.Shared.Next(20_000, 32_000);
-            try
-            {
-                using var listener = new TcpListener(IPAddress.Loopback, port);
-                listener.Start();
-                return port;
-            }
-            catch (SocketException)
-            {
-                // Somebody listens there.
-            }
-        }
-    }
 
     private protected static int BigEndian(byte[] bytes, int at) => (bytes[at] << 24) | (bytes[at + 1] << 16) | (bytes[at + 2] << 8) | bytes[at + 3];
 

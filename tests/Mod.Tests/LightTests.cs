@@ -13,8 +13,10 @@ namespace Harvester.Mod.Tests;
 /// <summary>The three ways to know what a traffic light shows, in a town whose lights work.</summary>
 public sealed class LightTests
 {
-    private const string Image = "[Harvest]\nWidth = 640\nHeight = 480\nRate = 1\nClasses = TrafficLight\n";
-    private const string SmallImage = "[Harvest]\nWidth = 160\nHeight = 120\nRate = 5\nClasses = TrafficLight\n";
+    /// <summary>Ticks go by here as fast as they can and wait for no disk: there is room for every frame.</summary>
+    private const string Classes = "Classes = TrafficLight\nQueue = 1000\n";
+    private const string Image = "[Harvest]\nWidth = 640\nHeight = 480\nRate = 1\n" + Classes;
+    private const string SmallImage = "[Harvest]\nWidth = 160\nHeight = 120\nRate = 5\n" + Classes;
     internal const string TableOfOne = "prop_traffic_03a,,trafficLight,SIGNAL,,0,-0.2,-0.1,3.4,0.2,-0.4,2.4,-y,estimated,test\n";
     private const int LongestPictureLag = 4;
     private const int Ticks = 400;

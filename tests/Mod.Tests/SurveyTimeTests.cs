@@ -44,6 +44,7 @@ public sealed class SurveyTimeTests
         using ScriptDriver driver = Survey(LightShapes, CallOfRelease, ms => spent += ms);
         while (!IsOver(driver))
         {
+            driver.WaitForDisk();
             spent = 0;
             driver.Tick();
             perTick.Add(spent);

@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 using System.Text.Json;
+using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Commands;
 
@@ -154,10 +155,5 @@ public sealed class DriveOverBridgeTests : IDisposable
         return run;
     }
 
-    private static string FreePlace()
-    {
-        using TcpListener listener = new(IPAddress.Loopback, 0);
-        listener.Start();
-        return listener.LocalEndpoint.ToString()!;
-    }
+    private static string FreePlace() => new IPEndPoint(IPAddress.Loopback, FreePort.Find()).ToString();
 }

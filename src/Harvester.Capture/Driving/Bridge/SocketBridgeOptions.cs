@@ -18,6 +18,9 @@ public sealed record SocketBridgeOptions(IPAddress Address, int Port, string? To
     /// <summary>How long a connection may take to show the token; longer than 0.</summary>
     public TimeSpan TokenPatience { get; init; } = TimeSpan.FromSeconds(2);
 
+    /// <summary>How long the peer may leave a frame untaken before it is cut off; longer than 0.</summary>
+    public TimeSpan SendPatience { get; init; } = TimeSpan.FromSeconds(2);
+
     /// <summary>How many connections may be about to show the token at a time; at least 1. The one that has waited longest makes room for another.</summary>
     public int MostStrangers { get; init; } = 16;
 }

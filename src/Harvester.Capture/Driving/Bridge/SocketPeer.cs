@@ -7,9 +7,6 @@ namespace Harvester.Capture.Driving.Bridge;
 /// <summary>One connection of a socket bridge. It counts once it has shown the token, or at once where none is asked for.</summary>
 internal sealed class SocketPeer : IDisposable
 {
-    /// <summary>A peer that has not taken a frame for so long is cut off, milliseconds.</summary>
-    private const int SendPatience = 2000;
-
     /// <summary>What the network may hold back on this side, bytes: less than two pictures. Linux would let it grow to megabytes.</summary>
     private const int SendBufferBytes = 65_536;
 
@@ -35,7 +32,7 @@ internal sealed class SocketPeer : IDisposable
     {
         _client = client;
         _client.NoDelay = true;
-        _client.SendTimeout = SendPatience;
+        _client.SendTimeout = (int)options.SendPatience.TotalMilliseconds;
         _client.SendBufferSize = SendBufferBytes;
         KeepAlive.Ask(client.Client);
         _stream = client.GetStream();

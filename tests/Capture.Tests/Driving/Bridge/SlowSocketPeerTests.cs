@@ -15,7 +15,7 @@ public sealed class SlowSocketPeerTests : IDisposable
     public SlowSocketPeerTests()
     {
         new Random(7).NextBytes(_noise.Bytes);
-        _bridge = new SocketBridge(SocketBridgeOptions.Loopback with { Port = 0 }, _noise.Size);
+        _bridge = Bridge(TimeSpan.FromMinutes(1));
     }
 
     [Theory]
@@ -89,28 +89,36 @@ public sealed class SlowSocketPeerTests : IDisposable
     [Fact]
     public void Peer_that_asks_for_frames_and_reads_none_is_cut_off_and_the_game_goes_on()
     {
-        using SocketClient sleeper = Connected();
+        using SocketBridge bridge = Bridge(TimeSpan.FromSeconds(1));
+        using SocketClient sleeper = Connected(bridge);
         Frames.Await(
             () =>
             {
-                Publish(isAskedFor: true);
-                return _bridge.Problem is not null;
+                bridge.Publish(Frames.State(++_published) with { IsAskedFor = true }, _noise);
+                return bridge.Problem is not null;
             },
             "the sleeper to be cut off");
 
-        Assert.Contains("did not take a frame", _bridge.Problem, StringComparison.Ordinal);
-        using SocketClient next = Connected();
-        Publish();
+        Assert.Contains("did not take a frame", bridge.Problem, StringComparison.Ordinal);
+        using SocketClient next = Connected(bridge);
+
+        // The network keeps a black picture, and the bridge need not wait for this peer to read it.
+        bridge.Publish(Frames.State(++_published), new PixelBuffer(_noise.Size));
         Assert.Equal(_published, next.Receive().Header.GetProperty("frame").GetInt64());
     }
 
     public void Dispose() => _bridge.Dispose();
 
-    private SocketClient Connected()
+    private SocketBridge Bridge(TimeSpan sendPatience) =>
+        new(SocketBridgeOptions.Loopback with { Port = 0, SendPatience = sendPatience }, _noise.Size);
+
+    private SocketClient Connected() => Connected(_bridge);
+
+    private static SocketClient Connected(SocketBridge bridge)
     {
-        var peer = new SocketClient(_bridge.EndPoint);
+        var peer = new SocketClient(bridge.EndPoint);
         peer.Send("""{"type":"requestFrame"}""");
-        Assert.IsType<RequestFrameMessage>(Frames.AwaitWord(_bridge));
+        Assert.IsType<RequestFrameMessage>(Frames.AwaitWord(bridge));
         return peer;
     }
 
