@@ -43,6 +43,38 @@ public sealed class CalibrationTests
     }
 
     [Fact]
+    public void Single_frame_with_a_lens_that_is_off_is_refused_however_often_it_is_asked_for()
+    {
+        var options = new SimulationOptions { Seed = 9, Lens = new RenderLens(1.008, 0, 0, -0.02, 0) };
+        var scene = new SimulatedScene(options, SpaceTable.Empty);
+        using var driver = new ScriptDriver(Ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock);
+        for (int press = 0; press < 2; press++)
+        {
+            Assert.Contains("The camera model is off by", EndOfOneFrame(driver), StringComparison.Ordinal);
+        }
+    }
+
+    [Fact]
+    public void Single_frames_with_a_lens_found_in_between_begin_a_new_session()
+    {
+        var scene = new SimulatedScene(new SimulationOptions { Seed = 9 }, SpaceTable.Empty);
+        using var driver = new ScriptDriver(Ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock);
+        Assert.Contains("ended: 1 frames", EndOfOneFrame(driver), StringComparison.Ordinal);
+        driver.Press(Keys.C);
+        driver.UntilTold("Calibrated: the error was");
+        Assert.Contains("ended: 1 frames", EndOfOneFrame(driver), StringComparison.Ordinal);
+        Assert.Contains("ended: 1 frames", EndOfOneFrame(driver), StringComparison.Ordinal);
+
+        int[] frames = [.. Directory.GetDirectories(driver.Output, "singles*").Order(StringComparer.Ordinal)
+            .Select(session => File.ReadLines(Path.Combine(session, "labels.jsonl")).Count())];
+        Assert.Equal([1, 2], frames);
+
+        // The second session says by how much the model was off, though its second frame was not checked again.
+        string header = File.ReadAllText(Path.Combine(Directory.GetDirectories(driver.Output).Order(StringComparer.Ordinal).Last(), "session.json"));
+        Assert.Matches("\"cameraErrorPixels\": [0-9]", header);
+    }
+
+    [Fact]
     public void Harvest_waits_for_the_end_of_a_calibration_and_the_key_again_stops_it()
     {
         using var driver = new ScriptDriver();
@@ -80,5 +112,17 @@ public sealed class CalibrationTests
         driver.UntilTold("The harvest ended: 1 frames");
 
         Assert.Contains(driver.Game.Notifications, told => told.Contains("The camera model was not checked, as none of 20 markers was seen", StringComparison.Ordinal));
+    }
+
+    /// <summary>Harvests one frame; what the player is told of its end.</summary>
+    private static string EndOfOneFrame(ScriptDriver driver)
+    {
+        // The same message is not told again at once, but it is behind that of the camera, which is mounted again.
+        driver.Press(Keys.O);
+        driver.Game.Notifications.Clear();
+        driver.Press(Keys.K);
+        driver.UntilTold(" frames");
+        driver.WaitForDisk();
+        return driver.Game.Notifications[^1];
     }
 }

@@ -236,6 +236,17 @@ public sealed class FaultTests
         Assert.True(Directory.Exists(driver.Output));
     }
 
+    [Fact]
+    public void Frame_that_the_disk_refuses_when_the_harvest_is_over_is_told()
+    {
+        using var driver = new ScriptDriver();
+        HarvestTests.Street(driver.Game);
+        driver.Press(Keys.K);
+        Directory.CreateDirectory(Path.Combine(Assert.Single(Directory.GetDirectories(driver.Output)), "labels.jsonl"));
+
+        driver.UntilTold("cannot be written");
+    }
+
     private static Hash[] PlayedNatives()
     {
         using var driver = new ScriptDriver(Playthrough.Ini, spaces: LightTests.TableOfOne);

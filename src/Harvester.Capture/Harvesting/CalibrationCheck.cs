@@ -30,8 +30,8 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
     private const double SidesPerRadius = 100;
     private const double SmallestRadiusPixels = 1.5;
 
-    /// <summary>By how much the model was off, pixels; null when it was not checked.</summary>
-    public double? ErrorPixels { get; private set; }
+    /// <summary>By how much the model was off, here or when it was checked earlier, pixels; null when it was not checked.</summary>
+    public double? ErrorPixels { get; private set; } = options.KnownCalibrationErrorPixels;
 
     /// <summary>Why the model was not checked though it should have been; null when all is well.</summary>
     public string? Warning { get; private set; }

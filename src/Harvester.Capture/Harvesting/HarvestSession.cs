@@ -4,9 +4,7 @@ using System.Linq;
 using Harvester.Capture.Calibration;
 using Harvester.Capture.Imaging;
 using Harvester.Capture.Labelling;
-using Harvester.Capture.Labels;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 
@@ -63,6 +61,9 @@ public sealed class HarvestSession : IDisposable
 
     /// <summary>One line about what could not be made sure of; null when there is none.</summary>
     public string? Warning { get; private set; }
+
+    /// <summary>By how much the camera model was off, pixels; null when it was not checked, or not yet.</summary>
+    public double? CalibrationErrorPixels { get; private set; }
 
     /// <summary>By how much the picture is behind the state; null when it was not measured.</summary>
     public PictureLag? Lag { get; private set; }
@@ -141,26 +142,56 @@ public sealed class HarvestSession : IDisposable
             yield return phase;
         }
 
-        ReadTime();
-        _startMilliseconds = _game.Clock.Milliseconds;
-        _sink.Open(new SessionStart(_options, _gameFrame, _timeSeconds, _game.World.ReadCamera()) { CameraErrorPixels = check.ErrorPixels });
-        _opened = true;
-        var schedule = new FrameSchedule(_options.RateHz);
-        var registry = new ObjectRegistry(_sink.FirstObjectId);
-        var labeller = new FrameLabeller(_options, _game.Rays, registry)
-        {
-            Lanes = _game.Roads is { } roads ? new LaneLabeller(roads, _game.Rays, registry) : null,
-            Spaces = _options.Spaces is { } spaces ? new SpaceLabeller(spaces, _options, _game.Rays, _game.Lights, registry) : null,
-        };
+        CalibrationErrorPixels = check.ErrorPixels;
+        Open();
         var pool = new PixelBufferPool(_options.Image);
         var reader = new SceneReader(_game.World, _options.RangeMetres);
+        foreach (HarvestPhase phase in FindLag(reader, pool))
+        {
+            yield return phase;
+        }
+
+        bool isLagOpen = Lag is null && check.ErrorPixels is null && (_options.ProbeLag || check.Warning is not null);
+        Warning = isLagOpen ? string.Join(" ", new[] { check.Warning, LagNotChecked }.OfType<string>()) : check.Warning;
+        var frames = new FrameHarvester(_options, _sink, Flow(reader, pool), pool, Counters);
+        var schedule = new FrameSchedule(_options.RateHz);
+        while (true)
+        {
+            ReadTime();
+            if (schedule.TakeIfDue(_timeSeconds))
+            {
+                foreach (HarvestPhase phase in frames.HarvestOne())
+                {
+                    yield return phase;
+                }
+
+                if (Counters.Captured == _options.MaxFrames)
+                {
+                    yield break;
+                }
+            }
+
+            yield return HarvestPhase.Waiting;
+        }
+    }
+
+    private void Open()
+    {
+        ReadTime();
+        _startMilliseconds = _game.Clock.Milliseconds;
+        _sink.Open(new SessionStart(_options, _gameFrame, _timeSeconds, _game.World.ReadCamera()) { CameraErrorPixels = CalibrationErrorPixels });
+        _opened = true;
+    }
+
+    private IEnumerable<HarvestPhase> FindLag(SceneReader reader, PixelBufferPool pool)
+    {
         if (!_options.Freeze && _options.LiveLag is { } known)
         {
             Lag = known;
         }
         else if (_options.ProbeLag)
         {
-            var probe = new LagProbe(_options, _game, reader, pool) { IsLagWithinLimit = check.ErrorPixels is not null };
+            var probe = new LagProbe(_options, _game, reader, pool) { IsLagWithinLimit = CalibrationErrorPixels is not null };
             foreach (HarvestPhase phase in probe.Measure(_options.Freeze))
             {
                 yield return phase;
@@ -168,59 +199,22 @@ public sealed class HarvestSession : IDisposable
 
             Lag = probe.Lag;
         }
+    }
 
-        bool isLagOpen = Lag is null && check.ErrorPixels is null && (_options.ProbeLag || check.Warning is not null);
-        Warning = isLagOpen ? string.Join(" ", new[] { check.Warning, LagNotChecked }.OfType<string>()) : check.Warning;
-
-        ICaptureFlow flow = _options.Freeze
+    private ICaptureFlow Flow(SceneReader reader, PixelBufferPool pool)
+    {
+        var registry = new ObjectRegistry(_sink.FirstObjectId);
+        var labeller = new FrameLabeller(_options, _game.Rays, registry)
+        {
+            Lanes = _game.Roads is { } roads ? new LaneLabeller(roads, _game.Rays, registry) : null,
+            Spaces = _options.Spaces is { } spaces ? new SpaceLabeller(spaces, _options, _game.Rays, _game.Lights, registry) : null,
+        };
+        return _options.Freeze
             ? new FrozenFlow(_options, _game, reader, labeller, pool, _budget, Counters)
             {
                 TakesNext = () => _options.Shard.Takes(_sink.FirstFrame + Counters.Captured),
             }
             : new LiveFlow(_game, reader, labeller, pool, _budget, Counters, Lag ?? throw LagUnknown());
-        while (true)
-        {
-            ReadTime();
-            if (!schedule.TakeIfDue(_timeSeconds))
-            {
-                yield return HarvestPhase.Waiting;
-                continue;
-            }
-
-            foreach (HarvestPhase phase in flow.TakeFrame())
-            {
-                yield return phase;
-            }
-
-            if (flow.Draft is { } taken)
-            {
-                FrameDraft draft = taken with { Labelling = LightObserver.Observe(taken.Labelling, taken.Picture) };
-                FrameLabel label = FrameLabels.Of(
-                    _sink.FirstFrame + Counters.Captured, draft, FrameLabeller.CameraOf(_options, draft.Snapshot.Camera), _options.Format);
-                var frame = new CapturedFrame(label, draft.Picture, draft.Labelling.Mask, pool)
-                {
-                    Scene = _options.Scenes ? new RecordedScene(draft.Snapshot, _options.Lens, draft.Labelling.Ids, draft.Labelling.Occlusions) : null,
-                };
-                while (!_sink.TryEnqueue(frame))
-                {
-                    Counters.TicksWaitedForSink++;
-                    yield return HarvestPhase.WaitingForSink;
-                }
-
-                Counters.Captured++;
-            }
-            else if (flow.IsPassed)
-            {
-                Counters.Captured++;
-            }
-
-            if (Counters.Captured == _options.MaxFrames)
-            {
-                yield break;
-            }
-
-            yield return HarvestPhase.Waiting;
-        }
     }
 
     private static HarvestFaultException LagUnknown() =>

@@ -1,5 +1,4 @@
 using System;
-using System.Threading.Tasks;
 using Harvester.Capture.Driving;
 using Harvester.Capture.Driving.Bridge;
 using Harvester.Capture.Ports;
@@ -21,12 +20,11 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
     private readonly IMount _mount;
     private readonly IDisplay _display;
     private readonly PlayerMessages _messages;
-    private Task<IDrivingBridge>? _opening;
+    private readonly SlowResource<IDrivingBridge> _bridge = new();
     private DrivingSession? _session;
     private string? _problem;
     private int _problems;
     private int _hiddenTicks;
-    private Task _closing = Task.CompletedTask;
 
     /// <summary>Makes ready.</summary>
     /// <param name="settings">Over what a peer drives.</param>
@@ -49,7 +47,7 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
     public string Name => "The drive";
 
     /// <summary>Whether a peer may drive now.</summary>
-    public bool IsOn => _opening is not null;
+    public bool IsOn => _bridge.IsHeld;
 
     /// <summary>Why nobody can drive now; null when a peer can.</summary>
     public Func<string?> Obstacle { get; init; } = static () => null;
@@ -58,7 +56,7 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
     public bool IsPictureNear => _session?.IsPictureNear ?? IsOn;
 
     /// <inheritdoc/>
-    public bool IsBusy => _opening is { IsCompleted: false } || !_closing.IsCompleted;
+    public bool IsBusy => _bridge.IsBusy;
 
     /// <summary>Opens the bridge and gives the car to whoever drives, or ends that.</summary>
     public void Toggle()
@@ -84,12 +82,7 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
         if (_mount.IsMounted)
         {
             _hiddenTicks = 0;
-            Task closing = _closing;
-            _opening = Task.Run(() =>
-            {
-                closing.Wait();
-                return _settings.Open();
-            });
+            _bridge.Open(_settings.Open);
         }
     }
 
@@ -105,7 +98,7 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
     /// <inheritdoc/>
     public void Tick()
     {
-        if (_opening is not { } opening)
+        if (!IsOn)
         {
             return;
         }
@@ -113,14 +106,14 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
         // Before the first picture the display must have gone from it.
         _display.HideGames();
         _hiddenTicks++;
-        if (!opening.IsCompleted || _hiddenTicks <= _settings.Driving.SettleTicks)
+        if (_bridge.TakeFailure() is { } failure)
         {
-            return;
+            throw failure;
         }
 
-        if (opening.IsFaulted)
+        if (_bridge.Opened is not { } bridge || _hiddenTicks <= _settings.Driving.SettleTicks)
         {
-            throw opening.Exception!.InnerException!;
+            return;
         }
 
         if (!_mount.IsMounted || Obstacle() is not null)
@@ -133,7 +126,7 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
         {
             _problem = null;
             _problems = 0;
-            _session = new DrivingSession(_settings.Driving, _game, opening.Result, _settings.Controller.New);
+            _session = new DrivingSession(_settings.Driving, _game, bridge, _settings.Controller.New);
             _messages.Tell($"The car waits for a peer at {_settings.Place}. Any driving key takes it back.");
         }
 
@@ -159,18 +152,14 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
     /// <inheritdoc/>
     public void Stop()
     {
-        if (_opening is not { } opening)
+        if (!IsOn)
         {
             return;
         }
 
-        _opening = null;
         DrivingSession? session = _session;
         _session = null;
-
-        // The bridge's threads may be in the middle of something.
-        _closing = opening.ContinueWith(
-            static opened => (opened.Status == TaskStatus.RanToCompletion ? opened.Result : null)?.Dispose(), TaskScheduler.Default);
+        _bridge.Close();
         session?.Stop();
         _car.GiveBack();
     }
@@ -179,7 +168,7 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
     public void Finish()
     {
         Stop();
-        _closing.Wait(LongestWaitForTheBridge);
+        _bridge.Wait(LongestWaitForTheBridge);
     }
 
     /// <summary>Finishes.</summary>

@@ -63,7 +63,7 @@ public sealed class FeatureSet(PlayerMessages messages, params IFeature[] featur
         catch (Exception exception) when (exception is not ThreadAbortException)
 #pragma warning restore CA1031
         {
-            messages.TellFailure(name, exception);
+            messages.TellFailure(name, exception is AggregateException { InnerExceptions: { Count: 1 } inner } ? inner[0] : exception);
             return false;
         }
     }

@@ -2,11 +2,11 @@ using System;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using System.Threading.Tasks;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Spaces;
 using Harvester.Capture.Storage;
+using Harvester.Geometry.Cameras;
 
 namespace Harvester.Capture.Playing;
 
@@ -20,13 +20,12 @@ public sealed class Harvest : ILastingFeature, IDisposable
     private readonly GamePorts _game;
     private readonly IDisplay _display;
     private readonly Func<SessionOrigin> _origin;
+    private readonly SlowResource<SessionWriter> _writer = new();
     private HarvestOptions? _startedWith;
-    private Task<SessionWriter>? _opening;
     private HarvestSession? _session;
-    private SessionWriter? _writer;
-    private Task _closing = Task.CompletedTask;
-    private string? _singlesFolder;
-    private SpaceTable? _singlesSpaces;
+    private SessionWriter? _lastWriter;
+    private SingleFrames? _singles;
+    private bool _isSingle;
 
     /// <summary>Makes ready for harvests of a game.</summary>
     /// <param name="options">What to harvest and how.</param>
@@ -64,19 +63,20 @@ public sealed class Harvest : ILastingFeature, IDisposable
     public Func<string?> Problem { get; init; } = static () => null;
 
     /// <summary>Whether a harvest runs or is about to.</summary>
-    public bool IsOn => _opening is not null || _session is not null;
+    public bool IsOn => _writer.IsHeld;
 
     /// <summary>How the harvest that runs stands; null when none does, or when its folder is not open yet.</summary>
     public HarvestStatus? Status => _session?.Status;
 
     /// <summary>Frames that wait to be written.</summary>
-    public int Queued => _writer?.Queued ?? 0;
+    public int Queued => _writer.Opened?.Queued ?? 0;
 
     /// <summary>Whether a picture may be grabbed now or so soon that nothing of ours may be drawn.</summary>
-    public bool IsPictureNear => _opening is not null || (Status is { } status && (!Options.Freeze || status.Phase is not (HarvestPhase.Waiting or HarvestPhase.WaitingForSink)));
+    public bool IsPictureNear =>
+        IsOn && (Status is not { } status || !_startedWith!.Freeze || status.Phase is not (HarvestPhase.Waiting or HarvestPhase.WaitingForSink));
 
     /// <inheritdoc/>
-    public bool IsBusy => _opening is { IsCompleted: false } || !_closing.IsCompleted;
+    public bool IsBusy => _writer.IsBusy;
 
     /// <summary>Starts a harvest in a folder of its own, or ends the one that runs.</summary>
     public void Toggle()
@@ -84,7 +84,8 @@ public sealed class Harvest : ILastingFeature, IDisposable
         if (!IsOn)
         {
             SessionOrigin origin = _origin();
-            Start(Options, () => new SessionWriter(NewFolder("session"), origin));
+            _isSingle = false;
+            Start(Options with { Spaces = SpacesInUse() }, () => new SessionWriter(NewFolder("session"), origin));
         }
         else
         {
@@ -92,7 +93,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         }
     }
 
-    /// <summary>Harvests one frame. The single frames of one run of the game make a session together, as long as the same faces are in use.</summary>
+    /// <summary>Harvests one frame. The single frames of one run of the game make a session together, as long as lens and faces are the same.</summary>
     public void TakeOne()
     {
         if (IsOn)
@@ -101,22 +102,26 @@ public sealed class Harvest : ILastingFeature, IDisposable
             return;
         }
 
-        SpaceTable spaces = Spaces;
-        string? folder = spaces == _singlesSpaces ? _singlesFolder : null;
-        bool resume = folder is not null;
+        HarvestOptions options = Options with { MaxFrames = 1, ProbeLag = false, Spaces = SpacesInUse() };
         SessionOrigin origin = _origin();
-        Start(
-            Options with { MaxFrames = 1, ProbeLag = false, MaxCalibrationErrorPixels = resume ? null : Options.MaxCalibrationErrorPixels },
-            () =>
-            {
-                _singlesSpaces = spaces;
-                return new SessionWriter(_singlesFolder = folder ?? NewFolder("singles"), origin, resume);
-            });
+        _isSingle = true;
+        if (_singles is { } singles && singles.Lens == options.Lens && singles.Spaces == options.Spaces)
+        {
+            // The camera model was checked before the first of them.
+            Start(
+                options with { MaxCalibrationErrorPixels = null, KnownCalibrationErrorPixels = singles.CalibrationErrorPixels },
+                () => new SessionWriter(singles.Folder, origin, resume: true));
+        }
+        else
+        {
+            Start(options, () => new SessionWriter(NewFolder("singles"), origin));
+        }
     }
 
     /// <inheritdoc/>
     public void Tick()
     {
+        TellLateFault();
         if (!IsOn)
         {
             return;
@@ -141,11 +146,9 @@ public sealed class Harvest : ILastingFeature, IDisposable
             session.Stop();
             Close(session);
         }
-        else if (_opening is { } opening)
+        else if (IsOn)
         {
-            _opening = null;
-            _closing = opening.ContinueWith(
-                static opened => (opened.Status == TaskStatus.RanToCompletion ? opened.Result : null)?.Dispose(), TaskScheduler.Default);
+            _writer.Close();
             _messages.Tell("The harvest was stopped before its first frame.");
         }
     }
@@ -154,7 +157,8 @@ public sealed class Harvest : ILastingFeature, IDisposable
     public void Finish()
     {
         Stop();
-        _closing.Wait(LongestWaitForTheDisk);
+        _writer.Wait(LongestWaitForTheDisk);
+        TellLateFault();
     }
 
     /// <inheritdoc cref="Finish"/>
@@ -182,34 +186,38 @@ public sealed class Harvest : ILastingFeature, IDisposable
         if (_mount.IsMounted)
         {
             // A session that is gone on with is read, and a disk may sleep.
-            _startedWith = options with { Spaces = SpacesInUse() };
-            _opening = Task.Run(open);
+            _startedWith = options;
+            _writer.Open(open);
         }
     }
 
     private HarvestSession? Begin()
     {
-        if (_opening is not { IsCompleted: true } opened)
+        if (_writer.TakeFailure() is { } failure)
         {
-            return null;
+            throw failure;
         }
 
-        _opening = null;
-        if (opened.IsFaulted)
-        {
-            throw opened.Exception!.InnerException!;
-        }
-
-        _writer = opened.Result;
-        return new HarvestSession(_startedWith!, _game, _writer);
+        return _writer.Opened is { } writer ? new HarvestSession(_startedWith!, _game, writer) : null;
     }
 
     private void Close(HarvestSession session)
     {
-        SessionWriter? writer = _writer;
+        SessionWriter writer = _writer.Opened!;
+        HarvestStatus status = session.Status;
         _session = null;
-        _writer = null;
-        _closing = Task.Run(() => writer?.Dispose());
+        _writer.Close();
+        _lastWriter = status.Fault is null ? writer : null;
+        if (_isSingle && status.Captured > 0)
+        {
+            _singles = new SingleFrames(writer.Folder, _startedWith!.Lens, _startedWith.Spaces!, session.CalibrationErrorPixels);
+        }
+
+        Tell(session);
+    }
+
+    private void Tell(HarvestSession session)
+    {
         HarvestStatus status = session.Status;
         string discards = string.Join(", ", session.Counters.Discards.Select(discard => FormattableString.Invariant($"{discard.Value} {discard.Key}")));
         string counts = FormattableString.Invariant($"{status.Captured} frames")
@@ -220,6 +228,21 @@ public sealed class Harvest : ILastingFeature, IDisposable
         }
 
         _messages.Tell(status.Fault is { } fault ? $"{fault} ({counts})" : $"The harvest ended: {counts}, in {_folder}.");
+    }
+
+    /// <summary>The last frames are written when the harvest is over: what the disk refuses then is told when that is known.</summary>
+    private void TellLateFault()
+    {
+        if (_lastWriter is not { } writer || IsBusy)
+        {
+            return;
+        }
+
+        _lastWriter = null;
+        if (writer.Fault is { } fault)
+        {
+            _messages.Tell(fault);
+        }
     }
 
     private string NewFolder(string kind)
@@ -233,4 +256,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
 
         return free;
     }
+
+    /// <summary>The session that single frames make together, once it has one.</summary>
+    private sealed record SingleFrames(string Folder, Lens Lens, SpaceTable Spaces, double? CalibrationErrorPixels);
 }

@@ -1,24 +1,25 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using System.Threading.Tasks;
 using Harvester.Capture.Calibration;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Settings;
+using Harvester.Capture.Storage;
 
 namespace Harvester.Capture.Playing;
 
 /// <summary>Calibrates the camera at a key, for the harvests to come, and writes the lens into the settings file.</summary>
 public sealed class LensCalibration : ILastingFeature, IDisposable
 {
+    private static readonly TimeSpan LongestWaitForTheDisk = TimeSpan.FromSeconds(10);
     private readonly Harvest _harvest;
     private readonly GamePorts _game;
     private readonly IMount _mount;
     private readonly IDisplay _display;
     private readonly PlayerMessages _messages;
     private readonly string _iniPath;
+    private readonly DiskQueue _disk = new();
     private CalibrationSession? _session;
-    private Task _writing = Task.CompletedTask;
 
     /// <summary>Makes ready.</summary>
     /// <param name="harvest">Whose options get the lens.</param>
@@ -45,7 +46,7 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
     public bool IsRunning => _session is not null;
 
     /// <summary>Whether the settings file is being written.</summary>
-    public bool IsBusy => !_writing.IsCompleted;
+    public bool IsBusy => _disk.IsBusy;
 
     /// <summary>Starts a calibration, or ends the one that runs.</summary>
     public void Toggle()
@@ -78,13 +79,7 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
     /// <inheritdoc/>
     public void Tick()
     {
-        if (_writing.IsFaulted)
-        {
-            Exception failure = _writing.Exception!.InnerException!;
-            _writing = Task.CompletedTask;
-            throw new IOException($"the lens cannot be written into {_iniPath}: {failure.Message}", failure);
-        }
-
+        ThrowIfNotWritten();
         if (_session is not { } session)
         {
             return;
@@ -111,8 +106,13 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
         _session = null;
     }
 
-    /// <inheritdoc/>
-    public void Finish() => Stop();
+    /// <summary>Stops, and waits until the lens is in the settings file, or for as long as a script may take to end.</summary>
+    public void Finish()
+    {
+        Stop();
+        _disk.Wait(LongestWaitForTheDisk);
+        ThrowIfNotWritten();
+    }
 
     /// <summary>Stops.</summary>
     public void Dispose() => Stop();
@@ -127,8 +127,16 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
 
         _harvest.Options = _harvest.Options with { Lens = result.Lens };
         IReadOnlyList<KeyValuePair<string, double>> values = HarvestSettings.ValuesOf(result.Lens);
-        _writing = Task.Run(() => IniEditor.Set(_iniPath, HarvestSettings.LensSection, values));
+        _disk.Add(() => IniEditor.Set(_iniPath, HarvestSettings.LensSection, values));
         _messages.Tell(FormattableString.Invariant(
             $"Calibrated: the error was {result.Before.RmsPixels:0.00} px and is {result.After.RmsPixels:0.00} px. The lens is in {Path.GetFileName(_iniPath)}."));
+    }
+
+    private void ThrowIfNotWritten()
+    {
+        if (_disk.TakeFailure() is { } failure)
+        {
+            throw new IOException($"the lens cannot be written into {_iniPath}: {failure.Message}", failure);
+        }
     }
 }

@@ -3,6 +3,7 @@ using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using System.Threading;
+using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 
 namespace Harvester.Capture.Playing;
@@ -11,20 +12,27 @@ namespace Harvester.Capture.Playing;
 public sealed class PlayerMessages
 {
     private const string Prefix = "GtaDataHarvester: ";
-    private const long RepeatAfterMilliseconds = 5_000;
+    private const double RepeatAfterMilliseconds = 5_000;
     private readonly string _logPath;
     private readonly Action<string> _show;
     private readonly DiskQueue _disk = new();
-    private readonly Stopwatch _sinceLast = Stopwatch.StartNew();
+    private readonly IClock _clock;
     private string _last = string.Empty;
+    private double _lastMilliseconds;
 
     /// <summary>Makes the log's place known.</summary>
     /// <param name="folder">The folder that the mod lies in.</param>
     /// <param name="show">Shows a message in the game.</param>
     public PlayerMessages(string folder, Action<string> show)
+        : this(folder, show, new PlayerClock())
+    {
+    }
+
+    internal PlayerMessages(string folder, Action<string> show, IClock clock)
     {
         _logPath = Path.Combine(folder, "GtaDataHarvester.log");
         _show = show;
+        _clock = clock;
     }
 
     /// <summary>Whether something is on its way to the log.</summary>
@@ -33,22 +41,26 @@ public sealed class PlayerMessages
     /// <summary>Tells the player, and the log; the same message again within five seconds only once.</summary>
     public void Tell(string message)
     {
-        if (message == _last && _sinceLast.ElapsedMilliseconds < RepeatAfterMilliseconds)
+        if (IsToldAgain(message))
         {
             return;
         }
 
         _last = message;
-        _sinceLast.Restart();
+        _lastMilliseconds = _clock.Milliseconds;
         Log(message);
         Quietly(() => _show(Prefix + message));
     }
 
-    /// <summary>Tells the player that something failed, and the log why.</summary>
+    /// <summary>Tells the player that something failed, and the log why; what fails in every tick does not fill the disk.</summary>
     public void TellFailure(string what, Exception exception)
     {
-        Log(exception?.ToString() ?? what);
-        Tell($"{what} failed: {exception?.Message} More in GtaDataHarvester.log.");
+        string message = $"{what} failed: {exception?.Message} More in GtaDataHarvester.log.";
+        if (!IsToldAgain(message))
+        {
+            Log(exception?.ToString() ?? what);
+            Tell(message);
+        }
     }
 
     /// <summary>Writes a line to the log, on another thread.</summary>
@@ -60,6 +72,8 @@ public sealed class PlayerMessages
 
     /// <summary>Waits until all is in the log, at most so long.</summary>
     public void Wait(TimeSpan longest) => _disk.Wait(longest);
+
+    private bool IsToldAgain(string message) => message == _last && _clock.Milliseconds - _lastMilliseconds < RepeatAfterMilliseconds;
 
     private static void Quietly(Action tell)
     {

@@ -3,6 +3,7 @@ using System.IO;
 using System.Threading.Tasks;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Roads;
+using Harvester.Capture.Storage;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
 
@@ -23,9 +24,9 @@ public sealed class RoadSurveying : ILastingFeature
     private readonly GrowingRoads _roads;
     private readonly PlayerMessages _messages;
     private readonly IClock _clock;
+    private readonly DiskQueue _disk = new();
     private Task<RoadSurvey>? _loading;
     private RoadSurvey? _survey;
-    private Task _saving = Task.CompletedTask;
     private double _savedAt;
     private double _preparedAt = double.NegativeInfinity;
     private int _savedFindings;
@@ -69,7 +70,7 @@ public sealed class RoadSurveying : ILastingFeature
     public bool GivesLanes { get; init; } = true;
 
     /// <summary>Whether the file is being read or written, or roads are being prepared.</summary>
-    public bool IsBusy => _loading is { IsCompleted: false } || !_saving.IsCompleted || _roads.IsPreparing;
+    public bool IsBusy => _loading is { IsCompleted: false } || _disk.IsBusy || _roads.IsPreparing;
 
     /// <summary>Switches it on or off, and tells so.</summary>
     public void Toggle()
@@ -97,6 +98,7 @@ public sealed class RoadSurveying : ILastingFeature
     /// <inheritdoc/>
     public void Tick()
     {
+        ThrowIfNotSaved();
         if (_roads.TakeFailure() is { } failure)
         {
             _messages.TellFailure("Reading the roads", failure);
@@ -144,7 +146,8 @@ public sealed class RoadSurveying : ILastingFeature
     public void Finish()
     {
         Stop();
-        _saving.Wait(LongestWaitForTheDisk);
+        _disk.Wait(LongestWaitForTheDisk);
+        ThrowIfNotSaved();
     }
 
     private void OfferRoads(RoadSurvey survey)
@@ -161,14 +164,6 @@ public sealed class RoadSurveying : ILastingFeature
 
     private void Save()
     {
-        if (_saving.IsFaulted)
-        {
-            Exception failure = _saving.Exception!.InnerException!;
-            _saving = Task.CompletedTask;
-            _savedFindings = 0;
-            throw new IOException(failure.Message, failure);
-        }
-
         if (_survey is null || _status.Findings == _savedFindings)
         {
             return;
@@ -177,12 +172,19 @@ public sealed class RoadSurveying : ILastingFeature
         _savedAt = _clock.Milliseconds;
         _savedFindings = _status.Findings;
         RoadNetwork network = _survey.ToNetwork();
-        _saving = _saving.ContinueWith(
-            _ =>
-            {
-                Directory.CreateDirectory(Path.GetDirectoryName(_path)!);
-                RoadSurveyFile.Save(_path, network);
-            },
-            TaskScheduler.Default);
+        _disk.Add(() =>
+        {
+            Directory.CreateDirectory(Path.GetDirectoryName(_path)!);
+            RoadSurveyFile.Save(_path, network);
+        });
+    }
+
+    private void ThrowIfNotSaved()
+    {
+        if (_disk.TakeFailure() is { } failure)
+        {
+            _savedFindings = 0;
+            throw new IOException(failure.Message, failure);
+        }
     }
 }

@@ -21,7 +21,6 @@ public sealed class SessionWriter : IFrameSink
     private readonly SessionOrigin _origin;
     private readonly ISessionFiles _files;
     private readonly SessionContent _before;
-    private readonly string _directory;
     private readonly PngEncoder _png = new();
     private readonly BmpEncoder _bmp = new();
     private BlockingCollection<CapturedFrame>? _queue;
@@ -45,7 +44,7 @@ public sealed class SessionWriter : IFrameSink
 
     internal SessionWriter(string directory, SessionOrigin origin, bool resume, ISessionFiles files)
     {
-        _directory = directory;
+        Folder = directory;
         _origin = origin ?? throw new ArgumentNullException(nameof(origin));
         _files = files;
         Directory.CreateDirectory(directory);
@@ -57,6 +56,9 @@ public sealed class SessionWriter : IFrameSink
         _before = resume ? SessionContent.Read(directory) : SessionContent.Nothing;
         _framesWritten = _before.Frames;
     }
+
+    /// <summary>The session's directory, as it was given.</summary>
+    public string Folder { get; }
 
     /// <inheritdoc />
     public string? Fault => _fault;
@@ -214,7 +216,7 @@ public sealed class SessionWriter : IFrameSink
 #pragma warning restore CA1031
         {
             _fault ??= FormattableString.Invariant(
-                $"The session in '{_directory}' cannot be written: {exception.Message.TrimEnd('.')}. Its {_framesWritten} frames so far are complete; see to the disk and harvest again.");
+                $"The session in '{Folder}' cannot be written: {exception.Message.TrimEnd('.')}. Its {_framesWritten} frames so far are complete; see to the disk and harvest again.");
         }
     }
 }

@@ -56,6 +56,14 @@ public sealed class FeatureSetTests : IDisposable
         Assert.Equal(["c stops", "b stops", "a stops", "a finishes", "b finishes", "c finishes"], _done);
     }
 
+    [Fact]
+    public void Try_tells_what_failed_on_another_thread_in_its_own_words()
+    {
+        new FeatureSet(_messages).Try("a", Task.FromException(new IOException("The disk is full.")).Wait);
+
+        Assert.Equal(["GtaDataHarvester: a failed: The disk is full. More in GtaDataHarvester.log."], _told);
+    }
+
     private ScriptedFeature Feature(string name, string? failsIn = null) => new(name, work =>
     {
         _done.Add(work);

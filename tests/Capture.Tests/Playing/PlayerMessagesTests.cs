@@ -4,6 +4,7 @@ namespace Harvester.Capture.Tests.Playing;
 
 public sealed class PlayerMessagesTests : IDisposable
 {
+    private readonly TestClock _clock = new();
     private readonly string _folder = Directory.CreateTempSubdirectory("messages").FullName;
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);
@@ -12,7 +13,7 @@ public sealed class PlayerMessagesTests : IDisposable
     public void Tell_shows_and_logs_a_message_once_however_often_it_comes_at_once()
     {
         var shown = new List<string>();
-        var messages = new PlayerMessages(_folder, shown.Add);
+        var messages = new PlayerMessages(_folder, shown.Add, _clock);
 
         messages.Tell("one");
         messages.Tell("one");
@@ -46,5 +47,24 @@ public sealed class PlayerMessagesTests : IDisposable
 
         messages.Wait(Timeout.InfiniteTimeSpan);
         Assert.EndsWith(" one", File.ReadAllLines(Path.Combine(_folder, "GtaDataHarvester.log"))[0], StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Failure_in_every_tick_is_told_and_logged_every_five_seconds()
+    {
+        var shown = new List<string>();
+        var messages = new PlayerMessages(_folder, shown.Add, _clock);
+        var failure = new InvalidOperationException("no light");
+
+        // 100 ticks of 90 ms: at 0, and at 5040, the first of them after 5 seconds.
+        for (int tick = 0; tick < 100; tick++)
+        {
+            messages.TellFailure("The light", failure);
+            _clock.Milliseconds += 90;
+        }
+
+        Assert.Equal(Enumerable.Repeat("GtaDataHarvester: The light failed: no light More in GtaDataHarvester.log.", 2), shown);
+        messages.Wait(Timeout.InfiniteTimeSpan);
+        Assert.Equal(2, File.ReadAllLines(Path.Combine(_folder, "GtaDataHarvester.log")).Count(line => line.Contains("InvalidOperationException", StringComparison.Ordinal)));
     }
 }

@@ -100,6 +100,23 @@ public sealed class RoadSurveyingTests : IDisposable
     }
 
     [Fact]
+    public void Tick_and_Finish_tell_that_the_file_could_not_be_written_though_the_survey_is_off()
+    {
+        RoadSurveying surveying = Surveying(new FakeRoadSource(Road()));
+        surveying.Start();
+        Until(surveying, () => surveying.Line!.Contains("1 links", StringComparison.Ordinal));
+        File.WriteAllText(Path.GetDirectoryName(FilePath)!, "a file where the folder should be");
+
+        surveying.Stop();
+        WaitForDisk(surveying);
+        Assert.Throws<IOException>(surveying.Tick);
+        surveying.Tick();
+        surveying.Start();
+        surveying.Tick();
+        Assert.Throws<IOException>(surveying.Finish);
+    }
+
+    [Fact]
     public void Tick_switches_it_on_when_lanes_come_to_be_wanted_and_not_again_after_the_player_has_switched_it_off()
     {
         bool areWanted = false;
@@ -132,12 +149,16 @@ public sealed class RoadSurveyingTests : IDisposable
         while (!(surveying.Line is not null && isSo()))
         {
             Assert.True(hanging.Elapsed < HangingAfter);
-            while (surveying.IsBusy)
-            {
-                Thread.Sleep(1);
-            }
-
+            WaitForDisk(surveying);
             surveying.Tick();
+        }
+    }
+
+    private static void WaitForDisk(RoadSurveying surveying)
+    {
+        while (surveying.IsBusy)
+        {
+            Thread.Sleep(1);
         }
     }
 

@@ -1,0 +1,47 @@
+using System.Collections.Generic;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Labelling;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+
+namespace Harvester.Capture.Harvesting;
+
+/// <summary>Harvests one frame after the other: takes it, labels what only the picture tells, and hands it to the sink.</summary>
+internal sealed class FrameHarvester(HarvestOptions options, IFrameSink sink, ICaptureFlow flow, PixelBufferPool pool, HarvestCounters counters)
+{
+    /// <summary>Harvests one frame, or comes to discard it. Disposing the sequence leaves the game running.</summary>
+    public IEnumerable<HarvestPhase> HarvestOne()
+    {
+        foreach (HarvestPhase phase in flow.TakeFrame())
+        {
+            yield return phase;
+        }
+
+        if (flow.Draft is { } draft)
+        {
+            CapturedFrame frame = FrameOf(draft);
+            while (!sink.TryEnqueue(frame))
+            {
+                counters.TicksWaitedForSink++;
+                yield return HarvestPhase.WaitingForSink;
+            }
+
+            counters.Captured++;
+        }
+        else if (flow.IsPassed)
+        {
+            counters.Captured++;
+        }
+    }
+
+    private CapturedFrame FrameOf(FrameDraft taken)
+    {
+        FrameDraft draft = taken with { Labelling = LightObserver.Observe(taken.Labelling, taken.Picture) };
+        FrameLabel label = FrameLabels.Of(
+            sink.FirstFrame + counters.Captured, draft, FrameLabeller.CameraOf(options, draft.Snapshot.Camera), options.Format);
+        return new CapturedFrame(label, draft.Picture, draft.Labelling.Mask, pool)
+        {
+            Scene = options.Scenes ? new RecordedScene(draft.Snapshot, options.Lens, draft.Labelling.Ids, draft.Labelling.Occlusions) : null,
+        };
+    }
+}
