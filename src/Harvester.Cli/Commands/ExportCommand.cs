@@ -97,8 +97,8 @@ internal static class ExportCommand
         var exporter = new DatasetExporter(plan, folder, shard);
         ExportResult result = new JobProgress(terminal, frames).Run(report => exporter.Run(report, cancellation));
         terminal.Out.WriteLine(result.IsFinished
-            ? $"{folder}: {plan.Format.Name}, {result.Frames} frames, {result.Objects} objects offered"
-            : $"{folder}: shard {shard} of {plan.Format.Name}, {result.Frames} frames. When all are done: harvester merge");
+            ? ExportSummary.Of(folder, result)
+            : $"{folder}: shard {shard} of {plan.Format.Name}, {Counted.Of(result.Frames, "frame")}. When all are done: harvester merge");
         return ExitCode.Done;
     }
 

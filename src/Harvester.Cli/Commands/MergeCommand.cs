@@ -57,9 +57,6 @@ internal static class MergeCommand
         return $"{folder}: {Counted.Of(frames, "frame")}";
     }
 
-    private static string MergeDataset(IReadOnlyList<string> shards, string folder, ImageTransfer images)
-    {
-        ExportResult result = DatasetMerger.Merge(shards, folder, images);
-        return $"{folder}: {result.Frames} frames, {result.Objects} objects offered";
-    }
+    private static string MergeDataset(IReadOnlyList<string> shards, string folder, ImageTransfer images) =>
+        ExportSummary.Of(folder, DatasetMerger.Merge(shards, folder, images));
 }

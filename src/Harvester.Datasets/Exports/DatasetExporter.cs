@@ -67,7 +67,7 @@ public sealed class DatasetExporter
         }
 
         return _shard.Count > 1
-            ? new ExportResult(frames, 0, IsFinished: false)
+            ? new ExportResult(_plan.Format, frames, IsFinished: false)
             : DatasetAssembly.Finish(_folder, [Journal.PathOf(_folder, _shard)]);
     }
 
@@ -79,8 +79,8 @@ public sealed class DatasetExporter
             cancellation.ThrowIfCancellationRequested();
             Check(frame);
             var output = new FrameOutput(_folder, _plan.Options.Images);
-            writer.Write(frame, output);
-            journal.Append(new JournalEntry(frame.Index, frame.Split, frame.Objects.Count, output.Files, output.Parts));
+            int objects = writer.Write(frame, output);
+            journal.Append(new JournalEntry(frame.Index, frame.Split, frame.Label.Objects.Count, objects, output.Files, output.Parts));
             report(journal.Frames);
         }
     }

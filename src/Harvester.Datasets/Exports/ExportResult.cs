@@ -1,7 +1,19 @@
+using System.Collections.Generic;
+
 namespace Harvester.Datasets.Exports;
 
 /// <summary>What an export or a merge came to.</summary>
+/// <param name="Format">The format.</param>
 /// <param name="Frames">Frames that are done, those of an earlier run included.</param>
-/// <param name="Objects">Objects in them; in a shard, 0: they are counted when the shards are merged.</param>
 /// <param name="IsFinished">Whether the dataset is whole; a shard is not, before it is merged.</param>
-public sealed record ExportResult(int Frames, int Objects, bool IsFinished);
+public sealed record ExportResult(DatasetFormat Format, int Frames, bool IsFinished)
+{
+    /// <summary>Labels of the sessions' frames; in a shard, 0: they are counted when the shards are merged.</summary>
+    public int Labels { get; init; }
+
+    /// <summary>How many of them the dataset has, as far as the filters and the format let them in; in a shard, 0.</summary>
+    public int Objects { get; init; }
+
+    /// <summary>The frames by split, in the order of the names; none in a shard.</summary>
+    public IReadOnlyDictionary<string, int> FramesOfSplits { get; init; } = new Dictionary<string, int>();
+}

@@ -10,8 +10,9 @@ namespace Harvester.Datasets.Exports;
 public interface IDatasetWriter
 {
     /// <summary>Writes one frame.</summary>
+    /// <returns>How many of the frame's objects it has written; 0 in formats without objects.</returns>
     /// <exception cref="DatasetFormatException">The frame cannot be said in this format.</exception>
-    void Write(ExportFrame frame, FrameOutput output);
+    int Write(ExportFrame frame, FrameOutput output);
 
     /// <summary>The files to put together in the end.</summary>
     /// <param name="parts">Names of the parts that frames handed over, in ordinal order.</param>

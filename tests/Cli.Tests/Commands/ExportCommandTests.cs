@@ -24,7 +24,7 @@ public sealed class ExportCommandTests : IDisposable
         CliRun run = CliRun.Of("export", _folder.PathOf("session"), "--format", format, "--out", _folder.PathOf("out"));
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.Equal($"{_folder.PathOf("out")}: {format}, 0 frames, 0 objects offered\n", run.Out);
+        Assert.Equal($"{_folder.PathOf("out")}: {format}, 0 frames (train 0), 0 of 0 labels written\n", run.Out);
         Assert.True(File.Exists(_folder.PathOf("out/" + file)));
     }
 

@@ -17,10 +17,12 @@ internal static class DatasetAssembly
         (DatasetFormat format, ExportOptions options) = ExportPlan.Parse(plan);
         var parts = new PartStore(folder.PathOf(DatasetFolder.Working + "/parts"));
         SortedDictionary<string, int> splits = new(options.Splits.Splits.ToDictionary(split => split.Name, _ => 0), StringComparer.Ordinal);
+        int labels = 0;
         int objects = 0;
         foreach (JournalEntry entry in InOrder(journals))
         {
             splits[entry.Split]++;
+            labels += entry.Labels;
             objects += entry.Objects;
             foreach ((string name, string line) in entry.Parts)
             {
@@ -34,10 +36,10 @@ internal static class DatasetAssembly
             folder.Write(file.Path, stream => Write(stream, file, parts, folder));
         }
 
-        int frames = splits.Values.Sum();
-        folder.Write(DatasetFolder.Manifest, stream => stream.Write(Encoding.UTF8.GetBytes(ManifestText(plan, frames, objects, splits))));
+        var result = new ExportResult(format, splits.Values.Sum(), IsFinished: true) { Labels = labels, Objects = objects, FramesOfSplits = splits };
+        folder.Write(DatasetFolder.Manifest, stream => stream.Write(Encoding.UTF8.GetBytes(ManifestText(plan, result))));
         folder.Finish();
-        return new ExportResult(frames, objects, IsFinished: true);
+        return result;
     }
 
     /// <summary>What a finished dataset says of itself.</summary>
@@ -45,7 +47,15 @@ internal static class DatasetAssembly
     {
         using JsonDocument manifest = JsonDocument.Parse(File.ReadAllBytes(folder.PathOf(DatasetFolder.Manifest)));
         var fields = new JsonFields(manifest.RootElement);
-        return new ExportResult(fields.WholeNumber("frames"), fields.WholeNumber("objects"), IsFinished: true);
+        (DatasetFormat format, _) = ExportPlan.Parse(manifest.RootElement.GetProperty("plan").GetRawText());
+        IEnumerable<KeyValuePair<string, int>> splits =
+            manifest.RootElement.GetProperty("framesOfSplits").EnumerateObject().Select(split => KeyValuePair.Create(split.Name, split.Value.GetInt32()));
+        return new ExportResult(format, fields.WholeNumber("frames"), IsFinished: true)
+        {
+            Labels = fields.WholeNumber("labels"),
+            Objects = fields.WholeNumber("objects"),
+            FramesOfSplits = new Dictionary<string, int>(splits),
+        };
     }
 
     /// <summary>The entries of all journals by rising number; each journal is in order already.</summary>
@@ -104,14 +114,15 @@ internal static class DatasetAssembly
         }
     }
 
-    private static string ManifestText(string plan, int frames, int objects, SortedDictionary<string, int> splits) => JsonLine.Of(json =>
+    private static string ManifestText(string plan, ExportResult result) => JsonLine.Of(json =>
     {
         json.WriteStartObject();
         json.WriteNumber("formatVersion", 1);
-        json.WriteNumber("frames", frames);
-        json.WriteNumber("objects", objects);
+        json.WriteNumber("frames", result.Frames);
+        json.WriteNumber("labels", result.Labels);
+        json.WriteNumber("objects", result.Objects);
         json.WriteStartObject("framesOfSplits");
-        foreach ((string name, int count) in splits)
+        foreach ((string name, int count) in result.FramesOfSplits)
         {
             json.WriteNumber(name, count);
         }

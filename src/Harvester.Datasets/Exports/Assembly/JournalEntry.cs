@@ -8,17 +8,19 @@ namespace Harvester.Datasets.Exports.Assembly;
 /// <summary>A line of a journal: a frame that is done.</summary>
 /// <param name="Frame">Number of the frame in the dataset.</param>
 /// <param name="Split">Its split.</param>
-/// <param name="Objects">How many objects of it were exported.</param>
+/// <param name="Labels">How many labels it has.</param>
+/// <param name="Objects">How many of them were written.</param>
 /// <param name="Files">The files that are its own.</param>
 /// <param name="Parts">Its parts of aggregate files, in the order in which they were handed over.</param>
 internal sealed record JournalEntry(
-    int Frame, string Split, int Objects, IReadOnlyList<string> Files, IReadOnlyList<KeyValuePair<string, string>> Parts)
+    int Frame, string Split, int Labels, int Objects, IReadOnlyList<string> Files, IReadOnlyList<KeyValuePair<string, string>> Parts)
 {
     public string ToLine() => JsonLine.Of(json =>
     {
         json.WriteStartObject();
         json.WriteNumber("frame", Frame);
         json.WriteString("split", Split);
+        json.WriteNumber("labels", Labels);
         json.WriteNumber("objects", Objects);
         json.WriteStartArray("files");
         foreach (string file in Files)
@@ -48,6 +50,7 @@ internal sealed record JournalEntry(
         return new JournalEntry(
             root.GetProperty("frame").GetInt32(),
             root.GetProperty("split").GetString()!,
+            root.GetProperty("labels").GetInt32(),
             root.GetProperty("objects").GetInt32(),
             Texts(root.GetProperty("files")),
             [.. parts.Chunk(2).Select(pair => KeyValuePair.Create(pair[0], pair[1]))]);

@@ -11,7 +11,7 @@ internal sealed class CityscapesWriter : IDatasetWriter
 {
     private readonly PngEncoder _png = new();
 
-    public void Write(ExportFrame frame, FrameOutput output)
+    public int Write(ExportFrame frame, FrameOutput output)
     {
         InstanceMap mask = frame.Mask!;
         Dictionary<int, ushort> instances = InstanceIds(frame);
@@ -24,6 +24,7 @@ internal sealed class CityscapesWriter : IDatasetWriter
         Dictionary<int, ushort> labels = instances.ToDictionary(pair => pair.Key, pair => CityscapesLabels.LabelOfInstance(pair.Value));
         InstanceMap labelMap = Map(mask, labels);
         output.File(maps + "labelIds.png", stream => _png.WriteGrey8(labelMap, stream));
+        return mask.Ids.Distinct().Count(id => instances.ContainsKey(id));
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => [];

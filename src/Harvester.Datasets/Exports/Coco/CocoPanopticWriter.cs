@@ -14,7 +14,7 @@ internal sealed class CocoPanopticWriter(ExportOptions options) : IDatasetWriter
 {
     private readonly PngEncoder _png = new();
 
-    public void Write(ExportFrame frame, FrameOutput output)
+    public int Write(ExportFrame frame, FrameOutput output)
     {
         InstanceMap mask = frame.Mask!;
         IReadOnlyDictionary<int, InstancePixels> pixels = InstancePixels.AllOf(mask);
@@ -24,6 +24,7 @@ internal sealed class CocoPanopticWriter(ExportOptions options) : IDatasetWriter
         output.File($"annotations/panoptic_{frame.Split}/{frame.Name}.png", stream => _png.Write(Colours(mask, [.. seen.Select(label => label.Id)]), stream));
         output.Part($"images {frame.Split}", CocoJson.Image(frame, image));
         output.Part($"annotations {frame.Split}", Annotation(frame, seen, pixels));
+        return seen.Length;
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => CocoJson.Files("panoptic", options);

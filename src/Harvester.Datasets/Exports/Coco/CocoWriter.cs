@@ -14,12 +14,13 @@ internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
     /// <summary>Object ids fit 16 bits, so that frame and object together give an id that no filter and no shard changes.</summary>
     private const long IdsPerFrame = 65_536;
 
-    public void Write(ExportFrame frame, FrameOutput output)
+    public int Write(ExportFrame frame, FrameOutput output)
     {
         string file = frame.Name + frame.ImageExtension;
         output.Transfer($"images/{frame.Split}/{file}", frame.ImagePath);
         output.Part($"images {frame.Split}", CocoJson.Image(frame, file));
         IReadOnlyDictionary<int, InstancePixels>? pixels = frame.Mask is { } mask ? InstancePixels.AllOf(mask) : null;
+        int written = 0;
         foreach (ObjectLabel label in frame.Objects)
         {
             // With a mask, an object of which no pixel is seen has nothing to annotate.
@@ -27,8 +28,11 @@ internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
             if (pixels is null || own is not null)
             {
                 output.Part($"annotations {frame.Split}", Annotation(frame, label, own));
+                written++;
             }
         }
+
+        return written;
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => CocoJson.Files("instances", options);

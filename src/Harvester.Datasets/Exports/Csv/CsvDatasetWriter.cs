@@ -35,7 +35,7 @@ internal sealed class CsvDatasetWriter : IDatasetWriter
         .. VectorColumns("right"), .. VectorColumns("forward"), .. VectorColumns("up"), "distance_metres", .. VectorColumns("velocity"), "parent",
     ];
 
-    public void Write(ExportFrame frame, FrameOutput output)
+    public int Write(ExportFrame frame, FrameOutput output)
     {
         string image = $"images/{frame.Name}{frame.ImageExtension}";
         output.Transfer(image, frame.ImagePath);
@@ -44,6 +44,8 @@ internal sealed class CsvDatasetWriter : IDatasetWriter
         {
             output.Part("objects", Line([Numbers.Text(frame.Index), .. ObjectFields(label)]));
         }
+
+        return frame.Objects.Count;
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) =>

@@ -42,7 +42,7 @@ internal sealed class DeepDrivingWriter : IDatasetWriter
     private readonly PngEncoder _png = new();
     private readonly PixelBuffer _small = new(Size);
 
-    public void Write(ExportFrame frame, FrameOutput output)
+    public int Write(ExportFrame frame, FrameOutput output)
     {
         LanesLabel lanes = frame.Label.Lanes!;
         string image = $"images/{frame.Name}.png";
@@ -59,6 +59,7 @@ internal sealed class DeepDrivingWriter : IDatasetWriter
                 .. metres.Select(Text), .. NamedIndicators.Of(lanes.Indicators).Select(named => Flag(named.Indicator.IsValid)), .. torcs.Select(Text),
                 .. normalised.Select(Text), Text(DeepDrivingNormalisation.Fast(lanes.IsFast)),
             ]));
+        return 0;
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) =>

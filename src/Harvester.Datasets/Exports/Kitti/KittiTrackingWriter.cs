@@ -11,7 +11,7 @@ internal sealed class KittiTrackingWriter : IDatasetWriter
     private const string LabelPrefix = "label ";
     private const string ListPrefix = "list ";
 
-    public void Write(ExportFrame frame, FrameOutput output)
+    public int Write(ExportFrame frame, FrameOutput output)
     {
         CameraLabel camera = frame.Label.Camera;
         if ((camera.Fx, camera.Fy, camera.Cx, camera.Cy) != (frame.SessionCamera.Fx, frame.SessionCamera.Fy, frame.SessionCamera.Cx, frame.SessionCamera.Cy))
@@ -27,6 +27,7 @@ internal sealed class KittiTrackingWriter : IDatasetWriter
             output.Part(ListPrefix + frame.Split, sequence);
         }
 
+        int written = 0;
         foreach (ObjectLabel label in frame.Objects)
         {
             if (KittiClasses.TypeOf(label.Class) is { } type && new KittiBox(label, camera) is { IsInImage: true } box)
@@ -35,8 +36,11 @@ internal sealed class KittiTrackingWriter : IDatasetWriter
                     ' ',
                     Numbers.Text(frame.FrameInSession), Numbers.Text(label.Id), type, Numbers.Text(KittiClasses.LevelOf(label.TruncatedFraction)),
                     Numbers.Text(KittiClasses.OcclusionOf(label)), box.Fields()));
+                written++;
             }
         }
+
+        return written;
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => parts.Select(part => new AggregateFile(

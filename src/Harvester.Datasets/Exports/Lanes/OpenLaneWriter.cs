@@ -18,11 +18,11 @@ internal sealed class OpenLaneWriter : IDatasetWriter
     private const int UnknownCategory = 0;
     private const string ListPrefix = "list ";
 
-    public void Write(ExportFrame frame, FrameOutput output)
+    public int Write(ExportFrame frame, FrameOutput output)
     {
         if (frame.Label.Lanes is not { Status: LaneStatus.Known } lanes)
         {
-            return;
+            return 0;
         }
 
         string path = $"{frame.Split}/segment-{frame.SessionIndex:D4}/{frame.FrameInSession:D8}";
@@ -30,6 +30,7 @@ internal sealed class OpenLaneWriter : IDatasetWriter
         output.Transfer("images/" + image, frame.ImagePath);
         output.Text($"lane3d/{path}.json", Text(frame.Label, lanes, image) + "\n");
         output.Part(ListPrefix + frame.Split, image);
+        return 0;
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) =>

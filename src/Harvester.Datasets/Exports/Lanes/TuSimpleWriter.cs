@@ -17,17 +17,18 @@ internal sealed class TuSimpleWriter(ExportOptions options) : IDatasetWriter
     /// <summary>TuSimple's rows begin at the upper third: 240 of 720.</summary>
     private const int RowsAbove = 3;
 
-    public void Write(ExportFrame frame, FrameOutput output)
+    public int Write(ExportFrame frame, FrameOutput output)
     {
         // A frame of which the lanes are not known would say that there are none.
         if (frame.Label.Lanes is not { Status: LaneStatus.Known } lanes)
         {
-            return;
+            return 0;
         }
 
         string image = $"clips/{frame.SessionIndex:D4}/{frame.FrameInSession:D8}{frame.ImageExtension}";
         output.Transfer(image, frame.ImagePath);
         output.Part(frame.Split, Line(lanes, frame.Label.Camera.Height, image));
+        return 0;
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) =>

@@ -32,12 +32,13 @@ internal sealed class VocWriter(ExportOptions options) : IDatasetWriter
         Encoding = new UTF8Encoding(false),
     };
 
-    public void Write(ExportFrame frame, FrameOutput output)
+    public int Write(ExportFrame frame, FrameOutput output)
     {
         string image = frame.Name + frame.ImageExtension;
         output.Transfer($"JPEGImages/{image}", frame.ImagePath);
         output.File($"Annotations/{frame.Name}.xml", stream => WriteXml(stream, frame, image));
         output.Part(ListPrefix + frame.Split, frame.Name);
+        return frame.Objects.Count;
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => options.Splits.Splits.Select(split =>

@@ -19,7 +19,7 @@ internal sealed class WebDatasetWriter : IDatasetWriter
     /// <summary>Two empty blocks end an archive.</summary>
     private const int EndLength = 2 * 512;
 
-    public void Write(ExportFrame frame, FrameOutput output)
+    public int Write(ExportFrame frame, FrameOutput output)
     {
         string archive = $"{frame.Split}-{frame.Index / FramesPerArchive:D6}";
         output.StagedPart(archive, frame.Name + ".tar", stream =>
@@ -37,6 +37,7 @@ internal sealed class WebDatasetWriter : IDatasetWriter
 
             stream.Write(entries.GetBuffer(), 0, (int)entries.Length - EndLength);
         });
+        return frame.Objects.Count;
     }
 
     /// <summary>Archives of a split are numbered without gaps, as patterns like {000000..000009} need it.</summary>

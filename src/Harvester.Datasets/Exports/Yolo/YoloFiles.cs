@@ -15,10 +15,12 @@ internal sealed class YoloFiles(ExportOptions options)
 
     private readonly List<ObjectClass> _classes = [.. options.ClassList];
 
-    public static void Write(ExportFrame frame, FrameOutput output, IEnumerable<string> lines)
+    /// <summary>Writes a frame's files and says how many objects they have, a line each.</summary>
+    public static int Write(ExportFrame frame, FrameOutput output, IReadOnlyCollection<string> lines)
     {
         output.Transfer($"images/{frame.Split}/{frame.Name}{frame.ImageExtension}", frame.ImagePath);
         output.Text($"labels/{frame.Split}/{frame.Name}.txt", string.Concat(lines.Select(line => line + "\n")));
+        return lines.Count;
     }
 
     /// <summary>The number of a class: its place among the exported ones.</summary>

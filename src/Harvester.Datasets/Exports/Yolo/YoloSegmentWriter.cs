@@ -14,10 +14,10 @@ internal sealed class YoloSegmentWriter(ExportOptions options) : IDatasetWriter
 {
     private readonly YoloFiles _files = new(options);
 
-    public void Write(ExportFrame frame, FrameOutput output)
+    public int Write(ExportFrame frame, FrameOutput output)
     {
         IReadOnlyDictionary<int, InstancePixels> pixels = InstancePixels.AllOf(frame.Mask!);
-        YoloFiles.Write(frame, output, frame.Objects.Where(label => pixels.ContainsKey(label.Id)).Select(label => Line(label, pixels[label.Id])));
+        return YoloFiles.Write(frame, output, [.. frame.Objects.Where(label => pixels.ContainsKey(label.Id)).Select(label => Line(label, pixels[label.Id]))]);
     }
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => [_files.DataFile()];

@@ -9,7 +9,7 @@ internal sealed class YoloWriter(ExportOptions options) : IDatasetWriter
 {
     private readonly YoloFiles _files = new(options);
 
-    public void Write(ExportFrame frame, FrameOutput output) => YoloFiles.Write(frame, output, frame.Objects.Select(label => Line(label, frame.Label.Camera)));
+    public int Write(ExportFrame frame, FrameOutput output) => YoloFiles.Write(frame, output, [.. frame.Objects.Select(label => Line(label, frame.Label.Camera))]);
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => [_files.DataFile()];
 

@@ -1,0 +1,16 @@
+using System.Linq;
+using Harvester.Datasets.Exports;
+
+namespace Harvester.Cli;
+
+/// <summary>What a finished dataset has, in one line.</summary>
+internal static class ExportSummary
+{
+    public static string Of(string folder, ExportResult result)
+    {
+        string splits = string.Join(", ", result.FramesOfSplits.Select(split => $"{split.Key} {split.Value}"));
+        string objects = result.Format.HasObjects ? $", {result.Objects} of {Counted.Of(result.Labels, "label")} written" : "";
+        string leftOut = result.Format.LeavesOutFrames ? "; frames without known lanes are left out" : "";
+        return $"{folder}: {result.Format.Name}, {Counted.Of(result.Frames, "frame")} ({splits}){objects}{leftOut}";
+    }
+}

@@ -1,0 +1,60 @@
+using System.Text.Json;
+using Harvester.Datasets.Exports;
+
+namespace Harvester.Datasets.Tests.Exports;
+
+/// <summary>An export counts what it has written: as many objects as a reader of the format finds.</summary>
+[Collection(SimulatedSession.Collection)]
+public sealed class ExportCountTests(SimulatedSession simulated) : ExportTests
+{
+    [Theory]
+    [InlineData("kitti", "training/label_2/*.txt", "\n")]
+    [InlineData("kitti-tracking", "training/label_02/*.txt", "\n")]
+    [InlineData("coco", "annotations/*.json", "\"category_id\"")]
+    [InlineData("coco-panoptic", "annotations/*.json", "\"category_id\"")]
+    [InlineData("yolo", "labels/train/*.txt", "\n")]
+    [InlineData("yolo-segment", "labels/train/*.txt", "\n")]
+    [InlineData("voc", "Annotations/*.xml", "<bndbox>")]
+    [InlineData("webdataset", "*.tar", "\"truncatedFraction\"")]
+    public void Objects_are_those_that_the_files_have(string format, string files, string mark)
+    {
+        ExportResult result = Folder.Export(format, simulated.Open());
+
+        string[] paths = Directory.GetFiles(Folder.PathOf("out/" + Path.GetDirectoryName(files)), Path.GetFileName(files));
+        Assert.NotEmpty(paths);
+        Assert.Equal(paths.Sum(path => File.ReadAllText(path).Split(mark).Length - 1), result.Objects);
+    }
+
+    [Fact]
+    public void Objects_of_cityscapes_are_those_of_which_a_pixel_is_seen() =>
+        Assert.Equal(Folder.Export("yolo-segment", simulated.Open()).Objects, Folder.Export("cityscapes", simulated.Open(), to: "city").Objects);
+
+    [Fact]
+    public void Filters_leave_labels_out_and_export_json_counts_both()
+    {
+        ExportResult all = Folder.Export("csv", simulated.Open(), to: "all");
+        ExportResult some = Folder.Export("csv", simulated.Open(), new ExportOptions { MinVisibleFraction = 0.9 });
+
+        Assert.Equal((all.Labels, all.Labels), (all.Objects, some.Labels));
+        Assert.InRange(some.Objects, 1, all.Objects - 1);
+
+        // The first line is the header.
+        Assert.Equal(some.Objects, Folder.Lines("out/objects.csv").Length - 1);
+        using JsonDocument manifest = JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/export.json")));
+        Assert.Equal(
+            (some.Labels, some.Objects), (manifest.RootElement.GetProperty("labels").GetInt32(), manifest.RootElement.GetProperty("objects").GetInt32()));
+    }
+
+    [Fact]
+    public void Frames_are_counted_by_split()
+    {
+        var options = new ExportOptions { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 5, 1) };
+
+        ExportResult result = Folder.Export("yolo", simulated.Open(), options);
+
+        foreach (string split in (string[])["train", "val"])
+        {
+            Assert.Equal(Directory.GetFiles(Folder.PathOf("out/images/" + split)).Length, result.FramesOfSplits[split]);
+        }
+    }
+}
