@@ -39,12 +39,14 @@ internal sealed class BridgeOptions
     /// <param name="parsed">The command line.</param>
     /// <param name="driving">Size of the pictures.</param>
     /// <param name="place">Where a peer finds it.</param>
+    /// <exception cref="Datasets.OccupiedFolderException">The folder holds something else.</exception>
     /// <exception cref="UsageException">The address is none or needs a token.</exception>
     /// <exception cref="IOException">The folder cannot be made, or the address or port cannot be had.</exception>
     public IDrivingBridge Open(ParseResult parsed, DrivingOptions driving, out string place)
     {
         if (parsed.GetValue(_folder) is { } folder)
         {
+            BridgeFolder.Check(folder);
             place = Path.GetFullPath(folder);
             return new FolderBridge(place, driving.Picture);
         }

@@ -26,6 +26,7 @@ internal static class DriveBridgeOptions
 
     /// <summary>What they ask for.</summary>
     /// <exception cref="UsageException">They do not fit each other.</exception>
+    /// <exception cref="Datasets.OccupiedFolderException">The folder to share holds something else.</exception>
     public static BridgePlan Parse(ParseResult parsed, string? outFolder)
     {
         BridgeName kind = parsed.GetRequiredValue(Bridge) switch
@@ -57,6 +58,11 @@ internal static class DriveBridgeOptions
         if (kind == BridgeName.Folder && folder is null)
         {
             throw new UsageException("--bridge folder needs --folder.");
+        }
+
+        if (kind == BridgeName.Folder && role != DriveRole.Peer)
+        {
+            BridgeFolder.Check(folder!);
         }
 
         return new BridgePlan(

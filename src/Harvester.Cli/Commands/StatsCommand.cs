@@ -15,7 +15,9 @@ internal static class StatsCommand
 {
     private const string Notes =
         "The figures are of all sessions together: counts by class, distances, heights, widths and areas of boxes in the image,\n"
-        + "truncation, occlusion, weather, hours, and between what values the lane indicators were. Medians are to 1/4096 of their value.\n\n"
+        + "truncation (the share of an object outside the image), occlusion (the share of its silhouette in the image that is hidden), weather,\n"
+        + "hours, and between what values the lane indicators were. An object has a label in each frame that shows it. Medians are to 1/4096 of\n"
+        + "their value.\n\n"
         + "Example:\n"
         + "  harvester stats day night";
 
@@ -41,10 +43,10 @@ internal static class StatsCommand
     {
         PublishedDataset kitti = PublishedDataset.Kitti;
         yield return Text($"{Counted.Of(statistics.Frames, "frame")}, {Counted.Of(statistics.Labels, "label")}, {statistics.LabelsPerFrame:0.0} a frame");
-        yield return Text($"for comparison, {kitti.Name}: {kitti.TrainingImages} images for training, {kitti.TestImages} for testing, {kitti.Labels} labelled objects, {kitti.LabelsPerImage:0.0} an image");
+        yield return Text($"for comparison, {kitti.Name}: {kitti.TrainingImages} images for training, {kitti.TestImages} for testing, {kitti.Labels} labelled objects, {kitti.LabelsPerImage:0.0} an image; it has neither signs nor lights, without which there are {Counted.Of(statistics.LabelsAsKitti, "label")} here, {statistics.LabelsAsKittiPerFrame:0.0} a frame");
         foreach ((ObjectClass kind, ClassStatistics figures) in statistics.Classes)
         {
-            yield return Text($"class {JsonName.Of(kind)}: {Counted.Of(figures.Labels, "label")}, {Counted.Of(figures.Objects, "object")}, nearest {figures.NearestMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m");
+            yield return Text($"class {JsonName.Of(kind)}: {Counted.Of(figures.Labels, "label")}, {Counted.Of(figures.Objects, "object")}{PartsOf(figures)}, nearest {figures.NearestMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m");
         }
 
         yield return Bins("distance, m", statistics.Distances);
@@ -60,6 +62,8 @@ internal static class StatsCommand
             yield return Text($"indicator {name}: {Counted.Of(span.Count, "frame")}, {span.Least:0.00} to {span.Greatest:0.00}");
         }
     }
+
+    private static string PartsOf(ClassStatistics figures) => figures.Parts == 0 ? "" : Text($" ({figures.Parts} of them faces or heads)");
 
     /// <summary>The bins that hold something, by where they begin; the last one takes whatever lies above.</summary>
     private static string Bins(string name, Histogram histogram) => $"{name}: " + string.Join(

@@ -14,8 +14,8 @@ internal static class ValidateCommand
 {
     private const string Notes =
         "Checked are: every line can be read; images and masks are there, whole, and of the size in their label; masks show the objects of their\n"
-        + "label in the boxes it says; scenes are there and can be read where the session keeps them; boxes lie in the image and\n"
-        + "within their amodal boxes; fractions are 0 to 1 and follow from each other; distances agree with cuboids and focal lengths with fields\n"
+        + "label in the boxes it says; scenes are there and can be read where the session keeps them, their roads and faces too; boxes lie in the\n"
+        + "image and within their amodal boxes; fractions are 0 to 1 and follow from each other; distances agree with cuboids and focal lengths with fields\n"
         + "of view; lane indicators are in their ranges; an id means one object; frame numbers and times rise.\n"
         + "Of an exported dataset: every label of its format can be read, boxes lie in the image, ids are unique and known, images are there with\n"
         + "their sizes, splits share no frame, calibrations project boxes onto boxes, archives are whole; and there are as many frames as\n"

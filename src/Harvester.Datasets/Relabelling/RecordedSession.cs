@@ -8,9 +8,7 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.Imaging;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Labels;
-using Harvester.Capture.Roads;
 using Harvester.Capture.Scenes;
-using Harvester.Capture.Spaces;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Lanes;
@@ -78,31 +76,14 @@ internal sealed class RecordedSession
                 MinBoxSidePixels = options.Number("minBoxSidePixels"),
                 MaxOccludedFraction = options.Number("maxOccludedFraction"),
                 Classes = [.. classes.Select(ClassOf)],
-                Spaces = ReadSpaces(session),
+                Spaces = Named(session, FramePaths.Spaces, KeptFiles.ReadSpaces),
             }),
             header.Fields("settings"));
     }
 
     /// <summary>The roads that lie in the session, and null for one that has none.</summary>
     /// <exception cref="DatasetFormatException">The file is malformed.</exception>
-    public RoadNetwork? ReadRoads()
-    {
-        string path = Session.PathOf(FramePaths.Roads);
-        if (!File.Exists(path))
-        {
-            return null;
-        }
-
-        try
-        {
-            using StreamReader text = File.OpenText(path);
-            return RoadCsvReader.Read(text);
-        }
-        catch (FormatException e)
-        {
-            throw new DatasetFormatException($"{path}: {e.Message}", e);
-        }
-    }
+    public RoadNetwork? ReadRoads() => Named(Session, FramePaths.Roads, KeptFiles.ReadRoads);
 
     /// <summary>The frames with their scenes, in order.</summary>
     /// <exception cref="DatasetFormatException">A label or a scene is malformed.</exception>
@@ -124,15 +105,8 @@ internal sealed class RecordedSession
 
     private RecordedScene ReadScene(FrameLabel label)
     {
-        string path = Session.PathOf(FramePaths.Scene(label.Frame));
-        try
-        {
-            return SceneParser.Read(path, label);
-        }
-        catch (DatasetFormatException e)
-        {
-            throw new DatasetFormatException($"{path}: {e.Message}", e);
-        }
+        string name = FramePaths.Scene(label.Frame);
+        return Named(Session, name, session => SceneParser.Read(session.PathOf(name), label));
     }
 
     private static double Width(JsonFields settings, string name, double usual)
@@ -147,16 +121,16 @@ internal sealed class RecordedSession
         ? kind
         : throw new DatasetFormatException($"{SessionInfo.FileName}: '{name}' is no class.");
 
-    private static SpaceTable? ReadSpaces(SessionReader session)
+    /// <summary>What a file of the session holds; where it is malformed, the message names the file.</summary>
+    private static T Named<T>(SessionReader session, string name, Func<SessionReader, T> read)
     {
-        string path = session.PathOf(FramePaths.Spaces);
-        if (!File.Exists(path))
+        try
         {
-            return null;
+            return read(session);
         }
-
-        using StreamReader text = File.OpenText(path);
-        SpaceTableContent content = SpaceTableReader.Read(text);
-        return content.Problems.Count == 0 ? content.Table : throw new DatasetFormatException($"{path}: {content.Problems[0]}");
+        catch (DatasetFormatException e)
+        {
+            throw new DatasetFormatException($"{session.PathOf(name)}: {e.Message}", e);
+        }
     }
 }

@@ -61,6 +61,7 @@ internal static class ReportFigures
             json.WriteString("colour", $"#{ClassColours.Of(kind):x6}");
             json.WriteNumber("labels", figures.Labels);
             json.WriteNumber("objects", figures.Objects);
+            json.WriteNumber("parts", figures.Parts);
             json.Number("nearest", figures.NearestMetres, Decimals);
             json.Number("medianDistance", figures.MedianDistanceMetres, Decimals);
             json.Number("meanOcclusion", figures.MeanOccludedFraction, Decimals);
@@ -78,8 +79,8 @@ internal static class ReportFigures
         WriteRow("Images", statistics.Frames, published.Images, 0);
         WriteRow("for training", null, published.TrainingImages, 0);
         WriteRow("for testing", null, published.TestImages, 0);
-        WriteRow("Labels", statistics.Labels, published.Labels, 0);
-        WriteRow("Labels an image", statistics.LabelsPerFrame, published.LabelsPerImage, 1);
+        WriteRow("Labels without signs and lights", statistics.LabelsAsKitti, published.Labels, 0);
+        WriteRow("The same an image", statistics.LabelsAsKittiPerFrame, published.LabelsPerImage, 1);
         json.WriteEndArray();
         json.WriteEndObject();
 

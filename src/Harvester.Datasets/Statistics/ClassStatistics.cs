@@ -7,6 +7,7 @@ namespace Harvester.Datasets.Statistics;
 public sealed class ClassStatistics
 {
     private readonly HashSet<(int Session, int Id)> _ids = [];
+    private readonly HashSet<(int Session, int Id)> _parts = [];
     private readonly QuantileSketch _distances = new();
     private double _occlusionSum;
     private int _occlusionCount;
@@ -16,6 +17,9 @@ public sealed class ClassStatistics
 
     /// <summary>Different objects.</summary>
     public int Objects => _ids.Count;
+
+    /// <summary>How many of them are parts of others: faces of signs, heads of lights.</summary>
+    public int Parts => _parts.Count;
 
     /// <summary>Distance of the nearest, metres.</summary>
     public double NearestMetres => _distances.Least;
@@ -29,6 +33,11 @@ public sealed class ClassStatistics
     internal void Add(ObjectLabel label, int session)
     {
         _ids.Add((session, label.Id));
+        if (label.Parent is not null)
+        {
+            _parts.Add((session, label.Id));
+        }
+
         _distances.Add(label.DistanceMetres);
         if (label.OccludedFraction is { } occluded)
         {

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Labels;
 using Harvester.Capture.Scenes;
+using Harvester.Datasets.Exports.Kitti;
 using Harvester.Geometry.Lanes;
 
 namespace Harvester.Datasets.Statistics;
@@ -50,6 +51,12 @@ public sealed class SessionStatistics
 
     /// <summary>Labels a frame; 0 without frames.</summary>
     public double LabelsPerFrame => Frames == 0 ? 0 : (double)Labels / Frames;
+
+    /// <summary>Labels of what KITTI labels too: vehicles, people and other things that move, not signs and lights with their faces and heads.</summary>
+    public int LabelsAsKitti => _classes.Where(kind => KittiClasses.TypeOf(kind.Key) is not null).Sum(kind => kind.Value.Labels);
+
+    /// <summary>The same a frame; 0 without frames.</summary>
+    public double LabelsAsKittiPerFrame => Frames == 0 ? 0 : (double)LabelsAsKitti / Frames;
 
     /// <summary>Figures by class, in the order of the classes; only those that occur.</summary>
     public IReadOnlyDictionary<ObjectClass, ClassStatistics> Classes => _classes;

@@ -45,6 +45,7 @@ public static class SessionValidator
             problems.AddRange(found.Select(message => new SessionProblem(SessionReader.LabelsFile, line.Number, message)));
         }
 
+        problems.AddRange(KeptFilesCheck.Problems(session));
         if (info?.CapturedFrames is { } captured && captured != frames)
         {
             problems.Add(new SessionProblem(

@@ -24,6 +24,37 @@ public sealed class ServeCommandTests
     }
 
     [Theory]
+    [InlineData("session.json", "state.txt")]
+    [InlineData("export.json")]
+    [InlineData("drive.json")]
+    [InlineData("holiday.png")]
+    public void Shared_folder_that_holds_something_else_is_refused_and_stays_as_it_is(params string[] files)
+    {
+        using var folder = new TemporaryFolder();
+        foreach (string file in files)
+        {
+            folder.File(file, "mine");
+        }
+
+        CliRun serve = CliRun.Of("serve", "--folder", folder.Path, "--duration", "0.1");
+        CliRun drive = CliRun.Of("drive", "--out", folder.PathOf("out"), "--bridge", "folder", "--folder", folder.Path, "--distance", "1");
+
+        serve.AssertFailed(ExitCode.Usage, $"'{folder.Path}' holds something else than a bridge, '{files[0]}' for one. Name another folder with --folder.");
+        drive.AssertFailed(ExitCode.Usage, "holds something else than a bridge");
+        Assert.Equal(files, Directory.EnumerateFileSystemEntries(folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+    }
+
+    [Fact]
+    public void Shared_folder_in_which_a_peer_waits_already_is_taken()
+    {
+        using var folder = new TemporaryFolder();
+        folder.File("controls.txt.tmp", "");
+        folder.File("notes.txt", "mine");
+
+        Assert.Equal(ExitCode.Done, CliRun.Of("serve", "--folder", folder.Path, "--duration", "0.1", "--traffic", "0", "--size", "80x60").ExitCode);
+    }
+
+    [Theory]
     [InlineData("--address", "0.0.0.0", "token")]
     [InlineData("--address", "here", "'here'")]
     [InlineData("--controller", "rails", "'rails'")]

@@ -33,7 +33,7 @@ public sealed partial class ReportWriterTests : IDisposable
 
         // Three frames with two labels each; 80,256 labels in 7,481 + 7,518 = 14,999 images are 5.35 each.
         Assert.Equal(
-            ["Images|3|14,999", "for training||7,481", "for testing||7,518", "Labels|6|80,256", "Labels an image|2.0|5.4"],
+            ["Images|3|14,999", "for training||7,481", "for testing||7,518", "Labels without signs and lights|6|80,256", "The same an image|2.0|5.4"],
             data.GetProperty("comparison").GetProperty("rows").EnumerateArray().Select(row => string.Join('|', row.EnumerateArray())));
         Assert.Equal(
             ["Labels by distance", "Labels by height of the box", "Labels by width of the box", "Labels by area of the box", "Labels by share outside the image", "Labels by share occluded"],

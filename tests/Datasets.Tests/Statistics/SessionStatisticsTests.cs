@@ -1,3 +1,4 @@
+using System.Text.Json.Nodes;
 using Harvester.Capture.Scenes;
 using Harvester.Datasets.Statistics;
 
@@ -25,6 +26,23 @@ public sealed class SessionStatisticsTests : IDisposable
         Assert.Equal(0.5, cars.MeanOccludedFraction);
         Assert.Null(statistics.Classes[ObjectClass.Pedestrian].MeanOccludedFraction);
         Assert.Equal(["clear"], statistics.Weathers);
+    }
+
+    [Fact]
+    public void Of_a_session_compares_what_KITTI_labels_too_and_tells_parts_apart()
+    {
+        // In the last frame the car is the head of a light.
+        _session.Car(2)["class"] = "trafficLight";
+        _session.Car(2)["id"] = 9;
+        _session.Car(2)["parent"] = 2;
+        _session.Car(2)["space"] = JsonNode.Parse("""{ "face": 0, "mutcd": null, "facingAngleDegrees": 10, "provenance": "measured" }""");
+
+        SessionStatistics statistics = SessionStatistics.Of(_session.Open().ReadLabels());
+
+        Assert.Equal((6, 5), (statistics.Labels, statistics.LabelsAsKitti));
+        Assert.Equal(5.0 / 3, statistics.LabelsAsKittiPerFrame, 12);
+        Assert.Equal((1, 1), (statistics.Classes[ObjectClass.TrafficLight].Objects, statistics.Classes[ObjectClass.TrafficLight].Parts));
+        Assert.Equal(0, statistics.Classes[ObjectClass.Car].Parts);
     }
 
     [Fact]

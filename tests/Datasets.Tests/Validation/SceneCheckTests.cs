@@ -52,6 +52,26 @@ public sealed class SceneCheckTests : IDisposable
         Assert.Equal(SimulatedSession.Frames, Problems().Length);
     }
 
+    [Theory]
+    [InlineData(FramePaths.Roads, "node,1,0,0\n", "line 1")]
+    [InlineData(FramePaths.Roads, "\u0089PNG", "line 1")]
+    [InlineData(FramePaths.Spaces, "# faces\nprop_sign_road_01a,0\n", "line 2, row")]
+    public void Validate_finds_roads_and_faces_that_cannot_be_read(string name, string content, string place)
+    {
+        File.WriteAllText(Path.Combine(_folder, name), content);
+
+        Assert.StartsWith($"{name}: {place}", Assert.Single(Problems()), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Validate_reads_roads_and_faces_only_where_they_are()
+    {
+        File.Delete(Path.Combine(_folder, FramePaths.Roads));
+        File.Delete(Path.Combine(_folder, FramePaths.Spaces));
+
+        Assert.Empty(Problems());
+    }
+
     private string[] Problems() =>
         [.. SessionValidator.Validate(new SessionReader(_folder)).Problems.Select(problem => problem.ToString())];
 }

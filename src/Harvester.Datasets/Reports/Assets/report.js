@@ -137,10 +137,11 @@ function counts() {
   const rows = Object.entries(data.classes).map(([name, entry]) => {
     const mark = element("i");
     mark.style.background = entry.colour;
-    return [[mark, words(name)], entry.labels, entry.objects, `${fixed(entry.nearest)} m`, `${fixed(entry.medianDistance)} m`, percent(entry.meanOcclusion)];
+    return [[mark, words(name)], entry.labels, entry.objects, entry.parts, `${fixed(entry.nearest)} m`, `${fixed(entry.medianDistance)} m`, percent(entry.meanOcclusion)];
   });
   const sum = key => Object.values(data.classes).reduce((total, entry) => total + entry[key], 0);
-  table("counts", ["Class", "Labels", "Objects", "Nearest", "Median", "Occluded"], rows, ["all", sum("labels"), sum("objects"), "", "", ""]);
+  table("counts", ["Class", "Labels", "Objects", "Parts", "Nearest", "Median", "Occlusion"], rows,
+    ["all", sum("labels"), sum("objects"), sum("parts"), "", "", ""]);
 }
 
 function indicators() {

@@ -1,0 +1,33 @@
+using System;
+using System.IO;
+using System.Linq;
+using Harvester.Datasets;
+using Harvester.Datasets.Exports.Validation;
+using Harvester.Datasets.Sharding;
+using Harvester.Driving.Evaluation;
+
+namespace Harvester.Cli.Driving;
+
+/// <summary>The folder over which a game is driven. The bridge writes to it and deletes in it, so that a folder of something else is refused.</summary>
+internal static class BridgeFolder
+{
+    // What the game and its peer write, under these names or temporary ones made of them; docs/bridge.md.
+    private static readonly string[] Signs = ["frame_", "state.txt", "indicators.txt", "controls.txt", "command.json", "alive.txt"];
+
+    /// <summary>Checks that a bridge may be opened in a folder, and changes nothing.</summary>
+    /// <exception cref="OccupiedFolderException">The folder holds something else.</exception>
+    public static void Check(string folder)
+    {
+        if (!Directory.Exists(folder))
+        {
+            return;
+        }
+
+        string[] found = [.. Directory.EnumerateFileSystemEntries(folder).Select(entry => Path.GetFileName(entry)).Where(name => !name.StartsWith('.')).Order(StringComparer.Ordinal)];
+        bool isOther = SessionMerger.IsSession(folder) || DatasetValidator.IsDataset(folder) || found.Contains(DriveRecord.FileName);
+        if (found.Length > 0 && (isOther || !found.Any(name => Signs.Any(sign => name.Contains(sign, StringComparison.Ordinal)))))
+        {
+            throw new OccupiedFolderException($"'{folder}' holds something else than a bridge, '{found[0]}' for one. Name another folder with --folder.");
+        }
+    }
+}

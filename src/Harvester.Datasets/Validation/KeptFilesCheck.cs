@@ -1,0 +1,36 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Capture.Harvesting;
+using Harvester.Datasets.Relabelling;
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Datasets.Validation;
+
+/// <summary>The roads and the table of faces and heads that lie beside a session's scenes can be read, where they are there.</summary>
+internal static class KeptFilesCheck
+{
+    public static IEnumerable<SessionProblem> Problems(SessionReader session)
+    {
+        (string Name, Func<SessionReader, object?> Read)[] files = [(FramePaths.Roads, KeptFiles.ReadRoads), (FramePaths.Spaces, KeptFiles.ReadSpaces)];
+        foreach ((string name, Func<SessionReader, object?> read) in files)
+        {
+            if (Damage(session, read) is { } damage)
+            {
+                yield return new SessionProblem(name, null, damage);
+            }
+        }
+    }
+
+    private static string? Damage(SessionReader session, Func<SessionReader, object?> read)
+    {
+        try
+        {
+            read(session);
+            return null;
+        }
+        catch (DatasetFormatException e)
+        {
+            return e.Message;
+        }
+    }
+}
