@@ -91,6 +91,19 @@ public sealed class HarvesterScript : Script
         }
 
         _keys = new KeyBindings<Keys>(_folder, _features);
+        BindKeys(car, mount, overlay, survey, marking, unknown);
+        Tick += OnTick;
+        KeyDown += OnKeyDown;
+        KeyUp += OnKeyUp;
+        Aborted += OnAborted;
+    }
+
+    /// <summary>Whether work goes on on another thread.</summary>
+    internal bool IsBusy => _features.IsBusy;
+
+    private void BindKeys(
+        TestCar car, CameraMount mount, Overlay overlay, RoadSurveying survey, SpaceMarking marking, UnknownModelsList unknown)
+    {
         _keys.Add("SpawnTestCar", Keys.NumPad0, car, car.Spawn);
         _keys.Add("MountCamera", Keys.I, mount, mount.Mount);
         _keys.Add("RestoreCamera", Keys.O, mount, mount.Stop);
@@ -106,14 +119,7 @@ public sealed class HarvesterScript : Script
         _keys.Add("KeepFace", Keys.Y, marking, marking.Keep);
         _keys.Add("UnknownModels", Keys.F11, unknown, unknown.Look);
         _keys.AddGoingDown("Bridge", "TakeBackKeys", [Keys.W, Keys.A, Keys.S, Keys.D, Keys.Space], _drive, _drive.TakeBack);
-        Tick += OnTick;
-        KeyDown += OnKeyDown;
-        KeyUp += OnKeyUp;
-        Aborted += OnAborted;
     }
-
-    /// <summary>Whether work goes on on another thread.</summary>
-    internal bool IsBusy => _features.IsBusy;
 
     private void OnTick(object? sender, EventArgs e)
     {

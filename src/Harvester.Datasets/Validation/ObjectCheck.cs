@@ -12,11 +12,8 @@ internal static class ObjectCheck
     /// <summary>Numbers in files are rounded; a hundredth of a pixel is more than that.</summary>
     private const double RoundingPixels = 0.01;
 
-    /// <summary>
-    /// The box of visible pixels runs along pixel borders, so it may stand over the exact box by less than a pixel, and an outline drawn
-    /// between rays may be off by another.
-    /// </summary>
-    private const double DrawnBorder = 2;
+    /// <summary>The box of visible pixels runs along pixel borders, so it may stand over the exact box by less than a pixel.</summary>
+    private const double PixelBorder = 1;
 
     /// <summary>Distances are rounded in files, to centimetres at worst.</summary>
     private const double RoundingMetres = 0.01;
@@ -51,7 +48,7 @@ internal static class ObjectCheck
         }
 
         // A mask of another tool, which has no pixelMap, may show an object beyond its cuboid.
-        if (frame.PixelMap is not null && item.Box2DVisible is { } visible && !item.Box2D.Contains(visible, DrawnBorder))
+        if (frame.PixelMap is not null && item.Box2DVisible is { } visible && !item.Box2D.Contains(visible, PixelBorder))
         {
             yield return Of(item, $"box2dVisible {Text(visible)} does not lie within box2d {Text(item.Box2D)}.");
         }

@@ -131,6 +131,7 @@ public sealed class AdaptivePixelMapper
     public AdaptivePixelMap Finish()
     {
         InstanceMap map = Paint();
+        BoxClip.TakeBack(map, _samples, _targets);
         List<MapTarget> drawn = [.. _beyondReach, .. _unmet?.Unmet ?? []];
         new SilhouetteFallback(_camera, _samples).Draw(map, drawn, _targets);
         var methods = new Dictionary<ushort, PixelMapMethod>();

@@ -28,10 +28,10 @@ public sealed class ObjectCheckTests : IDisposable
     [Fact]
     public void Validate_finds_visible_pixels_outside_the_box()
     {
-        _session.Car(0)["box2dVisible"] = JsonNode.Parse("[34, 27, 43, 33]");
-        _session.PaintMask(0, 1, 34, 27, 43, 33);
+        _session.Car(0)["box2dVisible"] = JsonNode.Parse("[35, 27, 43, 33]");
+        _session.PaintMask(0, 1, 35, 27, 43, 33);
 
-        _session.AssertProblem(1, "box2dVisible [34, 27, 43, 33] does not lie within box2d");
+        _session.AssertProblem(1, "box2dVisible [35, 27, 43, 33] does not lie within box2d");
     }
 
     [Fact]
@@ -39,8 +39,8 @@ public sealed class ObjectCheckTests : IDisposable
     {
         _session.Lines[0]["pixelMap"] = null;
         _session.Car(0)["occlusionMethod"] = "imported";
-        _session.Car(0)["box2dVisible"] = JsonNode.Parse("[34, 27, 43, 33]");
-        _session.PaintMask(0, 1, 34, 27, 43, 33);
+        _session.Car(0)["box2dVisible"] = JsonNode.Parse("[35, 27, 43, 33]");
+        _session.PaintMask(0, 1, 35, 27, 43, 33);
 
         Assert.Empty(SessionValidator.Validate(_session.Open()).Problems);
     }

@@ -55,6 +55,23 @@ public sealed class StoppedMapTests
         Assert.Equal(1, resolutionBefore);
     }
 
+    [Theory]
+    [InlineData(300)]
+    [InlineData(1000)]
+    [InlineData(3000)]
+    public void Run_of_few_rays_shows_no_object_beyond_the_box_of_its_cuboid(int budget)
+    {
+        TownScene scene = TownScene.Numbered(20, Size);
+        List<MapTarget> targets = scene.Targets();
+
+        // Some lie beyond the reach, which rays meet all the same.
+        AdaptivePixelMapper mapper = MapRun.Of(scene, targets, new PixelMapOptions { RayBudget = budget, RayReachMetres = 40 });
+        mapper.Run();
+        InstanceMap map = mapper.Finish().Map;
+
+        Assert.All(targets, target => Assert.True(map.BoundsOf(target.Number) is not { } seen || (target.Projection.Box is { } box && box.Contains(seen, 1))));
+    }
+
     [Fact]
     public void Run_without_rays_is_the_painters_map()
     {

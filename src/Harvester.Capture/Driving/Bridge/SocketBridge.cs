@@ -16,11 +16,8 @@ namespace Harvester.Capture.Driving.Bridge;
 /// </summary>
 public sealed class SocketBridge : IDrivingBridge
 {
-    private readonly SocketBridgeOptions _options;
     private readonly TcpListener _listener;
-    private readonly FrameOutbox _outbox;
-    private readonly PeerInbox<SocketPeer> _inbox = new();
-    private readonly WaitingRoom<SocketPeer> _strangers;
+    private readonly SocketReception _reception;
     private readonly Thread _acceptor;
     private readonly Thread _sender;
     private volatile bool _stopping;
@@ -33,14 +30,18 @@ public sealed class SocketBridge : IDrivingBridge
     /// <exception cref="SocketException">The address or port cannot be had.</exception>
     public SocketBridge(SocketBridgeOptions options, ImageSize picture)
     {
-        _options = options ?? throw new ArgumentNullException(nameof(options));
+        if (options is null)
+        {
+            throw new ArgumentNullException(nameof(options));
+        }
+
         if (!IPAddress.IsLoopback(options.Address) && string.IsNullOrEmpty(options.Token))
         {
             throw new ArgumentException($"Listening at {options.Address}, which others can reach, needs a token.", nameof(options));
         }
 
-        _strangers = new WaitingRoom<SocketPeer>(options.MostStrangers);
-        _outbox = new FrameOutbox(picture);
+        _reception = new SocketReception(
+            options, new PeerInbox<SocketPeer>(), new WaitingRoom<SocketPeer>(options.MostStrangers), new FrameOutbox(picture), problem => _problem = problem);
         _listener = new TcpListener(options.Address, options.Port);
         _listener.Start();
         _acceptor = Start(Accept, "Harvester socket bridge: accept");
@@ -54,22 +55,22 @@ public sealed class SocketBridge : IDrivingBridge
     public string? Problem => _problem;
 
     /// <summary>How many connections have yet to show the token.</summary>
-    internal int Strangers => _strangers.Count;
+    internal int Strangers => _reception.Strangers.Count;
 
     /// <inheritdoc/>
-    public void Publish(BridgeState state, PixelBuffer picture) => _outbox.Put(state, picture);
+    public void Publish(BridgeState state, PixelBuffer picture) => _reception.Outbox.Put(state, picture);
 
     /// <inheritdoc/>
-    public bool TryReceive([NotNullWhen(true)] out PeerMessage? message) => _inbox.TryTake(out message);
+    public bool TryReceive([NotNullWhen(true)] out PeerMessage? message) => _reception.Inbox.TryTake(out message);
 
     /// <summary>Ends all connections, the listening and the threads.</summary>
     public void Dispose()
     {
         _stopping = true;
         _listener.Stop();
-        _outbox.Close();
-        _inbox.Close()?.Dispose();
-        foreach (SocketPeer stranger in _strangers.Close())
+        _reception.Outbox.Close();
+        _reception.Inbox.Close()?.Dispose();
+        foreach (SocketPeer stranger in _reception.Strangers.Close())
         {
             stranger.Dispose();
         }
@@ -91,7 +92,7 @@ public sealed class SocketBridge : IDrivingBridge
         {
             try
             {
-                SocketPeer.Serve(_listener.AcceptTcpClient(), _options, _inbox, _strangers, _outbox, problem => _problem = problem);
+                SocketPeer.Serve(_listener.AcceptTcpClient(), _reception);
             }
 #pragma warning disable CA1031 // An exception that leaves a thread ends the game, whatever its type.
             catch (Exception e) when (e is not ThreadAbortException)
@@ -114,7 +115,7 @@ public sealed class SocketBridge : IDrivingBridge
         {
             // A frame that nobody is there for is taken too, and dropped.
             SocketPeer? peer = null;
-            if (_outbox.TryTake(TimeSpan.FromSeconds(1), MayGo, out BridgeState? state, out PixelBuffer picture) && peer is not null)
+            if (_reception.Outbox.TryTake(TimeSpan.FromSeconds(1), MayGo, out BridgeState? state, out PixelBuffer picture) && peer is not null)
             {
                 png.SetLength(0);
                 encoder.Write(picture, png);
@@ -123,7 +124,7 @@ public sealed class SocketBridge : IDrivingBridge
 
             bool MayGo(BridgeState waiting)
             {
-                peer = _inbox.Peer;
+                peer = _reception.Inbox.Peer;
                 return peer is null || peer.MayGet(waiting);
             }
         }

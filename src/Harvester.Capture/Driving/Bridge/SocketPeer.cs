@@ -12,51 +12,31 @@ internal sealed class SocketPeer : IDisposable
 
     private readonly TcpClient _client;
     private readonly NetworkStream _stream;
-    private readonly SocketBridgeOptions _options;
-    private readonly PeerInbox<SocketPeer> _inbox;
-    private readonly WaitingRoom<SocketPeer> _strangers;
-    private readonly FrameOutbox _outbox;
-    private readonly Action<string> _report;
+    private readonly SocketReception _reception;
     private readonly FrameCredit _credit = new();
     private readonly object _sending = new();
     private bool _isStranger;
     private volatile bool _isClosed;
 
-    private SocketPeer(
-        TcpClient client,
-        SocketBridgeOptions options,
-        PeerInbox<SocketPeer> inbox,
-        WaitingRoom<SocketPeer> strangers,
-        FrameOutbox outbox,
-        Action<string> report)
+    private SocketPeer(TcpClient client, SocketReception reception)
     {
         _client = client;
         _client.NoDelay = true;
-        _client.SendTimeout = (int)options.SendPatience.TotalMilliseconds;
+        _client.SendTimeout = (int)reception.Options.SendPatience.TotalMilliseconds;
         _client.SendBufferSize = SendBufferBytes;
         KeepAlive.Ask(client.Client);
         _stream = client.GetStream();
-        _options = options;
-        _inbox = inbox;
-        _strangers = strangers;
-        _outbox = outbox;
-        _report = report;
-        _isStranger = !string.IsNullOrEmpty(options.Token);
+        _reception = reception;
+        _isStranger = !string.IsNullOrEmpty(reception.Options.Token);
     }
 
     /// <summary>Serves a connection on a thread of its own until it ends. Of connections without a token the one served last counts.</summary>
-    public static void Serve(
-        TcpClient client,
-        SocketBridgeOptions options,
-        PeerInbox<SocketPeer> inbox,
-        WaitingRoom<SocketPeer> strangers,
-        FrameOutbox outbox,
-        Action<string> report)
+    public static void Serve(TcpClient client, SocketReception reception)
     {
-        SocketPeer peer = Of(client, options, inbox, strangers, outbox, report);
+        SocketPeer peer = Of(client, reception);
         if (peer._isStranger)
         {
-            strangers.Enter(peer)?.CutOff("a connection was cut off that had not shown the token when too many others came.");
+            reception.Strangers.Enter(peer)?.CutOff("a connection was cut off that had not shown the token when too many others came.");
         }
         else
         {
@@ -94,17 +74,11 @@ internal sealed class SocketPeer : IDisposable
     }
 
     /// <summary>A connection may have ended before anything of it can be asked for.</summary>
-    private static SocketPeer Of(
-        TcpClient client,
-        SocketBridgeOptions options,
-        PeerInbox<SocketPeer> inbox,
-        WaitingRoom<SocketPeer> strangers,
-        FrameOutbox outbox,
-        Action<string> report)
+    private static SocketPeer Of(TcpClient client, SocketReception reception)
     {
         try
         {
-            return new SocketPeer(client, options, inbox, strangers, outbox, report);
+            return new SocketPeer(client, reception);
         }
         catch
         {
@@ -116,7 +90,7 @@ internal sealed class SocketPeer : IDisposable
     private void Receive()
     {
         // A limit of a single read would not do: a peer that trickles its bytes never keeps one waiting.
-        using Timer? deadline = _isStranger ? new Timer(_ => EndWait(), null, _options.TokenPatience, Timeout.InfiniteTimeSpan) : null;
+        using Timer? deadline = _isStranger ? new Timer(_ => EndWait(), null, _reception.Options.TokenPatience, Timeout.InfiniteTimeSpan) : null;
         try
         {
             while (SocketFraming.ReadHeader(_stream) is { } header)
@@ -138,8 +112,8 @@ internal sealed class SocketPeer : IDisposable
             CutOff($"the peer went away: {e.Message}");
         }
 
-        _strangers.TryLeave(this);
-        _inbox.Leave(this);
+        _reception.Strangers.TryLeave(this);
+        _reception.Inbox.Leave(this);
     }
 
     private void Take(string header)
@@ -157,10 +131,10 @@ internal sealed class SocketPeer : IDisposable
     private void Hear(PeerMessage word)
     {
         _credit.Hear(word);
-        _outbox.Wake();
-        if (!_inbox.TryPut(this, word))
+        _reception.Outbox.Wake();
+        if (!_reception.Inbox.TryPut(this, word))
         {
-            _report("the peer sends commands faster than the game takes them; the newest are dropped.");
+            _reception.Report("the peer sends commands faster than the game takes them; the newest are dropped.");
         }
     }
 
@@ -168,20 +142,20 @@ internal sealed class SocketPeer : IDisposable
     private void BeWelcome()
     {
         SocketPeer? earlier = null;
-        _outbox.Clear(() => earlier = _inbox.Welcome(this));
+        _reception.Outbox.Clear(() => earlier = _reception.Inbox.Welcome(this));
         earlier?.Dispose();
     }
 
     private void ShowToken(string header)
     {
         JsonFields hello = JsonFields.Parse(header);
-        if (hello.Text("type") != "hello" || !SameToken(hello.Text("token"), _options.Token!))
+        if (hello.Text("type") != "hello" || !SameToken(hello.Text("token"), _reception.Options.Token!))
         {
             throw new BridgeException("the first message must be a hello with the right token.");
         }
 
         _isStranger = false;
-        if (_strangers.TryLeave(this))
+        if (_reception.Strangers.TryLeave(this))
         {
             BeWelcome();
         }
@@ -189,7 +163,7 @@ internal sealed class SocketPeer : IDisposable
 
     private void EndWait()
     {
-        if (_strangers.TryLeave(this))
+        if (_reception.Strangers.TryLeave(this))
         {
             Send(BridgeText.Error("the first message must be a hello with the right token, and come in time."), default);
             CutOff("a connection was cut off that did not show the token in time.");
@@ -212,7 +186,7 @@ internal sealed class SocketPeer : IDisposable
     {
         if (!_isClosed)
         {
-            _report(problem);
+            _reception.Report(problem);
         }
 
         Dispose();

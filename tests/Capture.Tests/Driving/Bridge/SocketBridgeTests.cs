@@ -182,7 +182,8 @@ public sealed class SocketBridgeTests
         using var nobody = new System.Net.Sockets.TcpClient();
 
         Assert.ThrowsAny<Exception>(() => SocketPeer.Serve(
-            nobody, AnyPort, new PeerInbox<SocketPeer>(), new WaitingRoom<SocketPeer>(1), new FrameOutbox(Frames.Size), static _ => { }));
+            nobody,
+            new SocketReception(AnyPort, new PeerInbox<SocketPeer>(), new WaitingRoom<SocketPeer>(1), new FrameOutbox(Frames.Size), static _ => { })));
         Assert.Null(nobody.Client);
     }
 
