@@ -4,12 +4,17 @@ using Harvester.Geometry.Lanes;
 
 namespace Harvester.Driving.Tests.Controllers;
 
-/// <summary>A kinematic bicycle on a straight road, driven by a controller ten times a second: enough to see whether a law of steering is stable.</summary>
+/// <summary>
+/// A kinematic bicycle on a road of two directions, driven by a controller ten times a second: enough to see whether a law of steering is
+/// stable. The road is straight, or has a bend; its line is the left edge of the leftmost lane.
+/// </summary>
 internal sealed class ClosedLoop(IController controller, LaneSection section, double steeringLockRadians)
 {
     private const double Wheelbase = 2.9;
     private const double Step = 0.01;
     private const int StepsPerControl = 10;
+
+    private double _headingRadians;
 
     /// <summary>Metres to the right of the left edge of the leftmost lane.</summary>
     public double Offset { get; set; } = section.LaneWidth / 2;
@@ -19,7 +24,14 @@ internal sealed class ClosedLoop(IController controller, LaneSection section, do
 
     public double Speed { get; set; } = 10;
 
+    /// <summary>Along the road's line.</summary>
     public double Along { get; private set; }
+
+    /// <summary>Where the road's line is an arc, metres along it, and how it bends there, 1/m, positive to the left.</summary>
+    public (double From, double To, double Curvature) Bend { get; init; }
+
+    /// <summary>How far ahead the angle is measured, metres along the road's line.</summary>
+    public double LookAhead { get; init; }
 
     /// <summary>Along the road, metres; moves at its own speed.</summary>
     public (int Lane, double Along, double Speed)? Lead { get; set; }
@@ -33,9 +45,14 @@ internal sealed class ClosedLoop(IController controller, LaneSection section, do
             for (int step = 0; step < StepsPerControl; step++)
             {
                 Speed = Math.Max(0, Speed + (((2 * command.Throttle) - (8 * command.Brake)) * Step));
-                Along += Speed * Math.Cos(Yaw) * Step;
+                // On the outside of a bend the car drives more than the line has: the same turn at a larger radius.
+                double curvature = Along >= Bend.From && Along < Bend.To ? Bend.Curvature : 0;
+                double along = Speed * Math.Cos(Yaw) / (1 + (curvature * Offset)) * Step;
+                Along += along;
                 Offset -= Speed * Math.Sin(Yaw) * Step;
-                Yaw += Speed / Wheelbase * Math.Tan(command.Steering * steeringLockRadians) * Step;
+                double turned = Speed / Wheelbase * Math.Tan(command.Steering * steeringLockRadians) * Step;
+                Yaw += turned - (curvature * along);
+                _headingRadians += turned;
                 Lead = Lead is { } lead ? lead with { Along = lead.Along + (lead.Speed * Step) } : null;
             }
 
@@ -46,7 +63,9 @@ internal sealed class ClosedLoop(IController controller, LaneSection section, do
     private DrivingState State()
     {
         VehicleAhead[] vehicles = Lead is { } lead ? [new(lead.Lane, lead.Along - Along)] : [];
-        LaneIndicators at = IndicatorCalculator.Compute(-Yaw, Offset, section, vehicles);
-        return new DrivingState(at, TorcsEquivalent.Of(at, section), IsFast: true, Speed);
+        LaneIndicators at = IndicatorCalculator.Compute(RoadHeading(Along + LookAhead) - RoadHeading(Along) - Yaw, Offset, section, vehicles);
+        return new DrivingState(at, TorcsEquivalent.Of(at, section), IsFast: Bend.Curvature == 0, Speed) { HeadingRadians = _headingRadians };
     }
+
+    private double RoadHeading(double along) => Bend.Curvature * (Math.Clamp(along, Bend.From, Bend.To) - Bend.From);
 }

@@ -5,9 +5,6 @@ namespace Harvester.Capture.Driving.Controllers;
 /// <summary>Which controller drives what car by what labels: the one place where controllers are made for cars of the game or the simulation.</summary>
 public sealed record ControllerPlan
 {
-    /// <summary>The published gains steer 4.35 m of angle for each 1/m that a road bends, 1.5 times the wheelbase of 2.9 m: so far ahead they want it.</summary>
-    private const double DeepDrivingLookAhead = 4.35;
-
     /// <summary>The game's and the simulation's vehicles are up to 8 m longer than the cars of TORCS: half of that from centre to centre, metres.</summary>
     private const double VehicleAllowance = 4;
 
@@ -40,9 +37,5 @@ public sealed record ControllerPlan
             Speed is { } speed ? options with { CruiseSpeed = speed, CautiousSpeed = Math.Min(speed, options.CautiousSpeed) } : options);
     }
 
-    private IController NewDeepDriving()
-    {
-        DeepDrivingController controller = new(Car.SteeringLockRadians, VehicleAllowance, Speed ?? DeepDrivingController.MostSpeed);
-        return LookAheadMetres > DeepDrivingLookAhead ? new NearAngle(controller, LookAheadMetres, DeepDrivingLookAhead, Car) : controller;
-    }
+    private DeepDrivingController NewDeepDriving() => new(Car, LookAheadMetres, VehicleAllowance, Speed ?? DeepDrivingController.MostSpeed);
 }

@@ -10,7 +10,8 @@ namespace Harvester.Capture.Driving.Controllers;
 /// it steers by steering = (angle - centre / 8) / 0.541 / damping toward the centre line of the lane it is in or moves to,
 /// changes lane when a vehicle is within 15 m and the lane beside was free for six seconds, and otherwise slows down behind it by the
 /// optimal-velocity model. The drift back to a preferred lane is left out: it differs with the number of lanes, which no indicator tells.
-/// It lives on <see cref="DrivingState.TorcsEquivalent"/>, ten times a second.
+/// It lives on <see cref="DrivingState.TorcsEquivalent"/>, ten times a second, and on the angle at the car, as in TORCS. Where the angle is
+/// measured further ahead, the one at the car is worked out from those seen before, and the bend that is seen so is fed forward.
 /// </summary>
 public sealed class DeepDrivingController : IController
 {
@@ -27,7 +28,12 @@ public sealed class DeepDrivingController : IController
     private const int FramesToClear = 60;
     private const int FramesCarriedOver = 30;
     private const int TrendLength = 5;
+    private const double PeriodSeconds = 0.1;
 
+    /// <summary>From a command to its effect, seconds: bends are steered for so much earlier.</summary>
+    private const double SteeringLeadSeconds = 0.2;
+
+    private readonly RoadAhead? _road;
     private readonly double _lockShare;
     private readonly double _mostSpeed;
     private readonly double _vehicleAllowance;
@@ -52,22 +58,35 @@ public sealed class DeepDrivingController : IController
         _vehicleAllowance = vehicleAllowanceMetres;
     }
 
+    /// <summary>Makes a controller for labels that measure the angle ahead of the car.</summary>
+    /// <param name="car">The car.</param>
+    /// <param name="lookAheadMetres">How far ahead, metres; more than 0.</param>
+    /// <param name="vehicleAllowanceMetres">Taken off the distances to vehicles, metres.</param>
+    /// <param name="mostSpeed">Metres per second.</param>
+    public DeepDrivingController(CarTraits car, double lookAheadMetres, double vehicleAllowanceMetres, double mostSpeed)
+        : this((car ?? throw new ArgumentNullException(nameof(car))).SteeringLockRadians, vehicleAllowanceMetres, mostSpeed) =>
+        _road = new RoadAhead(lookAheadMetres, PeriodSeconds, car, new PlaceBesideLine());
+
     /// <inheritdoc/>
     public DrivingControls Drive(DrivingState state)
     {
         _ = state ?? throw new ArgumentNullException(nameof(state));
         LaneIndicators at = state.TorcsEquivalent;
+        _road?.Observe(state);
         _left.Observe(at.DistLL.Value - _vehicleAllowance);
         _right.Observe(at.DistRR.Value - _vehicleAllowance);
         double ahead = at.DistMM.Value - _vehicleAllowance;
         bool isBlocked = _manoeuvre == LaneManoeuvre.Keep && ahead < BlockedWithinMetres && !TryChangeLane(at);
         double damping = Steer(at, out double centre);
-        double steering = (at.Angle.Value - (centre / RoadWidth)) / SteeringLockRadians / damping;
+        double angle = _road?.At(0).Angle ?? at.Angle.Value;
+        double steering = (angle - (centre / RoadWidth)) / SteeringLockRadians / damping;
         if (_manoeuvre == LaneManoeuvre.Keep && damping > 1 && steering > 0.1)
         {
             steering *= (2.5 * steering) + 0.75;
         }
 
+        double speed = state.SpeedMetresPerSecond;
+        steering += (_road?.WheelAngleAt(speed * SteeringLeadSeconds, speed) ?? 0) / SteeringLockRadians;
         _steerings.Dequeue();
         _steerings.Enqueue(steering);
         return Controls(steering, state, isBlocked ? SpeedBehind(ahead) : double.PositiveInfinity);
@@ -77,7 +96,13 @@ public sealed class DeepDrivingController : IController
     {
         double desired = state.IsFast ? MostSpeed : Math.Max(10, MostSpeed - (4.5 * Math.Abs(_steerings.Sum())));
         double error = Math.Min(Math.Min(desired, _mostSpeed), mostBehind) - state.SpeedMetresPerSecond;
-        double onWheel = Math.Max(-1, Math.Min(1, steering)) * _lockShare;
+        double cut = Math.Max(-1, Math.Min(1, steering));
+        double onWheel = cut * _lockShare;
+        if (_road is { } road)
+        {
+            road.WantedWheelAngle = cut * SteeringLockRadians;
+        }
+
         return error >= 0 ? new DrivingControls(onWheel, 0.2 * (error + 1), 0) : new DrivingControls(onWheel, 0, 0.1 * -error);
     }
 

@@ -10,7 +10,8 @@ namespace Harvester.Capture.Driving.Controllers;
 /// <param name="lookAheadMetres">How far ahead the angles are measured, metres along the road; more than 0.</param>
 /// <param name="periodSeconds">Time between two frames, seconds.</param>
 /// <param name="car">The car.</param>
-internal sealed class RoadAhead(double lookAheadMetres, double periodSeconds, CarTraits car)
+/// <param name="place">Told where the car is beside the road's line, to make up for it in bends; null to take the car for on the line.</param>
+internal sealed class RoadAhead(double lookAheadMetres, double periodSeconds, CarTraits car, PlaceBesideLine? place = null)
 {
     /// <summary>No car turns by more between two frames, radians; it was put elsewhere.</summary>
     private const double LargestTurn = 0.5;
@@ -35,7 +36,8 @@ internal sealed class RoadAhead(double lookAheadMetres, double periodSeconds, Ca
             _memory.Forget();
         }
 
-        _memory.Advance(metres, turned);
+        place?.Observe(state.Indicators);
+        _memory.Advance(place?.AlongLine(metres, _memory.At(0).Curvature) ?? metres, turned);
         if (state.Indicators.Angle.IsValid)
         {
             _memory.See(state.Indicators.Angle.Value);
@@ -46,8 +48,15 @@ internal sealed class RoadAhead(double lookAheadMetres, double periodSeconds, Ca
         }
     }
 
-    /// <summary>The road's heading some way ahead less the car's, radians, and how it bends there, 1/m.</summary>
-    public (double Angle, double Curvature) At(double metresAhead) => _memory.At(metresAhead);
+    /// <summary>The road's heading some way ahead less the car's, radians, and how it bends there, or the car's lane where its place is known, 1/m.</summary>
+    public (double Angle, double Curvature) At(double metresAhead)
+    {
+        (double angle, double curvature) = _memory.At(metresAhead);
+        return (angle, place?.BendOfLane(curvature) ?? curvature);
+    }
+
+    /// <summary>The angle of the front wheels for the bend some way ahead at a speed, radians, positive to the left.</summary>
+    public double WheelAngleAt(double metresAhead, double speed) => Math.Atan(car.Wheelbase * car.UndersteerAt(speed) * At(metresAhead).Curvature);
 
     /// <summary>How the car turns by metre, with the wheels on their way to where they are wanted.</summary>
     private double CurvatureOfCar(double speed)

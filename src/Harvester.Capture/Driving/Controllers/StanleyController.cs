@@ -96,8 +96,7 @@ public sealed class StanleyController : IController
         double error = Math.Max(-_options.LargestLateralError, Math.Min(_options.LargestLateralError, _centre ?? 0));
         double lateral = Math.Atan2(-_options.LateralGain * error, speed + _options.SofteningSpeed);
         lateral = Math.Max(-_options.LargestLateralAngle, Math.Min(_options.LargestLateralAngle, lateral));
-        double curvature = _road.At(speed * _options.SteeringLeadSeconds).Curvature;
-        return angle + lateral + Math.Atan(_options.Car.Wheelbase * _options.Car.UndersteerAt(speed) * curvature);
+        return angle + lateral + _road.WheelAngleAt(speed * _options.SteeringLeadSeconds, speed);
     }
 
     /// <summary>The intelligent driver model: free acceleration less an interaction with the vehicle ahead.</summary>
