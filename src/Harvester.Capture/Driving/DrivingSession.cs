@@ -1,7 +1,6 @@
 using System;
 using Harvester.Capture.Driving.Bridge;
 using Harvester.Capture.Driving.Controllers;
-using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 
 namespace Harvester.Capture.Driving;
@@ -14,26 +13,18 @@ namespace Harvester.Capture.Driving;
 /// </summary>
 public sealed class DrivingSession : IDisposable
 {
-    private const double HalfATick = 0.5;
-    private readonly DrivingOptions _options;
     private readonly GamePorts _game;
     private readonly IDrivenCar _car;
     private readonly IDrivingBridge _bridge;
     private readonly Func<IController> _newController;
     private readonly SilenceWatch _watch;
-    private readonly FrameSchedule _schedule;
     private readonly DrivingView _view;
     private readonly WorldPace _pace;
+    private readonly FramePublisher _frames;
     private readonly PeerAgenda _agenda;
     private IController _controller;
-    private bool _isFrameAskedFor;
-    private bool _isFrameMissed;
-    private bool _isStepOpen;
     private string? _bridgeProblem;
     private double _nowSeconds;
-    private double _tickSeconds;
-    private int _quietTicks;
-    private long _frames;
     private string? _ending;
 
     /// <summary>Makes a drive; nothing is asked of the game before the first tick.</summary>
@@ -44,7 +35,11 @@ public sealed class DrivingSession : IDisposable
     /// <exception cref="ArgumentException">The game has no car that can be driven.</exception>
     public DrivingSession(DrivingOptions options, GamePorts game, IDrivingBridge bridge, Func<IController> newController)
     {
-        _options = options ?? throw new ArgumentNullException(nameof(options));
+        if (options is null)
+        {
+            throw new ArgumentNullException(nameof(options));
+        }
+
         _game = game ?? throw new ArgumentNullException(nameof(game));
         _car = game.Car ?? throw new ArgumentException("This game has no car that can be driven.", nameof(game));
         _bridge = bridge ?? throw new ArgumentNullException(nameof(bridge));
@@ -52,9 +47,9 @@ public sealed class DrivingSession : IDisposable
         _newController = newController ?? throw new ArgumentNullException(nameof(newController));
         _controller = newController();
         _watch = new SilenceWatch(new WorldClock(game.World), options.PatienceSeconds);
-        _schedule = new FrameSchedule(options.RateHz);
         _view = new DrivingView(game, options.Picture);
         _pace = new WorldPace(game.Pause, options.SettleTicks);
+        _frames = new FramePublisher(options, bridge, _view, _pace);
     }
 
     /// <summary>The drive as it stands.</summary>
@@ -64,8 +59,7 @@ public sealed class DrivingSession : IDisposable
     public string? Problem { get; private set; }
 
     /// <summary>Whether a picture may be grabbed so soon that nothing may be drawn now that does not belong into it.</summary>
-    public bool IsPictureNear => _ending is null
-        && (_pace.IsPaused || _pace.IsStepping || _isFrameAskedFor || _isFrameMissed || _schedule.SecondsUntilDue(_nowSeconds) < (_options.SettleTicks + HalfATick) * _tickSeconds);
+    public bool IsPictureNear => _ending is null && _frames.IsPictureNear;
 
     /// <summary>Whether the world goes on only to the end of a step that a peer asked for.</summary>
     public bool IsStepping => _pace.IsStepping;
@@ -90,7 +84,7 @@ public sealed class DrivingSession : IDisposable
     }
 
     /// <summary>Sends a frame as soon as there is one, as if the peer had asked for it: for a world that stands until somebody drives.</summary>
-    public void AskForFrame() => _isFrameAskedFor = true;
+    public void AskForFrame() => _frames.Ask();
 
     /// <summary>Ends the drive and lets the world go on. Again is no harm.</summary>
     public void Stop()
@@ -112,17 +106,15 @@ public sealed class DrivingSession : IDisposable
             return;
         }
 
-        double now = _game.World.TimeSeconds;
-        _tickSeconds = now - _nowSeconds;
-        _nowSeconds = now;
-        _pace.Tick(now);
+        _nowSeconds = _game.World.TimeSeconds;
+        _frames.BeginTick(_nowSeconds);
+        _pace.Tick(_nowSeconds);
         Receive();
         DrivingControls controls = _watch.Controls;
         _car.Drive(controls);
-        SendFrame();
-        _quietTicks = IsPictureNear ? _quietTicks + 1 : 0;
+        Problem = _frames.PublishIfTime() ?? Problem;
         ReadProblem();
-        Status = new DrivingStatus(_frames, _watch.IsPeerAlive, controls, _view.AreLanesKnown, null);
+        Status = new DrivingStatus(_frames.Frames, _watch.IsPeerAlive, controls, _view.AreLanesKnown, null);
     }
 
     private void Receive()
@@ -132,7 +124,7 @@ public sealed class DrivingSession : IDisposable
             LosePeer();
         }
 
-        while (!_isStepOpen && _agenda.TryTakeCommand(out PeerMessage? command))
+        while (!_frames.IsStepOpen && _agenda.TryTakeCommand(out PeerMessage? command))
         {
             Obey(command);
         }
@@ -143,8 +135,7 @@ public sealed class DrivingSession : IDisposable
     /// <summary>As if the peer had never been: what it asked for is void, the car brakes and the world goes on.</summary>
     private void LosePeer()
     {
-        _isStepOpen = false;
-        _isFrameAskedFor = _isFrameMissed = false;
+        _frames.Forget();
         _controller = _newController();
         _watch.Forget();
         _pace.GoOn();
@@ -188,10 +179,10 @@ public sealed class DrivingSession : IDisposable
                 break;
             case StepMessage step:
                 _pace.Step(_nowSeconds, step.Seconds);
-                _isStepOpen = true;
+                _frames.AskAtEndOfStep();
                 break;
             case RequestFrameMessage:
-                _isFrameAskedFor = true;
+                _frames.Ask();
                 break;
             default:
                 Problem = $"{command.GetType().Name} is no command of a drive.";
@@ -211,35 +202,6 @@ public sealed class DrivingSession : IDisposable
         }
     }
 
-    private void SendFrame()
-    {
-        bool isDue = !_pace.IsStepping && _schedule.TakeIfDue(_nowSeconds) && !_pace.IsPaused;
-
-        // What was drawn before anyone asked must have gone from the picture.
-        bool isAskedFor = (_isFrameAskedFor || _isFrameMissed) && _quietTicks >= _options.SettleTicks;
-        bool isWanted = isDue || isAskedFor || _isStepOpen;
-        if (!isWanted || _pace.IsStepping || !_pace.IsSettled)
-        {
-            return;
-        }
-
-        if (_view.Take(_frames, out string? refusal) is { } state)
-        {
-            _bridge.Publish(state with { IsAskedFor = _isFrameAskedFor || _isStepOpen }, _view.Picture);
-            _frames++;
-            _isFrameAskedFor = _isFrameMissed = false;
-        }
-        else
-        {
-            // Commands go on, or the peer could not let the world go on; the frame is sent as soon as there is a picture.
-            Problem = $"the game's picture cannot be used: {refusal}.";
-            _isFrameAskedFor |= _isStepOpen;
-            _isFrameMissed = true;
-        }
-
-        _isStepOpen = false;
-    }
-
     private void ReadProblem()
     {
         if (_bridge.Problem != _bridgeProblem)
@@ -252,7 +214,7 @@ public sealed class DrivingSession : IDisposable
     private void End(string ending)
     {
         _ending = ending;
-        Status = new DrivingStatus(_frames, false, DrivingControls.Stop, false, ending);
+        Status = new DrivingStatus(_frames.Frames, false, DrivingControls.Stop, false, ending);
         Try(_pace.GoOn);
     }
 

@@ -68,7 +68,7 @@ public sealed class UnknownModelsList : ILastingFeature
         _messages.Tell(FormattableString.Invariant($"{_unknown.Models.Count} models near here are in no table: {Path.Combine(_folder, _file)}."));
     }
 
-    /// <inheritdoc/>
+    /// <summary>Fails when the list could not be written.</summary>
     public void Tick()
     {
         if (_disk.TakeFailure() is { } failure)
@@ -83,5 +83,9 @@ public sealed class UnknownModelsList : ILastingFeature
     }
 
     /// <inheritdoc/>
-    public void Finish() => _disk.Wait(LongestWaitForTheDisk);
+    public void Finish()
+    {
+        _disk.Wait(LongestWaitForTheDisk);
+        Tick();
+    }
 }
