@@ -13,7 +13,8 @@ namespace Harvester.Cli.Commands;
 internal static class ReportCommand
 {
     private const string Notes =
-        "The page needs nothing beside it and no network: frames with their boxes, a slider, classes to switch on and off, counts and charts.\n\n"
+        "The page needs nothing beside it and no network: frames with their boxes, a slider, classes to switch on and off, counts and charts. It has\n"
+        + "the pictures in it, and fewer frames where these come to more than 48 MiB; with --link it is small and has all that --frames asks for.\n\n"
         + "Examples:\n"
         + "  harvester report out\n"
         + "  harvester report out --frames 300 --out report.html\n"
@@ -33,7 +34,8 @@ internal static class ReportCommand
         frames.DefaultValueFactory = _ => new ReportLimits().Frames;
         Option<int?> still = ValueParsers.Optional<int>(
             "--still", "FRAME", "Draw this frame with its boxes as a PNG picture instead", FrameNumber, "a frame's number, as 12");
-        var command = new Command("report", "Show a session as one self-contained HTML page.") { folder, output, frames, still };
+        var link = new Option<bool>("--link") { Description = "Link the pictures instead of holding them: a small page, which needs the session where it lies" };
+        var command = new Command("report", "Show a session as one self-contained HTML page.") { folder, output, frames, still, link };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(parsed =>
         {
@@ -41,6 +43,11 @@ internal static class ReportCommand
             SessionReader reader = RecordedSessions.Open(terminal, session);
             if (parsed.GetValue(still) is { } frame)
             {
+                if (new Option[] { frames, link }.FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false }) is { } idle)
+                {
+                    throw new UsageException($"{idle.Name} does nothing with --still.");
+                }
+
                 string picture = parsed.GetValue(output) ?? $"frame-{frame}.png";
                 CheckExtension(picture, ".png");
                 StillWriter.Write(reader, frame, picture);
@@ -50,7 +57,7 @@ internal static class ReportCommand
 
             string page = parsed.GetValue(output) ?? Path.Combine(session, ReportWriter.FileName);
             CheckExtension(page, ".html", ".htm");
-            var limits = new ReportLimits(parsed.GetValue(frames));
+            var limits = new ReportLimits(parsed.GetValue(frames)) { LinksImages = parsed.GetValue(link) };
             int shown = new ReportWriter(reader, limits).Write(page);
             terminal.Out.WriteLine($"{page}: {Counted.Of(shown, "frame")} shown");
             return ExitCode.Done;

@@ -9,6 +9,7 @@ using Harvester.Capture.Labels;
 using Harvester.Capture.Spaces;
 using Harvester.Capture.Spaces.Survey;
 using Harvester.Geometry;
+using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Cli.Spaces;
@@ -48,13 +49,34 @@ internal sealed class PhotoFigures
         return figures.ToString();
     }
 
+    /// <summary>The edges of a face's cuboid; apart from them those that both of their sides turn away from the camera.</summary>
     private static string Edges(SurveyPhoto photo, SpaceOfInterest face)
     {
         var camera = new Camera(photo.Camera, new CameraIntrinsics(photo.VerticalFovDegrees, Shown, Shown.Aspect, NearClip, Lens.Ideal));
-        IEnumerable<string> lines = face.CuboidAt(new Pose(Vector3D.Zero, Axes.Identity)).EdgesInWorld
+        Cuboid cuboid = face.CuboidAt(new Pose(Vector3D.Zero, Axes.Identity));
+        string kind = JsonName.Of(face.Provenance);
+        ILookup<bool, (Vector3D Start, Vector3D End)> edges = cuboid.EdgesInWorld.ToLookup(edge => IsHidden(cuboid, (edge.Start + edge.End) * 0.5, photo.Camera.Position));
+        return Drawn(kind, edges[false], camera) + Drawn($"{kind} hidden", edges[true], camera);
+    }
+
+    private static string Drawn(string kind, IEnumerable<(Vector3D Start, Vector3D End)> edges, Camera camera)
+    {
+        IEnumerable<string> lines = edges
             .Select(edge => (Start: camera.Project(edge.Start), End: camera.Project(edge.End)))
             .Where(line => line.Start.Outcome != ProjectionOutcome.BehindNearPlane && line.End.Outcome != ProjectionOutcome.BehindNearPlane)
             .Select(line => string.Create(CultureInfo.InvariantCulture, $"M{line.Start.U:0.#},{line.Start.V:0.#}L{line.End.U:0.#},{line.End.V:0.#}"));
-        return $"<path class=\"{JsonName.Of(face.Provenance)}\" fill=\"none\" stroke=\"#f0f\" d=\"{string.Concat(lines)}\"/>";
+        return $"<path class=\"{kind}\" fill=\"none\" stroke=\"#f0f\" d=\"{string.Concat(lines)}\"/>";
     }
+
+    /// <summary>Whether a point sees neither of the two sides that meet in an edge. The cuboid's axes are the world's.</summary>
+    private static bool IsHidden(Cuboid cuboid, Vector3D middleOfEdge, Vector3D eye)
+    {
+        // The middle of an edge lies on two sides, and between the ends of the third axis.
+        Vector3D edge = middleOfEdge - cuboid.Centre;
+        Vector3D seen = eye - cuboid.Centre;
+        Vector3D half = cuboid.HalfExtents;
+        return !Sees(edge.X, seen.X, half.X) && !Sees(edge.Y, seen.Y, half.Y) && !Sees(edge.Z, seen.Z, half.Z);
+    }
+
+    private static bool Sees(double side, double eye, double half) => Math.Abs(side) > half / 2 && Math.Abs(eye) > half && Math.Sign(side) == Math.Sign(eye);
 }

@@ -24,8 +24,8 @@ internal sealed class SpaceGallery(SpaceTable table, string folder)
         page.Write(
             "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Spaces of interest</title>\n"
             + "<style>body{font:14px sans-serif;margin:1.5em}main{display:flex;flex-wrap:wrap;gap:1em}article{border:1px solid #bbb;padding:.7em}"
-            + "h2{font-size:1em;margin:0 0 .4em}img{max-width:24em;display:block}.photo{margin:.3em}article>svg{display:inline-block}.estimated{stroke-dasharray:4}td{padding-right:.8em}</style></head>\n"
-            + "<body><h1>Spaces of interest</h1><p>Seen from the side towards which the first face looks. Ground and origin are the lines; dashed faces are estimated. "
+            + "h2{font-size:1em;margin:0 0 .4em}img{max-width:24em;display:block}.photo{margin:.3em}article>svg{display:inline-block}.estimated{stroke-dasharray:4}.away{fill-opacity:.25;stroke-opacity:.4}.hidden{stroke-dasharray:2 3;stroke-opacity:.7}td{padding-right:.8em}</style></head>\n"
+            + "<body><h1>Spaces of interest</h1><p>Seen from the side towards which the first face looks. Ground and origin are the lines; dashed faces are estimated, pale ones look elsewhere. On photographs the edges that a face's own body hides are dotted. "
             + "To mend a name or a corner, edit the table, then <code>harvester spaces check</code> it and make this page anew.</p><main>\n");
         IGrouping<int, SpaceOfInterest>[] models = [.. table.Spaces.GroupBy(space => space.Hash)];
         foreach (IGrouping<int, SpaceOfInterest> model in models)
@@ -73,9 +73,9 @@ internal sealed class SpaceGallery(SpaceTable table, string folder)
         double top = Math.Max(0, outlines.Max(outline => outline.Max(corner => corner.Up))) + MarginMetres;
         string Point(double x, double z) =>
             string.Create(CultureInfo.InvariantCulture, $"{(x - left) * PixelsPerMetre:0.#},{(top - z) * PixelsPerMetre:0.#}");
-        IEnumerable<string> shapes = faces.Select((face, i) =>
-            $"<polygon class=\"{JsonName.Of(face.Provenance)}\" fill=\"#{(face.Class == ObjectClass.Sign ? "fd8" : "8cf")}\" stroke=\"#222\" "
-            + $"points=\"{string.Join(" ", outlines[i].Select(corner => Point(corner.Right, corner.Up)))}\"/>");
+        IEnumerable<string> shapes = faces.Index().OrderBy(each => Nearness(each.Item, faces[0].Facing)).Select(each =>
+            $"<polygon class=\"{JsonName.Of(each.Item.Provenance)}{(each.Item.Facing == faces[0].Facing ? "" : " away")}\" fill=\"#{(each.Item.Class == ObjectClass.Sign ? "fd8" : "8cf")}\" stroke=\"#222\" "
+            + $"points=\"{string.Join(" ", outlines[each.Index].Select(corner => Point(corner.Right, corner.Up)))}\"/>");
         return string.Create(
             CultureInfo.InvariantCulture,
             $"<svg width=\"{(right - left) * PixelsPerMetre:0}\" height=\"{(top + MarginMetres) * PixelsPerMetre:0}\">")
@@ -91,6 +91,15 @@ internal sealed class SpaceGallery(SpaceTable table, string folder)
             seenFrom switch { Facing.Front => -edge.Start.X, Facing.Left => -edge.Start.Y, Facing.Right => edge.Start.Y, _ => edge.Start.X },
             edge.Start.Z))];
     }
+
+    /// <summary>How far a face's front stands towards somebody who sees it from a side, metres from the model's origin.</summary>
+    private static double Nearness(SpaceOfInterest face, Facing seenFrom) => seenFrom switch
+    {
+        Facing.Front => Math.Max(face.FrontUpperLeft.Y, face.BackLowerRight.Y),
+        Facing.Left => -Math.Min(face.FrontUpperLeft.X, face.BackLowerRight.X),
+        Facing.Right => Math.Max(face.FrontUpperLeft.X, face.BackLowerRight.X),
+        _ => -Math.Min(face.FrontUpperLeft.Y, face.BackLowerRight.Y),
+    };
 
     private static double Width(SpaceOfInterest face) => face.Facing is Facing.Back or Facing.Front
         ? face.BackLowerRight.X - face.FrontUpperLeft.X

@@ -3,6 +3,7 @@ using System.Buffers.Text;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Net;
 using System.Text;
 using Harvester.Capture.Labels;
 using Harvester.Datasets.Images;
@@ -11,7 +12,7 @@ using Harvester.Datasets.Statistics;
 
 namespace Harvester.Datasets.Reports;
 
-/// <summary>Writes a session as one page that needs nothing beside it: frames with their boxes, and figures of the whole.</summary>
+/// <summary>Writes a session as one page that needs nothing beside it, unless it is asked to link its images: frames with their boxes, and figures of the whole.</summary>
 public sealed class ReportWriter
 {
     /// <summary>Name of a session's report when none is given.</summary>
@@ -40,7 +41,7 @@ public sealed class ReportWriter
             int shown;
             using (FileStream stream = File.Create(temporary))
             {
-                shown = Write(stream);
+                shown = Write(stream, Path.GetDirectoryName(Path.GetFullPath(path))!);
             }
 
             File.Move(temporary, path, overwrite: true);
@@ -53,7 +54,7 @@ public sealed class ReportWriter
         }
     }
 
-    private int Write(FileStream stream)
+    private int Write(FileStream stream, string folder)
     {
         SessionInfo info = _session.ReadInfo();
         SessionStatistics statistics = SessionStatistics.Of(_session.ReadLabels());
@@ -77,7 +78,15 @@ public sealed class ReportWriter
         WriteText(stream, "</script>\n");
         for (int i = 0; i < frames.Count; i++)
         {
-            WriteImage(stream, i, _session.PathOf(frames[i].Image));
+            string image = _session.PathOf(frames[i].Image);
+            if (_limits.LinksImages)
+            {
+                WriteText(stream, $"<script type=\"text/plain\" id=\"image-{i}\" data-href=\"{Address(folder, image)}\"></script>\n");
+            }
+            else
+            {
+                WriteImage(stream, i, image);
+            }
         }
 
         WriteText(stream, $"<script>\n{Asset("report.js")}</script>\n</body>\n</html>\n");
@@ -87,6 +96,11 @@ public sealed class ReportWriter
     private IReadOnlyList<int> Choose(int count)
     {
         IReadOnlyList<int> chosen = EvenSelection.Of(count, _limits.Frames);
+        if (_limits.LinksImages)
+        {
+            return chosen;
+        }
+
         long bytes = LabelsAt(chosen).Sum(label => new FileInfo(_session.PathOf(label.Image)).Length);
         return bytes <= _limits.ImageBytes
             ? chosen
@@ -115,6 +129,15 @@ public sealed class ReportWriter
         WriteText(stream, $"<script type=\"text/plain\" id=\"image-{index}\" data-type=\"{ImageHeader.Read(path).MediaType}\">");
         stream.Write(text.AsSpan(0, written));
         WriteText(stream, "</script>\n");
+    }
+
+    /// <summary>A file as a page in a folder names it.</summary>
+    private static string Address(string folder, string file)
+    {
+        string path = Path.GetRelativePath(folder, Path.GetFullPath(file));
+        return Path.IsPathRooted(path)
+            ? WebUtility.HtmlEncode(new Uri(path).AbsoluteUri)
+            : string.Join('/', path.Split(Path.DirectorySeparatorChar).Select(Uri.EscapeDataString));
     }
 
     private static string Asset(string name)

@@ -18,6 +18,7 @@ public sealed class RoadMap
     private const double StreetWidthPixels = 1.6;
     private const double MarginFraction = 0.02;
     private const int SvgDecimals = 1;
+    private const int SmallestSideWithLegend = 200;
 
     /// <summary>Straight pieces in which a curve is drawn.</summary>
     private const int Pieces = 4;
@@ -54,6 +55,9 @@ public sealed class RoadMap
     /// <summary>Size of the map.</summary>
     public ImageSize Size { get; }
 
+    /// <summary>How many metres a pixel is wide and high.</summary>
+    public double MetresPerPixel => 1 / _pixelsPerMetre;
+
     /// <summary>Draws the map as a picture.</summary>
     public PixelBuffer Draw()
     {
@@ -72,7 +76,7 @@ public sealed class RoadMap
         return canvas.Picture;
     }
 
-    /// <summary>Writes the map as a vector graphic with a group for each kind of road.</summary>
+    /// <summary>Writes the map as a vector graphic with a path for each kind of road, and with a legend if it is not tiny.</summary>
     /// <exception cref="IOException">The file cannot be written.</exception>
     public void WriteSvg(TextWriter text)
     {
@@ -81,7 +85,7 @@ public sealed class RoadMap
         text.Write("<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n");
         foreach (RoadMapStyle style in RoadMapStyle.InOrder)
         {
-            text.Write(string.Create(CultureInfo.InvariantCulture, $"<path id=\"{style.Name.Replace(' ', '-')}\" fill=\"none\" stroke=\"#{style.Red:x2}{style.Green:x2}{style.Blue:x2}\" stroke-width=\"{style.Weight * StreetWidthPixels:0.##}\" stroke-linecap=\"round\" d=\""));
+            text.Write(string.Create(CultureInfo.InvariantCulture, $"<path id=\"{style.Name.Replace(' ', '-')}\" fill=\"none\" stroke=\"{ColourOf(style)}\" stroke-width=\"{style.Weight * StreetWidthPixels:0.##}\" stroke-linecap=\"round\" d=\""));
             foreach (Vector2D[] line in Lines(style))
             {
                 text.Write(PathOf(line));
@@ -90,8 +94,32 @@ public sealed class RoadMap
             text.Write("\"/>\n");
         }
 
+        if (Math.Min(Size.Width, Size.Height) >= SmallestSideWithLegend)
+        {
+            WriteLegend(text);
+        }
+
         text.Write("</svg>\n");
     }
+
+    private static void WriteLegend(TextWriter text)
+    {
+        const int left = 10;
+        const int lineHeight = 16;
+        const int sampleLength = 24;
+        text.Write("<g id=\"legend\" font-family=\"sans-serif\" font-size=\"11\">\n");
+        text.Write(string.Create(CultureInfo.InvariantCulture, $"<rect width=\"110\" height=\"{lineHeight * (RoadMapStyle.InOrder.Length + 1)}\" fill=\"#ffffff\" fill-opacity=\"0.8\"/>\n"));
+        foreach ((int index, RoadMapStyle style) in RoadMapStyle.InOrder.Reverse().Index())
+        {
+            int y = lineHeight * (index + 1);
+            text.Write(string.Create(CultureInfo.InvariantCulture, $"<path stroke=\"{ColourOf(style)}\" stroke-width=\"3\" d=\"M{left} {y}h{sampleLength}\"/>"));
+            text.Write(string.Create(CultureInfo.InvariantCulture, $"<text x=\"{left + sampleLength + 6}\" y=\"{y + 4}\">{style.Name}</text>\n"));
+        }
+
+        text.Write("</g>\n");
+    }
+
+    private static string ColourOf(RoadMapStyle style) => string.Create(CultureInfo.InvariantCulture, $"#{style.Red:x2}{style.Green:x2}{style.Blue:x2}");
 
     private static string PathOf(Vector2D[] line)
     {

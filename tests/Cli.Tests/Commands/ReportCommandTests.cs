@@ -62,6 +62,17 @@ public sealed class ReportCommandTests
         Assert.False(File.Exists(folder.PathOf(file)));
     }
 
+    [Theory]
+    [InlineData("--link")]
+    [InlineData("--frames", "3")]
+    public void Option_of_the_page_does_nothing_with_a_still_picture_and_is_refused(params string[] option)
+    {
+        using var folder = new TemporaryFolder();
+        folder.File("session.json", Header);
+
+        CliRun.Of(["report", folder.Path, "--still", "7", .. option]).AssertFailed(ExitCode.Usage, $"{option[0]} does nothing with --still.");
+    }
+
     [Fact]
     public void Report_still_takes_the_number_of_a_frame() =>
         CliRun.Of("report", "session", "--still", "frame.png").AssertFailed(ExitCode.Usage, "--still takes a frame's number, as 12, not 'frame.png'.");

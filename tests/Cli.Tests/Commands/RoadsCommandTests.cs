@@ -86,12 +86,16 @@ public sealed class RoadsCommandTests : IDisposable
         string png = Path.Combine(_folder.Path, "map.png");
         string svg = Path.Combine(_folder.Path, "map.svg");
 
-        Assert.Equal($"{png}: 20 x 40 pixels\n", CliRun.Of("roads", "map", from, "--out", png, "--area=-10,0,10,40", "--size", "40").Out);
+        Assert.StartsWith($"{png}: 20 x 40 pixels of 1 m; highways orange, ", CliRun.Of("roads", "map", from, "--out", png, "--area=-10,0,10,40", "--size", "40").Out, StringComparison.Ordinal);
         Assert.Equal(0, CliRun.Of("roads", "map", from, "--out", svg, "--area=-10,0,10,40", "--size", "40").ExitCode);
 
         Assert.True(File.ReadAllBytes(png) is [0x89, (byte)'P', (byte)'N', (byte)'G', ..]);
         // The link between y = 20 and 40 is a highway at both ends, drawn upwards in the middle of the map.
         Assert.Matches("id=\"highway\"[^/]+d=\"M10 20L10 15L10 10L10 5L10 0\"", File.ReadAllText(svg));
+        Assert.DoesNotContain("legend", File.ReadAllText(svg), StringComparison.Ordinal);
+
+        CliRun.Of("roads", "map", from, "--out", svg, "--area=-10,0,10,40", "--size", "400");
+        Assert.Contains(">unpaved</text>", File.ReadAllText(svg), StringComparison.Ordinal);
         CliRun.Of("roads", "map", from, "--out", "map.bmp").AssertFailed(2, "--out takes a file that ends in .png or .svg");
     }
 

@@ -95,6 +95,22 @@ public sealed class SpacesCommandTests : IDisposable
     }
 
     [Fact]
+    public void Gallery_draws_the_nearest_face_last_and_those_that_look_elsewhere_pale()
+    {
+        const string behind = "prop_sign_road_01a,,sign,BEHIND,R2-1,1,-0.7,0.24,2.5,0.3,0.06,1.2,-y,measured,a test";
+        const string elsewhere = "prop_sign_road_01a,,sign,ELSEWHERE,R2-1,2,-0.7,0.94,2.5,0.3,0.86,1.2,+y,measured,a test";
+        _folder.File("spaces.csv", Good + "\n" + behind + "\n" + elsewhere + "\n");
+
+        CliRun.Of("spaces", "gallery", _folder.Path);
+
+        // 70 pixels a metre, 0.3 m of margin: x from -0.7 - 0.3, z down from 3 + 0.3. The octagon begins at (1 - 0.5 + 0.29289) * 70 = 55.5, and
+        // (3.3 - 1.5) * 70 = 126. It stands nearest to the back, towards which it looks: y = -0.06, then 0.06 and 0.86.
+        string[] shapes = [.. File.ReadAllText(_folder.PathOf("gallery.html")).Split("<polygon ").Skip(1)];
+        Assert.Equal(["measured away", "measured", "measured"], shapes.Select(shape => shape.Split('"')[1]));
+        Assert.Contains("points=\"55.5,126 ", shapes[2], StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Gallery_draws_cuboids_on_photographs_and_shows_models_without_a_face()
     {
         _folder.File("spaces.csv", Good + "\n");
@@ -114,8 +130,13 @@ public sealed class SpacesCommandTests : IDisposable
         // and 0.75 / 4 * 320 = 60 above and below the middle.
         Assert.Equal($"{_folder.PathOf("gallery.html")}: 2 models shown\n", run.Out);
         string html = File.ReadAllText(_folder.PathOf("gallery.html"));
-        Assert.Contains("M120,220L200,220", html, StringComparison.Ordinal);
-        Assert.Contains("M120,220L120,100", html, StringComparison.Ordinal);
+        string seen = html.Split("<path class=\"measured\"")[1].Split("/>")[0];
+        string hidden = html.Split("<path class=\"measured hidden\"")[1].Split("/>")[0];
+        Assert.Contains("M120,220L200,220", seen, StringComparison.Ordinal);
+        Assert.Contains("M120,220L120,100", seen, StringComparison.Ordinal);
+
+        // Straight before the face nothing but its near side is seen: four edges of twelve.
+        Assert.Equal((4, 8), (seen.Count(letter => letter == 'M'), hidden.Count(letter => letter == 'M')));
         Assert.Contains("<h2>prop_sign_road_03g</h2><svg class=\"photo\"", html, StringComparison.Ordinal);
         Assert.DoesNotContain("prop_sign_road_03h", html, StringComparison.Ordinal);
     }

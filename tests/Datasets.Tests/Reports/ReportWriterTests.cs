@@ -78,6 +78,19 @@ public sealed partial class ReportWriterTests : IDisposable
     }
 
     [Fact]
+    public void Write_with_links_names_the_images_as_seen_from_the_page_and_has_all_frames()
+    {
+        string page = Path.Combine(Directory.CreateDirectory(_session.PathOf("my pages")).FullName, "page.html");
+
+        int shown = new ReportWriter(_session.Open(), new ReportLimits(ImageBytes: 1) { LinksImages = true }).Write(page);
+
+        string html = File.ReadAllText(page);
+        Assert.Equal(3, shown);
+        Assert.Contains("id=\"image-2\" data-href=\"../frames/00000002.png\"></script>", html, StringComparison.Ordinal);
+        Assert.DoesNotContain("data-type", html.Split("<script>")[0], StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Write_of_a_name_with_markup_cannot_end_the_data()
     {
         _session.Car(0)["name"] = "</script><b>";

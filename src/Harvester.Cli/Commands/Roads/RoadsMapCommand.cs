@@ -1,3 +1,4 @@
+using System;
 using System.CommandLine;
 using System.IO;
 using System.IO.Compression;
@@ -12,6 +13,7 @@ namespace Harvester.Cli.Commands.Roads;
 /// <summary>harvester roads map: a picture of road data.</summary>
 internal static class RoadsMapCommand
 {
+    private const string Legend = "highways orange, one-way roads blue, streets grey, unpaved ways brown, ways that no car takes light grey, water light blue";
     private const int DefaultSize = 2000;
     private const int LargestSize = 20_000;
 
@@ -23,7 +25,7 @@ internal static class RoadsMapCommand
         size.DefaultValueFactory = _ => DefaultSize;
         Option<Box2D?> area = ValueParsers.Optional<Box2D>(
             "--area", "XMIN,YMIN,XMAX,YMAX", "The part of the world to show, metres [default: all]", ParseArea, "west, south, east and north edge, as -500,-1500,1000,0");
-        var command = new Command("map", "Draw road data as a map: highways orange, one-way roads blue, unpaved ways brown.") { from, output, size, area };
+        var command = new Command("map", $"Draw road data as a map: {Legend}.") { from, output, size, area };
         command.SetAction(parsed =>
         {
             string file = parsed.GetRequiredValue(output);
@@ -41,7 +43,7 @@ internal static class RoadsMapCommand
 
             var map = new RoadMap(network, parsed.GetValue(area), parsed.GetValue(size));
             WholeFile.Write(file, stream => Write(map, extension, stream));
-            terminal.Out.WriteLine($"{file}: {map.Size.Width} x {map.Size.Height} pixels");
+            terminal.Out.WriteLine(FormattableString.Invariant($"{file}: {map.Size.Width} x {map.Size.Height} pixels of {map.MetresPerPixel:0.##} m; {Legend}"));
             return ExitCode.Done;
         });
         return command;

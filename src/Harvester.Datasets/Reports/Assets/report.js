@@ -39,7 +39,7 @@ function picture(index) {
   if (!pictures.has(index)) {
     const stored = byId(`image-${index}`);
     const image = element("img", { alt: `Frame ${data.frames[index].frame}`, width: data.width, height: data.height });
-    image.src = `data:${stored.dataset.type};base64,${stored.textContent.trim()}`;
+    image.src = stored.dataset.href ?? `data:${stored.dataset.type};base64,${stored.textContent.trim()}`;
     pictures.set(index, image);
   }
   return pictures.get(index);
