@@ -55,8 +55,8 @@ internal static class StatsCommand
         yield return Bins("area of box2d, px²", statistics.BoxAreas);
         yield return Bins("truncated fraction", statistics.TruncatedFractions);
         yield return Bins("occluded fraction", statistics.OccludedFractions);
-        yield return "weather: " + string.Join(", ", statistics.FramesOfWeathers.Select(pair => Text($"{pair.Key} {pair.Value}")));
-        yield return "hour: " + string.Join(", ", statistics.FramesOfHours.Select(pair => Text($"{pair.Key:00} {pair.Value}")));
+        yield return Listed("weather", statistics.FramesOfWeathers.Select(pair => Text($"{pair.Key} {pair.Value}")));
+        yield return Listed("hour", statistics.FramesOfHours.Select(pair => Text($"{pair.Key:00} {pair.Value}")));
         foreach ((string name, IndicatorSpan span) in statistics.Indicators)
         {
             yield return Text($"indicator {name}: {Counted.Of(span.Count, "frame")}, {span.Least:0.00} to {span.Greatest:0.00}");
@@ -66,8 +66,10 @@ internal static class StatsCommand
     private static string PartsOf(ClassStatistics figures) => figures.Parts == 0 ? "" : Text($" ({figures.Parts} of them faces or heads)");
 
     /// <summary>The bins that hold something, by where they begin; the last one takes whatever lies above.</summary>
-    private static string Bins(string name, Histogram histogram) => $"{name}: " + string.Join(
-        ", ", histogram.Counts.Select((count, bin) => (count, bin)).Where(pair => pair.count > 0).Select(pair => Text($"{histogram.Starts[pair.bin]:0.##}+ {pair.count}")));
+    private static string Bins(string name, Histogram histogram) => Listed(
+        name, histogram.Counts.Select((count, bin) => (count, bin)).Where(pair => pair.count > 0).Select(pair => Text($"{histogram.Starts[pair.bin]:0.##}+ {pair.count}")));
+
+    private static string Listed(string name, IEnumerable<string> items) => $"{name}: {(items.Any() ? string.Join(", ", items) : "none")}";
 
     private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 }

@@ -53,6 +53,12 @@ public sealed class DatasetExporter
             throw new OccupiedFolderException($"'{_folder.Path}' holds a finished dataset already. Name another folder.");
         }
 
+        // What the first frame cannot be said in is refused before there is anything to go on with.
+        if (!_folder.IsBegun && Frames().FirstOrDefault() is { } first)
+        {
+            Check(first);
+        }
+
         _folder.Begin(identity);
         int frames;
         using (var journal = new Journal(_folder, _shard))

@@ -32,7 +32,7 @@ public static class StillWriter
     public static void Write(SessionReader session, int frame, string path)
     {
         FrameLabel label = session.ReadLabels().FirstOrDefault(candidate => candidate.Frame == frame)
-            ?? throw new DatasetFormatException($"The session has no frame {frame}.");
+            ?? throw new DatasetFormatException($"'{session.Folder}' has no frame {frame}.");
         PixelBuffer picture = ReadPicture(session, label.Image);
         var canvas = new PictureCanvas(picture);
         Camera camera = LabelCamera.Of(label.Camera);

@@ -58,6 +58,9 @@ public sealed class RoadMap
     /// <summary>How many metres a pixel is wide and high.</summary>
     public double MetresPerPixel => 1 / _pixelsPerMetre;
 
+    /// <summary>Whether there is any road to see.</summary>
+    public bool HasRoads => RoadMapStyle.InOrder.Any(style => Lines(style).Any());
+
     /// <summary>Draws the map as a picture.</summary>
     public PixelBuffer Draw()
     {

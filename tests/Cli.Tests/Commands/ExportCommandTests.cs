@@ -126,6 +126,14 @@ public sealed class ExportCommandTests : IDisposable
         CliRun.Of("export", "no-such-session", "--format", "csv", "--out", _folder.PathOf("out")).AssertFailed(ExitCode.InputOutput, "no-such-session");
 
     [Fact]
+    public void Merge_of_a_finished_dataset_says_that_it_is_whole()
+    {
+        CliRun.Of("export", _folder.PathOf("session"), "--format", "csv", "--out", _folder.PathOf("whole"));
+
+        CliRun.Of("merge", _folder.PathOf("whole"), "--out", _folder.PathOf("out")).AssertFailed(ExitCode.BadData, "is a whole dataset, no shard of one.");
+    }
+
+    [Fact]
     public void Merge_of_a_folder_without_shards_is_an_error_of_the_data() =>
         CliRun.Of("merge", _folder.PathOf("session"), "--out", _folder.PathOf("out")).AssertFailed(ExitCode.BadData, "is a whole session, no shard of one");
 }

@@ -45,7 +45,7 @@ public sealed class ReportCommandTests
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header);
 
-        CliRun.Of("report", folder.Path, "--still", "7").AssertFailed(ExitCode.BadData, "no frame 7");
+        CliRun.Of("report", folder.Path, "--still", "7").AssertFailed(ExitCode.BadData, $"'{folder.Path}' has no frame 7.");
     }
 
     [Theory]

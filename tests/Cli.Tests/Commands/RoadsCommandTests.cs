@@ -96,6 +96,7 @@ public sealed class RoadsCommandTests : IDisposable
 
         CliRun.Of("roads", "map", from, "--out", svg, "--area=-10,0,10,40", "--size", "400");
         Assert.Contains(">unpaved</text>", File.ReadAllText(svg), StringComparison.Ordinal);
+        CliRun.Of("roads", "map", from, "--out", svg, "--area=900,900,999,999").AssertFailed(2, "There is no road in this --area.");
         CliRun.Of("roads", "map", from, "--out", "map.bmp").AssertFailed(2, "--out takes a file that ends in .png or .svg");
     }
 

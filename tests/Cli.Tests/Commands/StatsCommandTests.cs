@@ -12,6 +12,7 @@ public sealed class StatsCommandTests
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.Contains("without which there are 0 labels here, 0.0 a frame\n", run.Out, StringComparison.Ordinal);
+        Assert.Contains("\ndistance, m: none\n", run.Out, StringComparison.Ordinal);
         Assert.StartsWith("0 frames, 0 labels, 0.0 a frame\nfor comparison, KITTI object detection: 7481 images", run.Out, StringComparison.Ordinal);
     }
 

@@ -83,6 +83,19 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Assert.Throws<OccupiedFolderException>(() => Folder.Export("csv", simulated.Open()));
     }
 
+    [Theory]
+    [InlineData("tusimple", "it has no lanes")]
+    [InlineData("cityscapes", "it has no mask")]
+    public void Export_to_a_format_that_needs_more_than_there_is_leaves_nothing_to_go_on_with(string format, string message)
+    {
+        Session.Lines[0].Remove("mask");
+
+        DatasetFormatException refused = Assert.Throws<DatasetFormatException>(() => Folder.Export(format, Session.Open()));
+
+        Assert.Contains(message, refused.Message, StringComparison.Ordinal);
+        Assert.False(Directory.Exists(Folder.PathOf("out")));
+    }
+
     [Fact]
     public void Merge_without_all_shards_is_refused()
     {

@@ -42,6 +42,11 @@ internal static class RoadsMapCommand
             }
 
             var map = new RoadMap(network, parsed.GetValue(area), parsed.GetValue(size));
+            if (!map.HasRoads)
+            {
+                throw new UsageException("There is no road in this --area. Without it the map shows all roads.");
+            }
+
             WholeFile.Write(file, stream => Write(map, extension, stream));
             terminal.Out.WriteLine(FormattableString.Invariant($"{file}: {map.Size.Width} x {map.Size.Height} pixels of {map.MetresPerPixel:0.##} m; {Legend}"));
             return ExitCode.Done;

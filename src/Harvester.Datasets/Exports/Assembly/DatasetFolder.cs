@@ -37,7 +37,8 @@ internal sealed class DatasetFolder(string path)
     public string PathOf(string name) => System.IO.Path.Combine(path, name.Replace('/', System.IO.Path.DirectorySeparatorChar));
 
     public string ReadPlan() =>
-        IsBegun ? File.ReadAllText(PathOf(PlanFile)) : throw new DatasetFormatException($"'{path}' is not a shard of an export: it has no {PlanFile}.");
+        IsBegun ? File.ReadAllText(PathOf(PlanFile))
+        : throw new DatasetFormatException(IsFinished ? $"'{path}' is a whole dataset, no shard of one." : $"'{path}' is not a shard of an export: it has no {PlanFile}.");
 
     /// <summary>Begins a dataset, or goes on with one that has the same plan.</summary>
     public void Begin(string plan)
