@@ -44,7 +44,7 @@ public sealed class HarvesterScript : Script
     internal HarvesterScript(IScreen screen, IClock clock)
     {
         _folder = new ModFolder(BaseDirectory);
-        _messages = new PlayerMessages(BaseDirectory, message => Notification.Show(message));
+        _messages = new PlayerMessages(BaseDirectory, message => Notification.Show(message), clock);
         PlayerSettings player = PlayerSettings.Read(_folder.Settings, BaseDirectory);
         var measured = new MeasuredSpaces(player.SpacesFolder, _folder.ShippedSpaces, _folder.SpacesWith(player.SpacesFolder));
         var display = new GameDisplay();

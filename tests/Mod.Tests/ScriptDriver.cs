@@ -114,6 +114,7 @@ internal sealed class ScriptDriver : IDisposable
     public void Dispose()
     {
         Script.RaiseAborted();
+        WaitForDisk();
         _folder.Dispose();
     }
 

@@ -23,12 +23,8 @@ public sealed class PlayerMessages
     /// <summary>Makes the log's place known.</summary>
     /// <param name="folder">The folder that the mod lies in.</param>
     /// <param name="show">Shows a message in the game.</param>
-    public PlayerMessages(string folder, Action<string> show)
-        : this(folder, show, new PlayerClock())
-    {
-    }
-
-    internal PlayerMessages(string folder, Action<string> show, IClock clock)
+    /// <param name="clock">The player's time.</param>
+    public PlayerMessages(string folder, Action<string> show, IClock clock)
     {
         _logPath = Path.Combine(folder, "GtaDataHarvester.log");
         _show = show;

@@ -12,7 +12,7 @@ public sealed class FeatureSetTests : IDisposable
 
     public FeatureSetTests()
     {
-        _messages = new PlayerMessages(_folder, _told.Add);
+        _messages = new PlayerMessages(_folder, _told.Add, new TestClock());
     }
 
     public void Dispose()

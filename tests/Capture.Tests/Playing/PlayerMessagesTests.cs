@@ -30,7 +30,7 @@ public sealed class PlayerMessagesTests : IDisposable
     {
         var shown = new List<string>();
 
-        var messages = new PlayerMessages(Path.Combine(_folder, "absent"), shown.Add);
+        var messages = new PlayerMessages(Path.Combine(_folder, "absent"), shown.Add, _clock);
 
         messages.Tell("one");
 
@@ -41,7 +41,7 @@ public sealed class PlayerMessagesTests : IDisposable
     [Fact]
     public void Tell_in_a_game_that_shows_nothing_still_logs()
     {
-        var messages = new PlayerMessages(_folder, _ => throw new InvalidOperationException("no screen"));
+        var messages = new PlayerMessages(_folder, _ => throw new InvalidOperationException("no screen"), _clock);
 
         messages.Tell("one");
 

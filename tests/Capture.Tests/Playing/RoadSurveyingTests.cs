@@ -18,7 +18,7 @@ public sealed class RoadSurveyingTests : IDisposable
 
     public RoadSurveyingTests()
     {
-        _messages = new PlayerMessages(_folder, _told.Add);
+        _messages = new PlayerMessages(_folder, _told.Add, _clock);
     }
 
     private string FilePath => Path.Combine(_folder, "new", "roads.csv");

@@ -23,7 +23,8 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
     {
         CliRun run = Relabel();
 
-        Assert.Equal((ExitCode.Done, $"{Made}: 8 frames\n", ""), (run.ExitCode, run.Out, run.Error));
+        Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
+        Assert.EndsWith($"{Made}: 8 frames\n", run.Out, StringComparison.Ordinal);
         Assert.Equal(File.ReadAllBytes(Path.Combine(Session, "labels.jsonl")), File.ReadAllBytes(Path.Combine(Made, "labels.jsonl")));
         Assert.All(Directory.GetFiles(Path.Combine(Session, "masks")), mask =>
             Assert.Equal(File.ReadAllBytes(mask), File.ReadAllBytes(Path.Combine(Made, "masks", Path.GetFileName(mask)))));
@@ -42,7 +43,7 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
         {
             string part = _folder.PathOf("part-" + number);
             CliRun run = CliRun.Of(["relabel", Session, "--out", part, .. options, "--shard", number + "/2"]);
-            Assert.Equal($"{part}: shard {number}/2, 4 frames. When all are done: harvester merge\n", run.Out);
+            Assert.EndsWith($"{part}: shard {number}/2, 4 frames. When all are done: harvester merge\n", run.Out, StringComparison.Ordinal);
         }
 
         CliRun.Of("merge", _folder.PathOf("part-2"), _folder.PathOf("part-1"), "--out", _folder.PathOf("merged/made"));

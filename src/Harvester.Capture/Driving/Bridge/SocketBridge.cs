@@ -69,6 +69,9 @@ public sealed class SocketBridge : IDrivingBridge
         _stopping = true;
         _listener.Stop();
         _reception.Outbox.Close();
+
+        // A frame that is on its way arrives whole, if the peer takes it.
+        _sender.Join(_reception.Options.SendPatience);
         _reception.Inbox.Close()?.Dispose();
         foreach (SocketPeer stranger in _reception.Strangers.Close())
         {

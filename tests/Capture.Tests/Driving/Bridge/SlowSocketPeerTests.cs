@@ -107,6 +107,21 @@ public sealed class SlowSocketPeerTests : IDisposable
         Assert.Equal(_published, next.Receive().Header.GetProperty("frame").GetInt64());
     }
 
+    [Fact]
+    public void Frame_that_is_on_its_way_when_the_bridge_ends_arrives_whole()
+    {
+        using SocketClient peer = Connected();
+        Publish();
+        Frames.Await(() => peer.Stream.DataAvailable, "the beginning of the frame");
+        var ending = new Thread(_bridge.Dispose);
+        ending.Start();
+        Frames.Await(() => ending.ThreadState is ThreadState.WaitSleepJoin or ThreadState.Stopped, "the bridge to wait for the peer");
+
+        Assert.Equal(0, peer.Receive().Header.GetProperty("frame").GetInt64());
+        Assert.True(peer.IsCutOff());
+        ending.Join();
+    }
+
     public void Dispose() => _bridge.Dispose();
 
     private SocketBridge Bridge(TimeSpan sendPatience) =>
