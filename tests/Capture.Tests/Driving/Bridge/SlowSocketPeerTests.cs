@@ -1,6 +1,7 @@
 using Harvester.Capture.Driving;
 using Harvester.Capture.Driving.Bridge;
 using Harvester.Capture.Imaging;
+using Harvester.Geometry.Cameras;
 
 namespace Harvester.Capture.Tests.Driving.Bridge;
 
@@ -110,14 +111,18 @@ public sealed class SlowSocketPeerTests : IDisposable
     [Fact]
     public void Frame_that_is_on_its_way_when_the_bridge_ends_arrives_whole()
     {
-        using SocketClient peer = Connected();
-        Publish();
+        // Of so large a picture the network keeps a part only.
+        PixelBuffer large = new(new ImageSize(1000, 1000));
+        new Random(8).NextBytes(large.Bytes);
+        using SocketBridge bridge = new(SocketBridgeOptions.Loopback with { Port = 0, SendPatience = TimeSpan.FromMinutes(1) }, large.Size);
+        using SocketClient peer = Connected(bridge);
+        bridge.Publish(Frames.State(1), large);
         Frames.Await(() => peer.Stream.DataAvailable, "the beginning of the frame");
-        var ending = new Thread(_bridge.Dispose);
+        var ending = new Thread(bridge.Dispose);
         ending.Start();
         Frames.Await(() => ending.ThreadState is ThreadState.WaitSleepJoin or ThreadState.Stopped, "the bridge to wait for the peer");
 
-        Assert.Equal(0, peer.Receive().Header.GetProperty("frame").GetInt64());
+        Assert.Equal(1, peer.Receive().Header.GetProperty("frame").GetInt64());
         Assert.True(peer.IsCutOff());
         ending.Join();
     }
