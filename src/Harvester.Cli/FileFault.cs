@@ -42,14 +42,22 @@ internal static class FileFault
     }
 
     private static string TextOf(string path, Exception fault) =>
-        Directory.Exists(path) ? $"'{path}' is a folder. Name a file."
+        Directory.Exists(path) ? FolderText(path, fault)
         : fault is UnauthorizedAccessException ? $"'{path}' may not be read or written. Ask for the right to, or name another."
         : OutputFolder.FileInTheWayOf(path) is { } file ? $"'{file}' is a file. Name a folder."
         : $"There is no folder '{Path.GetDirectoryName(path)}'. Name one that is there.";
 
+    // Where a file should be, the runtime refuses access to a folder just as it does without the right to it.
+    private static string FolderText(string path, Exception fault) =>
+        fault is UnauthorizedAccessException ? $"'{path}' is a folder that may not be read or written, or stands where a file should be. Name another."
+        : $"'{path}' is a folder. Name a file.";
+
+    /// <summary>The path in a message, which may have apostrophes itself.</summary>
     private static string? QuotedIn(string message)
     {
-        string? path = message.Split('\'') is [_, { Length: > 0 } quoted, _, ..] ? quoted : null;
-        return TemporaryEnds.FirstOrDefault(end => path?.EndsWith(end, StringComparison.Ordinal) == true) is { } temporary ? path![..^temporary.Length] : path;
+        int start = message.IndexOf('\'', StringComparison.Ordinal) + 1;
+        int end = message.LastIndexOf('\'');
+        string? path = end > start ? message[start..end] : null;
+        return TemporaryEnds.FirstOrDefault(temporaryEnd => path?.EndsWith(temporaryEnd, StringComparison.Ordinal) == true) is { } temporary ? path![..^temporary.Length] : path;
     }
 }

@@ -16,10 +16,11 @@ public sealed class FileFaultTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Theory]
-    [InlineData("boxes {folder}", "'{folder}' is a folder. Name a file.")]
+    [InlineData("boxes {folder}", "'{folder}' is a folder that may not be read or written, or stands where a file should be. Name another.")]
     [InlineData("boxes {none}", "There is no file '{none}'. Name one that is there.")]
-    [InlineData(Point + " {folder}", "'{folder}' is a folder. Name a file.")]
+    [InlineData(Point + " {folder}", "'{folder}' is a folder that may not be read or written, or stands where a file should be. Name another.")]
     [InlineData(Point + " {none}/points.csv", "There is no folder '{none}'. Name one that is there.")]
+    [InlineData(Point + " {none}/o'brien/points.csv", "There is no folder '{none}/o'brien'. Name one that is there.")]
     [InlineData("lanes --position 0,0,0 --heading 0 --roads {none}", "There is no file '{none}'. Name one that is there.")]
     [InlineData("roads info {none}", "There is no file '{none}'. Name one that is there.")]
     [InlineData("spaces check {none}", "There is no file '{none}'. Name one that is there.")]
@@ -52,6 +53,11 @@ public sealed class FileFaultTests : IDisposable
     public void File_without_the_right_to_read_it_is_told_as_such() => Assert.Equal(
         $"'{_folder.PathOf("file")}' may not be read or written. Ask for the right to, or name another.",
         FileFault.TextOf(new UnauthorizedAccessException($"Access to the path '{_folder.PathOf("file")}' is denied."), output: null));
+
+    [Fact]
+    public void Folder_in_the_place_of_a_file_is_told_as_such() => Assert.Equal(
+        $"'{_folder.PathOf("folder")}' is a folder. Name a file.",
+        FileFault.TextOf(new IOException($"Is a directory : '{_folder.PathOf("folder")}'"), output: null));
 
     [Fact]
     public void What_the_project_says_itself_stays_as_it_is() =>

@@ -24,13 +24,20 @@ public static class SpaceTableReader
         var problems = new List<SpaceTableProblem>();
         var firstLines = new Dictionary<(int Hash, int Face), int>();
         var facesOfThesisRows = new Dictionary<int, int>();
+        bool hasHeader = false;
         int number = 0;
         while (text.ReadLine() is { } line)
         {
             number++;
             string trimmed = line.Trim().TrimStart('\uFEFF');
-            if (trimmed.Length == 0 || trimmed[0] == '#' || SpaceRow.IsHeader(trimmed))
+            if (trimmed.Length == 0 || trimmed[0] == '#')
             {
+                continue;
+            }
+
+            if (SpaceRow.IsHeader(trimmed))
+            {
+                hasHeader = true;
                 continue;
             }
 
@@ -52,6 +59,6 @@ public static class SpaceTableReader
             }
         }
 
-        return new SpaceTableContent(new SpaceTable(spaces), problems);
+        return new SpaceTableContent(new SpaceTable(spaces), problems) { HasHeader = hasHeader };
     }
 }

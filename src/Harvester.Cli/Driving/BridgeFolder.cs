@@ -11,8 +11,10 @@ namespace Harvester.Cli.Driving;
 /// <summary>The folder over which a game is driven. The bridge writes to it and deletes in it, so that a folder of something else is refused.</summary>
 internal static class BridgeFolder
 {
-    // What the game and its peer write, under these names or temporary ones made of them; docs/bridge.md.
-    private static readonly string[] Signs = ["frame_", "state.txt", "indicators.txt", "controls.txt", "command.json", "alive.txt"];
+    private const string Picture = "frame_";
+
+    // What the game and its peer write, under these names or temporary ones made of them; docs/bridge.md. Pictures are no sign: other tools number theirs so too.
+    private static readonly string[] Signs = ["state.txt", "indicators.txt", "controls.txt", "command.json", "alive.txt", "writing.part"];
 
     /// <summary>Checks that a bridge may be opened in a folder, and changes nothing.</summary>
     /// <exception cref="OccupiedFolderException">The folder holds something else.</exception>
@@ -25,9 +27,12 @@ internal static class BridgeFolder
 
         string[] found = [.. Directory.EnumerateFileSystemEntries(folder).Select(entry => Path.GetFileName(entry)).Where(name => !name.StartsWith('.')).Order(StringComparer.Ordinal)];
         bool isOther = SessionMerger.IsSession(folder) || DatasetValidator.IsDataset(folder) || found.Contains(DriveRecord.FileName);
-        if (found.Length > 0 && (isOther || !found.Any(name => Signs.Any(sign => name.Contains(sign, StringComparison.Ordinal)))))
+        if (found.Length > 0 && (isOther || !found.Any(IsSign)))
         {
-            throw new OccupiedFolderException($"'{folder}' holds something else than a bridge, '{found[0]}' for one. Name another folder with --folder.");
+            string foreign = found.FirstOrDefault(name => !IsSign(name) && !name.StartsWith(Picture, StringComparison.Ordinal)) ?? found[0];
+            throw new OccupiedFolderException($"'{folder}' holds something else than a bridge, '{foreign}' for one. Name another folder with --folder.");
         }
     }
+
+    private static bool IsSign(string name) => Signs.Any(sign => name.Contains(sign, StringComparison.Ordinal));
 }

@@ -78,5 +78,7 @@ internal sealed class PhotoFigures
         return !Sees(edge.X, seen.X, half.X) && !Sees(edge.Y, seen.Y, half.Y) && !Sees(edge.Z, seen.Z, half.Z);
     }
 
-    private static bool Sees(double side, double eye, double half) => Math.Abs(side) > half / 2 && Math.Abs(eye) > half && Math.Sign(side) == Math.Sign(eye);
+    // The two sides of a flat face are one, which is seen from wherever it is not edge-on.
+    private static bool Sees(double side, double eye, double half) =>
+        half == 0 ? eye != 0 : Math.Abs(side) > half / 2 && Math.Abs(eye) > half && Math.Sign(side) == Math.Sign(eye);
 }

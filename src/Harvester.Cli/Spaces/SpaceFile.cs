@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Harvester.Capture.Spaces;
@@ -16,8 +15,6 @@ internal static class SpaceFile
     // The column of a problem with a row that has not even the fields of one.
     private const string WholeRow = "row";
 
-    private static readonly string Header = SpaceTableWriter.Text(new SpaceTable([])).Trim();
-
     /// <summary>The table that is meant: a survey's folder stands for the table in it.</summary>
     public static string TableOf(string path) => Directory.Exists(path) ? Path.Combine(path, SurveyFolder.TableName) : path;
 
@@ -29,7 +26,7 @@ internal static class SpaceFile
         string table = TableOf(path);
         using StreamReader text = File.OpenText(table);
         SpaceTableContent content = SpaceTableReader.Read(text);
-        return content.Table.Spaces.Any() || IsTable(content.Problems, table)
+        return content.Table.Spaces.Any() || IsTable(content, table)
             ? content
             : throw new DatasetFormatException($"'{table}' is no table of faces and heads: it has neither the header of one nor a row. data/README.md says what belongs there.");
     }
@@ -67,10 +64,10 @@ internal static class SpaceFile
     }
 
     /// <summary>Whether a file without a good row is a table all the same: one with the header or bad rows, or with remarks alone.</summary>
-    private static bool IsTable(IReadOnlyList<SpaceTableProblem> problems, string table) => problems switch
+    private static bool IsTable(SpaceTableContent content, string table) => content.Problems switch
     {
         [] => File.ReadLines(table).Any(line => line.Trim().Length > 0),
         [{ Column: not WholeRow }, ..] => true,
-        _ => File.ReadLines(table).Any(line => string.Equals(line.Trim().TrimStart('\uFEFF'), Header, StringComparison.OrdinalIgnoreCase)),
+        _ => content.HasHeader,
     };
 }

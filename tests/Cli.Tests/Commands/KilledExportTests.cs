@@ -64,11 +64,17 @@ public sealed class KilledExportTests : IClassFixture<LongSession>, IDisposable
         return FramesDone() < LongSession.Frames && !File.Exists(_folder.PathOf("killed/export.json"));
     }
 
-    /// <summary>Frames that the export which is killed has noted as done.</summary>
+    /// <summary>Frames that the export which is killed has noted as done; 0 before it has begun, and when it is over and has taken its notes away.</summary>
     private int FramesDone()
     {
-        string journal = _folder.PathOf("killed/.export/journal-1-of-1.jsonl");
-        return File.Exists(journal) ? Lines(journal) : 0;
+        try
+        {
+            return Lines(_folder.PathOf("killed/.export/journal-1-of-1.jsonl"));
+        }
+        catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
+        {
+            return 0;
+        }
     }
 
     private Process Start(string format, string to)
@@ -83,10 +89,10 @@ public sealed class KilledExportTests : IClassFixture<LongSession>, IDisposable
         return Process.Start(start)!;
     }
 
-    /// <summary>Lines of a file that another process writes.</summary>
+    /// <summary>Lines of a file that another process writes and may delete.</summary>
     private static int Lines(string path)
     {
-        using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite);
+        using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
         using var reader = new StreamReader(file);
         return reader.ReadToEnd().Count(character => character == '\n');
     }

@@ -101,6 +101,22 @@ public sealed class RoadsCommandTests : IDisposable
     }
 
     [Fact]
+    public void Map_of_nodes_without_a_link_says_that_there_are_no_roads()
+    {
+        string from = _folder.File("roads.txt", Ipl.Split("0, 1, 2, 1, 2, 0")[0] + "end\n");
+
+        CliRun.Of("roads", "map", from, "--out", _folder.PathOf("map.png")).AssertFailed(2, "There are no roads to draw.");
+    }
+
+    [Theory]
+    [InlineData("--area=-0.01,0,0.01,0.1", "0.00625")] // 0.1 m on 16 pixels
+    [InlineData("--area=-10,0,10,40", "2.5")] // 40 m
+    [InlineData("--area=-5000,-5000,5555,5000", "660")] // 10,555 m: 659.6875 m a pixel
+    [InlineData("--area=-50000,-50000,50000,50000", "6250")] // 100 km
+    public void Map_tells_its_scale_in_three_digits(string area, string metres) => Assert.Contains(
+        $" pixels of {metres} m;", CliRun.Of("roads", "map", _folder.File("roads.txt", Ipl), "--out", _folder.PathOf("map.png"), "--size", "16", area).Out, StringComparison.Ordinal);
+
+    [Fact]
     public void Import_of_a_corrupt_file_fails_with_its_place()
     {
         string from = _folder.File("roads.txt", Ipl.Replace("0, 1, 2, 1, 2, 0", "0, 9, 2, 1, 2, 0", StringComparison.Ordinal));

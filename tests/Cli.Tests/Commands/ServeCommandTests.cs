@@ -28,9 +28,13 @@ public sealed class ServeCommandTests
     [InlineData("export.json")]
     [InlineData("drive.json")]
     [InlineData("holiday.png")]
-    public void Shared_folder_that_holds_something_else_is_refused_and_stays_as_it_is(params string[] files)
+    [InlineData("frame_00000001.png")]
+    [InlineData("holiday.png", "frame_00000001.png")]
+    [InlineData("session.json", "alive.txt", "frame_00000001.png")]
+    public void Shared_folder_that_holds_something_else_is_refused_and_stays_as_it_is(string foreign, params string[] others)
     {
         using var folder = new TemporaryFolder();
+        string[] files = [foreign, .. others];
         foreach (string file in files)
         {
             folder.File(file, "mine");
@@ -39,16 +43,18 @@ public sealed class ServeCommandTests
         CliRun serve = CliRun.Of("serve", "--folder", folder.Path, "--duration", "0.1");
         CliRun drive = CliRun.Of("drive", "--out", folder.PathOf("out"), "--bridge", "folder", "--folder", folder.Path, "--distance", "1");
 
-        serve.AssertFailed(ExitCode.Usage, $"'{folder.Path}' holds something else than a bridge, '{files[0]}' for one. Name another folder with --folder.");
+        serve.AssertFailed(ExitCode.Usage, $"'{folder.Path}' holds something else than a bridge, '{foreign}' for one. Name another folder with --folder.");
         drive.AssertFailed(ExitCode.Usage, "holds something else than a bridge");
-        Assert.Equal(files, Directory.EnumerateFileSystemEntries(folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+        Assert.Equal(files.Order(StringComparer.Ordinal), Directory.EnumerateFileSystemEntries(folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
     }
 
-    [Fact]
-    public void Shared_folder_in_which_a_peer_waits_already_is_taken()
+    [Theory]
+    [InlineData("controls.txt.tmp")]
+    [InlineData("writing.part")]
+    public void Shared_folder_of_a_waiting_peer_or_a_killed_game_is_taken(string sign)
     {
         using var folder = new TemporaryFolder();
-        folder.File("controls.txt.tmp", "");
+        folder.File(sign, "");
         folder.File("notes.txt", "mine");
 
         Assert.Equal(ExitCode.Done, CliRun.Of("serve", "--folder", folder.Path, "--duration", "0.1", "--traffic", "0", "--size", "80x60").ExitCode);

@@ -55,6 +55,7 @@ public sealed class SpacesCommandTests : IDisposable
 
     [Theory]
     [InlineData("model,hash,class,name,mutcd,face,fulX,fulY,fulZ,blrX,blrY,blrZ,facing,provenance,source\n", ExitCode.Done)]
+    [InlineData("model, hash, class, name, mutcd, face, fulX, fulY, fulZ, blrX, blrY, blrZ, facing, provenance,\"source\"\nstop,1\n", ExitCode.BadData)]
     [InlineData("# none yet\n", ExitCode.Done)]
     [InlineData(InsideOut + "\n", ExitCode.BadData)]
     public void Check_of_a_table_without_a_good_row_counts_none(string content, int code)
@@ -139,6 +140,21 @@ public sealed class SpacesCommandTests : IDisposable
         Assert.Equal((4, 8), (seen.Count(letter => letter == 'M'), hidden.Count(letter => letter == 'M')));
         Assert.Contains("<h2>prop_sign_road_03g</h2><svg class=\"photo\"", html, StringComparison.Ordinal);
         Assert.DoesNotContain("prop_sign_road_03h", html, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Gallery_shows_a_flat_face_whole_on_its_photograph()
+    {
+        _folder.File("spaces.csv", Good.Replace("-0.04,", "-0.06,", StringComparison.Ordinal) + "\n");
+        Directory.CreateDirectory(_folder.PathOf("photos"));
+        _folder.File(Path.Combine("photos", "stop.png"), "a picture");
+        _folder.File("photos.csv", "file,model,x,y,z,pitch,roll,yaw,verticalFov\nstop.png,prop_sign_road_01a,0,-4.06,2.25,0,0,0,53.13010235\n");
+
+        Assert.Equal(ExitCode.Done, CliRun.Of("spaces", "gallery", _folder.Path).ExitCode);
+
+        // Its near and its far side are one, so that none of the twelve edges is hidden.
+        string html = File.ReadAllText(_folder.PathOf("gallery.html"));
+        Assert.Contains("<path class=\"measured hidden\" fill=\"none\" stroke=\"#f0f\" d=\"\"/>", html, StringComparison.Ordinal);
     }
 
     [Fact]

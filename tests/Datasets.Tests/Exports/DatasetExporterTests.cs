@@ -66,6 +66,25 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Assert.Contains("other sessions or options", refused.Message, StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("\"labels\":", "\"tables\":")]
+    [InlineData("{\"frame\":1,", "{\"frame\":1.5,")]
+    [InlineData("{\"frame\":1,", "{\"frame\":\"1\",")]
+    [InlineData("{\"frame\":1,", "\u0000\u0000")]
+    public void Export_does_not_go_on_by_a_journal_that_is_damaged_or_of_another_version(string good, string bad)
+    {
+        KillAfter(2, "csv");
+        string journal = Folder.PathOf("killed/.export/journal-1-of-1.jsonl");
+        string text = File.ReadAllText(journal);
+        Assert.Contains(good, text, StringComparison.Ordinal);
+        File.WriteAllText(journal, text.Replace(good, bad, StringComparison.Ordinal));
+
+        DatasetFormatException refused = Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", simulated.Open(), TwoSplits, "killed"));
+
+        Assert.StartsWith($"'{journal}' has a line", refused.Message, StringComparison.Ordinal);
+        Assert.EndsWith("begin the export anew.", refused.Message, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Export_into_a_folder_with_something_else_is_refused()
     {

@@ -14,8 +14,12 @@ namespace Harvester.Cli.Commands.Roads;
 internal static class RoadsMapCommand
 {
     private const string Legend = "highways orange, one-way roads blue, streets grey, unpaved ways brown, ways that no car takes light grey, water light blue";
+    private const string NoRoads = "There are no roads to draw.";
     private const int DefaultSize = 2000;
     private const int LargestSize = 20_000;
+
+    // Math.Round knows no more.
+    private const int MostDecimals = 15;
 
     public static Command Create(Terminal terminal)
     {
@@ -38,17 +42,18 @@ internal static class RoadsMapCommand
             RoadNetwork network = RoadSourceArgument.Import(parsed, from, terminal).Network;
             if (network.Nodes.Count == 0)
             {
-                throw new UsageException("There are no roads to draw.");
+                throw new UsageException(NoRoads);
             }
 
-            var map = new RoadMap(network, parsed.GetValue(area), parsed.GetValue(size));
+            Box2D? part = parsed.GetValue(area);
+            var map = new RoadMap(network, part, parsed.GetValue(size));
             if (!map.HasRoads)
             {
-                throw new UsageException("There is no road in this --area. Without it the map shows all roads.");
+                throw new UsageException(part is null ? NoRoads : "There is no road in this --area. Without it the map shows all roads.");
             }
 
             WholeFile.Write(file, stream => Write(map, extension, stream));
-            terminal.Out.WriteLine(FormattableString.Invariant($"{file}: {map.Size.Width} x {map.Size.Height} pixels of {map.MetresPerPixel:0.##} m; {Legend}"));
+            terminal.Out.WriteLine(FormattableString.Invariant($"{file}: {map.Size.Width} x {map.Size.Height} pixels of {ThreeDigits(map.MetresPerPixel):0.###############} m; {Legend}"));
             return ExitCode.Done;
         });
         return command;
@@ -65,6 +70,9 @@ internal static class RoadsMapCommand
         using var text = new StreamWriter(stream, leaveOpen: true);
         map.WriteSvg(text);
     }
+
+    /// <summary>A length of any order with its first three digits, those before the point apart.</summary>
+    private static double ThreeDigits(double metres) => Math.Round(metres, Math.Clamp(2 - (int)Math.Floor(Math.Log10(metres)), 0, MostDecimals));
 
     private static Box2D? ParseArea(string text) =>
         ValueParsers.Numbers(text, 4) is { } n && n[0] < n[2] && n[1] < n[3] ? new Box2D(n[0], n[1], n[2], n[3]) : null;

@@ -36,7 +36,7 @@ internal sealed class Journal : IDisposable
             }
             else
             {
-                LastFrame = JournalEntry.Parse(text).Frame;
+                LastFrame = JournalEntry.Parse(text, path).Frame;
                 Frames++;
             }
         }
@@ -72,7 +72,7 @@ internal sealed class Journal : IDisposable
 
     /// <summary>The frames of a finished shard.</summary>
     public static IEnumerable<JournalEntry> Read(string path) =>
-        File.ReadLines(path).Where(line => !line.StartsWith(EndMark, StringComparison.Ordinal)).Select(JournalEntry.Parse);
+        File.ReadLines(path).Where(line => !line.StartsWith(EndMark, StringComparison.Ordinal)).Select(line => JournalEntry.Parse(line, path));
 
     public void Append(JournalEntry entry)
     {

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text.Json;
@@ -41,8 +42,22 @@ internal sealed record JournalEntry(
     });
 
     /// <summary>Reads a line.</summary>
-    /// <exception cref="JsonException">It is not JSON.</exception>
-    public static JournalEntry Parse(string line)
+    /// <param name="line">The line.</param>
+    /// <param name="path">The journal.</param>
+    /// <exception cref="DatasetFormatException">It is damaged, or of another version.</exception>
+    public static JournalEntry Parse(string line, string path)
+    {
+        try
+        {
+            return Parse(line);
+        }
+        catch (Exception e) when (e is JsonException or KeyNotFoundException or InvalidOperationException or FormatException)
+        {
+            throw new DatasetFormatException($"'{path}' has a line that is damaged or of another version. Delete the dataset's folder, or name another, and begin the export anew.", e);
+        }
+    }
+
+    private static JournalEntry Parse(string line)
     {
         using JsonDocument document = JsonDocument.Parse(line);
         JsonElement root = document.RootElement;
