@@ -105,7 +105,10 @@ internal static class RefusalCases
 
     private static void Content(Pattern pattern, string? refusal)
     {
-        using var window = new PatternWindow(Client, pattern);
+        // The screen behind the window is black, as some patterns are: only after another is it the window's own.
+        using var window = new PatternWindow(Client, Pattern.Distinct(8));
+        window.AwaitOnScreen();
+        window.Show(pattern);
         window.AwaitOnScreen();
         using var screen = GameWindowScreen.OfThisProcess();
         if (refusal is null)

@@ -12,6 +12,7 @@ HEADER = json.dumps({"type": "frame", "frame": 0, "speedMetresPerSecond": 0, "la
 MESSAGE = struct.pack(">II", len(HEADER), len(PICTURE) + 100) + HEADER + PICTURE
 
 with socket.create_server(("127.0.0.1", 0)) as listener:
+    listener.settimeout(60)
     print(listener.getsockname()[1], flush=True)
     peer, _ = listener.accept()
     with peer:

@@ -114,6 +114,21 @@ public sealed class CalibrationTests
         Assert.Contains(driver.Game.Notifications, told => told.Contains("The camera model was not checked, as none of 20 markers was seen", StringComparison.Ordinal));
     }
 
+    [Fact]
+    public void Single_frames_are_checked_as_long_as_none_could_be()
+    {
+        using var driver = new ScriptDriver("[Lens]\nMaxError = 1\n");
+        HarvestTests.Street(driver.Game);
+        for (int press = 0; press < 2; press++)
+        {
+            Assert.Contains("ended: 1 frames", EndOfOneFrame(driver), StringComparison.Ordinal);
+            Assert.Contains(driver.Game.Notifications, told => told.Contains("was not checked", StringComparison.Ordinal));
+        }
+
+        string session = Assert.Single(Directory.GetDirectories(driver.Output));
+        Assert.Equal(2, File.ReadLines(Path.Combine(session, "labels.jsonl")).Count());
+    }
+
     /// <summary>Harvests one frame; what the player is told of its end.</summary>
     private static string EndOfOneFrame(ScriptDriver driver)
     {

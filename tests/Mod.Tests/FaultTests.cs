@@ -245,6 +245,15 @@ public sealed class FaultTests
         Directory.CreateDirectory(Path.Combine(Assert.Single(Directory.GetDirectories(driver.Output)), "labels.jsonl"));
 
         driver.UntilTold("cannot be written");
+
+        // That session is not gone on with.
+        driver.Game.Notifications.Clear();
+        driver.Press(Keys.K);
+        driver.UntilTold("The harvest ended: 1 frames");
+        driver.WaitForDisk();
+        driver.Tick();
+        Assert.DoesNotContain(driver.Game.Notifications, told => told.Contains("cannot be written", StringComparison.Ordinal));
+        Assert.Equal(2, Directory.GetDirectories(driver.Output).Length);
     }
 
     private static Hash[] PlayedNatives()

@@ -80,7 +80,8 @@ public sealed class LightTests
     [Fact]
     public void Crossing_roads_take_turns_and_the_other_order_of_numbers_is_spoken()
     {
-        using ScriptDriver driver = OnStreet("[Harvest]\nDriveLights = On\nLightOrder = RedAmberGreen\n", out int along, out int across);
+        using ScriptDriver driver = OnStreet(
+            "[Harvest]\nWidth = 160\nHeight = 120\nRate = 1\nQueue = 1000\nDriveLights = On\nLightOrder = RedAmberGreen\n", out int along, out int across);
         driver.Press(Keys.J);
         var seen = new HashSet<(int, int)>();
         int begun = driver.Game.TimerMilliseconds;

@@ -60,8 +60,8 @@ public sealed record HarvestOptions
     /// </summary>
     public double? MaxCalibrationErrorPixels { get; init => field = value is { } error ? OptionCheck.Positive(error, nameof(MaxCalibrationErrorPixels)) : null; } = 1;
 
-    /// <summary>By how much the camera model was off where it was checked earlier in the same session, pixels; null (default) when it was not.</summary>
-    public double? KnownCalibrationErrorPixels { get; init; }
+    /// <summary>By how much the camera model was off where it was checked earlier in the same session, pixels, 0 or more; null (default) when it was not.</summary>
+    public double? KnownCalibrationErrorPixels { get; init => field = value is { } error ? OptionCheck.AtLeast(error, 0, nameof(KnownCalibrationErrorPixels)) : null; }
 
     /// <summary>Objects whose box in the image is smaller are not labelled, square pixels; 0 or more.</summary>
     public double MinBoxAreaPixels { get; init => field = OptionCheck.AtLeast(value, 0, nameof(MinBoxAreaPixels)); } = 16;

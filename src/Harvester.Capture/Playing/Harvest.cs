@@ -107,9 +107,8 @@ public sealed class Harvest : ILastingFeature, IDisposable
         _isSingle = true;
         if (_singles is { } singles && singles.Lens == options.Lens && singles.Spaces == options.Spaces)
         {
-            // The camera model was checked before the first of them.
             Start(
-                options with { MaxCalibrationErrorPixels = null, KnownCalibrationErrorPixels = singles.CalibrationErrorPixels },
+                singles.CalibrationErrorPixels is { } known ? options with { MaxCalibrationErrorPixels = null, KnownCalibrationErrorPixels = known } : options,
                 () => new SessionWriter(singles.Folder, origin, resume: true));
         }
         else
@@ -242,6 +241,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         if (writer.Fault is { } fault)
         {
             _messages.Tell(fault);
+            _singles = null;
         }
     }
 
@@ -257,6 +257,6 @@ public sealed class Harvest : ILastingFeature, IDisposable
         return free;
     }
 
-    /// <summary>The session that single frames make together, once it has one.</summary>
+    /// <summary>The session that single frames make together, once it has one. Its camera model is checked until that could be done once.</summary>
     private sealed record SingleFrames(string Folder, Lens Lens, SpaceTable Spaces, double? CalibrationErrorPixels);
 }

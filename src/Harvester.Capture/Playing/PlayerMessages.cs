@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
 using System.IO;
@@ -17,6 +18,7 @@ public sealed class PlayerMessages
     private readonly Action<string> _show;
     private readonly DiskQueue _disk = new();
     private readonly IClock _clock;
+    private readonly Dictionary<string, double> _failures = [];
     private string _last = string.Empty;
     private double _lastMilliseconds;
 
@@ -37,25 +39,25 @@ public sealed class PlayerMessages
     /// <summary>Tells the player, and the log; the same message again within five seconds only once.</summary>
     public void Tell(string message)
     {
-        if (IsToldAgain(message))
+        if (message != _last || IsLongAgo(_lastMilliseconds))
         {
-            return;
+            _failures.Clear();
+            Show(message);
         }
-
-        _last = message;
-        _lastMilliseconds = _clock.Milliseconds;
-        Log(message);
-        Quietly(() => _show(Prefix + message));
     }
 
-    /// <summary>Tells the player that something failed, and the log why; what fails in every tick does not fill the disk.</summary>
+    /// <summary>
+    /// Tells the player that something failed, and the log why; the same again within five seconds only once as long as nothing but failures
+    /// is told: what fails in every tick does not fill the disk.
+    /// </summary>
     public void TellFailure(string what, Exception exception)
     {
         string message = $"{what} failed: {exception?.Message} More in GtaDataHarvester.log.";
-        if (!IsToldAgain(message))
+        if (!_failures.TryGetValue(message, out double told) || IsLongAgo(told))
         {
+            _failures[message] = _clock.Milliseconds;
             Log(exception?.ToString() ?? what);
-            Tell(message);
+            Show(message);
         }
     }
 
@@ -69,7 +71,15 @@ public sealed class PlayerMessages
     /// <summary>Waits until all is in the log, at most so long.</summary>
     public void Wait(TimeSpan longest) => _disk.Wait(longest);
 
-    private bool IsToldAgain(string message) => message == _last && _clock.Milliseconds - _lastMilliseconds < RepeatAfterMilliseconds;
+    private bool IsLongAgo(double milliseconds) => _clock.Milliseconds - milliseconds >= RepeatAfterMilliseconds;
+
+    private void Show(string message)
+    {
+        _last = message;
+        _lastMilliseconds = _clock.Milliseconds;
+        Log(message);
+        Quietly(() => _show(Prefix + message));
+    }
 
     private static void Quietly(Action tell)
     {

@@ -50,7 +50,7 @@ public sealed class PlayerMessagesTests : IDisposable
     }
 
     [Fact]
-    public void Failure_in_every_tick_is_told_and_logged_every_five_seconds()
+    public void Failures_in_every_tick_are_told_and_logged_every_five_seconds()
     {
         var shown = new List<string>();
         var messages = new PlayerMessages(_folder, shown.Add, _clock);
@@ -60,11 +60,34 @@ public sealed class PlayerMessagesTests : IDisposable
         for (int tick = 0; tick < 100; tick++)
         {
             messages.TellFailure("The light", failure);
+            messages.TellFailure("The end of the light", failure);
             _clock.Milliseconds += 90;
         }
 
-        Assert.Equal(Enumerable.Repeat("GtaDataHarvester: The light failed: no light More in GtaDataHarvester.log.", 2), shown);
+        string[] both =
+        [
+            "GtaDataHarvester: The light failed: no light More in GtaDataHarvester.log.",
+            "GtaDataHarvester: The end of the light failed: no light More in GtaDataHarvester.log.",
+        ];
+        Assert.Equal([.. both, .. both], shown);
         messages.Wait(Timeout.InfiniteTimeSpan);
-        Assert.Equal(2, File.ReadAllLines(Path.Combine(_folder, "GtaDataHarvester.log")).Count(line => line.Contains("InvalidOperationException", StringComparison.Ordinal)));
+        Assert.Equal(4, File.ReadAllLines(Path.Combine(_folder, "GtaDataHarvester.log")).Count(line => line.Contains("InvalidOperationException", StringComparison.Ordinal)));
+    }
+
+    [Fact]
+    public void Failure_is_told_again_when_the_player_was_told_something_else()
+    {
+        var shown = new List<string>();
+        var messages = new PlayerMessages(_folder, shown.Add, _clock);
+        var failure = new InvalidOperationException("no light");
+
+        messages.TellFailure("The light", failure);
+        messages.TellFailure("The light", failure);
+        messages.Tell("The camera is mounted.");
+        messages.TellFailure("The light", failure);
+
+        Assert.Equal(3, shown.Count);
+        Assert.Equal(shown[0], shown[2]);
+        messages.Wait(Timeout.InfiniteTimeSpan);
     }
 }

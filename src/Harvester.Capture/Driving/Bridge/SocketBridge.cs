@@ -63,14 +63,14 @@ public sealed class SocketBridge : IDrivingBridge
     /// <inheritdoc/>
     public bool TryReceive([NotNullWhen(true)] out PeerMessage? message) => _reception.Inbox.TryTake(out message);
 
-    /// <summary>Ends all connections, the listening and the threads.</summary>
+    /// <summary>Ends all connections, the listening and the threads; waits for a frame that is being sent, at most <see cref="SocketBridgeOptions.SendPatience"/>.</summary>
     public void Dispose()
     {
         _stopping = true;
         _listener.Stop();
         _reception.Outbox.Close();
 
-        // A frame that is on its way arrives whole, if the peer takes it.
+        // A frame that is on its way is sent whole, if the peer takes it.
         _sender.Join(_reception.Options.SendPatience);
         _reception.Inbox.Close()?.Dispose();
         foreach (SocketPeer stranger in _reception.Strangers.Close())

@@ -15,10 +15,10 @@ public sealed record SocketBridgeOptions(IPAddress Address, int Port, string? To
     /// <summary>The loopback interface, no token.</summary>
     public static SocketBridgeOptions Loopback { get; } = new(IPAddress.Loopback, DefaultPort, null);
 
-    /// <summary>How long a connection may take to show the token; longer than 0.</summary>
+    /// <summary>How long a connection may take to show the token; longer than 0, or Timeout.InfiniteTimeSpan.</summary>
     public TimeSpan TokenPatience { get; init; } = TimeSpan.FromSeconds(2);
 
-    /// <summary>How long the peer may leave a frame untaken before it is cut off; longer than 0.</summary>
+    /// <summary>How long the peer may leave a frame untaken before it is cut off, and how long the end of the bridge waits for that; a millisecond to 24 days.</summary>
     public TimeSpan SendPatience { get; init; } = TimeSpan.FromSeconds(2);
 
     /// <summary>How many connections may be about to show the token at a time; at least 1. The one that has waited longest makes room for another.</summary>

@@ -60,9 +60,11 @@ public sealed class DeepDrivingController : IController
 
     /// <summary>Makes a controller for labels that measure the angle ahead of the car.</summary>
     /// <param name="car">The car.</param>
-    /// <param name="lookAheadMetres">How far ahead, metres; more than 0.</param>
+    /// <param name="lookAheadMetres">How far ahead, metres; 0 or more.</param>
     /// <param name="vehicleAllowanceMetres">Taken off the distances to vehicles, metres.</param>
     /// <param name="mostSpeed">Metres per second.</param>
+    /// <exception cref="ArgumentNullException">There is no car.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The angle would be measured behind the car.</exception>
     public DeepDrivingController(CarTraits car, double lookAheadMetres, double vehicleAllowanceMetres, double mostSpeed)
         : this((car ?? throw new ArgumentNullException(nameof(car))).SteeringLockRadians, vehicleAllowanceMetres, mostSpeed) =>
         _road = new RoadAhead(lookAheadMetres, PeriodSeconds, car, new PlaceBesideLine());

@@ -7,7 +7,7 @@ namespace Harvester.Capture.Driving.Controllers;
 /// The angle of the road at the car and the bends between it and its look-ahead point, from the angles seen there and from how the car has
 /// turned since: by its heading where that is known, else as a bicycle turns whose wheels follow the steering.
 /// </summary>
-/// <param name="lookAheadMetres">How far ahead the angles are measured, metres along the road; more than 0.</param>
+/// <param name="lookAheadMetres">How far ahead the angles are measured, metres along the road; 0 or more.</param>
 /// <param name="periodSeconds">Time between two frames, seconds.</param>
 /// <param name="car">The car.</param>
 /// <param name="place">Told where the car is beside the road's line, to make up for it in bends; null to take the car for on the line.</param>

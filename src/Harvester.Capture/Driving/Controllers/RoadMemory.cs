@@ -8,7 +8,7 @@ namespace Harvester.Capture.Driving.Controllers;
 /// it come the angle at the car and the bends ahead, which a single frame does not tell apart. Lengths are metres along the road,
 /// headings radians in a frame of the memory's own, positive to the left.
 /// </summary>
-/// <param name="lookAheadMetres">How far ahead the angles are measured.</param>
+/// <param name="lookAheadMetres">How far ahead the angles are measured; 0 or more.</param>
 internal sealed class RoadMemory(double lookAheadMetres)
 {
     /// <summary>Frames nearer to each other than this count as one place: a standing car sees it again and again.</summary>
@@ -21,6 +21,10 @@ internal sealed class RoadMemory(double lookAheadMetres)
     private const double SpreadOfNone = 2;
 
     private const double SeedStep = 1;
+
+    private readonly double _lookAheadMetres = lookAheadMetres >= 0
+        ? lookAheadMetres
+        : throw new ArgumentOutOfRangeException(nameof(lookAheadMetres), lookAheadMetres, "Angles are measured at the car or ahead of it.");
 
     private readonly List<(double Station, double Heading, int Frames)> _seen = [];
     private double _station;
@@ -37,14 +41,14 @@ internal sealed class RoadMemory(double lookAheadMetres)
     /// <summary>The road's heading at the look-ahead point less the car's.</summary>
     public void See(double angle)
     {
-        double station = _station + lookAheadMetres;
+        double station = _station + _lookAheadMetres;
         double heading = _heading + angle;
         if (_seen.Count == 0)
         {
             // Nothing is known of the way to there. Who hands a car over hands it over along its road: an arc that begins in its direction.
-            for (double share = 0; share < 1; share += SeedStep / lookAheadMetres)
+            for (double share = 0; share < 1; share += SeedStep / _lookAheadMetres)
             {
-                _seen.Add((_station + (share * lookAheadMetres), _heading + (share * angle), 1));
+                _seen.Add((_station + (share * _lookAheadMetres), _heading + (share * angle), 1));
             }
         }
 
