@@ -42,7 +42,7 @@ public sealed class DatasetExporter
     public ExportResult Run(Action<int> report, CancellationToken cancellation = default)
     {
         string identity = _plan.Identity;
-        if (_folder.HasLeftovers)
+        if (_folder.HasLeftovers && DatasetAssembly.PlanOf(_folder) == identity)
         {
             _folder.Finish();
             return DatasetAssembly.ResultOf(_folder);

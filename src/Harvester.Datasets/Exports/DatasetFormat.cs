@@ -23,9 +23,6 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
     /// <summary>Whether it has no words for a lens that bends lines.</summary>
     public bool NeedsRectilinear { get; init; }
 
-    /// <summary>Whether frames are left out of which it has nothing to say.</summary>
-    public bool LeavesOutFrames { get; init; }
-
     /// <summary>Whether it lists objects; lanes are all that formats about lanes have.</summary>
     public bool HasObjects => !NeedsLanes;
 

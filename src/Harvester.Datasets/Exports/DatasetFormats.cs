@@ -34,8 +34,8 @@ public static class DatasetFormats
         {
             NeedsLanes = true, KeepsImages = false, Check = DeepDrivingCheck.Problems,
         },
-        new("tusimple", "TuSimple lanes", options => new TuSimpleWriter(options)) { NeedsLanes = true, LeavesOutFrames = true, Check = TuSimpleCheck.Problems },
-        new("openlane", "OpenLane 3D lane lines", _ => new OpenLaneWriter()) { NeedsLanes = true, LeavesOutFrames = true, Check = OpenLaneCheck.Problems },
+        new("tusimple", "TuSimple lanes", options => new TuSimpleWriter(options)) { NeedsLanes = true, Check = TuSimpleCheck.Problems },
+        new("openlane", "OpenLane 3D lane lines", _ => new OpenLaneWriter()) { NeedsLanes = true, Check = OpenLaneCheck.Problems },
         new("webdataset", "Tar archives for streaming readers", _ => new WebDatasetWriter()) { HasParts = true, KeepsImages = false, Check = WebDatasetCheck.Problems },
         new("csv", "Flat tables of frames and objects", _ => new CsvDatasetWriter()) { HasParts = true, Check = CsvDatasetCheck.Problems },
     ];

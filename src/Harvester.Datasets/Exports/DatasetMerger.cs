@@ -20,7 +20,8 @@ public static class DatasetMerger
     public static ExportResult Merge(IReadOnlyList<string> shards, string folder, ImageTransfer transfer)
     {
         var target = new DatasetFolder(folder);
-        if (target.HasLeftovers)
+        DatasetFolder[] sources = [.. shards.Select(shard => new DatasetFolder(shard))];
+        if (target.HasLeftovers && IsMergeOf(sources, target))
         {
             target.Finish();
             return DatasetAssembly.ResultOf(target);
@@ -31,7 +32,6 @@ public static class DatasetMerger
             throw new OccupiedFolderException($"'{folder}' holds a finished dataset already. Name another folder.");
         }
 
-        DatasetFolder[] sources = [.. shards.Select(shard => new DatasetFolder(shard))];
         string plan = sources[0].ReadPlan();
         if (sources.FirstOrDefault(source => source.ReadPlan() != plan) is { } other)
         {
@@ -40,7 +40,7 @@ public static class DatasetMerger
 
         IReadOnlyList<string> journals = CompleteJournals(sources);
         target.Begin(plan);
-        foreach (DatasetFolder source in sources.Where(source => Path.GetFullPath(source.Path) != Path.GetFullPath(folder)))
+        foreach (DatasetFolder source in sources.Where(source => !IsSame(source, target)))
         {
             IEnumerable<string> files = Journal.ShardsIn(source).SelectMany(shard => Journal.Read(Journal.PathOf(source, shard))).SelectMany(entry => entry.Files);
             foreach (string file in files)
@@ -51,6 +51,17 @@ public static class DatasetMerger
 
         return DatasetAssembly.Finish(target, journals);
     }
+
+    /// <summary>Whether a finished dataset is of the plan of its shards; of one that was made in a shard's folder, that shard's plan is gone.</summary>
+    private static bool IsMergeOf(IEnumerable<DatasetFolder> sources, DatasetFolder target)
+    {
+        string plan = DatasetAssembly.PlanOf(target);
+        return sources.All(source => IsSame(source, target) || source.ReadPlan() == plan);
+    }
+
+    private static bool IsSame(DatasetFolder one, DatasetFolder other) => FullPathOf(one) == FullPathOf(other);
+
+    private static string FullPathOf(DatasetFolder folder) => Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder.Path));
 
     private static IReadOnlyList<string> CompleteJournals(DatasetFolder[] sources)
     {

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Security.Cryptography;
 using System.Text.Json;
 using Harvester.Capture.Labels;
 using Harvester.Capture.Scenes;
@@ -16,7 +17,7 @@ namespace Harvester.Datasets.Exports;
 /// <param name="Options">The options.</param>
 public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReader> Sessions, ExportOptions Options)
 {
-    /// <summary>The plan as a text that is the same for the same export on any machine.</summary>
+    /// <summary>The plan as a text that is the same for the same export on any machine: sessions of one name differ by the digest of their session.json.</summary>
     internal string Identity => JsonLine.Of(json =>
     {
         json.WriteStartObject();
@@ -25,6 +26,13 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
         foreach (SessionReader session in Sessions)
         {
             json.WriteStringValue(Path.GetFileName(Path.TrimEndingDirectorySeparator(Path.GetFullPath(session.Folder))));
+        }
+
+        json.WriteEndArray();
+        json.WriteStartArray("sessionDigests");
+        foreach (SessionReader session in Sessions)
+        {
+            json.WriteStringValue(Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(session.PathOf(SessionInfo.FileName)))));
         }
 
         json.WriteEndArray();

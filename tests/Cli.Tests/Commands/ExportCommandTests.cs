@@ -29,6 +29,18 @@ public sealed class ExportCommandTests : IDisposable
     }
 
     [Fact]
+    public void Summary_says_how_many_frames_were_left_out()
+    {
+        var result = new ExportResult(DatasetFormats.Find("tusimple")!, 4, IsFinished: true)
+        {
+            FramesLeftOut = 6,
+            FramesOfSplits = new Dictionary<string, int> { ["train"] = 4 },
+        };
+
+        Assert.Equal("out: tusimple, 4 frames (train 4); 6 frames without known lanes left out", ExportSummary.Of("out", result));
+    }
+
+    [Fact]
     public void Shards_are_merged()
     {
         foreach (string shard in (string[])["1/2", "2/2"])

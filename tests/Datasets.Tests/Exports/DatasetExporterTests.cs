@@ -1,6 +1,7 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Scenes;
 using Harvester.Datasets.Exports;
+using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Tests.Exports;
 
@@ -19,7 +20,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         ExportResult result = Folder.Export(format, simulated.Open(), TwoSplits, "a");
         Folder.Export(format, simulated.Open(), TwoSplits with { Images = ImageTransfer.Copy }, "b");
 
-        Assert.Equal(SimulatedSession.Frames, result.Frames);
+        Assert.Equal(SimulatedSession.Frames, result.Frames + result.FramesLeftOut);
         Assert.True(result.Labels > SimulatedSession.Frames);
         Assert.Equal(result.Format.HasObjects, result.Objects > 0);
         Assert.Equal(Folder.Contents("a"), Folder.Contents("b"));
@@ -184,6 +185,57 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
 
         Assert.Equivalent(whole, Folder.Export("csv", Session.Open()), strict: true);
         Assert.Equal(contents, Folder.Contents("out"));
+    }
+
+    [Fact]
+    public void Merge_that_was_killed_while_it_took_its_working_folder_away_is_finished()
+    {
+        Folder.Export("csv", Session.Open(), to: "a", shard: new Shard(1, 2));
+        Folder.Export("csv", Session.Open(), to: "b", shard: new Shard(2, 2));
+        string[] shards = [Folder.PathOf("a"), Folder.PathOf("b")];
+        ExportResult whole = DatasetMerger.Merge(shards, shards[0], ImageTransfer.Link);
+        SortedDictionary<string, string> contents = Folder.Contents("a");
+        Directory.CreateDirectory(Folder.PathOf("a/.export"));
+
+        Assert.Equivalent(whole, DatasetMerger.Merge(shards, shards[0] + "/", ImageTransfer.Link), strict: true);
+        Assert.Equal(contents, Folder.Contents("a"));
+        Assert.False(Directory.Exists(Folder.PathOf("a/.export")));
+    }
+
+    [Fact]
+    public void Export_or_merge_of_another_plan_does_not_finish_what_was_killed_at_its_end()
+    {
+        Folder.Export("csv", Session.Open());
+        Directory.CreateDirectory(Folder.PathOf("out/.export"));
+        Folder.Export("voc", Session.Open(), to: "shards", shard: new Shard(1, 2));
+        Folder.Export("voc", Session.Open(), to: "shards", shard: new Shard(2, 2));
+
+        Assert.Throws<OccupiedFolderException>(() => Folder.Export("voc", Session.Open()));
+        Assert.Throws<OccupiedFolderException>(() => DatasetMerger.Merge([Folder.PathOf("shards")], Folder.PathOf("out"), ImageTransfer.Link));
+    }
+
+    [Fact]
+    public void Shards_begin_in_a_folder_to_which_another_is_about_to_write_its_plan()
+    {
+        Directory.CreateDirectory(Folder.PathOf("out/.export"));
+        using var other = new FileStream(Folder.PathOf("out/.export/plan.json.partial"), FileMode.CreateNew, FileAccess.Write, FileShare.None);
+
+        Assert.Equal(2, Folder.Export("csv", Session.Open(), shard: new Shard(1, 2)).Frames);
+        Assert.Equal(1, Folder.Export("csv", Session.Open(), shard: new Shard(2, 2)).Frames);
+    }
+
+    [Fact]
+    public void Export_does_not_go_on_with_another_session_of_the_same_name()
+    {
+        KillAfter(2, "csv");
+        string other = Folder.PathOf("other/" + Path.GetFileName(simulated.Folder));
+        Directory.CreateDirectory(other);
+        File.Copy(Path.Combine(simulated.Folder, "labels.jsonl"), Path.Combine(other, "labels.jsonl"));
+        File.WriteAllText(Path.Combine(other, "session.json"), File.ReadAllText(Path.Combine(simulated.Folder, "session.json")) + "\n");
+
+        OccupiedFolderException refused = Assert.Throws<OccupiedFolderException>(() => Folder.Export("csv", new SessionReader(other), TwoSplits, "killed"));
+
+        Assert.Contains("other sessions or options", refused.Message, StringComparison.Ordinal);
     }
 
     [Fact]

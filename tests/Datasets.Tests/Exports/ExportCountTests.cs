@@ -1,5 +1,8 @@
 using System.Text.Json;
+using System.Text.RegularExpressions;
 using Harvester.Datasets.Exports;
+using Harvester.Datasets.Exports.Validation;
+using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Tests.Exports;
 
@@ -43,6 +46,32 @@ public sealed class ExportCountTests(SimulatedSession simulated) : ExportTests
         using JsonDocument manifest = JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/export.json")));
         Assert.Equal(
             (some.Labels, some.Objects), (manifest.RootElement.GetProperty("labels").GetInt32(), manifest.RootElement.GetProperty("objects").GetInt32()));
+    }
+
+    [Theory]
+    [InlineData("tusimple")]
+    [InlineData("openlane")]
+    public void Frames_without_known_lanes_are_counted_apart(string format)
+    {
+        string session = Folder.PathOf("session");
+        foreach (string file in Directory.EnumerateFiles(simulated.Folder, "*", SearchOption.AllDirectories))
+        {
+            string copy = Path.Combine(session, Path.GetRelativePath(simulated.Folder, file));
+            Directory.CreateDirectory(Path.GetDirectoryName(copy)!);
+            File.Copy(file, copy);
+        }
+
+        string labels = Path.Combine(session, SessionReader.LabelsFile);
+        string text = new Regex("\"status\":\"known\"").Replace(File.ReadAllText(labels), "\"status\":\"ambiguous\"", 1);
+        File.WriteAllText(labels, text);
+        int known = Regex.Count(text, "\"status\":\"known\"");
+        Assert.InRange(known, 1, SimulatedSession.Frames - 1);
+
+        ExportResult result = Folder.Export(format, new SessionReader(session));
+
+        Assert.Equal((known, SimulatedSession.Frames - known, known), (result.Frames, result.FramesLeftOut, result.FramesOfSplits["train"]));
+        Assert.Equal(known, Directory.GetFiles(Folder.PathOf("out"), "*.png", SearchOption.AllDirectories).Length);
+        Assert.Empty(DatasetValidator.Validate(Folder.PathOf("out")).Problems);
     }
 
     [Fact]

@@ -17,11 +17,20 @@ internal static class DatasetAssembly
         (DatasetFormat format, ExportOptions options) = ExportPlan.Parse(plan);
         var parts = new PartStore(folder.PathOf(DatasetFolder.Working + "/parts"));
         SortedDictionary<string, int> splits = new(options.Splits.Splits.ToDictionary(split => split.Name, _ => 0), StringComparer.Ordinal);
+        int leftOut = 0;
         int labels = 0;
         int objects = 0;
         foreach (JournalEntry entry in InOrder(journals))
         {
-            splits[entry.Split]++;
+            if (entry.Files.Count == 0)
+            {
+                leftOut++;
+            }
+            else
+            {
+                splits[entry.Split]++;
+            }
+
             labels += entry.Labels;
             objects += entry.Objects;
             foreach ((string name, string line) in entry.Parts)
@@ -36,10 +45,17 @@ internal static class DatasetAssembly
             folder.Write(file.Path, stream => Write(stream, file, parts, folder));
         }
 
-        var result = new ExportResult(format, splits.Values.Sum(), IsFinished: true) { Labels = labels, Objects = objects, FramesOfSplits = splits };
+        var result = new ExportResult(format, splits.Values.Sum(), IsFinished: true) { FramesLeftOut = leftOut, Labels = labels, Objects = objects, FramesOfSplits = splits };
         folder.Write(DatasetFolder.Manifest, stream => stream.Write(Encoding.UTF8.GetBytes(ManifestText(plan, result))));
         folder.Finish();
         return result;
+    }
+
+    /// <summary>The plan of a finished dataset.</summary>
+    public static string PlanOf(DatasetFolder folder)
+    {
+        using JsonDocument manifest = JsonDocument.Parse(File.ReadAllBytes(folder.PathOf(DatasetFolder.Manifest)));
+        return manifest.RootElement.GetProperty("plan").GetRawText();
     }
 
     /// <summary>What a finished dataset says of itself.</summary>
@@ -52,6 +68,7 @@ internal static class DatasetAssembly
             manifest.RootElement.GetProperty("framesOfSplits").EnumerateObject().Select(split => KeyValuePair.Create(split.Name, split.Value.GetInt32()));
         return new ExportResult(format, fields.WholeNumber("frames"), IsFinished: true)
         {
+            FramesLeftOut = fields.WholeNumber("framesLeftOut"),
             Labels = fields.WholeNumber("labels"),
             Objects = fields.WholeNumber("objects"),
             FramesOfSplits = new Dictionary<string, int>(splits),
@@ -119,6 +136,7 @@ internal static class DatasetAssembly
         json.WriteStartObject();
         json.WriteNumber("formatVersion", 1);
         json.WriteNumber("frames", result.Frames);
+        json.WriteNumber("framesLeftOut", result.FramesLeftOut);
         json.WriteNumber("labels", result.Labels);
         json.WriteNumber("objects", result.Objects);
         json.WriteStartObject("framesOfSplits");

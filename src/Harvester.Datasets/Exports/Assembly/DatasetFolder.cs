@@ -1,7 +1,6 @@
 using System;
 using System.IO;
 using System.Linq;
-using System.Text;
 
 namespace Harvester.Datasets.Exports.Assembly;
 
@@ -30,7 +29,8 @@ internal sealed class DatasetFolder(string path)
     /// <summary>Whether it is finished, but was stopped before the working folder was gone.</summary>
     public bool HasLeftovers => IsFinished && Directory.Exists(PathOf(Working));
 
-    public bool IsEmpty => !Directory.Exists(path) || !Directory.EnumerateFileSystemEntries(path).Any();
+    /// <summary>Whether nothing is there yet, a working folder that another shard is about to write its plan to apart.</summary>
+    public bool IsEmpty => !Directory.Exists(path) || Directory.EnumerateFileSystemEntries(path).All(entry => System.IO.Path.GetFileName(entry) == Working);
 
     public bool IsBegun => File.Exists(PathOf(PlanFile));
 
@@ -48,12 +48,15 @@ internal sealed class DatasetFolder(string path)
             throw new OccupiedFolderException($"'{path}' is not empty and holds no export that could be continued. Name another folder.");
         }
 
-        if (IsBegun && !string.Equals(ReadPlan(), plan, StringComparison.Ordinal))
+        if (!IsBegun)
+        {
+            WritePlan(plan);
+        }
+
+        if (!string.Equals(ReadPlan(), plan, StringComparison.Ordinal))
         {
             throw new OccupiedFolderException($"'{path}' holds an export that was begun with other sessions or options. Use the same ones, or name another folder.");
         }
-
-        Write(PlanFile, stream => stream.Write(Encoding.UTF8.GetBytes(plan)));
     }
 
     /// <summary>Takes the working folder away: when the plan is gone, the dataset is finished.</summary>
@@ -75,6 +78,21 @@ internal sealed class DatasetFolder(string path)
     }
 
     public void Transfer(string name, string source, ImageTransfer transfer) => FileTransfer.Place(Prepare(name), source, transfer);
+
+    // Of shards that begin at once each writes a file of its own, and the first that is moved is the plan.
+    private void WritePlan(string plan)
+    {
+        string own = Prepare($"{PlanFile}.{Guid.NewGuid():N}{Temporary}");
+        File.WriteAllText(own, plan);
+        try
+        {
+            File.Move(own, PathOf(PlanFile));
+        }
+        catch (IOException) when (IsBegun)
+        {
+            File.Delete(own);
+        }
+    }
 
     private string Prepare(string name)
     {

@@ -38,7 +38,7 @@ public static class DatasetValidator
         foreach ((string split, int counted) in framesOfSplits)
         {
             int found = dataset.FramesOfSplits.GetValueOrDefault(split);
-            if (found > counted || (found < counted && !format.LeavesOutFrames))
+            if (found != counted)
             {
                 problems.Add(new SessionProblem(DatasetFolder.Manifest, null, $"it counts {counted} frames in {split}, but there are {found}."));
             }
