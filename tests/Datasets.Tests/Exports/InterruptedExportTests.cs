@@ -1,0 +1,125 @@
+using Harvester.Capture.Harvesting;
+using Harvester.Datasets.Exports;
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Datasets.Tests.Exports;
+
+/// <summary>Exports and merges that were killed, at work or at their end: the same one goes on, another does not.</summary>
+[Collection(SimulatedSession.Collection)]
+public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportTests
+{
+    private static readonly ExportOptions TwoSplits = DatasetExporterTests.TwoSplits;
+
+    [Theory]
+    [MemberData(nameof(DatasetExporterTests.Formats), MemberType = typeof(DatasetExporterTests))]
+    public void Export_goes_on_after_it_was_killed(string format)
+    {
+        Folder.Export(format, simulated.Open(), TwoSplits, "single");
+        KillAfter(3, format);
+
+        var done = new List<int>();
+        new DatasetExporter(ExportFolder.Plan(format, [simulated.Open()], TwoSplits), Folder.PathOf("killed"), Shard.Whole).Run(done.Add);
+
+        Assert.Equal(4, done[0]);
+        Assert.Equal(Folder.Contents("single"), Folder.Contents("killed"));
+    }
+
+    [Fact]
+    public void Export_does_not_go_on_with_other_options()
+    {
+        KillAfter(2, "csv");
+
+        OccupiedFolderException refused = Assert.Throws<OccupiedFolderException>(() => Folder.Export("csv", simulated.Open(), to: "killed"));
+
+        Assert.Contains("other sessions or options", refused.Message, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("\"labels\":", "\"tables\":")]
+    [InlineData("{\"frame\":1,", "{\"frame\":1.5,")]
+    [InlineData("{\"frame\":1,", "{\"frame\":\"1\",")]
+    [InlineData("{\"frame\":1,", "\u0000\u0000")]
+    public void Export_does_not_go_on_by_a_journal_that_is_damaged_or_of_another_version(string good, string bad)
+    {
+        KillAfter(2, "csv");
+        string journal = Folder.PathOf("killed/.export/journal-1-of-1.jsonl");
+        string text = File.ReadAllText(journal);
+        Assert.Contains(good, text, StringComparison.Ordinal);
+        File.WriteAllText(journal, text.Replace(good, bad, StringComparison.Ordinal));
+
+        DatasetFormatException refused = Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", simulated.Open(), TwoSplits, "killed"));
+
+        Assert.StartsWith($"'{journal}' has a line", refused.Message, StringComparison.Ordinal);
+        Assert.EndsWith("begin the export anew.", refused.Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Export_that_was_killed_while_it_took_its_working_folder_away_is_finished()
+    {
+        ExportResult whole = Folder.Export("csv", Session.Open());
+        SortedDictionary<string, string> contents = Folder.Contents("out");
+        Directory.CreateDirectory(Folder.PathOf("out/.export/parts"));
+        File.WriteAllText(Folder.PathOf("out/.export/parts/0"), "left");
+
+        Assert.Equivalent(whole, Folder.Export("csv", Session.Open()), strict: true);
+        Assert.Equal(contents, Folder.Contents("out"));
+    }
+
+    [Fact]
+    public void Merge_that_was_killed_while_it_took_its_working_folder_away_is_finished()
+    {
+        Folder.Export("csv", Session.Open(), to: "a", shard: new Shard(1, 2));
+        Folder.Export("csv", Session.Open(), to: "b", shard: new Shard(2, 2));
+        string[] shards = [Folder.PathOf("a"), Folder.PathOf("b")];
+        ExportResult whole = DatasetMerger.Merge(shards, shards[0], ImageTransfer.Link);
+        SortedDictionary<string, string> contents = Folder.Contents("a");
+        Directory.CreateDirectory(Folder.PathOf("a/.export"));
+
+        Assert.Equivalent(whole, DatasetMerger.Merge(shards, shards[0] + "/", ImageTransfer.Link), strict: true);
+        Assert.Equal(contents, Folder.Contents("a"));
+        Assert.False(Directory.Exists(Folder.PathOf("a/.export")));
+    }
+
+    [Fact]
+    public void Export_or_merge_of_another_plan_does_not_finish_what_was_killed_at_its_end()
+    {
+        Folder.Export("csv", Session.Open());
+        Directory.CreateDirectory(Folder.PathOf("out/.export"));
+        Folder.Export("voc", Session.Open(), to: "shards", shard: new Shard(1, 2));
+        Folder.Export("voc", Session.Open(), to: "shards", shard: new Shard(2, 2));
+
+        Assert.Throws<OccupiedFolderException>(() => Folder.Export("voc", Session.Open()));
+        Assert.Throws<OccupiedFolderException>(() => DatasetMerger.Merge([Folder.PathOf("shards")], Folder.PathOf("out"), ImageTransfer.Link));
+    }
+
+    [Fact]
+    public void Export_does_not_go_on_with_another_session_of_the_same_name()
+    {
+        KillAfter(2, "csv");
+        string other = Folder.PathOf("other/" + Path.GetFileName(simulated.Folder));
+        Directory.CreateDirectory(other);
+        File.Copy(Path.Combine(simulated.Folder, "labels.jsonl"), Path.Combine(other, "labels.jsonl"));
+        File.WriteAllText(Path.Combine(other, "session.json"), File.ReadAllText(Path.Combine(simulated.Folder, "session.json")) + "\n");
+
+        OccupiedFolderException refused = Assert.Throws<OccupiedFolderException>(() => Folder.Export("csv", new SessionReader(other), TwoSplits, "killed"));
+
+        Assert.Contains("other sessions or options", refused.Message, StringComparison.Ordinal);
+    }
+
+    /// <summary>Leaves what a process that was killed while it wrote leaves: some frames, and half a line in the journal.</summary>
+    private void KillAfter(int frames, string format)
+    {
+        using var stop = new CancellationTokenSource();
+        var exporter = new DatasetExporter(ExportFolder.Plan(format, [simulated.Open()], TwoSplits), Folder.PathOf("killed"), Shard.Whole);
+        Assert.Throws<OperationCanceledException>(() => exporter.Run(
+            done =>
+            {
+                if (done == frames)
+                {
+                    stop.Cancel();
+                }
+            },
+            stop.Token));
+        File.AppendAllText(Folder.PathOf("killed/.export/journal-1-of-1.jsonl"), "{\"frame\":3,\"split\":\"tra");
+    }
+}
