@@ -26,11 +26,17 @@ public abstract class Script
     /// <summary>The folder that the script's file lies in.</summary>
     public string BaseDirectory => Path.GetDirectoryName(Filename)!;
 
-    internal void RaiseTick() => Tick?.Invoke(this, EventArgs.Empty);
+    internal void RaiseTick() => Raise(() => Tick?.Invoke(this, EventArgs.Empty));
 
-    internal void RaiseAborted() => Aborted?.Invoke(this, EventArgs.Empty);
+    internal void RaiseAborted() => Raise(() => Aborted?.Invoke(this, EventArgs.Empty));
 
-    internal void RaiseKeyUp(Keys key) => KeyUp?.Invoke(this, new KeyEventArgs(key));
+    internal void RaiseKeyUp(Keys key) => Raise(() => KeyUp?.Invoke(this, new KeyEventArgs(key)));
 
-    internal void RaiseKeyDown(Keys key) => KeyDown?.Invoke(this, new KeyEventArgs(key));
+    internal void RaiseKeyDown(Keys key) => Raise(() => KeyDown?.Invoke(this, new KeyEventArgs(key)));
+
+    private static void Raise(Action handlers) => ScriptThread.Run(() =>
+    {
+        handlers();
+        return true;
+    });
 }

@@ -19,6 +19,9 @@ public static class World
     public static Prop[] GetNearbyProps(Vector3 position, float radius, params Model[] models) =>
         Near(PoolKind.Props, position, radius, models, handle => new Prop(handle));
 
-    private static T[] Near<T>(PoolKind pool, Vector3 position, float radius, Model[] models, Converter<int, T> make) =>
-        Array.ConvertAll(GameHost.Current.HandlesNear(pool, position, radius, Array.ConvertAll(models, model => model.Hash)), make);
+    private static T[] Near<T>(PoolKind pool, Vector3 position, float radius, Model[] models, Converter<int, T> make)
+    {
+        ScriptThread.Require("a list of nearby entities");
+        return Array.ConvertAll(GameHost.Current.HandlesNear(pool, position, radius, Array.ConvertAll(models, model => model.Hash)), make);
+    }
 }

@@ -22,7 +22,7 @@ internal static class Application
     private const string ExitCodes =
         "Exit codes:\n"
         + "  0    done\n"
-        + "  1    the data is at fault: a session with problems, a malformed file\n"
+        + "  1    the data is at fault: a session or logs with problems, a malformed file\n"
         + "  2    the command line is at fault, or names a folder for output that holds something else\n"
         + "  3    a file cannot be read or written, or a bridge to another program failed\n"
         + "  4    the game failed; what was written is whole\n"
@@ -92,6 +92,7 @@ internal static class Application
         root.Subcommands.Add(DriveCommand.Create(terminal));
         root.Subcommands.Add(ServeCommand.Create(terminal));
         root.Subcommands.Add(ValidateCommand.Create(terminal));
+        root.Subcommands.Add(DoctorCommand.Create(terminal));
         root.Subcommands.Add(ReportCommand.Create(terminal));
         root.Subcommands.Add(CalibrateCommand.Create(terminal));
         root.Subcommands.Add(StatsCommand.Create(terminal));

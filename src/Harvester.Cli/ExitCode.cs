@@ -6,7 +6,7 @@ internal static class ExitCode
     /// <summary>Everything asked for was done.</summary>
     public const int Done = 0;
 
-    /// <summary>The data is at fault: a session with problems, a malformed file.</summary>
+    /// <summary>The data is at fault: a session or logs with problems, a malformed file.</summary>
     public const int BadData = 1;
 
     /// <summary>The command line is at fault, or names a folder for output that holds something else.</summary>

@@ -34,11 +34,14 @@ internal sealed record Terminal(TextReader In, TextWriter Out, TextWriter Error,
     /// Says in one line what went wrong. Messages quote files, which may be anything: control characters, which a terminal would obey, are
     /// left out, and what is too long to read is cut.
     /// </summary>
-    public void WriteError(string message)
+    public void WriteError(string message) => Error.WriteLine($"harvester: {OneLine(message)}");
+
+    /// <summary>A text that may be anything as one line of bounded length, without control characters.</summary>
+    public static string OneLine(string text)
     {
-        string line = string.Join(' ', message.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
+        string line = string.Join(' ', text.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
         line = string.Concat(line.Where(character => !char.IsControl(character)));
-        Error.WriteLine($"harvester: {(line.Length <= LongestError ? line : line[..LongestError] + "...")}");
+        return line.Length <= LongestError ? line : line[..LongestError] + "...";
     }
 
     /// <summary>Tables and progress over the same output; without colours and motion when nobody watches.</summary>

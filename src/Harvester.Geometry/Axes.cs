@@ -47,11 +47,18 @@ public readonly record struct Axes
         Guard.Finite(right, nameof(right));
         Guard.Finite(forward, nameof(forward));
         Guard.Finite(up, nameof(up));
+        return TryFromVectors(right, forward, up)
+            ?? throw new ArgumentException("The axes must be unit vectors, square to each other and right-handed (right × forward = up).");
+    }
+
+    /// <summary>As <see cref="FromVectors"/>; null for vectors that it refuses.</summary>
+    internal static Axes? TryFromVectors(Vector3D right, Vector3D forward, Vector3D up)
+    {
         if (!IsUnit(right) || !IsUnit(forward) || !IsUnit(up)
             || Math.Abs(right.Dot(forward)) > OrthonormalTolerance
             || (right.Cross(forward) - up).Length > 3 * OrthonormalTolerance)
         {
-            throw new ArgumentException("The axes must be unit vectors, square to each other and right-handed (right × forward = up).");
+            return null;
         }
 
         if (Math.Abs(forward.Length - 1) <= RoundingTolerance && Math.Abs(right.Length - 1) <= RoundingTolerance

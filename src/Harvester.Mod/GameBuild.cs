@@ -1,24 +1,76 @@
 using System;
+using System.Collections.Generic;
+using System.ComponentModel;
+using System.Diagnostics;
 using GTA;
 
 namespace Harvester.Mod;
 
-/// <summary>What this build of the game and this version of the API cannot do together, in words for the player.</summary>
-internal static class GameBuild
+/// <summary>
+/// The running game: its edition and build, and what it cannot do with the installed scripting API. Both come from the game's program
+/// file, because the API's own enumeration of builds has no names for new ones and is deprecated.
+/// </summary>
+/// <param name="program">File name of the game's program.</param>
+/// <param name="fileVersion">File version of the program; null when it cannot be read.</param>
+internal sealed class GameBuild(string program, Version? fileVersion)
 {
-    // 1.0.3179, as ScriptHookV counts builds; 3.6.0 has no name for it.
-    private const GameVersion LastOfRelease = (GameVersion)86;
+    private const string EnhancedProgram = "GTA5_Enhanced.exe";
 
-    // Nightlies know newer builds from this one on; those before 3.7 count in the last part.
-    private static readonly Version FirstForNewerBuilds = new(3, 6, 0, 89);
+    /// <summary>The first Legacy build with a native that attaches a camera rigidly. Every Enhanced build has it.</summary>
+    private static readonly Version FirstWithRigidCameras = new(1, 0, 2189);
 
-    /// <summary>Why no camera can be mounted; null when one can. An unknown native would end the game.</summary>
-    public static string? MountProblem => Game.Version is >= 0 and < GameVersion.v1_0_2189_0_Steam
+    /// <summary>The first Legacy build whose memory release 3.6.0 of the API cannot read.</summary>
+    private static readonly Version FirstUnknownToRelease = new(1, 0, 3258);
+
+    /// <summary>The first version of the API that reads the memory of newer builds. Nightlies of 3.6 count in the last part.</summary>
+    private static readonly Version FirstApiForNewerBuilds = new(3, 6, 0, 89);
+
+    /// <summary>The assembly version of the installed API, not of the one the mod was compiled against.</summary>
+    public static Version Api => typeof(Script).Assembly.GetName().Version!;
+
+    /// <summary>Legacy or Enhanced.</summary>
+    public string Edition => IsEnhanced ? "Enhanced" : "Legacy";
+
+    /// <summary>File version of the game's program, such as 1.0.3179.0, or "unknown".</summary>
+    public string Build => fileVersion?.ToString() ?? "unknown";
+
+    /// <summary>The game's name with its edition and build.</summary>
+    public string Name => $"GTA V {Edition} {Build}";
+
+    /// <summary>Why no camera can be mounted; null when one can. An unknown native would crash the game.</summary>
+    public string? MountProblem => !IsEnhanced && fileVersion is not null && fileVersion < FirstWithRigidCameras
         ? "This build of the game is older than 1.0.2189 and cannot attach a camera rigidly. Update the game."
         : null;
 
-    /// <summary>Why what is near cannot be listed; null when it can. The API reads it from memory, and in a build that it does not know that may end the game.</summary>
-    public static string? ListProblem => Game.Version > LastOfRelease && typeof(Script).Assembly.GetName().Version < FirstForNewerBuilds
-        ? "This build of the game is newer than ScriptHookVDotNet 3.6.0 knows. Install the latest nightly of ScriptHookVDotNet."
+    /// <summary>Why nearby entities cannot be listed; null when they can. The API reads them from memory, and in a build that it does not know that may crash the game.</summary>
+    public string? ListProblem => !IsEnhanced && fileVersion is not null && fileVersion >= FirstUnknownToRelease && Api < FirstApiForNewerBuilds
+        ? "This build of the game is newer than ScriptHookVDotNet 3.6.0 knows."
         : null;
+
+    /// <summary>The game as a session records it.</summary>
+    public IReadOnlyList<KeyValuePair<string, string>> Settings =>
+    [
+        new("gameEdition", Edition),
+        new("gameBuild", Build),
+        new("scriptApi", Api.ToString()),
+    ];
+
+    private bool IsEnhanced => string.Equals(program, EnhancedProgram, StringComparison.OrdinalIgnoreCase);
+
+    /// <summary>The game that this process runs.</summary>
+    public static GameBuild OfThisProcess()
+    {
+        try
+        {
+            using var process = Process.GetCurrentProcess();
+            ProcessModule module = process.MainModule!;
+            FileVersionInfo version = module.FileVersionInfo;
+            return new GameBuild(
+                module.ModuleName!, new Version(version.FileMajorPart, version.FileMinorPart, version.FileBuildPart, version.FilePrivatePart));
+        }
+        catch (Exception exception) when (exception is Win32Exception or InvalidOperationException or NotSupportedException)
+        {
+            return new GameBuild(string.Empty, null);
+        }
+    }
 }

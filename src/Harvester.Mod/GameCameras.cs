@@ -5,10 +5,10 @@ using Harvester.Geometry;
 namespace Harvester.Mod;
 
 /// <summary>The game's scripted cameras, by its natives.</summary>
-internal sealed class GameCameras : ICameras
+internal sealed class GameCameras(GameBuild build) : ICameras
 {
     /// <inheritdoc/>
-    public string? AttachingProblem => GameBuild.MountProblem;
+    public string? AttachingProblem => build.MountProblem;
 
     /// <inheritdoc/>
     public int Make(Pose pose, double verticalFovDegrees)
@@ -54,6 +54,7 @@ internal sealed class GameCameras : ICameras
     private static void RenderScripted(bool render)
     {
         const int easeMilliseconds = 0;
-        Natives.Call(Hash.RENDER_SCRIPT_CAMS, render, false, easeMilliseconds, true, false);
+        const int unknown = 0;
+        Natives.Call(Hash.RENDER_SCRIPT_CAMS, render, false, easeMilliseconds, true, false, unknown);
     }
 }

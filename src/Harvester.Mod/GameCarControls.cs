@@ -46,7 +46,7 @@ internal sealed class GameCarControls : ICarControls
         Natives.Call(Hash.SET_ENTITY_COORDS_NO_OFFSET, vehicle, (float)position.X, (float)position.Y, (float)position.Z, false, false, false);
         Natives.Call(Hash.SET_ENTITY_HEADING, vehicle, (float)headingDegrees);
         Natives.Call(Hash.SET_ENTITY_VELOCITY, vehicle, 0f, 0f, 0f);
-        Natives.Call(Hash.SET_VEHICLE_ON_GROUND_PROPERLY, vehicle);
+        Natives.PlaceOnGround(vehicle);
     }
 
     /// <inheritdoc/>

@@ -33,7 +33,7 @@ internal sealed class GameDisplay : IDisplay
     public void Ball(Vector3D centre, double radiusMetres, Colour colour)
     {
         const int sphere = 28;
-        const int noTexture = 0;
+        const string? noTexture = null;
         float scale = (float)radiusMetres;
         Natives.Call(
             Hash.DRAW_MARKER, sphere, (float)centre.X, (float)centre.Y, (float)centre.Z, 0f, 0f, 0f, 0f, 0f, 0f, scale, scale, scale,

@@ -23,10 +23,10 @@ internal sealed class GameModels : IModels
     /// <inheritdoc/>
     public (Vector3D Min, Vector3D Max) DimensionsOf(int model)
     {
-        using var min = new OutputArgument();
-        using var max = new OutputArgument();
+        using var min = new NativeOutput();
+        using var max = new NativeOutput();
         Natives.Call(Hash.GET_MODEL_DIMENSIONS, model, min, max);
-        return (Natives.Vector(min), Natives.Vector(max));
+        return (min.Vector, max.Vector);
     }
 
     /// <inheritdoc/>

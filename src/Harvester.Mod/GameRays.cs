@@ -18,29 +18,38 @@ internal sealed class GameRays : IRayCaster
     private const int NoEntity = 0;
     private readonly HashSet<int> _entities = [];
 
+    /// <summary>Rays cast so far.</summary>
+    public long Casts { get; private set; }
+
     /// <summary>Tells which handles are entities of the scene, so that the game need not be asked for each hit.</summary>
     public void Know(int entity) => _entities.Add(entity);
 
     /// <summary>What a line meets. The synchronous probe answers in the same frame; its arguments go as ints, because enums are slow.</summary>
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
     {
+        Casts++;
         Vector3D start = ray.Origin;
         Vector3D end = ray.At(maxDistance);
         int test = Natives.Call<int>(
             Hash.START_EXPENSIVE_SYNCHRONOUS_SHAPE_TEST_LOS_PROBE,
             (float)start.X, (float)start.Y, (float)start.Z, (float)end.X, (float)end.Y, (float)end.Z, WhatHides, ignoredEntity, PassThrough);
-        using var hit = new OutputArgument();
-        using var point = new OutputArgument();
-        using var normal = new OutputArgument();
-        using var entity = new OutputArgument();
+        using var hit = new NativeOutput();
+        using var point = new NativeOutput();
+        using var normal = new NativeOutput();
+        using var entity = new NativeOutput();
         const int ready = 2;
         if (Natives.Call<int>(Hash.GET_SHAPE_TEST_RESULT, test, hit, point, normal, entity) != ready)
         {
             throw new InvalidOperationException("The game did not answer a ray.");
         }
 
-        int met = entity.GetResult<int>();
-        return hit.GetResult<bool>() ? new RayHit((Natives.Vector(point) - start).Length, IsEntity(met) ? met : RayHit.World) : null;
+        if (!hit.IsTrue)
+        {
+            return null;
+        }
+
+        int met = entity.Integer;
+        return new RayHit((point.Vector - start).Length, IsEntity(met) ? met : RayHit.World);
     }
 
     private bool IsEntity(int handle)

@@ -32,18 +32,18 @@ internal sealed class GameRoadSource : IRoadSource
             return null;
         }
 
-        using var position = new OutputArgument();
+        using var position = new NativeOutput();
         Natives.Call(Hash.GET_VEHICLE_NODE_POSITION, node, position);
-        return new SurveyedNode(node, Natives.Vector(position));
+        return new SurveyedNode(node, position.Vector);
     }
 
     /// <inheritdoc/>
     public SurveyedProperties? ReadProperties(Vector3D place)
     {
-        using var density = new OutputArgument();
-        using var flags = new OutputArgument();
+        using var density = new NativeOutput();
+        using var flags = new NativeOutput();
         return Natives.Call<bool>(Hash.GET_VEHICLE_NODE_PROPERTIES, (float)place.X, (float)place.Y, (float)place.Z, density, flags)
-            ? new SurveyedProperties(density.GetResult<int>(), flags.GetResult<int>())
+            ? new SurveyedProperties(density.Integer, flags.Integer)
             : null;
     }
 
@@ -53,24 +53,24 @@ internal sealed class GameRoadSource : IRoadSource
         const float shortestMetres = 0;
         const int fewestLanes = 0;
         const bool ignoreSwitchedOff = false;
-        using var first = new OutputArgument();
-        using var second = new OutputArgument();
-        using var toFirst = new OutputArgument();
-        using var toSecond = new OutputArgument();
-        using var median = new OutputArgument();
+        using var first = new NativeOutput();
+        using var second = new NativeOutput();
+        using var toFirst = new NativeOutput();
+        using var toSecond = new NativeOutput();
+        using var median = new NativeOutput();
         return Natives.Call<bool>(
             Hash.GET_CLOSEST_ROAD,
             (float)place.X, (float)place.Y, (float)place.Z, shortestMetres, fewestLanes, first, second, toFirst, toSecond, median, ignoreSwitchedOff)
-            ? new SurveyedRoad(Natives.Vector(first), Natives.Vector(second), toFirst.GetResult<int>(), toSecond.GetResult<int>(), median.GetResult<float>())
+            ? new SurveyedRoad(first.Vector, second.Vector, toFirst.Integer, toSecond.Integer, median.Single)
             : null;
     }
 
     /// <inheritdoc/>
     public Vector3D? RoadEdge(Vector3D node, double headingDegrees)
     {
-        using var edge = new OutputArgument();
+        using var edge = new NativeOutput();
         return Natives.Call<bool>(Hash.GET_ROAD_BOUNDARY_USING_HEADING, (float)node.X, (float)node.Y, (float)node.Z, (float)headingDegrees, edge)
-            ? Natives.Vector(edge)
+            ? edge.Vector
             : null;
     }
 }

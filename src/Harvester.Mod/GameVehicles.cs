@@ -19,14 +19,17 @@ internal sealed class GameVehicles : IVehicles
         int player = Natives.PlayerPed();
         Vector3 place = Natives.Call<Vector3>(Hash.GET_OFFSET_FROM_ENTITY_IN_WORLD_COORDS, player, (float)metresBeside, 0f, 0f);
         float heading = Natives.Call<float>(Hash.GET_ENTITY_HEADING, player);
-        int vehicle = Natives.Call<int>(Hash.CREATE_VEHICLE, model, place.X, place.Y, place.Z, heading, false, false);
+        int vehicle = Natives.Call<int>(Hash.CREATE_VEHICLE, model, place.X, place.Y, place.Z, heading, false, false, false);
         return vehicle != 0 && Exists(vehicle) ? vehicle : 0;
     }
 
     /// <inheritdoc/>
     public void Prepare(int vehicle, int primaryColour, int secondaryColour, string plate)
     {
-        Natives.Call(Hash.SET_VEHICLE_ON_GROUND_PROPERLY, vehicle);
+        Natives.PlaceOnGround(vehicle);
+        Natives.Call(Hash.SET_ENTITY_INVINCIBLE, vehicle, true);
+        Natives.Call(Hash.SET_VEHICLE_ENGINE_CAN_DEGRADE, vehicle, false);
+        Natives.Call(Hash.SET_DISABLE_VEHICLE_PETROL_TANK_DAMAGE, vehicle, true);
         Natives.Call(Hash.SET_VEHICLE_TYRES_CAN_BURST, vehicle, false);
         Natives.Call(Hash.SET_VEHICLE_CAN_BE_VISIBLY_DAMAGED, vehicle, false);
         Natives.Call(Hash.SET_VEHICLE_WHEELS_CAN_BREAK, vehicle, false);

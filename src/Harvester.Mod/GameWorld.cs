@@ -2,8 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
-using GTA;
-using GTA.Math;
 using GTA.Native;
 using Harvester.Capture.Playing;
 using Harvester.Capture.Ports;
@@ -13,7 +11,7 @@ using Harvester.Geometry;
 
 namespace Harvester.Mod;
 
-/// <summary>What the harvest reads of the game. Only the lists of what is near come from the API's memory; all else is natives.</summary>
+/// <summary>What the harvest reads of the game. All but the lists of nearby entities comes from natives.</summary>
 internal sealed class GameWorld : IWorld, IProps
 {
     private readonly CameraMount _mount;
@@ -21,9 +19,10 @@ internal sealed class GameWorld : IWorld, IProps
     private readonly GameRays _rays;
     private readonly IModels _models;
     private readonly Func<SpaceTable> _spaces;
+    private readonly ReadingRecord _reading;
+    private readonly NearbyEntities _nearby;
     private SpaceTable _table = SpaceTable.Empty;
     private KnownModels _known;
-    private Model[] _props = [];
 
     /// <summary>Reads the game around a camera.</summary>
     /// <param name="mount">The camera and the vehicle that carries it.</param>
@@ -31,8 +30,12 @@ internal sealed class GameWorld : IWorld, IProps
     /// <param name="rays">Where the entities are made known.</param>
     /// <param name="models">The game's models.</param>
     /// <param name="spaces">Gives the models of signs and traffic lights that are in use: the only props that are read.</param>
-    public GameWorld(CameraMount mount, GameTime time, GameRays rays, IModels models, Func<SpaceTable> spaces)
+    /// <param name="nearby">Lists the entities.</param>
+    /// <param name="reading">Told of entities that are left out.</param>
+    public GameWorld(CameraMount mount, GameTime time, GameRays rays, IModels models, Func<SpaceTable> spaces, NearbyEntities nearby, ReadingRecord reading)
     {
+        _nearby = nearby;
+        _reading = reading;
         _mount = mount;
         _time = time;
         _rays = rays;
@@ -48,17 +51,7 @@ internal sealed class GameWorld : IWorld, IProps
     public double TimeSeconds => _time.Seconds;
 
     /// <inheritdoc/>
-    public CameraState ReadCamera()
-    {
-        Vector3D degrees = Natives.ToWorld(Natives.Call<Vector3>(Hash.GET_FINAL_RENDERED_CAM_ROT, Natives.RotationOrder));
-        return new CameraState(
-            new Pose(
-                Natives.ToWorld(Natives.Call<Vector3>(Hash.GET_FINAL_RENDERED_CAM_COORD)),
-                Axes.FromEuler(new EulerAngles(degrees.X, degrees.Y, degrees.Z))),
-            Natives.Call<float>(Hash.GET_FINAL_RENDERED_CAM_FOV),
-            Natives.Call<float>(Hash.GET_FINAL_RENDERED_CAM_NEAR_CLIP),
-            Natives.Call<float>(Hash.GET_ASPECT_RATIO, false));
-    }
+    public CameraState ReadCamera() => RenderedCamera.Read();
 
     /// <inheritdoc/>
     public EgoState ReadEgo()
@@ -69,27 +62,26 @@ internal sealed class GameWorld : IWorld, IProps
         {
             ModelMin = model.Min,
             ModelMax = model.Max,
+            HeightAboveGroundMetres = vehicle == 0 ? null : Natives.Call<float>(Hash.GET_ENTITY_HEIGHT_ABOVE_GROUND, vehicle),
         };
     }
 
     /// <inheritdoc/>
     public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range)
     {
-        TakeTable();
-        Vector3 place = PlaceOf(centre);
-        float radius = (float)range;
         var entities = new List<EntityState>();
-        Add(World.GetNearbyVehicles(place, radius).Select(vehicle => vehicle.Handle).Where(vehicle => vehicle != _mount.Vehicle), _known.OfVehicle);
-        Add(World.GetNearbyPeds(place, radius).Select(ped => ped.Handle).Where(IsOnFoot), (_, hash) => _known.OfPed(hash));
-        if (_props.Length > 0)
-        {
-            Add(World.GetNearbyProps(place, radius, _props).Select(prop => prop.Handle), (_, hash) => _known.OfProp(hash));
-        }
-
+        IReadOnlyList<int> peds = Near(EntityKind.Ped, centre, range);
+        HashSet<int> occupied = [.. peds.Where(Natives.EntityExists).Select(Natives.VehicleOf)];
+        Add(Near(EntityKind.Vehicle, centre, range), EntityKind.Vehicle);
+        Add(peds.Where(ped => Natives.EntityExists(ped) && Natives.IsPerson(ped) && !Natives.IsInVehicle(ped)), EntityKind.Ped);
+        Add(Near(EntityKind.Prop, centre, range), EntityKind.Prop);
         return entities;
 
-        void Add(IEnumerable<int> handles, Func<int, int, ModelFacts> describe) =>
-            entities.AddRange(handles.Select(handle => Read(handle, describe)).OfType<EntityState>());
+        void Add(IEnumerable<int> handles, EntityKind kind) =>
+            entities.AddRange(handles.Select(handle => Read(handle, kind)).OfType<EntityState>().Select(WithRider));
+
+        EntityState WithRider(EntityState entity) =>
+            entity.Class is ObjectClass.Motorcycle or ObjectClass.Bicycle ? entity with { HasRider = occupied.Contains(entity.Handle) } : entity;
     }
 
     /// <inheritdoc/>
@@ -100,22 +92,41 @@ internal sealed class GameWorld : IWorld, IProps
     {
         const int prop = 3;
         TakeTable();
-        return Natives.Call<int>(Hash.GET_ENTITY_TYPE, entity) == prop ? Read(entity, (_, hash) => _known.OfProp(hash)) : null;
+        return Natives.Call<int>(Hash.GET_ENTITY_TYPE, entity) == prop ? Read(entity, EntityKind.Prop) : null;
     }
 
     /// <inheritdoc/>
     public IReadOnlyList<EntityState> ReadProps(Vector3D centre, double range) =>
-        [.. World.GetNearbyProps(PlaceOf(centre), (float)range).Select(prop => ReadProp(prop.Handle)).OfType<EntityState>()];
+        [.. _nearby.AllProps(centre, range).Select(ReadProp).OfType<EntityState>()];
 
     /// <inheritdoc/>
     public EnvironmentState ReadEnvironment() => new(
         WeatherNames.Of(Natives.Call<int>(Hash.GET_PREV_WEATHER_TYPE_HASH_NAME)),
         new TimeSpan(Natives.Call<int>(Hash.GET_CLOCK_HOURS), Natives.Call<int>(Hash.GET_CLOCK_MINUTES), Natives.Call<int>(Hash.GET_CLOCK_SECONDS)));
 
-    private static Vector3 PlaceOf(Vector3D centre) => new((float)centre.X, (float)centre.Y, (float)centre.Z);
+    /// <summary>The handles of what is near and may be labelled: without the vehicle that carries the camera, and of props those with faces.</summary>
+    public IReadOnlyList<int> Near(EntityKind kind, Vector3D centre, double range)
+    {
+        TakeTable();
+        return kind switch
+        {
+            EntityKind.Vehicle => [.. _nearby.Vehicles(centre, range).Where(vehicle => vehicle != _mount.Vehicle)],
+            EntityKind.Ped => _nearby.Peds(centre, range),
+            _ => _nearby.Props(centre, range),
+        };
+    }
 
-    private static bool IsOnFoot(int ped) =>
-        Natives.EntityExists(ped) && ped != Natives.PlayerPed() && Natives.Call<bool>(Hash.IS_PED_HUMAN, ped) && Natives.VehicleOf(ped) == 0;
+    /// <summary>What is known of an entity's model.</summary>
+    public ModelFacts FactsOf(EntityKind kind, int entity)
+    {
+        int hash = Natives.EntityModel(entity);
+        return kind switch
+        {
+            EntityKind.Vehicle => _known.OfVehicle(entity, hash),
+            EntityKind.Ped => _known.OfPed(hash),
+            _ => _known.OfProp(hash),
+        };
+    }
 
     /// <summary>What is known of models stems from the table in use, which may have become another since.</summary>
     private void TakeTable()
@@ -125,12 +136,12 @@ internal sealed class GameWorld : IWorld, IProps
         {
             _table = table;
             _known = new KnownModels(_models, table);
-            _props = [.. table.Spaces.Select(space => space.Hash).Distinct().Select(hash => new Model(hash))];
+            _nearby.PropModels = [.. table.Spaces.Select(space => space.Hash).Distinct()];
         }
     }
 
     /// <summary>An entity as it is now; null when it is gone, be it in the middle of reading.</summary>
-    private EntityState? Read(int handle, Func<int, int, ModelFacts> describe)
+    private EntityState? Read(int handle, EntityKind kind)
     {
         if (!Natives.EntityExists(handle))
         {
@@ -139,15 +150,25 @@ internal sealed class GameWorld : IWorld, IProps
 
         try
         {
-            ModelFacts model = describe(handle, Natives.EntityModel(handle));
+            ModelFacts model = FactsOf(kind, handle);
+            if (Natives.EntityMatrix(handle) is not { } matrix)
+            {
+                if (Natives.EntityExists(handle))
+                {
+                    _reading.AddDistorted(handle);
+                }
+
+                return null;
+            }
+
             var state = new EntityState(
-                handle, model.Class, model.Name, Natives.EntityPose(handle), model.Min, model.Max, Natives.EntityVelocity(handle));
+                handle, model.Class, model.Name, matrix.Pose, matrix.Stretch(model.Min), matrix.Stretch(model.Max), Natives.EntityVelocity(handle));
             _rays.Know(handle);
             return state;
         }
         catch (Exception exception) when (exception is not ThreadAbortException && !Natives.EntityExists(handle))
         {
-            // A matrix of zeros, for one.
+            // It went while it was read.
             return null;
         }
     }

@@ -24,7 +24,9 @@ namespace Harvester.Mod;
 public sealed class HarvesterScript : Script
 #pragma warning restore CA1001
 {
+    private readonly GameBuild _build;
     private readonly PlayerMessages _messages;
+    private readonly IGameWindow? _window;
     private readonly ModFolder _folder;
     private readonly Harvest _harvest;
     private readonly LensCalibration _calibration;
@@ -37,39 +39,43 @@ public sealed class HarvesterScript : Script
 
     /// <summary>Reads the settings; the game is not asked for anything yet.</summary>
     public HarvesterScript()
-        : this(GameWindowScreen.OfThisProcess(), new PlayerClock())
+        : this(GameWindowScreen.OfThisProcess(), new PlayerClock(), GameBuild.OfThisProcess())
     {
     }
 
-    internal HarvesterScript(IScreen screen, IClock clock)
+    internal HarvesterScript(IScreen screen, IClock clock, GameBuild build)
     {
+        _build = build;
+        _window = screen as IGameWindow;
         _folder = new ModFolder(BaseDirectory);
         _messages = new PlayerMessages(BaseDirectory, message => Notification.Show(message), clock);
         PlayerSettings player = PlayerSettings.Read(_folder.Settings, BaseDirectory);
         var measured = new MeasuredSpaces(player.SpacesFolder, _folder.ShippedSpaces, _folder.SpacesWith(player.SpacesFolder));
         var display = new GameDisplay();
-        var time = new GameTime(
-            paused => Natives.Call(Hash.SET_GAME_PAUSED, paused), () => Natives.Call<int>(Hash.GET_GAME_TIMER));
+        var time = new GameTime(GameFreeze.Set, () => Natives.Call<int>(Hash.GET_GAME_TIMER)) { Method = player.Options.FreezeBy ?? FreezeMethod.Paused };
         var rays = new GameRays();
+        var reading = new ReadingRecord();
+        var calls = new GameCalls(rays);
         var markers = new DrawnMarkers(display);
         var roads = new GrowingRoads(player.LaneWidthMetres, player.NarrowLaneWidthMetres);
         var vehicles = new GameVehicles();
         var models = new GameModels();
-        var cameras = new GameCameras();
+        var cameras = new GameCameras(build);
         var car = new TestCar(player, _messages, models, vehicles, clock);
         var mount = new CameraMount(player, _messages, cameras, vehicles);
-        var world = new GameWorld(mount, time, rays, models, () => _harvest!.Spaces);
+        var nearby = new NearbyEntities(build, new NativeLists(time, rays), reading, _messages);
+        var world = new GameWorld(mount, time, rays, models, () => _harvest!.Spaces, nearby, reading);
         var lights = new LightDriving(
             world, new GameTrafficLights(), player.LightOrder, player.Options.RangeMetres, player.Options.MaxPictureLagTicks + 2)
         {
             IsWanted = () => player.DrivesLights && _harvest!.IsOn,
         };
-        var game = new GamePorts(world, rays, screen, time, clock, markers) { Roads = roads, Lights = lights };
+        var game = new GamePorts(world, rays, screen, time, clock, markers) { Roads = roads, Lights = lights, MountedCamera = mount, Calls = calls, Reading = reading };
         var driven = new DrivenCar(new GameCarControls(), vehicles, mount, world);
         _drive = new BridgeDrive(player.Bridge, game, driven, mount, display, _messages) { Obstacle = DriveObstacle };
         _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, display, () => Origin(player)) { Problem = Problem, SpacesInUse = () => measured.InUse };
         _calibration = new LensCalibration(_harvest, game, mount, display, _messages, _folder.SettingsPath);
-        var overlay = new Overlay(_harvest, game, _messages, mount, display) { IsPictureNear = IsPictureNear };
+        var overlay = new Overlay(_harvest, game, _messages, new Sight(new GameSight(mount, world)), display) { IsPictureNear = IsPictureNear };
         var survey = new RoadSurveying(
             new GameRoadSource(), () => Natives.EntityPosition(Natives.PlayerPed()), player.SurveyFile, roads, _messages, clock)
         {
@@ -84,7 +90,7 @@ public sealed class HarvesterScript : Script
         var marking = new SpaceMarking(game, world, SignName.Choices(player.SignNames, _folder.ShippedSpaces), _folder.ShippedSpaces, measured, display, _messages) { IsPictureNear = IsPictureNear, IsHarvesting = () => _harvest.IsOn };
         var unknown = new UnknownModelsList(world, world, () => measured.InUse, player.SpacesFolder, _messages) { Problem = Problem };
         var line = new HarvestLine(_harvest, player.Folder, clock, display) { IsPictureNear = IsPictureNear, SurveyLines = [() => survey.Line, () => _signs.Line, () => marking.Line] };
-        _features = new FeatureSet(_messages, car, mount, _harvest, lights, _calibration, markers, survey, _signs, marking, unknown, _drive, line, overlay);
+        _features = new FeatureSet(_messages, calls, clock, car, mount, _harvest, lights, _calibration, markers, survey, _signs, marking, unknown, _drive, line, overlay);
         if (player.RoadFile is { } file)
         {
             roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");
@@ -110,14 +116,14 @@ public sealed class HarvesterScript : Script
         _keys.Add("Harvest", Keys.J, _harvest, _harvest.Toggle);
         _keys.Add("OneFrame", Keys.K, _harvest, _harvest.TakeOne);
         _keys.Add("Overlay", Keys.L, overlay, overlay.Toggle);
-        _keys.Add("Calibrate", Keys.C, _calibration, _calibration.Toggle);
+        _keys.Add("Calibrate", Keys.NumPad1, _calibration, _calibration.Toggle);
         _keys.Add("RoadSurvey", Keys.U, survey, survey.Toggle);
         _keys.Add("Drive", Keys.N, _drive, _drive.Toggle);
-        _keys.Add("SpaceSurvey", Keys.F10, _signs, _signs.Toggle);
-        _keys.Add("MarkCorner", Keys.B, marking, marking.Mark);
-        _keys.Add("NextName", Keys.F9, marking, marking.NextName);
+        _keys.Add("SpaceSurvey", Keys.Multiply, _signs, _signs.Toggle);
+        _keys.Add("MarkCorner", Keys.NumPad2, marking, marking.Mark);
+        _keys.Add("NextName", Keys.NumPad3, marking, marking.NextName);
         _keys.Add("KeepFace", Keys.Y, marking, marking.Keep);
-        _keys.Add("UnknownModels", Keys.F11, unknown, unknown.Look);
+        _keys.Add("UnknownModels", Keys.Divide, unknown, unknown.Look);
         _keys.AddGoingDown("Bridge", "TakeBackKeys", [Keys.W, Keys.A, Keys.S, Keys.D, Keys.Space], _drive, _drive.TakeBack);
     }
 
@@ -168,27 +174,35 @@ public sealed class HarvesterScript : Script
         }
 
         _greeted = true;
-        _features.Try("The mod", () => _messages.Log(
-            $"GtaDataHarvester {typeof(HarvesterScript).Assembly.GetName().Version}, API {typeof(Script).Assembly.GetName().Version}, game build {Game.Version}."));
+        _features.Try("The mod", LogHeaderLines);
         foreach (string complaint in _folder.Complaints)
         {
             _messages.Tell(complaint);
         }
     }
 
-    private bool IsPictureNear() => _harvest.IsPictureNear || _calibration.IsRunning || _drive.IsPictureNear || _signs.IsPictureNear;
+    private void LogHeaderLines()
+    {
+        string versions = $"GtaDataHarvester {typeof(HarvesterScript).Assembly.GetName().Version}, API {GameBuild.Api}, {_build.Name}";
+        foreach (string line in LogHeader.Lines(versions, _window, _folder.Settings.Changes))
+        {
+            _messages.Log(line);
+        }
+    }
 
-    private string? Problem() => _calibration.IsRunning ? "The calibration is running: wait for its end."
-        : _signs.IsRunning ? "The survey of signs is running: wait for its end, or end it by its key."
-        : GameBuild.ListProblem;
+    private bool IsPictureNear() => _harvest.IsPictureNear || _calibration.IsOn || _drive.IsPictureNear || _signs.IsPictureNear;
+
+    private string? Problem() => _calibration.IsOn ? "The calibration is running: wait for its end."
+        : _signs.IsOn ? "The survey of signs is running: wait for its end, or end it by its key."
+        : null;
 
     private string? DriveObstacle() => _harvest.IsOn ? "End the harvest first, then let a peer drive." : Problem();
 
-    private static SessionOrigin Origin(PlayerSettings player) => new()
+    private SessionOrigin Origin(PlayerSettings player) => new()
     {
-        Game = $"GTA V {Game.Version}",
+        Game = _build.Name,
         Tool = $"GtaDataHarvester {typeof(HarvesterScript).Assembly.GetName().Version}",
         RecordedUtc = DateTime.UtcNow.ToString("yyyy-MM-ddTHH:mm:ssZ", CultureInfo.InvariantCulture),
-        Settings = player.LaneSettings,
+        Settings = [.. _build.Settings, .. player.LaneSettings],
     };
 }

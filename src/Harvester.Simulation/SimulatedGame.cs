@@ -36,6 +36,7 @@ public sealed class SimulatedGame
     private Moment? _present;
     private Pose _mount = new(new Vector3D(0, 2, 0.4), Axes.Identity);
     private CameraState _cameraBefore;
+    private double _weatherAheadSeconds;
     private long _state;
     private int _precipitation;
     private long _pictureState = -1;
@@ -52,7 +53,7 @@ public sealed class SimulatedGame
         // A wrong name is found before a world is built in vain.
         _weather = new WeatherClock(options);
         _world = new SimulatedWorld(options);
-        Freezing = new Freezing(options.Seed, options.Quirks.CreepTicks);
+        Freezing = new Freezing(options.Seed, options.Quirks);
         _vanishing = new Vanishing(options.Seed, options.Quirks.VanishingFraction);
         _rayShapes = RayShapes.AreNeededFor(options.Quirks) ? new RayShapes(options.Quirks, options.Seed, _world.Scene) : null;
         CameraMount = _mount;
@@ -60,6 +61,8 @@ public sealed class SimulatedGame
         Ports = new GamePorts(new WorldPort(this), new RayPort(this), new ScreenPort(this), new PausePort(this), new ClockPort(this), new MarkersPort(this))
         {
             Car = new CarPort(this),
+            MountedCamera = new MountedCameraPort(this),
+            Paint = new PaintPort(_world.Paint),
         };
     }
 
@@ -106,7 +109,7 @@ public sealed class SimulatedGame
 
     internal double ElapsedSeconds { get; private set; }
 
-    internal EnvironmentState Environment => _weather.At(_world.TimeSeconds);
+    internal EnvironmentState Environment => _weather.At(WeatherSeconds);
 
     internal CameraState ReportedCamera => _options.Quirks.IsCameraReportedLate ? _cameraBefore : Camera;
 
@@ -130,6 +133,9 @@ public sealed class SimulatedGame
         }
     }
 
+    /// <summary>The world's time for hour and weather, which may go on in a frozen world.</summary>
+    private double WeatherSeconds => _world.TimeSeconds + _weatherAheadSeconds;
+
     private CameraState Camera =>
         new(_world.Ego.Pose.Compose(_mount), _options.VerticalFovDegrees, _options.NearClip, _options.WindowAspect);
 
@@ -144,7 +150,7 @@ public sealed class SimulatedGame
                     _state,
                     new SceneSnapshot(GameFrame, _world.TimeSeconds, Camera, _world.EgoState, _world.EntitiesNear(eye, double.PositiveInfinity), Environment),
                     [.. _world.MovingNear(eye, SightRange), .. Markers.Select(MarkerModel.Of)],
-                    _weather.LightingAt(_world.TimeSeconds) with { PrecipitationSeed = _precipitation },
+                    _weather.LightingAt(WeatherSeconds) with { PrecipitationSeed = _precipitation },
                     _world.LightsNear(eye));
             }
 
@@ -175,16 +181,21 @@ public sealed class SimulatedGame
             _state++;
         }
 
-        if (CameraMount != _mount && !(Freezing.IsAsked && _options.Quirks.HoldsCameraWhileFrozen))
+        if (worldSeconds < seconds && Freezing.LetsWeatherGoOn)
+        {
+            _weatherAheadSeconds += seconds - worldSeconds;
+            _precipitation++;
+            _state++;
+        }
+
+        if (CameraMount != _mount && !Freezing.HoldsCamera)
         {
             _mount = CameraMount;
             _state++;
         }
 
-        if (_vanishing.Tick(GameFrame))
-        {
-            Hide();
-        }
+        _vanishing.Tick(GameFrame);
+        Hide();
 
         if (_options.Quirks.PictureLagTicks > 0)
         {
@@ -248,7 +259,7 @@ public sealed class SimulatedGame
     /// <summary>Sets what is not null.</summary>
     internal void SetEnvironment(string? weather, TimeSpan? timeOfDay)
     {
-        _weather.Set(weather, timeOfDay, _world.TimeSeconds);
+        _weather.Set(weather, timeOfDay, WeatherSeconds);
         _state++;
     }
 
@@ -268,8 +279,12 @@ public sealed class SimulatedGame
 
     private void Hide()
     {
-        _world.HiddenHandle = _vanishing.Handle;
-        _state++;
+        int hidden = _vanishing.Handle != 0 ? _vanishing.Handle : Freezing.HidesVehicle ? _world.VehicleNearest(Camera.Pose.Position) : 0;
+        if (hidden != _world.HiddenHandle)
+        {
+            _world.HiddenHandle = hidden;
+            _state++;
+        }
     }
 
     private void Load(Moment moment)

@@ -35,6 +35,9 @@ internal static class Expect
         That(result.Refusal == reason, $"expected the refusal {reason}, got {result.Refusal ?? "a picture"}");
     }
 
+    /// <summary>A text is the expected one.</summary>
+    public static void Says(string expected, string actual) => That(actual == expected, $"expected '{expected}', got '{actual}'");
+
     public static void Good(GrabResult result) => That(result.IsGood, $"expected a picture, got the refusal {result.Refusal}");
 
     public static void That(bool claim, string otherwise)

@@ -15,6 +15,7 @@ internal static class PlacementCases
         new("a window moved between grabs", Moved),
         new("a window that shows another picture", Changed),
         new("a window below another that lies beside it", Beside),
+        new("a window in words: size, mode and scaling", Described),
     ];
 
     public static Area WholeScreen()
@@ -49,6 +50,22 @@ internal static class PlacementCases
         Expect.Shows(window, screen);
         window.Show(Pattern.Distinct(4));
         Expect.Shows(window, screen);
+    }
+
+    private static void Described()
+    {
+        using (var window = new PatternWindow(new(141, 97, 533, 377), Pattern.Distinct(7), Native.OverlappedWindow))
+        using (var screen = GameWindowScreen.OfThisProcess())
+        {
+            Expect.Says($"533 x 377, windowed, {Native.GetDpiForSystem()} dpi", screen.Describe());
+        }
+
+        Area whole = WholeScreen();
+        using (var window = new PatternWindow(whole, Pattern.Distinct(8)))
+        using (var screen = GameWindowScreen.OfThisProcess())
+        {
+            Expect.Says($"{whole.Width} x {whole.Height}, borderless, {Native.GetDpiForSystem()} dpi", screen.Describe());
+        }
     }
 
     private static void Beside()

@@ -10,7 +10,7 @@ if (args is [ProcessCases.ShowArgument, string seed])
 int passed = 0;
 int failed = 0;
 string dpi = $"{Native.GetDpiForSystem()} dpi";
-CaptureCase[] cases = [.. PlacementCases.All, .. RefusalCases.All, .. ScalingCases.All, .. ProcessCases.All, .. CostCases.All];
+CaptureCase[] cases = [.. PlacementCases.All, .. RefusalCases.All, .. ScalingCases.All, .. ProcessCases.All, .. DrawingCases.All, .. CostCases.All];
 foreach (CaptureCase test in cases)
 {
     try

@@ -47,15 +47,36 @@ internal sealed class TestSession : IDisposable
 
     public string PathOf(string name) => Path.Combine(Folder, name);
 
+    /// <summary>The pedestrian, of which nothing is known but what is outside the image.</summary>
+    public JsonObject Pedestrian(int line) => Lines[line]["objects"]![1]!.AsObject();
+
+    /// <summary>Makes known of the pedestrian of every frame that nothing hides it.</summary>
+    public void DeterminePedestrians()
+    {
+        foreach (JsonObject pedestrian in Lines.Select(line => line["objects"]![1]!.AsObject()))
+        {
+            pedestrian["box2dVisible"] = new JsonArray(70, 24, 80, 36);
+            pedestrian["occludedFraction"] = 0;
+            pedestrian["occlusionMethod"] = "rays";
+            pedestrian["visibleFraction"] = 0.8;
+        }
+    }
+
     /// <summary>Writes a mask that shows one rectangle of a number and nothing else.</summary>
-    public void PaintMask(int frame, ushort id, int left, int top, int right, int bottom)
+    public void PaintMask(int frame, ushort id, int left, int top, int right, int bottom) => PaintMask(frame, (id, left, top, right, bottom));
+
+    /// <summary>Writes a mask that shows rectangles of numbers, the later ones over the earlier, and nothing else.</summary>
+    public void PaintMask(int frame, params (ushort Id, int Left, int Top, int Right, int Bottom)[] rectangles)
     {
         var map = new InstanceMap(new ImageSize(Width, Height));
-        for (int row = top; row < bottom; row++)
+        foreach ((ushort id, int left, int top, int right, int bottom) in rectangles)
         {
-            for (int column = left; column < right; column++)
+            for (int row = top; row < bottom; row++)
             {
-                map[column, row] = id;
+                for (int column = left; column < right; column++)
+                {
+                    map[column, row] = id;
+                }
             }
         }
 
@@ -79,6 +100,37 @@ internal sealed class TestSession : IDisposable
     }
 
     public void Dispose() => Directory.Delete(Folder, recursive: true);
+
+    /// <summary>
+    /// Puts a stop sign on a post into a frame, with its face as a part. 6 m ahead a metre is 30 / 6 = 5 pixels: the face, 2 m wide and high around (-4, 2), is
+    /// in columns 40 - 25 to 40 - 15 and rows 30 - 15 to 30 - 5, and the post below it, 0.4 m wide, in columns 19 and 20 down to row 40.
+    /// </summary>
+    public void AddSign(int line)
+    {
+        JsonArray objects = Lines[line]["objects"]!.AsArray();
+        objects.Add(JsonNode.Parse(
+            """
+            {
+              "id": 3, "class": "sign", "model": "prop_sign_road_01a", "name": null, "parent": null, "knownParts": 1, "hasRider": null,
+              "box2d": [15, 15, 25, 40], "box2dAmodal": [15, 15, 25, 40], "box2dVisible": [15, 15, 25, 40],
+              "truncatedFraction": 0, "occludedFraction": 0, "occlusionMethod": "pixelMap", "visibleFraction": 1,
+              "box3d": { "centre": [-4, 6, 0.5], "halfExtents": [1, 0.05, 2.5], "right": [1, 0, 0], "forward": [0, 1, 0], "up": [0, 0, 1] },
+              "distanceMetres": 7.228416, "velocity": [0, 0, 0], "space": null
+            }
+            """));
+        objects.Add(JsonNode.Parse(
+            """
+            {
+              "id": 4, "class": "sign", "model": "prop_sign_road_01a", "name": "STOP", "parent": 3, "knownParts": null, "hasRider": null,
+              "box2d": [15, 15, 25, 25], "box2dAmodal": [15, 15, 25, 25], "box2dVisible": null,
+              "truncatedFraction": 0, "occludedFraction": 0, "occlusionMethod": "rays", "visibleFraction": 1,
+              "box3d": { "centre": [-4, 6, 2], "halfExtents": [1, 0.005, 1], "right": [1, 0, 0], "forward": [0, 1, 0], "up": [0, 0, 1] },
+              "distanceMetres": 7.483315, "velocity": [0, 0, 0],
+              "space": { "face": 0, "mutcd": "R1-1", "facesCamera": true, "facingAngleDegrees": 20, "provenance": "measured", "light": null }
+            }
+            """));
+        PaintMask(line, (1, 38, 28, 43, 33), (3, 15, 15, 25, 25), (3, 19, 25, 21, 40));
+    }
 
     // The camera stands at the origin and looks north: fy = 60 / (2 tan 45°) = 30, fx = 80 / (2 tan 45° · 4/3) = 30.
     private static JsonObject Frame(int frame) => JsonNode.Parse(

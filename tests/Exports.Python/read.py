@@ -12,10 +12,23 @@ import numpy as np
 from PIL import Image
 from torchvision.datasets import Cityscapes, Kitti, VOCDetection
 
-KITTI_TYPES = {
-    "car": "Car", "truck": "Truck", "pedestrian": "Pedestrian", "bicycle": "Cyclist",
-    "bus": "Misc", "motorcycle": "Misc", "trailer": "Misc", "other": "Misc",
-}
+VANS = ("minivan", "speedo", "boxville")
+
+
+def kitti_type(item):
+    """The type of an object of the simulated game; None for what KITTI does not label."""
+    if item["class"] in ("sign", "trafficLight"):
+        return None
+    if item["class"] == "car":
+        return "Van" if item["model"] in VANS else "Car"
+    if item["class"] == "bicycle":
+        return "Cyclist" if item["hasRider"] else "Misc"
+    return {"truck": "Truck", "pedestrian": "Pedestrian"}.get(item["class"], "Misc")
+
+
+def seen_of(label):
+    """The objects of a frame of which a pixel is seen, without faces and posts."""
+    return [item for item in label["objects"] if item["parent"] is None and not item["knownParts"] and item["box2dVisible"]]
 
 
 def labels_of(folder):
@@ -53,10 +66,11 @@ def read_kitti(folder, labels):
     for number, label in enumerate(labels):
         image, targets = dataset[by_image[f"{number:06d}.png"]]
         assert image.size == size_of(label)
-        expected = [item for item in label["objects"] if item["class"] in KITTI_TYPES]
-        assert [target["type"] for target in targets] == [KITTI_TYPES[item["class"]] for item in expected]
-        for target, item in zip(targets, expected):
-            assert np.allclose(target["bbox"], np.clip(np.array(item["box2d"]) - 0.5, 0, [image.width - 1, image.height - 1] * 2), atol=0.01)
+        expected = [item for item in seen_of(label) if kitti_type(item)]
+        objects = [target for target in targets if target["type"] != "DontCare"]
+        assert [target["type"] for target in objects] == [kitti_type(item) for item in expected]
+        for target, item in zip(objects, expected):
+            assert np.allclose(target["bbox"], np.clip(np.array(item["box2dVisible"]) - 0.5, 0, [image.width - 1, image.height - 1] * 2), atol=0.01)
             assert np.allclose(np.array(target["dimensions"]), 2 * np.array(item["box3d"]["halfExtents"])[[2, 0, 1]], atol=0.001)
 
 
@@ -73,29 +87,43 @@ def read_cityscapes(folder, labels):
 
 
 def read_voc(folder, labels):
-    # The reader puts .jpg behind the names of the image sets: as docs/exports/voc.md says, the images must be converted for it.
-    root = os.path.join(folder, "voc", "VOCdevkit", "VOC2012")
-    for number in range(len(labels)):
-        Image.open(os.path.join(root, "JPEGImages", f"{number:08d}.png")).save(os.path.join(root, "JPEGImages", f"{number:08d}.jpg"))
     dataset = VOCDetection(os.path.join(folder, "voc"), year="2012", image_set="train")
     assert len(dataset) == len(labels)
     for (image, target), label in zip(dataset, labels):
         assert image.size == size_of(label)
-        objects = target["annotation"].get("object", [])
-        assert [item["name"] for item in objects] == [item["class"] for item in label["objects"]]
-        for item, source in zip(objects, label["objects"]):
-            box = [int(item["bndbox"][side]) for side in ("xmin", "ymin", "xmax", "ymax")]
-            # From the first pixel, which is 1, to the last, which belongs to the box: both hold a part of it.
-            assert (np.abs(np.array(box) - [1, 1, 0, 0] - source["box2d"]) < 1).all()
+        objects = {(item["name"], *(int(item["bndbox"][side]) for side in ("xmin", "ymin", "xmax", "ymax")))
+                   for item in target["annotation"].get("object", [])}
+        # From the first pixel, which is 1, to the last, which belongs to the box.
+        assert objects >= {(item["class"], item["box2dVisible"][0] + 1, item["box2dVisible"][1] + 1, *item["box2dVisible"][2:]) for item in seen_of(label)}
+
+
+def read_jpeg(folder, labels):
+    """The encoder writes what libjpeg writes, and the decoder reads what libjpeg reads."""
+    for number, label in enumerate(labels):
+        converted = os.path.join(folder, "voc", "VOCdevkit", "VOC2012", "JPEGImages", f"{number:08d}.jpg")
+        expected = io.BytesIO()
+        Image.open(os.path.join(folder, "session", label["image"])).save(expected, "JPEG", quality=95, subsampling=0)
+        with open(converted, "rb") as file:
+            assert file.read() == expected.getvalue()
+        decoded = pixels_of(folder, "from-jpeg", "images", f"{number:08d}.png")
+        assert (decoded == pixels_of(converted)).all()
+        assert (decoded == cv2.imread(converted)[:, :, ::-1]).all()
 
 
 def read_coco(folder, labels):
     for annotation in json_of(folder, "coco", "annotations", "instances_train.json")["annotations"]:
+        if annotation["iscrowd"]:
+            continue
         height, width = annotation["segmentation"]["size"]
         counts = annotation["segmentation"]["counts"]
         values = np.repeat(np.arange(len(counts)) % 2, counts).reshape(width, height).T
-        mask = mask_of(folder, labels[annotation["image_id"]])
-        assert (values.astype(bool) == (mask == annotation["track_id"])).all()
+        label = labels[annotation["image_id"]]
+        mask = mask_of(folder, label)
+        item = next(item for item in label["objects"] if item["id"] == annotation["track_id"])
+        if item["parent"] is None:
+            assert (values.astype(bool) == (mask == annotation["track_id"])).all()
+        else:
+            assert not (values.astype(bool) & (mask != item["parent"])).any()
         assert values.sum() == annotation["area"]
         assert list(cv2.boundingRect(values.astype(np.uint8))) == annotation["bbox"]
 
@@ -114,7 +142,7 @@ def inside(polygon, shape):
 
 def read_coco_polygons(folder, labels):
     for annotation in json_of(folder, "coco-polygon", "annotations", "instances_train.json")["annotations"]:
-        if annotation["image_id"] % 4 != 0:
+        if annotation["image_id"] % 4 != 0 or annotation["iscrowd"] or annotation["category_id"] in (8, 9):
             continue
         mask = mask_of(folder, labels[annotation["image_id"]]) == annotation["track_id"]
         x, y, width, height = (int(side) for side in annotation["bbox"])
@@ -128,7 +156,11 @@ def read_panoptic(folder, labels):
     for annotation in json_of(folder, "coco-panoptic", "annotations", "panoptic_train.json")["annotations"]:
         colours = pixels_of(folder, "coco-panoptic", "annotations", "panoptic_train", annotation["file_name"])
         ids = colours[..., 0] + 256 * colours[..., 1] + 65536 * colours[..., 2]
-        assert (ids == mask_of(folder, labels[annotation["image_id"]])).all()
+        label = labels[annotation["image_id"]]
+        mask = mask_of(folder, label)
+        props = [item["id"] for item in label["objects"] if item["knownParts"]]
+        assert (ids[mask == 0] == 2 << 16).all()
+        assert (ids == mask)[(mask != 0) & ~np.isin(mask, props)].all()
         assert {segment["id"]: segment["area"] for segment in annotation["segments_info"]} == {
             int(value): int(count) for value, count in zip(*np.unique(ids[ids != 0], return_counts=True))}
 
@@ -138,24 +170,28 @@ def read_yolo(folder, labels):
         names = [line.split(": ")[1].strip() for line in file if line.startswith("  ")]
     for number, label in enumerate(labels):
         rows = [line.split() for line in lines_of(folder, "yolo", "labels", "train", f"{number:08d}.txt")]
-        assert [names[int(row[0])] for row in rows] == [item["class"] for item in label["objects"]]
         size = np.array(size_of(label))
-        for row, item in zip(rows, label["objects"]):
+        boxes = set()
+        for row in rows:
             centre, extent = np.array(row[1:3], float) * size, np.array(row[3:5], float) * size
-            assert np.allclose(np.concatenate([centre - extent / 2, centre + extent / 2]), item["box2d"], atol=0.002)
+            corners = np.concatenate([centre - extent / 2, centre + extent / 2])
+            assert np.allclose(corners, np.round(corners), atol=0.002)
+            boxes.add((names[int(row[0])], *np.round(corners).astype(int).tolist()))
+        assert boxes >= {(item["class"], *item["box2dVisible"]) for item in seen_of(label)}
 
 
 def read_yolo_outlines(folder, labels):
     for number, label in enumerate(labels):
         mask = mask_of(folder, label)
-        seen = [item for item in label["objects"] if (mask == item["id"]).any()]
+        seen = [item for item in label["objects"] if item["parent"] is None and (mask == item["id"]).any()]
         rows = [line.split() for line in lines_of(folder, "yolo-segment", "labels", "train", f"{number:08d}.txt")]
         assert len(rows) == len(seen)
         for row, item in zip(rows, seen):
-            corners = np.round(np.array(row[1:], float).reshape(-1, 2) * size_of(label)).astype(np.float32)
-            _, pieces = cv2.connectedComponents((mask == item["id"]).astype(np.uint8), connectivity=4)
-            areas = [filled(pieces == piece).sum() for piece in range(1, pieces.max() + 1)]
-            assert cv2.contourArea(corners) == max(areas)
+            corners = np.round(np.array(row[1:], float).reshape(-1, 2) * size_of(label)).astype(np.int32)
+            # The library draws polygons so; their edges are the pixels right of and below the outline.
+            drawn = cv2.fillPoly(np.zeros((mask.shape[0] + 1, mask.shape[1] + 1), np.uint8), [corners], 1)[:-1, :-1].astype(bool)
+            own = filled(mask == item["id"])
+            assert not (own & ~drawn).any()
 
 
 def read_webdataset(folder, labels):
@@ -231,7 +267,7 @@ if __name__ == "__main__":
     root = sys.argv[1]
     session = labels_of(root)
     readers = (
-        read_kitti, read_cityscapes, read_voc, read_coco, read_coco_polygons, read_panoptic, read_yolo, read_yolo_outlines,
+        read_kitti, read_cityscapes, read_voc, read_jpeg, read_coco, read_coco_polygons, read_panoptic, read_yolo, read_yolo_outlines,
         read_deepdriving, read_webdataset, read_openlane, read_tusimple, read_csv,
     )
     for reader in readers:

@@ -1,4 +1,5 @@
 using System.Windows.Forms;
+using GTA.Native;
 using Harvester.Capture.Playing;
 using Harvester.Capture.Settings;
 using Harvester.Capture.Spaces;
@@ -24,7 +25,7 @@ public sealed class CalibrationTests
         Assert.False(driver.Game.IsPaused);
         driver.WaitForDisk();
 
-        driver.Press(Keys.C);
+        driver.Press(Keys.NumPad1);
         driver.Tick();
         Assert.True(driver.Game.IsHudHidden);
         driver.UntilTold("Calibrated: the error was");
@@ -39,7 +40,7 @@ public sealed class CalibrationTests
 
         // The check at the start of the harvest is the judge of the lens: half a pixel.
         driver.Press(Keys.K);
-        driver.UntilTold("The harvest ended: 1 frames");
+        driver.UntilTold("The harvest ended: 1 frame");
     }
 
     [Fact]
@@ -59,11 +60,11 @@ public sealed class CalibrationTests
     {
         var scene = new SimulatedScene(new SimulationOptions { Seed = 9 }, SpaceTable.Empty);
         using var driver = new ScriptDriver(Ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock);
-        Assert.Contains("ended: 1 frames", EndOfOneFrame(driver), StringComparison.Ordinal);
-        driver.Press(Keys.C);
+        Assert.Contains("ended: 1 frame", EndOfOneFrame(driver), StringComparison.Ordinal);
+        driver.Press(Keys.NumPad1);
         driver.UntilTold("Calibrated: the error was");
-        Assert.Contains("ended: 1 frames", EndOfOneFrame(driver), StringComparison.Ordinal);
-        Assert.Contains("ended: 1 frames", EndOfOneFrame(driver), StringComparison.Ordinal);
+        Assert.Contains("ended: 1 frame", EndOfOneFrame(driver), StringComparison.Ordinal);
+        Assert.Contains("ended: 1 frame", EndOfOneFrame(driver), StringComparison.Ordinal);
 
         int[] frames = [.. Directory.GetDirectories(driver.Output, "singles*").Order(StringComparer.Ordinal)
             .Select(session => File.ReadLines(Path.Combine(session, "labels.jsonl")).Count())];
@@ -79,15 +80,32 @@ public sealed class CalibrationTests
     {
         using var driver = new ScriptDriver();
         HarvestTests.Street(driver.Game);
-        driver.Press(Keys.C);
+        driver.Press(Keys.I);
+        driver.Press(Keys.NumPad1);
         driver.Press(Keys.J);
         Assert.Contains("The calibration is running", driver.Game.Notifications[^1], StringComparison.Ordinal);
         Assert.True(driver.Game.IsPaused);
-        driver.Press(Keys.C);
+        driver.Press(Keys.NumPad1);
 
         Assert.Contains("The calibration was stopped", driver.Game.Notifications[^1], StringComparison.Ordinal);
         Assert.False(driver.Game.IsPaused);
         Assert.False(Directory.Exists(driver.Output));
+    }
+
+    [Fact]
+    public void Calibration_without_the_mounted_camera_tells_so_and_touches_nothing()
+    {
+        using var driver = new ScriptDriver();
+        HarvestTests.Street(driver.Game);
+        string ini = File.ReadAllText(Path.Combine(driver.Folder, "GtaDataHarvester.ini"));
+        driver.Press(Keys.NumPad1);
+        driver.Tick(100);
+
+        Assert.Contains("Mount the camera first", Assert.Single(driver.Game.Notifications), StringComparison.Ordinal);
+        Assert.Empty(driver.Game.Cameras);
+        Assert.DoesNotContain(Hash.SET_GAME_PAUSED, driver.Game.Calls);
+        Assert.DoesNotContain(Hash.DRAW_MARKER, driver.Game.Calls);
+        Assert.Equal(ini, File.ReadAllText(Path.Combine(driver.Folder, "GtaDataHarvester.ini")));
     }
 
     [Fact]
@@ -96,7 +114,8 @@ public sealed class CalibrationTests
         using var driver = new ScriptDriver();
         HarvestTests.Street(driver.Game);
         string ini = File.ReadAllText(Path.Combine(driver.Folder, "GtaDataHarvester.ini"));
-        driver.Press(Keys.C);
+        driver.Press(Keys.I);
+        driver.Press(Keys.NumPad1);
         driver.UntilTold("does not determine the lens");
 
         Assert.Equal(ini, File.ReadAllText(Path.Combine(driver.Folder, "GtaDataHarvester.ini")));
@@ -109,7 +128,7 @@ public sealed class CalibrationTests
         using var driver = new ScriptDriver("[Lens]\nMaxError = 1\n");
         HarvestTests.Street(driver.Game);
         driver.Press(Keys.K);
-        driver.UntilTold("The harvest ended: 1 frames");
+        driver.UntilTold("The harvest ended: 1 frame");
 
         Assert.Contains(driver.Game.Notifications, told => told.Contains("The camera model was not checked, as none of 20 markers was seen", StringComparison.Ordinal));
     }
@@ -121,7 +140,7 @@ public sealed class CalibrationTests
         HarvestTests.Street(driver.Game);
         for (int press = 0; press < 2; press++)
         {
-            Assert.Contains("ended: 1 frames", EndOfOneFrame(driver), StringComparison.Ordinal);
+            Assert.Contains("ended: 1 frame", EndOfOneFrame(driver), StringComparison.Ordinal);
             Assert.Contains(driver.Game.Notifications, told => told.Contains("was not checked", StringComparison.Ordinal));
         }
 
@@ -132,11 +151,10 @@ public sealed class CalibrationTests
     /// <summary>Harvests one frame; what the player is told of its end.</summary>
     private static string EndOfOneFrame(ScriptDriver driver)
     {
-        // The same message is not told again at once, but it is behind that of the camera, which is mounted again.
         driver.Press(Keys.O);
         driver.Game.Notifications.Clear();
         driver.Press(Keys.K);
-        driver.UntilTold(" frames");
+        driver.Until(() => driver.Game.Notifications.Any(told => told.Contains("The harvest ended", StringComparison.Ordinal) || told.Contains("The camera model is off", StringComparison.Ordinal)));
         driver.WaitForDisk();
         return driver.Game.Notifications[^1];
     }

@@ -116,9 +116,52 @@ public sealed class CameraMountTests
     }
 
     [Fact]
+    public void Player_who_leaves_the_vehicle_has_the_view_back()
+    {
+        using var driver = new ScriptDriver();
+        SitInCar(driver.Game, Axes.Identity);
+        driver.Press(Keys.I);
+        driver.Tick(3);
+        Assert.Single(driver.Game.Cameras);
+        driver.Game.PlayersVehicle = 0;
+        driver.Tick();
+
+        Assert.Equal(-1, driver.Game.RenderingCamera);
+        Assert.Empty(driver.Game.Cameras);
+        Assert.Contains("You left the vehicle", driver.Game.Notifications[^1], StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Camera_that_cannot_be_shown_is_not_mounted_and_no_harvest_begins()
+    {
+        using var driver = new ScriptDriver();
+        SitInCar(driver.Game, Axes.Identity);
+        driver.Game.Fault = native => native == Hash.SET_CAM_ACTIVE ? new InvalidOperationException("No view.") : null;
+        driver.Press(Keys.J);
+        driver.Press(Keys.J);
+        driver.Tick(20);
+
+        Assert.Equal(0, driver.Screen.Grabs);
+        Assert.False(Directory.Exists(driver.Output));
+        driver.Game.Fault = _ => null;
+    }
+
+    [Fact]
+    public void Player_who_changes_the_vehicle_has_the_view_back()
+    {
+        using var driver = new ScriptDriver();
+        SitInCar(driver.Game, Axes.Identity);
+        driver.Press(Keys.I);
+        SitInCar(driver.Game, Axes.Identity);
+        driver.Tick();
+
+        Assert.Empty(driver.Game.Cameras);
+    }
+
+    [Fact]
     public void Build_without_rigid_cameras_gets_a_message_and_no_unknown_native()
     {
-        using var driver = new ScriptDriver(prepare: game => game.GameVersion = 62);
+        using var driver = new ScriptDriver(prepare: game => game.Build = TestGame.Legacy(2060));
         SitInCar(driver.Game, Axes.Identity);
         driver.Press(Keys.I);
 
@@ -139,7 +182,7 @@ public sealed class CameraMountTests
         Assert.Empty(driver.Game.Cameras);
     }
 
-    private static GameEntity SitInCar(TestGame game, Axes axes)
+    internal static GameEntity SitInCar(TestGame game, Axes axes)
     {
         var car = new GameEntity { Pool = PoolKind.Vehicles, Name = "asea", Pose = new Pose(new Vector3D(100, 200, 5), axes) };
         game.PlayersVehicle = game.Add(car);

@@ -137,7 +137,7 @@ public sealed class FaultTests
         int before = driver.Game.Calls.Count;
         for (int repeat = 0; repeat < 30; repeat++)
         {
-            foreach (Keys key in new[] { Keys.NumPad0, Keys.I, Keys.O, Keys.J, Keys.K, Keys.L, Keys.C, Keys.U, Keys.N, Keys.F10, Keys.B, Keys.F9, Keys.Y, Keys.F11 })
+            foreach (Keys key in new[] { Keys.NumPad0, Keys.I, Keys.O, Keys.J, Keys.K, Keys.L, Keys.NumPad1, Keys.U, Keys.N, Keys.Multiply, Keys.NumPad2, Keys.NumPad3, Keys.Y, Keys.Divide })
             {
                 driver.Script.RaiseKeyDown(key);
             }
@@ -249,7 +249,7 @@ public sealed class FaultTests
         // That session is not gone on with.
         driver.Game.Notifications.Clear();
         driver.Press(Keys.K);
-        driver.UntilTold("The harvest ended: 1 frames");
+        driver.UntilTold("The harvest ended: 1 frame");
         driver.WaitForDisk();
         driver.Tick();
         Assert.DoesNotContain(driver.Game.Notifications, told => told.Contains("cannot be written", StringComparison.Ordinal));

@@ -11,10 +11,12 @@ namespace Harvester.Mod.Tests;
 internal static class Playthrough
 {
     /// <summary>The settings that it needs.</summary>
-    public const string Ini = "[Bridge]\nKind = Folder\nFolder = out/bridge\n[Harvest]\nDriveLights = On\n";
+    public const string Ini = "[Bridge]\nKind = Folder\nFolder = out/bridge\n[Harvest]\nDriveLights = On\nFreeze = Auto\n";
 
     /// <summary>More than a calibration takes that looks for markers in vain: 60 ticks after the usual 20.</summary>
     private const int TicksOfCalibration = 100;
+    /// <summary>More than both trials take in a world that stands still at once and whose camera moves at once: 34 ticks each.</summary>
+    private const int TicksOfFreezeTrials = 80;
     private const string Failed = " failed: ";
     private const string Stopped = " stopped: ";
 
@@ -36,18 +38,23 @@ internal static class Playthrough
         driver.WaitForDisk();
         SurveySigns(driver);
         driver.Game.Entities[TestGame.Player].Pose = new Pose(new Vector3D(104, 220, 1), Axes.Identity);
-        driver.Press(Keys.B);
-        driver.Press(Keys.F11);
+        driver.Press(Keys.NumPad2);
+        driver.Press(Keys.Divide);
         driver.WaitForDisk();
         driver.Press(Keys.L);
         driver.Press(Keys.I);
-        driver.Press(Keys.C);
+        driver.Press(Keys.NumPad1);
         driver.Tick(TicksOfCalibration);
         driver.Press(Keys.J);
-        driver.Tick(25);
+        driver.Tick(TicksOfFreezeTrials + 25);
         driver.Press(Keys.J);
         driver.WaitForDisk();
         PlayDrive(driver);
+        driver.Game.BrokenList = _ => [];
+        driver.Press(Keys.K);
+        driver.Tick(25);
+        driver.WaitForDisk();
+        driver.Game.BrokenList = null;
         driver.Press(Keys.O);
     }
 
@@ -55,7 +62,7 @@ internal static class Playthrough
     {
         driver.Game.Props["prop_sign_road_03g"] = KnownProps.All["prop_traffic_03a"];
         int told = driver.Game.Notifications.Count;
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.Until(() => IsToldSince(driver, told, "models are surveyed", Failed, Stopped));
         driver.WaitForDisk();
     }

@@ -23,7 +23,7 @@ public sealed class RoadTests
         driver.Press(Keys.U);
         driver.WaitForDisk();
         string file = Path.Combine(driver.Output, "roads.csv");
-        Assert.Contains($"The road survey is off: 2 nodes and 1 links, in {file}", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Contains($"The road survey is off: 2 nodes and 1 link, in {file}", driver.Game.Notifications[^1], StringComparison.Ordinal);
         RoadNetwork found = RoadSurveyFile.Load(file)!;
         Assert.Equal(Road().Nodes.Select(node => node.Position), found.Nodes.Select(node => node.Position));
         RoadLink link = Assert.Single(found.Links);

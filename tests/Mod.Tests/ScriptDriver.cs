@@ -20,7 +20,8 @@ internal sealed class ScriptDriver : IDisposable
     public ScriptDriver(
         string ini = "", Action<TestGame>? prepare = null, IScreen? screen = null, IClock? clock = null, string? spaces = "# none\n")
     {
-        File.WriteAllText(Path.Combine(_folder.Path, "GtaDataHarvester.ini"), ini + "\n[Harvest]\nFolder = out\nProbeLag = Off\n[Lens]\nMaxError = 0\n");
+        string freeze = ini.Contains("Freeze =", StringComparison.Ordinal) ? string.Empty : "Freeze = Paused\n";
+        File.WriteAllText(Path.Combine(_folder.Path, "GtaDataHarvester.ini"), $"{ini}\n[Harvest]\nFolder = out\nProbeLag = Off\n{freeze}[Lens]\nMaxError = 0\n");
         if (spaces is not null)
         {
             File.WriteAllText(Path.Combine(_folder.Path, "spaces_of_interest.csv"), spaces);
@@ -111,12 +112,15 @@ internal sealed class ScriptDriver : IDisposable
     /// <summary>Lets ticks go by until the player is told something.</summary>
     public void UntilTold(string message) => Until(() => Game.Notifications.Any(told => told.Contains(message, StringComparison.Ordinal)));
 
+    /// <summary>Ends the script as an unloading domain does: on another thread, and once more. What the real API would not have borne fails the test.</summary>
     public void Dispose()
     {
+        OtherThread.Do(Script.RaiseAborted);
         Script.RaiseAborted();
         WaitForDisk();
         _folder.Dispose();
+        Assert.Empty(Game.Misuses);
     }
 
-    private HarvesterScript Load() => new(_screen, _clock);
+    private HarvesterScript Load() => ScriptThread.Run(() => new HarvesterScript(_screen, _clock, Game.Build));
 }

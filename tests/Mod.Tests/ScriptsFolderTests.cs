@@ -9,7 +9,7 @@ public sealed class ScriptsFolderTests
     public void Build_makes_a_folder_with_exactly_what_belongs_into_scripts()
     {
         Assert.Equal(
-            ["GtaDataHarvester.dll", "GtaDataHarvester.ini", "INSTALL.txt", "spaces_of_interest.csv"],
+            ["GtaDataHarvester-LICENSE.txt", "GtaDataHarvester.dll", "GtaDataHarvester.ini", "INSTALL.txt", "spaces_of_interest.csv"],
             Directory.EnumerateFileSystemEntries(Folder).Select(Path.GetFileName).Order(StringComparer.Ordinal));
     }
 

@@ -35,12 +35,18 @@ public sealed class SettingsTests
     }
 
     [Fact]
-    public void First_tick_logs_the_versions_in_one_line()
+    public void First_tick_logs_versions_system_window_and_changed_settings()
     {
-        using var driver = new ScriptDriver();
+        using var driver = new ScriptDriver("[Camera]\nVerticalFov = 60\n[Keys]\nHarvest = F4\nOverlay = L\n[Bridge]\nTakeBackKeys = W, A, S, D, Space\n");
         driver.Tick(3);
 
-        Assert.Matches(@"^\d{4}-\d\d-\d\d \d\d:\d\d:\d\d GtaDataHarvester \d+(\.\d+){3}, API 3\.6\.0\.0, game build 86\.\s*$", driver.Log());
+        Assert.Matches(
+            @"^(?<time>\d{4}-\d\d-\d\d \d\d:\d\d:\d\d )GtaDataHarvester \d+(\.\d+){3}, API 3\.6\.0\.0, GTA V Legacy 1\.0\.3179\.0\.\s+"
+            + @"\S+ \S+ System: \S.*, runtime \d.*\.\s+"
+            + @"\S+ \S+ Window: 1920 x 1080, borderless, 96 dpi\.\s+"
+            + @"\S+ \S+ Changed settings: \[Camera\] VerticalFov = 60; \[Keys\] Harvest = F4; \[Harvest\] Folder = out; \[Harvest\] ProbeLag = Off; "
+            + @"\[Harvest\] Freeze = Paused; \[Lens\] MaxError = 0\.\s*$",
+            driver.Log());
     }
 
     [Fact]
@@ -52,11 +58,12 @@ public sealed class SettingsTests
         IniFile empty = IniFile.Read(TextReader.Null);
 
         Assert.Equal(PlayerSettings.Read(empty, folder.Path), PlayerSettings.Read(shipped, folder.Path));
+        Assert.Empty(shipped.Changes);
         (string Name, Keys Key)[] keys =
         [
             ("SpawnTestCar", Keys.NumPad0), ("MountCamera", Keys.I), ("RestoreCamera", Keys.O), ("Harvest", Keys.J),
-            ("OneFrame", Keys.K), ("Overlay", Keys.L), ("Calibrate", Keys.C), ("RoadSurvey", Keys.U),
-            ("SpaceSurvey", Keys.F10), ("MarkCorner", Keys.B), ("NextName", Keys.F9), ("KeepFace", Keys.Y), ("UnknownModels", Keys.F11), ("Drive", Keys.N),
+            ("OneFrame", Keys.K), ("Overlay", Keys.L), ("Calibrate", Keys.NumPad1), ("RoadSurvey", Keys.U),
+            ("SpaceSurvey", Keys.Multiply), ("MarkCorner", Keys.NumPad2), ("NextName", Keys.NumPad3), ("KeepFace", Keys.Y), ("UnknownModels", Keys.Divide), ("Drive", Keys.N),
         ];
         Assert.All(keys, key => Assert.Equal(key.Key, shipped.Choice("Keys", key.Name, Keys.None, "a key")));
         Assert.Equal([Keys.W, Keys.A, Keys.S, Keys.D, Keys.Space], shipped.Choices<Keys>("Bridge", "TakeBackKeys", [], "keys"));

@@ -23,7 +23,7 @@ public sealed class SpaceSurveyTests
     public void Key_measures_all_models_of_the_game_and_leaves_nothing_behind()
     {
         using ScriptDriver driver = NewDriver();
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.UntilTold("All 109 models are surveyed: 3 faces");
         driver.WaitForDisk();
 
@@ -41,7 +41,7 @@ public sealed class SpaceSurveyTests
     public void Models_stand_frozen_in_the_air_over_the_player()
     {
         using ScriptDriver driver = NewDriver();
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.Until(() => driver.Game.Objects.Any());
 
         GameEntity prop = Assert.Single(driver.Game.Objects);
@@ -54,7 +54,7 @@ public sealed class SpaceSurveyTests
     {
         using ScriptDriver driver = NewDriver();
         driver.Press(Keys.L);
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.UntilTold("models are surveyed");
         driver.WaitForDisk();
 
@@ -79,7 +79,7 @@ public sealed class SpaceSurveyTests
     {
         using ScriptDriver driver = NewDriver();
         driver.Screen.Refusal = "covered";
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.UntilTold("3 faces");
         driver.WaitForDisk();
 
@@ -90,7 +90,7 @@ public sealed class SpaceSurveyTests
     public void Photographs_can_be_switched_off()
     {
         using ScriptDriver driver = NewDriver(Ini + "Photographs = Off\n");
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.UntilTold("3 faces");
 
         Assert.Equal(0, driver.Screen.Grabs);
@@ -101,11 +101,11 @@ public sealed class SpaceSurveyTests
     public void Line_tells_how_far_it_is()
     {
         using ScriptDriver driver = NewDriver();
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.Until(() => driver.Game.Objects.Any());
 
         Assert.Contains(driver.Game.Texts, text => text.StartsWith("SIGNS  ", StringComparison.Ordinal) && text.Contains(" of 109  prop_", StringComparison.Ordinal));
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         Assert.Contains("was stopped", driver.Game.Notifications[^1], StringComparison.Ordinal);
         Assert.Empty(driver.Game.Objects);
         driver.Tick();
@@ -116,7 +116,7 @@ public sealed class SpaceSurveyTests
     public void Survey_that_was_stopped_or_aborted_goes_on_with_what_is_left()
     {
         using ScriptDriver driver = NewDriver();
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.Until(() => driver.Game.Objects.Any(prop => prop.Name == Light));
 
         var other = new Thread(driver.Script.RaiseAborted);
@@ -130,7 +130,7 @@ public sealed class SpaceSurveyTests
         driver.Reload();
         var seen = new HashSet<string>();
         driver.Game.PassFrame = () => seen.UnionWith(driver.Game.Objects.Select(prop => prop.Name));
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.UntilTold("3 faces");
         Assert.Equal([Light], seen);
     }
@@ -140,7 +140,7 @@ public sealed class SpaceSurveyTests
     {
         using ScriptDriver driver = NewDriver();
         driver.Game.ObjectPoolIsFull = true;
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.UntilTold("All 109 models are surveyed: 0 faces");
         driver.WaitForDisk();
 
@@ -153,7 +153,7 @@ public sealed class SpaceSurveyTests
     {
         const string shipped = "prop_sign_road_03g,,sign,A SIGN,R1-1,0,-0.4,0.1,2.7,0.4,-0.1,1.9,-y,estimated,test\n";
         using ScriptDriver driver = NewDriver(spaces: shipped);
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.UntilTold("models are surveyed");
         driver.WaitForDisk();
         SpaceTable used = new ModFolder(driver.Folder).SpacesWith(Folder(driver));
@@ -167,7 +167,7 @@ public sealed class SpaceSurveyTests
     {
         using ScriptDriver driver = NewDriver();
         HarvestTests.Street(driver.Game);
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.UntilTold("models are surveyed: 3 faces");
         driver.WaitForDisk();
         Assert.Contains("in use from now on", driver.Game.Notifications[^1], StringComparison.Ordinal);
@@ -187,7 +187,7 @@ public sealed class SpaceSurveyTests
         Directory.CreateDirectory(Folder(driver));
         string file = Path.Combine(Folder(driver), SurveyFolder.TableName);
         File.WriteAllText(file, "prop_sign_road_01a,5,sign\n");
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.UntilTold("The survey of signs failed: " + file);
         driver.Tick(50);
         driver.WaitForDisk();
@@ -200,7 +200,7 @@ public sealed class SpaceSurveyTests
     public void Disk_that_refuses_ends_the_survey_with_a_message_and_the_game_goes_on()
     {
         using ScriptDriver driver = NewDriver();
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.Until(() => driver.Game.Objects.Any());
 
         // A folder where the file should be written: the system refuses that.
@@ -215,13 +215,13 @@ public sealed class SpaceSurveyTests
     public void Model_that_the_game_sweeps_away_ends_the_survey_and_is_measured_the_next_time()
     {
         using ScriptDriver driver = NewDriver();
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.Until(() => driver.Game.Objects.Any(prop => prop.Name == Light));
 
         driver.Game.Entities.Remove(driver.Game.HandleOf(driver.Game.Objects.Single()));
         driver.UntilTold("the game took");
         Assert.DoesNotContain(driver.Game.Notifications, message => message.Contains("are surveyed", StringComparison.Ordinal));
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.UntilTold("All 109 models are surveyed: 3 faces");
         Assert.Empty(driver.Game.Objects);
     }
@@ -231,19 +231,19 @@ public sealed class SpaceSurveyTests
     {
         using ScriptDriver driver = NewDriver();
         HarvestTests.Street(driver.Game);
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.Press(Keys.J);
         Assert.Contains("The survey of signs is running", driver.Game.Notifications[^1], StringComparison.Ordinal);
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.Press(Keys.J);
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         Assert.Contains("End the harvest first", driver.Game.Notifications[^1], StringComparison.Ordinal);
         driver.Press(Keys.J);
         driver.WaitForDisk();
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         Assert.Contains("Give the camera back first", driver.Game.Notifications[^1], StringComparison.Ordinal);
         driver.Press(Keys.O);
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         Assert.Contains("is on", driver.Game.Notifications[^1], StringComparison.Ordinal);
         driver.Press(Keys.I);
         driver.Tick();

@@ -24,7 +24,7 @@ public sealed class SurveyPhotoTests
         using var driver = new ScriptDriver(screen: screen);
         screen.Game = driver.Game;
         driver.Game.Props[Sign] = KnownProps.All[shape];
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.UntilTold("are surveyed");
 
         driver.WaitForDisk();

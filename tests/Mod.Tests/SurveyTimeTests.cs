@@ -80,7 +80,7 @@ public sealed class SurveyTimeTests
             driver.Game.Props[name] = KnownProps.All[shape];
         }
 
-        driver.Press(Keys.F10);
+        driver.Press(Keys.Multiply);
         driver.WaitForDisk();
         driver.Game.Fault = native =>
         {

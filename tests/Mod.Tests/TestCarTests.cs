@@ -18,7 +18,8 @@ public sealed class TestCarTests
 
         GameEntity car = Assert.Single(driver.Game.Vehicles);
         Assert.Equal(TestGame.AdderHash, car.Model);
-        Assert.False(car.TyresCanBurst || car.WheelsCanBreak || car.IsDamagedVisibly);
+        Assert.True(car.IsInvincible);
+        Assert.False(car.EngineCanDegrade || car.PetrolTankCanBeDamaged || car.TyresCanBurst || car.WheelsCanBreak || car.IsDamagedVisibly);
         Assert.Equal((0, 38), car.Colours);
         Assert.Equal("HARVEST", car.Plate);
         Assert.True(car.IsOnGround);
@@ -52,6 +53,9 @@ public sealed class TestCarTests
         driver.Tick(EnoughTicksToLoad);
 
         Assert.NotSame(first, Assert.Single(driver.Game.Vehicles));
+
+        // The clock of the test has not moved: the second message comes at once after the first, and is shown.
+        Assert.Equal(2, driver.Game.Notifications.Count(told => told.Contains("The test car is here", StringComparison.Ordinal)));
     }
 
     [Fact]

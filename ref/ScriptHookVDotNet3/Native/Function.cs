@@ -1,3 +1,4 @@
+using System;
 using GTA.Hosting;
 
 namespace GTA.Native;
@@ -6,11 +7,11 @@ namespace GTA.Native;
 public static class Function
 {
     /// <summary>Calls a native function for its result.</summary>
-    public static T Call<T>(Hash hash, params InputArgument[] arguments) => (T)Dispatch(hash, arguments)!;
+    /// <exception cref="InvalidOperationException">The calling thread is not the script's.</exception>
+    public static unsafe T Call<T>(Hash hash, params InputArgument[] arguments) =>
+        NativeValue.To<T>((ulong*)NativeStack.Call(hash, arguments, typeof(T)));
 
     /// <summary>Calls a native function.</summary>
-    public static void Call(Hash hash, params InputArgument[] arguments) => Dispatch(hash, arguments);
-
-    private static object? Dispatch(Hash hash, InputArgument[] arguments) =>
-        GameHost.Current.Call(hash, System.Array.ConvertAll(arguments, argument => argument.Value));
+    /// <exception cref="InvalidOperationException">The calling thread is not the script's.</exception>
+    public static void Call(Hash hash, params InputArgument[] arguments) => NativeStack.Call(hash, arguments, null);
 }

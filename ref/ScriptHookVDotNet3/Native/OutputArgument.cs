@@ -1,31 +1,46 @@
 using System;
+using System.Runtime.InteropServices;
+using GTA.Hosting;
 
 namespace GTA.Native;
 
-/// <summary>A place that a native function writes a result to.</summary>
+/// <summary>A place that a native function writes a result to: 24 bytes of memory that nobody clears.</summary>
 public class OutputArgument : IDisposable
 {
-    /// <summary>Makes an empty place.</summary>
+    private const int Bytes = 24;
+    private IntPtr _storage;
+
+    /// <summary>Makes a place that holds whatever was in memory.</summary>
     public OutputArgument()
     {
+        _storage = Marshal.AllocCoTaskMem(Bytes);
+        Garbage.Fill(_storage, Bytes);
     }
 
-    /// <summary>Makes a place with a value that the game reads first.</summary>
-    public OutputArgument(object value) => Value = value;
+    /// <summary>Makes a place whose first eight bytes are a value.</summary>
+    /// <exception cref="InvalidCastException">The value is neither null nor a string nor an <see cref="INativeValue"/>.</exception>
+    public OutputArgument(object? value)
+        : this() => Marshal.WriteInt64(_storage, (long)NativeValue.From(value));
 
-    /// <summary>What the game reads or has written; null as long as there is nothing.</summary>
-    internal object? Value { get; set; }
+    /// <summary>Frees the memory.</summary>
+    ~OutputArgument() => Dispose(false);
 
-    /// <summary>Gives the place back. The real one holds unmanaged memory.</summary>
+    internal IntPtr Storage => _storage != IntPtr.Zero ? _storage : throw new ObjectDisposedException(nameof(OutputArgument));
+
+    /// <summary>Frees the memory.</summary>
     public void Dispose()
     {
         Dispose(true);
         GC.SuppressFinalize(this);
     }
 
-    /// <summary>The result, as zero bytes where the game wrote nothing.</summary>
-    public T GetResult<T>() => Value is null ? default! : (T)Value;
+    /// <summary>What the memory holds now, written or not.</summary>
+    public unsafe T GetResult<T>() => NativeValue.To<T>((ulong*)Storage);
 
-    /// <summary>Gives the place back.</summary>
-    protected virtual void Dispose(bool disposing) => Value = null;
+    /// <summary>Frees the memory.</summary>
+    protected virtual void Dispose(bool disposing)
+    {
+        Marshal.FreeCoTaskMem(_storage);
+        _storage = IntPtr.Zero;
+    }
 }

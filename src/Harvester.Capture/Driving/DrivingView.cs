@@ -97,6 +97,6 @@ internal sealed class DrivingView
         }
 
         _section = known.Seen.Section ?? _section;
-        return LanesLabel.Of(known.Seen, known.Source, []);
+        return LanesLabel.Of(known.Seen, known.Source, [], null);
     }
 }

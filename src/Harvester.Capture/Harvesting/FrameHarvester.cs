@@ -41,7 +41,9 @@ internal sealed class FrameHarvester(HarvestOptions options, IFrameSink sink, IC
             sink.FirstFrame + counters.Captured, draft, FrameLabeller.CameraOf(options, draft.Snapshot.Camera), options.Format);
         return new CapturedFrame(label, draft.Picture, draft.Labelling.Mask, pool)
         {
-            Scene = options.Scenes ? new RecordedScene(draft.Snapshot, options.Lens, draft.Labelling.Ids, draft.Labelling.Occlusions) : null,
+            Scene = options.Scenes
+                ? new RecordedScene(draft.Snapshot, options.Lens, draft.Labelling.Ids, draft.Labelling.Occlusions) { Distant = draft.Labelling.Distant }
+                : null,
         };
     }
 }

@@ -22,7 +22,7 @@ public static class FramePaths
     public const string Roads = Scenes + "/roads.csv";
 
     /// <summary>Path of a screenshot.</summary>
-    public static string Image(int frame, ImageFormat format) => $"{Frames}/{Number(frame)}.{(format == ImageFormat.Png ? "png" : "bmp")}";
+    public static string Image(int frame, ImageFormat format) => $"{Frames}/{Number(frame)}{format.Extension()}";
 
     /// <summary>Path of an instance mask.</summary>
     public static string Mask(int frame) => $"{Masks}/{Number(frame)}.png";

@@ -13,7 +13,14 @@ namespace Harvester.Capture.Harvesting;
 /// shows what the labels say, whichever of those frames it is.
 /// </summary>
 internal sealed class FrozenFlow(
-    HarvestOptions options, GamePorts game, SceneReader reader, FrameLabeller labeller, PixelBufferPool pool, TickBudget budget, HarvestCounters counters)
+    HarvestOptions options,
+    GamePorts game,
+    SceneReader reader,
+    FrameLabeller labeller,
+    PixelBufferPool pool,
+    TickBudget budget,
+    HarvestCounters counters,
+    PhaseCalls calls)
     : ICaptureFlow
 {
     private readonly SceneComparison _comparison = new(options.StillToleranceMetres);
@@ -37,6 +44,7 @@ internal sealed class FrozenFlow(
             var gate = new StillnessGate(_comparison);
             SceneSnapshot snapshot = reader.Read();
             gate.Observe(snapshot);
+            calls.Charge(HarvestPhase.Settling);
             long firstGameFrame = snapshot.GameFrame;
             for (int ticks = 0; gate.StillTicks < options.MaxPictureLagTicks; ticks++)
             {
@@ -49,6 +57,7 @@ internal sealed class FrozenFlow(
                 yield return HarvestPhase.Settling;
                 snapshot = reader.Read();
                 gate.Observe(snapshot);
+                calls.Charge(HarvestPhase.Settling);
             }
 
             counters.Settled((int)(snapshot.GameFrame - gate.StillTicks - firstGameFrame));
@@ -100,6 +109,7 @@ internal sealed class FrozenFlow(
             }
 
             game.Pause.Unfreeze();
+            calls.Charge(HarvestPhase.Labelling);
         }
     }
 }

@@ -1,10 +1,14 @@
 using System;
 using System.Collections.Generic;
 using Harvester.Capture.Imaging;
+using Harvester.Capture.Imaging.Jpeg;
+using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Capture.Spaces;
 using Harvester.Geometry;
+using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Visibility;
 
 namespace Harvester.Capture.Harvesting;
 
@@ -12,8 +16,8 @@ namespace Harvester.Capture.Harvesting;
 /// <exception cref="ArgumentOutOfRangeException">A value is out of its range.</exception>
 public sealed record HarvestOptions
 {
-    /// <summary>The greatest <see cref="MaskRayBudget"/>: more than a ray for every pixel of a large image.</summary>
-    public const int MostMaskRays = 10_000_000;
+    /// <summary>The greatest <see cref="RayBudget"/>: more than a ray for every pixel of a large image.</summary>
+    public const int MostRays = 10_000_000;
 
     /// <summary>The greatest lag of a picture that is looked for and that <see cref="MaxPictureLagTicks"/> may allow, ticks: a second at 60 frames a second.</summary>
     public const int GreatestPictureLagTicks = 60;
@@ -24,11 +28,20 @@ public sealed record HarvestOptions
     /// <summary>File format of the saved images.</summary>
     public ImageFormat Format { get; init; } = ImageFormat.Png;
 
+    /// <summary>Quality of the saved images where they are JPEG, 1 to 100; 95 as most datasets have.</summary>
+    public int JpegQuality { get; init => field = OptionCheck.InRange(value, JpegEncoder.LowestQuality, JpegEncoder.HighestQuality, nameof(JpegQuality)); } = JpegEncoder.DefaultQuality;
+
     /// <summary>Frames per second of the game's time; greater than 0. A game that ticks slower gives a frame a tick.</summary>
     public double RateHz { get; init => field = OptionCheck.Positive(value, nameof(RateHz)); } = 10;
 
     /// <summary>Objects whose origins lie farther from the camera are not labelled, metres; greater than 0.</summary>
     public double RangeMetres { get; init => field = OptionCheck.Positive(value, nameof(RangeMetres)); } = 150;
+
+    /// <summary>
+    /// Objects beyond <see cref="RangeMetres"/> and up to this distance from the camera are marked by ignore regions where they are seen,
+    /// metres; 0 or more. At 300 m a lorry has the size of a pedestrian at 150 m.
+    /// </summary>
+    public double IgnoreRangeMetres { get; init => field = OptionCheck.AtLeast(value, 0, nameof(IgnoreRangeMetres)); } = 300;
 
     /// <summary>The classes to label; null for all.</summary>
     public IReadOnlyCollection<ObjectClass>? Classes { get; init; }
@@ -39,16 +52,28 @@ public sealed record HarvestOptions
     /// <summary>Whether the game is frozen for each frame, so that image and label are of one moment; otherwise the harvest is live.</summary>
     public bool Freeze { get; init; } = true;
 
+    /// <summary>How the game is frozen; null to try every way at the start and use the better one.</summary>
+    public FreezeMethod? FreezeBy { get; init; } = FreezeMethod.Paused;
+
+    /// <summary>What was found about the ways of freezing earlier in the same session; null (default) when nothing was. Used where <see cref="FreezeBy"/> is null.</summary>
+    public FreezeReport? KnownFreezing { get; init; }
+
     /// <summary>Whether instance masks are made.</summary>
     public bool Masks { get; init; }
 
     /// <summary>Whether the scenes are written too, so that labels can be made again without the game.</summary>
     public bool Scenes { get; init; } = true;
 
-    /// <summary>Rays that a frame's mask may take at most, 0 to 10,000,000. When they are used up the mask is finished from what is known.</summary>
-    public int MaskRayBudget { get; init => field = OptionCheck.InRange(value, 0, MostMaskRays, nameof(MaskRayBudget)); } = 50_000;
+    /// <summary>
+    /// Rays that a frame may take in all, 0 to 10,000,000: for the mask first, then for objects, faces, ignore regions and lanes. When they are
+    /// used up the mask is finished from what is known, and what is left is not determined.
+    /// </summary>
+    public int RayBudget { get; init => field = OptionCheck.InRange(value, 0, MostRays, nameof(RayBudget)); } = 50_000;
 
-    /// <summary>Distance beyond which the game's rays are known not to meet entities, metres; greater than 0. Masks show those by their cuboids.</summary>
+    /// <summary>
+    /// Distance beyond which the game's rays are known not to meet entities, metres; greater than 0. Whether those are seen is not determined:
+    /// they are marked by ignore regions.
+    /// </summary>
     public double RayReachMetres { get; init => field = OptionCheck.Positive(value, nameof(RayReachMetres)); } = 1_000;
 
     /// <summary>What separates the game's picture from a pinhole's, as calibration found it.</summary>
@@ -110,6 +135,28 @@ public sealed record HarvestOptions
 
     /// <summary>Frames that may wait to be written, 1 to 1,000.</summary>
     public int QueueCapacity { get; init => field = OptionCheck.InRange(value, 1, 1_000, nameof(QueueCapacity)); } = 16;
+
+    /// <summary>How far entities are read, metres.</summary>
+    internal double ReadRangeMetres => Math.Max(RangeMetres, IgnoreRangeMetres);
+
+    /// <summary>Whether an entity lies within the labelling range.</summary>
+    internal bool IsInRange(CameraState camera, EntityState entity) => (entity.Pose.Position - camera.Pose.Position).Length < RangeMetres;
+
+    /// <summary>Whether an object may be met by rays.</summary>
+    internal bool IsWithinReach(Camera camera, Cuboid cuboid) =>
+        (cuboid.Centre - camera.Pose.Position).Length - cuboid.HalfExtents.Length <= RayReachMetres;
+
+    /// <summary>
+    /// Whether an object in the image is listed: one that is seen and not hidden too far, and one that nobody has looked at, which is
+    /// marked as undetermined.
+    /// </summary>
+    internal bool IsListed(OcclusionEstimate occlusion) => occlusion.Sight switch
+    {
+        Sight.NotAsked => true,
+        Sight.Seen => occlusion.OccludedFraction <= MaxOccludedFraction,
+        Sight.Unseen => occlusion.Method != OcclusionMethod.None && occlusion.OccludedFraction <= MaxOccludedFraction,
+        _ => false,
+    };
 
     /// <summary>Whether a box in the image is one of an object to be labelled.</summary>
     internal bool IsLargeEnough(Box2D box) =>

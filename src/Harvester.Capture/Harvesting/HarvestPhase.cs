@@ -3,6 +3,9 @@ namespace Harvester.Capture.Harvesting;
 /// <summary>What a harvest is doing between two game ticks.</summary>
 public enum HarvestPhase
 {
+    /// <summary>The ways of freezing the game are being compared, once at the start.</summary>
+    MeasuringFreeze,
+
     /// <summary>Markers are shown and the camera model is held against them, once at the start.</summary>
     CheckingCalibration,
 

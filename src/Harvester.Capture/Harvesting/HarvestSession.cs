@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Calibration;
 using Harvester.Capture.Imaging;
-using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 
 namespace Harvester.Capture.Harvesting;
@@ -50,11 +49,15 @@ public sealed class HarvestSession : IDisposable
         }
 
         _budget = new TickBudget(game.Clock, options.TickBudgetMilliseconds);
+        Calls = new PhaseCalls(game.Calls);
         _run = Run().GetEnumerator();
     }
 
     /// <summary>What the harvest has done so far.</summary>
     public HarvestCounters Counters { get; } = new();
+
+    /// <summary>What each phase has asked of the game.</summary>
+    public PhaseCalls Calls { get; }
 
     /// <summary>One line that says why the harvest ended; null without a fault.</summary>
     public string? Fault { get; private set; }
@@ -64,6 +67,9 @@ public sealed class HarvestSession : IDisposable
 
     /// <summary>By how much the camera model was off, pixels; null when it was not checked, or not yet.</summary>
     public double? CalibrationErrorPixels { get; private set; }
+
+    /// <summary>The ways of freezing that were tried, here or earlier in the same session; null when none was, or not yet.</summary>
+    public FreezeReport? Freezing { get; private set; }
 
     /// <summary>By how much the picture is behind the state; null when it was not measured.</summary>
     public PictureLag? Lag { get; private set; }
@@ -90,9 +96,11 @@ public sealed class HarvestSession : IDisposable
             }
 
             _budget.BeginTick();
+            Calls.Skip();
             if (_run.MoveNext())
             {
                 _phase = _run.Current;
+                Calls.Charge(_phase);
             }
             else
             {
@@ -136,6 +144,15 @@ public sealed class HarvestSession : IDisposable
 
     private IEnumerable<HarvestPhase> Run()
     {
+        var pool = new PixelBufferPool(_options.Image);
+        var reader = new SceneReader(_game.World, _options);
+        var freeze = new FreezeProbe(_options, _game, reader, pool);
+        foreach (HarvestPhase phase in freeze.Choose())
+        {
+            yield return phase;
+        }
+
+        Freezing = freeze.Report;
         var check = new CalibrationCheck(_options, _game);
         foreach (HarvestPhase phase in check.Run())
         {
@@ -144,20 +161,21 @@ public sealed class HarvestSession : IDisposable
 
         CalibrationErrorPixels = check.ErrorPixels;
         Open();
-        var pool = new PixelBufferPool(_options.Image);
-        var reader = new SceneReader(_game.World, _options.RangeMetres);
         foreach (HarvestPhase phase in FindLag(reader, pool))
         {
             yield return phase;
         }
 
         bool isLagOpen = Lag is null && check.ErrorPixels is null && (_options.ProbeLag || check.Warning is not null);
-        Warning = isLagOpen ? string.Join(" ", new[] { check.Warning, LagNotChecked }.OfType<string>()) : check.Warning;
-        var frames = new FrameHarvester(_options, _sink, Flow(reader, pool), pool, Counters);
+        string[] warnings = [.. new[] { freeze.Warning, check.Warning, isLagOpen ? LagNotChecked : null }.OfType<string>()];
+        Warning = warnings.Length > 0 ? string.Join(" ", warnings) : null;
+        ICaptureFlow flow = new CaptureFlows(_options, _game, reader, pool, _budget, Counters, Calls).For(_sink, Lag);
+        var frames = new FrameHarvester(_options, _sink, flow, pool, Counters);
         var schedule = new FrameSchedule(_options.RateHz);
         while (true)
         {
             ReadTime();
+            Calls.Charge(HarvestPhase.Waiting);
             if (schedule.TakeIfDue(_timeSeconds))
             {
                 foreach (HarvestPhase phase in frames.HarvestOne())
@@ -179,7 +197,8 @@ public sealed class HarvestSession : IDisposable
     {
         ReadTime();
         _startMilliseconds = _game.Clock.Milliseconds;
-        _sink.Open(new SessionStart(_options, _gameFrame, _timeSeconds, _game.World.ReadCamera()) { CameraErrorPixels = CalibrationErrorPixels });
+        _sink.Open(new SessionStart(_options, _gameFrame, _timeSeconds, _game.World.ReadCamera()) { CameraErrorPixels = CalibrationErrorPixels, Freezing = Freezing });
+        _game.Reading?.Begin();
         _opened = true;
     }
 
@@ -200,25 +219,6 @@ public sealed class HarvestSession : IDisposable
             Lag = probe.Lag;
         }
     }
-
-    private ICaptureFlow Flow(SceneReader reader, PixelBufferPool pool)
-    {
-        var registry = new ObjectRegistry(_sink.FirstObjectId);
-        var labeller = new FrameLabeller(_options, _game.Rays, registry)
-        {
-            Lanes = _game.Roads is { } roads ? new LaneLabeller(roads, _game.Rays, registry) : null,
-            Spaces = _options.Spaces is { } spaces ? new SpaceLabeller(spaces, _options, _game.Rays, _game.Lights, registry) : null,
-        };
-        return _options.Freeze
-            ? new FrozenFlow(_options, _game, reader, labeller, pool, _budget, Counters)
-            {
-                TakesNext = () => _options.Shard.Takes(_sink.FirstFrame + Counters.Captured),
-            }
-            : new LiveFlow(_game, reader, labeller, pool, _budget, Counters, Lag ?? throw LagUnknown());
-    }
-
-    private static HarvestFaultException LagUnknown() =>
-        new("The lag of the picture could not be measured: camera and traffic must move in view while a live harvest starts. Drive on and start again, or freeze the game for each frame.");
 
     private void ReadTime()
     {
@@ -274,7 +274,10 @@ public sealed class HarvestSession : IDisposable
         {
             _opened = false;
             _sink.Close(new SessionEnd(
-                _gameFrame, _timeSeconds, Counters.Captured, [.. Counters.Discards], [.. Counters.SettleTicks], Lag, Fault));
+                _gameFrame, _timeSeconds, Counters.Captured, [.. Counters.Discards], [.. Counters.SettleTicks], Lag, Fault)
+            {
+                Reading = _game.Reading?.Report,
+            });
         }
     }
 

@@ -12,7 +12,7 @@ internal sealed class LagRecord(SceneComparison comparison)
     public const int NoiseTicks = 3;
 
     /// <summary>By what factor a change must stand out from the noise to count as movement.</summary>
-    private const double MovementOverNoise = 3;
+    public const double MovementOverNoise = 3;
 
     private readonly List<SceneSnapshot> _states = [];
     private readonly List<double> _changes = [];

@@ -17,4 +17,8 @@ public sealed record SessionEnd(
     IReadOnlyList<KeyValuePair<string, int>> Discards,
     IReadOnlyList<KeyValuePair<int, int>> SettleTicks,
     PictureLag? Lag,
-    string? Fault);
+    string? Fault)
+{
+    /// <summary>What could not be read of the game as it should be; null for a game that is always read in full.</summary>
+    public ReadingReport? Reading { get; init; }
+}

@@ -11,4 +11,7 @@ public sealed record SessionStart(HarvestOptions Options, long GameFrame, double
 {
     /// <summary>By how much the camera model was off against markers, pixels of the image; null when it was not checked.</summary>
     public double? CameraErrorPixels { get; init; }
+
+    /// <summary>The ways of freezing that were tried; null when none was.</summary>
+    public FreezeReport? Freezing { get; init; }
 }

@@ -8,4 +8,7 @@ public enum ImageFormat
 
     /// <summary>Windows bitmap: without loss, not compressed; the fastest to write and the largest.</summary>
     Bmp,
+
+    /// <summary>JPEG, baseline: with loss, the smallest and fast to write.</summary>
+    Jpeg,
 }

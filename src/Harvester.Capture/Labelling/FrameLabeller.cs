@@ -1,23 +1,22 @@
 using System;
 using System.Collections.Generic;
-using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labels;
 using Harvester.Capture.Scenes;
-using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
-using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>Makes the labels of the objects of one snapshot: boxes by geometry, occlusion and masks by rays.</summary>
-internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, ObjectRegistry registry)
+/// <summary>Makes the labels of one snapshot, phase by phase: objects, their faces, what lies beyond the labelling range, lanes.</summary>
+/// <param name="options">What to label.</param>
+/// <param name="rays">What rays meet; also those of <see cref="Lanes"/> and <see cref="Spaces"/>.</param>
+/// <param name="registry">The objects' numbers.</param>
+internal sealed class FrameLabeller(HarvestOptions options, FrameRays rays, ObjectRegistry registry)
 {
     private readonly ObjectLabeller _objects = new(options, registry);
-    private readonly List<RecordedOcclusion> _found = [];
+    private readonly DistantLabeller _distant = new(options);
     private readonly OcclusionEstimator _occlusion = new(options.OcclusionSamples);
-    private readonly PixelMapOptions _mapOptions = new() { RayBudget = options.MaskRayBudget, RayReachMetres = options.RayReachMetres };
 
     /// <summary>Labels the lanes; null for labels without.</summary>
     public LaneLabeller? Lanes { get; init; }
@@ -37,43 +36,40 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
     /// <param name="mayCastRays">Asked for each object and each ray of a mask; objects that get a no have no occlusion, and a mask ends there.</param>
     public IEnumerable<FrameLabelling?> Label(SceneSnapshot snapshot, Func<bool> mayCastRays)
     {
-        _found.Clear();
+        rays.Begin();
+        var findings = new FrameFindings();
         Camera camera = CameraOf(options, snapshot.Camera);
         List<LabelCandidate> candidates = _objects.CandidatesOf(camera, snapshot);
-        FrameLabelling? objects = null;
-        foreach (FrameLabelling? slice in options.Masks
-            ? LabelByMap(camera, snapshot.Ego.Handle, candidates, mayCastRays)
-            : LabelByRays(camera, snapshot.Ego.Handle, candidates, mayCastRays))
+        IEnumerable<bool> objects = options.Masks
+            ? new MapLabeller(options, _objects, rays).Label(camera, snapshot.Ego.Handle, candidates, findings, mayCastRays)
+            : LabelByRays(camera, snapshot.Ego.Handle, candidates, findings, mayCastRays);
+        foreach (bool _ in objects)
         {
-            objects = slice;
             yield return null;
         }
 
-        var spaces = new List<ObjectLabel>();
-        foreach (ObjectLabel? space in Spaces?.Label(camera, snapshot, _found, mayCastRays) ?? [])
+        rays.Begin(RayPhase.Faces);
+        foreach (bool _ in Spaces?.Label(camera, snapshot, findings, mayCastRays) ?? [])
         {
-            if (space is not null)
-            {
-                spaces.Add(space);
-            }
-
             yield return null;
         }
 
-        LanesLabel? lanes = null;
+        rays.Begin(RayPhase.IgnoreRegions);
+        foreach (DistantCandidate candidate in _distant.CandidatesOf(camera, snapshot.Distant))
+        {
+            Sight sight = mayCastRays() && rays.Left >= SightFinder.MostRays ? _distant.Look(camera, candidate, snapshot.Ego.Handle, rays) : Sight.NotAsked;
+            findings.Add(new DistantEntity(candidate.Entity, sight), DistantLabeller.RegionOf(camera, candidate, sight));
+            yield return null;
+        }
+
+        rays.Begin(RayPhase.Lanes);
         foreach (LanesLabel? slice in Lanes?.Label(snapshot, camera, mayCastRays) ?? [])
         {
-            lanes = slice;
+            findings.Lanes = slice;
             yield return null;
         }
 
-        yield return objects! with
-        {
-            Objects = [.. objects.Objects.Concat(spaces).OrderBy(label => label.Id)],
-            Lanes = lanes,
-            Ids = registry.IdsOf(snapshot.Entities),
-            Occlusions = [.. _found],
-        };
+        yield return findings.Labelling(registry.IdsOf(snapshot.Entities), rays.Counts);
     }
 
     /// <summary>
@@ -88,69 +84,23 @@ internal sealed class FrameLabeller(HarvestOptions options, IRayCaster rays, Obj
         Lanes?.Pass(snapshot);
     }
 
-    private IEnumerable<FrameLabelling?> LabelByRays(
-        Camera camera, int egoHandle, List<LabelCandidate> candidates, Func<bool> mayCastRays)
+    private IEnumerable<bool> LabelByRays(
+        Camera camera, int egoHandle, List<LabelCandidate> candidates, FrameFindings findings, Func<bool> mayCastRays)
     {
-        var objects = new List<ObjectLabel>();
+        rays.Begin(RayPhase.Occlusion);
         foreach (LabelCandidate candidate in candidates)
         {
-            OcclusionEstimate occlusion = mayCastRays()
-                ? _occlusion.Estimate(camera, candidate.Cuboid, candidate.Projection, candidate.Entity.Handle, egoHandle, rays)
+            OcclusionEstimate occlusion =
+                !options.IsWithinReach(camera, candidate.Cuboid) ? new OcclusionEstimate { Sight = Sight.Undetermined }
+                : mayCastRays() && rays.Left >= _occlusion.MostRays
+                    ? _occlusion.Estimate(camera, candidate.Cuboid, candidate.Projection, candidate.Entity.Handle, egoHandle, rays)
                 : default;
-            _found.Add(new RecordedOcclusion(candidate.Entity.Handle, null, candidate.Id, occlusion.Method, occlusion.OccludedFraction, null));
-            if (_objects.LabelOf(camera, candidate, occlusion) is { } label)
-            {
-                objects.Add(label);
-            }
-
-            yield return null;
+            findings.Add(
+                RecordedOcclusion.Of(candidate.Entity.Handle, null, candidate.Id, occlusion, null),
+                occlusion,
+                _objects.LabelOf(camera, candidate, occlusion),
+                ObjectLabeller.RegionOf(camera, candidate, occlusion));
+            yield return true;
         }
-
-        objects.Sort(static (a, b) => a.Id.CompareTo(b.Id));
-        yield return new FrameLabelling(objects, null);
-    }
-
-    // Which objects are kept is known only after the map: until then they are numbered through.
-    private IEnumerable<FrameLabelling?> LabelByMap(
-        Camera camera, int egoHandle, List<LabelCandidate> candidates, Func<bool> mayCastRays)
-    {
-        MapTarget[] targets = [.. candidates.Select((candidate, index) =>
-            new MapTarget(candidate.Entity.Handle, (ushort)(index + 1), candidate.Cuboid, candidate.Projection))];
-        var mapper = new AdaptivePixelMapper(camera, targets, egoHandle, rays, _mapOptions);
-        while (mayCastRays() && mapper.Step())
-        {
-            yield return null;
-        }
-
-        AdaptivePixelMap map = mapper.Finish();
-        yield return null;
-
-        var estimator = new MapOcclusionEstimator(camera, map.Map, egoHandle, rays, options.OcclusionSamples);
-        var objects = new List<ObjectLabel>();
-        var numbers = new ushort[targets.Length + 1];
-        for (int i = 0; i < targets.Length; i++)
-        {
-            OcclusionEstimate occlusion = mayCastRays() ? estimator.Estimate(targets[i], map.Methods[targets[i].Number]) : default;
-            _found.Add(new RecordedOcclusion(candidates[i].Entity.Handle, null, candidates[i].Id, occlusion.Method, occlusion.OccludedFraction, null));
-            if (_objects.LabelOf(camera, candidates[i], occlusion) is { } label)
-            {
-                objects.Add(label);
-                numbers[targets[i].Number] = (ushort)label.Id;
-            }
-
-            yield return null;
-        }
-
-        for (int i = 0; i < map.Map.Ids.Length; i++)
-        {
-            map.Map.Ids[i] = numbers[map.Map.Ids[i]];
-        }
-
-        Box2D?[] bounds = InstanceBounds.Of(map.Map);
-        objects.Sort(static (a, b) => a.Id.CompareTo(b.Id));
-        yield return new FrameLabelling([.. objects.Select(label => label with { Box2DVisible = bounds[label.Id] })], map.Map)
-        {
-            PixelMap = new PixelMapLabel(map.ResolutionPixels, map.InterpolatedPixels, map.RaysCast),
-        };
     }
 }

@@ -19,6 +19,15 @@ internal sealed record FrameLabelling(IReadOnlyList<ObjectLabel> Objects, Instan
     /// <summary>What was found of the entities and faces in the image.</summary>
     public IReadOnlyList<RecordedOcclusion> Occlusions { get; init; } = [];
 
+    /// <summary>The places of objects without a label, the nearest first.</summary>
+    public IReadOnlyList<IgnoreRegion> IgnoreRegions { get; init; } = [];
+
+    /// <summary>What was found of the entities beyond the labelling range that are in the image.</summary>
+    public IReadOnlyList<DistantEntity> Distant { get; init; } = [];
+
+    /// <summary>The rays that it took; null for labels made without a game.</summary>
+    public RayCounts? Rays { get; init; }
+
     /// <summary>The lanes; null when no roads are known.</summary>
     public LanesLabel? Lanes { get; init; }
 }

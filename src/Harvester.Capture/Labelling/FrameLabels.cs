@@ -22,14 +22,23 @@ internal static class FrameLabels
             FramePaths.Image(frame, format),
             draft.Labelling.Mask is null ? null : FramePaths.Mask(frame),
             Of(camera),
-            new EgoLabel(scene.Ego.Pose.Position, Angles.HeadingDegrees(scene.Ego.Pose.Axes.Forward), scene.Ego.Velocity, scene.Ego.Model),
+            Of(scene.Ego),
             scene.Environment,
             draft.Labelling.Objects)
         {
             PixelMap = draft.Labelling.PixelMap,
+            Rays = draft.Labelling.Rays,
+            IgnoreRegions = draft.Labelling.IgnoreRegions,
             Lanes = draft.Labelling.Lanes,
         };
     }
+
+    /// <summary>The vehicle that carries the camera as labels have it.</summary>
+    public static EgoLabel Of(EgoState ego) => new(ego.Pose.Position, Angles.HeadingDegrees(ego.Pose.Axes.Forward), ego.Velocity, ego.Model)
+    {
+        Axes = ego.Pose.Axes,
+        HeightAboveGroundMetres = ego.HeightAboveGroundMetres,
+    };
 
     /// <summary>The camera as labels have it.</summary>
     public static CameraLabel Of(Camera camera)

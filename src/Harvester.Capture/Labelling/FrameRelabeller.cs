@@ -7,6 +7,7 @@ using Harvester.Capture.Labels;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Visibility;
 
 namespace Harvester.Capture.Labelling;
 
@@ -21,6 +22,7 @@ public sealed class FrameRelabeller
     private readonly ObjectRegistry _registry;
     private readonly ObjectLabeller _objects;
     private readonly RecordedLights _lights = new();
+    private readonly DistantLabeller _distant;
     private readonly SpaceLabeller? _spaces;
     private readonly LaneLabeller? _lanes;
 
@@ -35,8 +37,9 @@ public sealed class FrameRelabeller
         _recordedOptions = recordedOptions ?? throw new ArgumentNullException(nameof(recordedOptions));
         _registry = new ObjectRegistry((ids ?? throw new ArgumentNullException(nameof(ids))).Greatest + 1) { Recorded = ids };
         _objects = new ObjectLabeller(options, _registry);
+        _distant = new DistantLabeller(options);
         _spaces = options.Spaces is { } table ? new SpaceLabeller(table, options, null, _lights, _registry) : null;
-        _lanes = roads is null ? null : new LaneLabeller(roads, null, _registry);
+        _lanes = roads is null ? null : new LaneLabeller(roads, null, null, _registry);
     }
 
     /// <summary>
@@ -52,9 +55,9 @@ public sealed class FrameRelabeller
     /// <summary>Makes the label of a frame again.</summary>
     /// <param name="scene">The frame's scene.</param>
     /// <param name="recorded">The label that the harvest made.</param>
-    /// <param name="picture">Reads the frame's picture, when the state of a light is to be seen in it; null from it where that cannot be done.</param>
+    /// <param name="picture">Reads the frame's picture, when the state of a light is to be seen in it.</param>
     /// <exception cref="HarvestFaultException">All object numbers are used up.</exception>
-    public FrameLabel Relabel(RecordedScene scene, FrameLabel recorded, Func<PixelBuffer?> picture)
+    public FrameLabel Relabel(RecordedScene scene, FrameLabel recorded, Func<PixelBuffer> picture)
     {
         if (scene is null)
         {
@@ -70,24 +73,43 @@ public sealed class FrameRelabeller
         bool keepsMask = KeepsMask(scene, recorded, _options.Lens);
         SceneSnapshot snapshot = Begin(scene, out Camera camera);
         var occlusions = new RecordedOcclusions(scene, recorded, _recordedOptions, isLensSame);
-        IEnumerable<ObjectLabel?> objects = _objects.CandidatesOf(camera, snapshot).Select(candidate =>
-            _objects.LabelOf(camera, candidate, occlusions.Of(candidate)) is { } label
-                ? label with { Box2DVisible = keepsMask ? occlusions.LabelOf(label.Id)?.Box2DVisible : null }
-                : null);
-        List<ObjectLabel?> all = [.. objects];
-        foreach (SpaceCandidate candidate in (_spaces?.CandidatesOf(camera, snapshot) ?? []).OfType<SpaceCandidate>())
+        var findings = new FrameFindings();
+        foreach (LabelCandidate candidate in _objects.CandidatesOf(camera, snapshot))
         {
-            all.Add(_spaces!.LabelOf(camera, snapshot, candidate, occlusions.Of(candidate)));
+            OcclusionEstimate occlusion = occlusions.Of(candidate);
+            ObjectLabel? label = _objects.LabelOf(camera, candidate, occlusion);
+            findings.Add(
+                RecordedOcclusion.Of(candidate.Entity.Handle, null, candidate.Id, occlusion, null),
+                occlusion,
+                label is null
+                    ? null
+                    : label with { Box2DVisible = keepsMask ? occlusions.LabelOf(label.Id)?.Box2DVisible : null },
+                ObjectLabeller.RegionOf(camera, candidate, occlusion));
         }
 
-        var labelling = new FrameLabelling([.. all.OfType<ObjectLabel>().OrderBy(label => label.Id)], null);
-        labelling = LightObserver.NeedsPicture(labelling) && picture() is { } seen ? LightObserver.Observe(labelling, seen) : labelling;
+        foreach (SpaceCandidate candidate in (_spaces?.CandidatesOf(camera, snapshot) ?? []).OfType<SpaceCandidate>())
+        {
+            _spaces!.Add(findings, camera, snapshot, candidate, occlusions.Of(candidate));
+        }
+
+        foreach (DistantEntity distant in DistantIn(scene))
+        {
+            foreach (DistantCandidate candidate in _distant.CandidatesOf(camera, [distant.Entity]))
+            {
+                findings.Add(distant, DistantLabeller.RegionOf(camera, candidate, distant.Sight));
+            }
+        }
+
+        FrameLabelling labelling = findings.Labelling(scene.Ids, recorded.Rays);
+        labelling = LightObserver.NeedsPicture(labelling) ? LightObserver.Observe(labelling, picture()) : labelling;
         return recorded with
         {
             Mask = keepsMask ? recorded.Mask : null,
             PixelMap = keepsMask ? recorded.PixelMap : null,
             Camera = FrameLabels.Of(camera),
+            Ego = FrameLabels.Of(snapshot.Ego),
             Objects = labelling.Objects,
+            IgnoreRegions = labelling.IgnoreRegions,
             Lanes = LanesOf(snapshot, camera, recorded.Lanes, isLensSame),
         };
     }
@@ -112,13 +134,17 @@ public sealed class FrameRelabeller
         _registry.Remember(scene);
         _lights.Show(scene);
         camera = FrameLabeller.CameraOf(_options, scene.Snapshot.Camera);
-        return _options.RangeMetres >= _recordedOptions.RangeMetres ? scene.Snapshot : WithinRange(scene.Snapshot);
+        return scene.Snapshot with { Entities = [.. scene.Snapshot.Entities.Where(entity => _options.IsInRange(scene.Snapshot.Camera, entity))] };
     }
 
-    private SceneSnapshot WithinRange(SceneSnapshot snapshot) => snapshot with
+    private IEnumerable<DistantEntity> DistantIn(RecordedScene scene)
     {
-        Entities = [.. snapshot.Entities.Where(entity => (entity.Pose.Position - snapshot.Camera.Pose.Position).Length < _options.RangeMetres)],
-    };
+        Dictionary<int, Sight> sights = scene.Occlusions.Where(found => found.Face is null).ToDictionary(found => found.Handle, found => found.Sight);
+        return scene.Snapshot.Entities
+            .Where(entity => !_options.IsInRange(scene.Snapshot.Camera, entity))
+            .Select(entity => new DistantEntity(entity, sights.TryGetValue(entity.Handle, out Sight sight) ? sight : Sight.NotAsked))
+            .Concat(scene.Distant);
+    }
 
     private LanesLabel? LanesOf(SceneSnapshot snapshot, Camera camera, LanesLabel? recorded, bool isLensSame)
     {
@@ -128,6 +154,7 @@ public sealed class FrameRelabeller
         }
 
         LanesLabel? lanes = _lanes.Label(snapshot, camera, static () => false).LastOrDefault();
-        return lanes is null ? null : RecordedLanes.WithHidden(lanes, recorded);
+        return lanes is null ? null
+            : RecordedLanes.Completed(lanes, recorded is null || isLensSame ? recorded : RecordedLanes.SeenBy(camera, recorded));
     }
 }

@@ -5,15 +5,14 @@ using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
-using Harvester.Geometry.Visibility;
 
 namespace Harvester.Capture.Labelling;
 
 /// <summary>Makes the label of the lanes of one snapshot; remembers the road from frame to frame.</summary>
-internal sealed class LaneLabeller(IRoads roads, IRayCaster? rays, ObjectRegistry registry)
+internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? rays, ObjectRegistry registry)
 {
-    /// <summary>Markings are traced this far, metres along the road.</summary>
-    private const double MarkingReach = 70;
+    /// <summary>Boundaries and markings are traced this far, metres along the road.</summary>
+    private const double LineReach = 70;
 
     private readonly LaneTracker _tracker = new(roads, entity => registry.IdOf(entity));
 
@@ -28,20 +27,34 @@ internal sealed class LaneLabeller(IRoads roads, IRayCaster? rays, ObjectRegistr
         yield return null;
 
         LaneObservation seen = known.Seen;
-        var markings = new List<LaneLineView>();
+        var boundaries = new List<LaneLineView>();
+        List<LaneLineView>? markings = paint is null ? null : [];
         if (seen is { Status: LaneStatus.Known, Stretch: { } stretch })
         {
             double carOffset = seen.Match.LeftEdge + seen.Match.OffsetFromLeftEdge;
-            foreach (LaneLine line in LaneLineTracer.Trace(stretch, carOffset, 0, MarkingReach))
+            foreach (LaneLine line in Painted(stretch, carOffset))
             {
-                markings.AddRange(LaneLineProjector.Project(camera, line, snapshot.Ego.Handle, mayCastRays() ? rays : null));
+                markings!.AddRange(Project(line));
+                yield return null;
+            }
+
+            foreach (LaneLine line in LaneLineTracer.Trace(stretch, carOffset, 0, LineReach))
+            {
+                boundaries.AddRange(Project(line));
                 yield return null;
             }
         }
 
-        yield return LanesLabel.Of(seen, known.Source, markings);
+        yield return LanesLabel.Of(seen, known.Source, boundaries, markings);
+
+        IReadOnlyList<LaneLineView> Project(LaneLine line) =>
+            LaneLineProjector.Project(
+                camera, line, snapshot.Ego.Handle, mayCastRays() && rays?.Left >= LaneLineProjector.MostRays(line) ? rays : null);
     }
 
     /// <summary>Passes over a snapshot that is not labelled: the road and the vehicles' numbers are remembered as if it were.</summary>
     public void Pass(SceneSnapshot snapshot) => _tracker.Observe(snapshot.Ego, snapshot.Entities);
+
+    private IReadOnlyList<LaneLine> Painted(RoadStretch stretch, double carOffset) =>
+        paint is null ? [] : PaintTracer.Trace(stretch, carOffset, 0, LineReach, paint.Near(stretch.PointAt(0), LineReach));
 }

@@ -31,11 +31,10 @@ internal sealed class ObjectLabeller(HarvestOptions options, ObjectRegistry regi
             : null;
     }
 
-    /// <summary>The label of an entity in the image; null when it is hidden so far that it is not listed.</summary>
+    /// <summary>The label of an entity in the image; null when it is not listed.</summary>
     public ObjectLabel? LabelOf(Camera camera, LabelCandidate candidate, OcclusionEstimate occlusion)
     {
-        bool determined = occlusion.Method != OcclusionMethod.None;
-        if (determined && occlusion.OccludedFraction > options.MaxOccludedFraction)
+        if (!options.IsListed(occlusion))
         {
             return null;
         }
@@ -46,14 +45,22 @@ internal sealed class ObjectLabeller(HarvestOptions options, ObjectRegistry regi
             Id = candidate.Id,
             Class = entity.Class,
             Model = entity.Model,
+            KnownParts = options.Spaces?.Of(entity.Model).Count,
+            HasRider = entity.HasRider,
             Box2D = candidate.Box,
             Box2DAmodal = candidate.AmodalBox,
             TruncatedFraction = candidate.Projection.TruncatedFraction,
-            OccludedFraction = determined ? occlusion.OccludedFraction : null,
+            OccludedFraction = occlusion.Method == OcclusionMethod.None ? null : occlusion.OccludedFraction,
             OcclusionMethod = occlusion.Method,
             Box3D = candidate.Cuboid,
             DistanceMetres = (candidate.Cuboid.Centre - camera.Pose.Position).Length,
             Velocity = entity.Velocity,
         };
     }
+
+    /// <summary>The ignore region of an entity in the image; null unless it could not be determined whether it is seen.</summary>
+    public static IgnoreRegion? RegionOf(Camera camera, LabelCandidate candidate, OcclusionEstimate occlusion) => occlusion.Sight == Sight.Undetermined
+        ? new IgnoreRegion(
+            IgnoreReason.Undetermined, candidate.Entity.Class, candidate.Box, (candidate.Cuboid.Centre - camera.Pose.Position).Length)
+        : null;
 }

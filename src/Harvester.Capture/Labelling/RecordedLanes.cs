@@ -10,32 +10,42 @@ namespace Harvester.Capture.Labelling;
 /// <summary>What recorded lanes lend to a label that is made again without rays and perhaps without roads.</summary>
 internal static class RecordedLanes
 {
-    /// <summary>Lanes that were measured again, with what the recorded ones say of hidden points: of a point that is not among theirs nothing is known.</summary>
-    public static LanesLabel WithHidden(LanesLabel lanes, LanesLabel? recorded)
+    /// <summary>
+    /// Lanes that were measured again, with what the recorded ones say of the paint and of hidden points: of a point that is not among
+    /// theirs nothing is known.
+    /// </summary>
+    public static LanesLabel Completed(LanesLabel lanes, LanesLabel? recorded)
     {
         var known = new Dictionary<string, bool?>();
-        foreach (LaneLinePoint point in recorded?.Markings.SelectMany(marking => marking.Points) ?? [])
+        foreach (LaneLinePoint point in recorded?.Boundaries.SelectMany(line => line.Points) ?? [])
         {
             known[PlaceOf(point)] = point.IsHidden;
         }
 
         return lanes with
         {
-            Markings = [.. lanes.Markings.Select(marking => marking with
+            Boundaries = [.. lanes.Boundaries.Select(line => line with
             {
-                Points = [.. marking.Points.Select(point => point with { IsHidden = known.TryGetValue(PlaceOf(point), out bool? hidden) ? hidden : null })],
+                Points = [.. line.Points.Select(point => point with { IsHidden = known.TryGetValue(PlaceOf(point), out bool? hidden) ? hidden : null })],
             })],
+            Markings = lanes.Status != LaneStatus.Known || recorded?.Status == LaneStatus.Known ? recorded?.Markings : null,
         };
     }
 
-    /// <summary>The recorded lanes as another lens shows their markings: points that it shows no more are left out.</summary>
-    public static LanesLabel SeenBy(Camera camera, LanesLabel recorded) =>
-        recorded with { Markings = [.. recorded.Markings.SelectMany(marking => RunsOf(camera, marking))] };
+    /// <summary>The recorded lanes as another lens shows their lines: points that it shows no more are left out.</summary>
+    public static LanesLabel SeenBy(Camera camera, LanesLabel recorded) => recorded with
+    {
+        Boundaries = SeenBy(camera, recorded.Boundaries)!,
+        Markings = SeenBy(camera, recorded.Markings),
+    };
 
-    private static IEnumerable<LaneLineView> RunsOf(Camera camera, LaneLineView marking)
+    private static List<LaneLineView>? SeenBy(Camera camera, IReadOnlyList<LaneLineView>? lines) =>
+        lines?.SelectMany(line => RunsOf(camera, line)).ToList();
+
+    private static IEnumerable<LaneLineView> RunsOf(Camera camera, LaneLineView line)
     {
         var run = new List<LaneLinePoint>();
-        foreach (LaneLinePoint point in marking.Points)
+        foreach (LaneLinePoint point in line.Points)
         {
             Projection projection = camera.Project(point.World);
             if (projection.Outcome == ProjectionOutcome.InImage)
@@ -46,7 +56,7 @@ internal static class RecordedLanes
 
             if (run.Count > 1)
             {
-                yield return marking with { Points = run };
+                yield return line with { Points = run };
             }
 
             run = [];
@@ -54,7 +64,7 @@ internal static class RecordedLanes
 
         if (run.Count > 1)
         {
-            yield return marking with { Points = run };
+            yield return line with { Points = run };
         }
     }
 

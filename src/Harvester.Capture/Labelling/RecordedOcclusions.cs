@@ -28,7 +28,7 @@ internal sealed class RecordedOcclusions(RecordedScene scene, FrameLabel recorde
     {
         ObjectLabel? label = LabelOf(candidate.Id);
         return isLensSame && label is { OcclusionMethod: OcclusionMethod.Imported, OccludedFraction: { } imported }
-            ? new OcclusionEstimate(imported, 0, 0, OcclusionMethod.Imported)
+            ? new OcclusionEstimate(imported, 0, 0, OcclusionMethod.Imported) { Sight = imported < 1 ? Sight.Seen : Sight.Unseen }
             : Found(candidate, null, label);
     }
 
@@ -45,13 +45,15 @@ internal sealed class RecordedOcclusions(RecordedScene scene, FrameLabel recorde
 
     private OcclusionEstimate Found(LabelCandidate candidate, int? face, ObjectLabel? label)
     {
-        if (!_found.TryGetValue((candidate.Entity.Handle, face), out RecordedOcclusion? found) || found.Method == OcclusionMethod.None)
+        if (!_found.TryGetValue((candidate.Entity.Handle, face), out RecordedOcclusion? found))
         {
             return default;
         }
 
-        bool isHiddenAltogether = found.OccludedFraction > recordedOptions.MaxOccludedFraction;
         bool isWhole = candidate.Projection.TruncatedFraction == 0 && label?.TruncatedFraction == 0;
-        return isLensSame || isHiddenAltogether || isWhole ? new OcclusionEstimate(found.OccludedFraction, 0, 0, found.Method) : default;
+        bool holds = isLensSame || isWhole || found.Sight == Sight.Undetermined || found.OccludedFraction > recordedOptions.MaxOccludedFraction;
+        return holds ? found.Estimate
+            : found.Sight == Sight.Seen ? new OcclusionEstimate { Sight = Sight.Seen }
+            : default;
     }
 }

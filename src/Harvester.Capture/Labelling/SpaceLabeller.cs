@@ -14,7 +14,7 @@ using Harvester.Geometry.Visibility;
 namespace Harvester.Capture.Labelling;
 
 /// <summary>Makes the labels of the parts of objects that matter: faces of signs, heads of traffic lights. Algorithm 3 of the thesis.</summary>
-internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, IRayCaster? rays, ILights? lights, ObjectRegistry registry)
+internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, FrameRays? rays, ILights? lights, ObjectRegistry registry)
 {
     /// <summary>A face's own surface lies in its cuboid up to the rounding of its corners; less than the thickness of a sign's plate.</summary>
     private const double MeasuredMarginMetres = 0.005;
@@ -24,27 +24,41 @@ internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, IR
 
     private readonly OcclusionEstimator _occlusion = new(options.OcclusionSamples);
 
-    /// <summary>Labels the spaces of entities, one an element: null for one that is not in the image or not to be labelled.</summary>
+    /// <summary>Labels the spaces of entities, a slice each.</summary>
     /// <param name="camera">The camera of the saved image.</param>
     /// <param name="snapshot">The scene.</param>
-    /// <param name="found">Gets what rays found of each in the image.</param>
+    /// <param name="findings">Has what was found of the entities, and gets what is found of each space in the image.</param>
     /// <param name="mayCastRays">Asked for each; one that gets a no has no occlusion.</param>
-    public IEnumerable<ObjectLabel?> Label(Camera camera, SceneSnapshot snapshot, List<RecordedOcclusion> found, Func<bool> mayCastRays)
+    public IEnumerable<bool> Label(Camera camera, SceneSnapshot snapshot, FrameFindings findings, Func<bool> mayCastRays)
     {
         foreach (SpaceCandidate? candidate in CandidatesOf(camera, snapshot))
         {
+            yield return true;
             if (candidate is null)
             {
-                yield return null;
                 continue;
             }
 
-            OcclusionEstimate occlusion = rays is not null && mayCastRays() ? Estimate(camera, candidate, snapshot.Ego.Handle, rays) : default;
-            LabelCandidate face = candidate.Face;
-            found.Add(new RecordedOcclusion(
-                face.Entity.Handle, candidate.Space.Face, face.Id, occlusion.Method, occlusion.OccludedFraction, lights?.SetStateOf(face.Entity.Handle, snapshot.GameFrame)));
-            yield return LabelOf(camera, snapshot, candidate, occlusion);
+            OcclusionEstimate parent = findings.OcclusionOf(candidate.Face.Entity.Handle);
+            OcclusionEstimate occlusion =
+                parent.Sight is Sight.Unseen or Sight.Undetermined ? parent
+                : mayCastRays() && rays?.Left >= _occlusion.MostRays ? Estimate(camera, candidate, snapshot.Ego.Handle, rays)
+                : default;
+            Add(findings, camera, snapshot, candidate, occlusion);
         }
+    }
+
+    /// <summary>Adds what was found of a space to a frame's findings; where its object has an ignore region it needs none of its own.</summary>
+    public void Add(FrameFindings findings, Camera camera, SceneSnapshot snapshot, SpaceCandidate candidate, OcclusionEstimate occlusion)
+    {
+        LabelCandidate face = candidate.Face;
+        int handle = face.Entity.Handle;
+        bool isParentMarked = findings.OcclusionOf(handle).Sight == Sight.Undetermined;
+        findings.Add(
+            RecordedOcclusion.Of(handle, candidate.Space.Face, face.Id, occlusion, lights?.SetStateOf(handle, snapshot.GameFrame)),
+            occlusion,
+            LabelOf(camera, snapshot, candidate, occlusion),
+            isParentMarked ? null : ObjectLabeller.RegionOf(camera, face, occlusion));
     }
 
     /// <summary>Passes over a snapshot that is not labelled: the spaces' numbers are remembered as if it were.</summary>
@@ -59,12 +73,9 @@ internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, IR
     /// <summary>The spaces of entities, numbered; null for one that is not in the image.</summary>
     public IEnumerable<SpaceCandidate?> CandidatesOf(Camera camera, SceneSnapshot snapshot) =>
         from entity in snapshot.Entities
-        from space in SpacesOf(entity)
+        from space in table.Of(entity.Model)
         where options.Classes is null || options.Classes.Contains(space.Class)
         select CandidateOf(camera, entity, space);
-
-    private IReadOnlyList<SpaceOfInterest> SpacesOf(EntityState entity) =>
-        table.Of(ModelHash.TryParse(entity.Model, out int hash) ? hash : ModelHash.Of(entity.Model));
 
     private SpaceCandidate? CandidateOf(Camera camera, EntityState entity, SpaceOfInterest space)
     {
@@ -75,14 +86,13 @@ internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, IR
             : null;
     }
 
-    /// <summary>The label of a space in the image; null when it is hidden so far that it is not listed.</summary>
+    /// <summary>The label of a space in the image; null when it is not listed.</summary>
     public ObjectLabel? LabelOf(Camera camera, SceneSnapshot snapshot, SpaceCandidate candidate, OcclusionEstimate occlusion)
     {
         (SpaceOfInterest space, LabelCandidate face, int parent) = candidate;
         EntityState entity = face.Entity;
         Cuboid cuboid = face.Cuboid;
-        bool determined = occlusion.Method != OcclusionMethod.None;
-        if (determined && occlusion.OccludedFraction > options.MaxOccludedFraction)
+        if (!options.IsListed(occlusion))
         {
             return null;
         }
@@ -97,7 +107,7 @@ internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, IR
             Box2D = face.Box,
             Box2DAmodal = face.AmodalBox,
             TruncatedFraction = face.Projection.TruncatedFraction,
-            OccludedFraction = determined ? occlusion.OccludedFraction : null,
+            OccludedFraction = occlusion.Method == OcclusionMethod.None ? null : occlusion.OccludedFraction,
             OcclusionMethod = occlusion.Method,
             Box3D = cuboid,
             DistanceMetres = (cuboid.Centre - camera.Pose.Position).Length,

@@ -31,6 +31,12 @@ public sealed record FrameLabel(
     /// <summary>How well the mask is known; null without a mask and for an imported one.</summary>
     public PixelMapLabel? PixelMap { get; init; }
 
+    /// <summary>Regions that show, or may show, objects without a label, the nearest first.</summary>
+    public IReadOnlyList<IgnoreRegion> IgnoreRegions { get; init; } = [];
+
+    /// <summary>The rays that the labels took; null where that is not known.</summary>
+    public RayCounts? Rays { get; init; }
+
     /// <summary>The lanes; null when no roads are known.</summary>
     public LanesLabel? Lanes { get; init; }
 }

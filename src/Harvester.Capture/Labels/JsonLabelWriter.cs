@@ -28,6 +28,7 @@ public static class JsonLabelWriter
             .Key("image").String(frame.Image)
             .Key("mask").String(frame.Mask);
         Append(json.Key("pixelMap"), frame.PixelMap);
+        Append(json.Key("rays"), frame.Rays);
         Append(json.Key("camera"), frame.Camera);
         Append(json.Key("ego"), frame.Ego);
         Append(json.Key("environment"), frame.Environment);
@@ -35,6 +36,12 @@ public static class JsonLabelWriter
         foreach (ObjectLabel label in frame.Objects)
         {
             Append(json, label);
+        }
+
+        json.EndArray().Key("ignoreRegions").BeginArray();
+        foreach (IgnoreRegion region in frame.IgnoreRegions)
+        {
+            Append(json, region);
         }
 
         json.EndArray();
@@ -97,13 +104,39 @@ public static class JsonLabelWriter
             .EndObject();
     }
 
-    private static void Append(JsonText json, EgoLabel ego) =>
+    private static void Append(JsonText json, RayCounts? rays)
+    {
+        if (rays is null)
+        {
+            json.Null();
+            return;
+        }
+
+        json.BeginObject()
+            .Key("total").Integer(rays.Total)
+            .Key("map").Integer(rays.Map)
+            .Key("occlusion").Integer(rays.Occlusion)
+            .Key("faces").Integer(rays.Faces)
+            .Key("ignoreRegions").Integer(rays.IgnoreRegions)
+            .Key("lanes").Integer(rays.Lanes)
+            .EndObject();
+    }
+
+    private static void Append(JsonText json, EgoLabel ego)
+    {
         json.BeginObject()
             .Key("position").Vector(ego.Position, LabelDecimals.Metres)
-            .Key("headingDegrees").Number(RoundedHeading(ego.HeadingDegrees), LabelDecimals.Degrees)
+            .Key("headingDegrees").Number(RoundedHeading(ego.HeadingDegrees), LabelDecimals.Degrees);
+        if (ego.Axes is { } axes)
+        {
+            Append(json, axes);
+        }
+
+        json.Key("heightAboveGroundMetres").Number(ego.HeightAboveGroundMetres, LabelDecimals.Metres)
             .Key("velocity").Vector(ego.Velocity, LabelDecimals.Speed)
             .Key("model").String(ego.Model)
             .EndObject();
+    }
 
     /// <summary>The heading in [0, 360) also after rounding: 359.99999 is written as 0.</summary>
     private static double RoundedHeading(double headingDegrees)
@@ -126,9 +159,18 @@ public static class JsonLabelWriter
             .Key("model").String(label.Model)
             .Key("name").String(label.Name)
             .Key("parent").Integer(label.Parent)
+            .Key("knownParts").Integer(label.KnownParts)
+            .Key("hasRider").Truth(label.HasRider)
             .Key("box2d").Box(label.Box2D, LabelDecimals.Pixels)
             .Key("box2dAmodal").Box(label.Box2DAmodal, LabelDecimals.Pixels)
             .Key("box2dVisible").Box(label.Box2DVisible, LabelDecimals.Pixels)
+            .Key("boxes").BeginArray();
+        foreach (BoxKind kind in label.Boxes)
+        {
+            json.String(JsonName.Of(kind));
+        }
+
+        json.EndArray()
             .Key("truncatedFraction").Number(label.TruncatedFraction, LabelDecimals.Fraction)
             .Key("occludedFraction").Number(label.OccludedFraction, LabelDecimals.Fraction)
             .Key("occlusionMethod").String(JsonName.Of(label.OcclusionMethod))
@@ -139,6 +181,14 @@ public static class JsonLabelWriter
         Append(json.Key("space"), label.Space);
         json.EndObject();
     }
+
+    private static void Append(JsonText json, IgnoreRegion region) =>
+        json.BeginObject()
+            .Key("reason").String(JsonName.Of(region.Reason))
+            .Key("class").String(JsonName.Of(region.Class))
+            .Key("box2d").Box(region.Box2D, LabelDecimals.Pixels)
+            .Key("distanceMetres").Number(region.DistanceMetres, LabelDecimals.Metres)
+            .EndObject();
 
     private static void Append(JsonText json, SpaceLabel? space)
     {

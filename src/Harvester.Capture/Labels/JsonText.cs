@@ -69,6 +69,8 @@ internal sealed class JsonText(bool indented = false)
         return Word(double.Parse(shortest, CultureInfo.InvariantCulture).Equals(number) ? shortest : number.ToString("G17", CultureInfo.InvariantCulture));
     }
 
+    public JsonText Exact(double? value) => value is { } known ? Exact(known) : Word("null");
+
     public JsonText Exact(Vector3D value) => BeginArray().Exact(value.X).Exact(value.Y).Exact(value.Z).EndArray();
 
     public JsonText Integer(long value)

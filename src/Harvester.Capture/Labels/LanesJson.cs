@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Harvester.Geometry.Lanes;
 
@@ -32,7 +33,16 @@ internal static class LanesJson
         AppendFlags(json.Key("valid"), lanes.IndicatorsAtCar);
         json.EndObject();
         AppendVehicles(json.Key("vehicles"), lanes.Vehicles);
-        AppendMarkings(json.Key("markings"), lanes.Markings);
+        AppendLines(json.Key("boundaries"), lanes.Boundaries);
+        if (lanes.Markings is { } markings)
+        {
+            AppendLines(json.Key("markings"), markings);
+        }
+        else
+        {
+            json.Key("markings").String(null);
+        }
+
         json.EndObject();
     }
 
@@ -75,39 +85,39 @@ internal static class LanesJson
         json.EndArray();
     }
 
-    private static void AppendMarkings(JsonText json, IReadOnlyList<LaneLineView> markings)
+    private static void AppendLines(JsonText json, IReadOnlyList<LaneLineView> lines)
     {
         json.BeginArray();
-        foreach (LaneLineView marking in markings)
+        foreach (LaneLineView line in lines)
         {
             json.BeginObject()
-                .Key("index").Integer(marking.Index)
-                .Key("side").String(marking.IsLeftOfCar ? "left" : "right")
-                .Key("points").BeginArray();
-            foreach (LaneLinePoint point in marking.Points)
+                .Key("index").Integer(line.Index)
+                .Key("side").String(line.IsLeftOfCar ? "left" : "right");
+            if (line.Paint is { } paint)
             {
-                json.Vector(point.World, LabelDecimals.Metres);
+                json.Key("style").String(JsonName.Of(paint.Style))
+                    .Key("colour").String(JsonName.Of(paint.Colour))
+                    .Key("widthMetres").Number(paint.WidthMetres, LabelDecimals.Metres);
+                AppendEach(json.Key("painted"), line, point => json.Truth(point.IsPainted));
             }
 
-            json.EndArray().Key("inCamera").BeginArray();
-            foreach (LaneLinePoint point in marking.Points)
-            {
-                json.Vector(point.InCamera, LabelDecimals.Metres);
-            }
+            AppendEach(json.Key("points"), line, point => json.Vector(point.World, LabelDecimals.Metres));
+            AppendEach(json.Key("inCamera"), line, point => json.Vector(point.InCamera, LabelDecimals.Metres));
+            AppendEach(json.Key("pixels"), line, point =>
+                json.BeginArray().Number(point.Pixel.X, LabelDecimals.Pixels).Number(point.Pixel.Y, LabelDecimals.Pixels).EndArray());
+            AppendEach(json.Key("hidden"), line, point => json.Truth(point.IsHidden));
+            json.EndObject();
+        }
 
-            json.EndArray().Key("pixels").BeginArray();
-            foreach (LaneLinePoint point in marking.Points)
-            {
-                json.BeginArray().Number(point.Pixel.X, LabelDecimals.Pixels).Number(point.Pixel.Y, LabelDecimals.Pixels).EndArray();
-            }
+        json.EndArray();
+    }
 
-            json.EndArray().Key("hidden").BeginArray();
-            foreach (LaneLinePoint point in marking.Points)
-            {
-                json.Truth(point.IsHidden);
-            }
-
-            json.EndArray().EndObject();
+    private static void AppendEach(JsonText json, LaneLineView line, Action<LaneLinePoint> append)
+    {
+        json.BeginArray();
+        foreach (LaneLinePoint point in line.Points)
+        {
+            append(point);
         }
 
         json.EndArray();

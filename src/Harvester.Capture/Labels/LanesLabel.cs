@@ -56,14 +56,22 @@ public sealed record LanesLabel
     /// <summary>Vehicles ahead on the same road, nearest first; their ids are those of the objects.</summary>
     public IReadOnlyList<VehicleInLane> Vehicles { get; init; } = [];
 
-    /// <summary>The markings in the image.</summary>
-    public IReadOnlyList<LaneLineView> Markings { get; init; } = [];
+    /// <summary>The boundaries of the lanes in the image, painted or not.</summary>
+    public IReadOnlyList<LaneLineView> Boundaries { get; init; } = [];
+
+    /// <summary>The painted markings of these boundaries in the image; null where what is painted is not known.</summary>
+    public IReadOnlyList<LaneLineView>? Markings { get; init; }
+
+    /// <summary>The lane lines in the image: the painted markings, and where what is painted is not known, the boundaries.</summary>
+    public IReadOnlyList<LaneLineView> Lines => Markings ?? Boundaries;
 
     /// <summary>The label of an observation.</summary>
     /// <param name="seen">The observation.</param>
     /// <param name="source">Where the roads are from.</param>
-    /// <param name="markings">The markings in the image; none where there is no image.</param>
-    public static LanesLabel Of(LaneObservation seen, string source, IReadOnlyList<LaneLineView> markings)
+    /// <param name="boundaries">The boundaries of the lanes in the image; none where there is no image.</param>
+    /// <param name="markings">The painted markings in the image; null where what is painted is not known.</param>
+    public static LanesLabel Of(
+        LaneObservation seen, string source, IReadOnlyList<LaneLineView> boundaries, IReadOnlyList<LaneLineView>? markings)
     {
         if (seen is null)
         {
@@ -89,6 +97,7 @@ public sealed record LanesLabel
             TorcsEquivalent = seen.Section is { } section ? Geometry.Lanes.TorcsEquivalent.Of(seen.Indicators, section) : LaneIndicators.Unknown,
             IndicatorsAtCar = seen.IndicatorsAtCar,
             Vehicles = seen.Vehicles,
+            Boundaries = boundaries,
             Markings = markings,
         };
     }

@@ -46,7 +46,7 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
     /// <inheritdoc/>
     public string Name => "The drive";
 
-    /// <summary>Whether a peer may drive now.</summary>
+    /// <inheritdoc/>
     public bool IsOn => _bridge.IsHeld;
 
     /// <summary>Why nobody can drive now; null when a peer can.</summary>
@@ -145,7 +145,7 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
         else if (!IsPictureNear)
         {
             string who = status.IsPeerAlive ? "DRIVEN by the peer" : "BRAKING, no peer drives";
-            _display.Text(FormattableString.Invariant($"{who} at {_settings.Place}  {status.Frames} frames"), 0.02, 0.02);
+            _display.Text(FormattableString.Invariant($"{who} at {_settings.Place}  {Counted.Of(status.Frames, "frame")}"), 0.02, 0.02);
         }
     }
 

@@ -1,3 +1,4 @@
+using Harvester.Capture.Ports;
 using Harvester.Capture.Settings;
 using Harvester.Geometry;
 
@@ -7,7 +8,7 @@ namespace Harvester.Capture.Playing;
 /// The camera on the hood. The game itself attaches it with the vehicle's whole matrix, so that no tick's delay comes between the
 /// two; setting position and rotation on every tick, as the thesis did, lags a frame behind.
 /// </summary>
-public sealed class CameraMount : ILastingFeature, IMount
+public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
 {
     private readonly PlayerSettings _settings;
     private readonly PlayerMessages _messages;
@@ -33,6 +34,9 @@ public sealed class CameraMount : ILastingFeature, IMount
 
     /// <inheritdoc/>
     public bool IsMounted => Vehicle != 0;
+
+    /// <inheritdoc/>
+    public bool IsOn => IsMounted;
 
     /// <inheritdoc/>
     public bool IsBusy => false;
@@ -65,19 +69,50 @@ public sealed class CameraMount : ILastingFeature, IMount
         }
 
         _camera = camera;
-        Vehicle = vehicle;
-        _cameras.Attach(camera, vehicle, _settings.CameraOffset);
-        _cameras.Show(camera);
+        try
+        {
+            _cameras.Attach(camera, vehicle, _settings.CameraOffset);
+            _cameras.Show(camera);
+            Vehicle = vehicle;
+        }
+        finally
+        {
+            // Whoever wants it mounted must not take a camera that does not show for one that does.
+            if (Vehicle == 0)
+            {
+                Stop();
+            }
+        }
+
         _messages.Tell("The camera is mounted.");
+    }
+
+    /// <inheritdoc/>
+    public void Shift(Vector3D offset)
+    {
+        if (IsMounted)
+        {
+            _cameras.Attach(_camera, Vehicle, _settings.CameraOffset + offset);
+        }
     }
 
     /// <inheritdoc/>
     public void Tick()
     {
-        if (Vehicle != 0 && !_vehicles.Exists(Vehicle))
+        if (Vehicle == 0)
+        {
+            return;
+        }
+
+        if (!_vehicles.Exists(Vehicle))
         {
             Stop();
             _messages.Tell("The vehicle with the camera is gone. The view is yours again.");
+        }
+        else if (_vehicles.OfPlayer != Vehicle)
+        {
+            Stop();
+            _messages.Tell("You left the vehicle with the camera. The view is yours again.");
         }
     }
 

@@ -15,6 +15,9 @@ public sealed class DrawnMarkers(IDisplay display) : IMarkers, IFeature
     public string Name => "The markers";
 
     /// <inheritdoc/>
+    public bool IsOn => _markers.Count > 0;
+
+    /// <inheritdoc/>
     public void Show(IReadOnlyList<PlannedMarker> markers) => _markers = markers;
 
     /// <inheritdoc/>

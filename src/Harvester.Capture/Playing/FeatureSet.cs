@@ -1,17 +1,22 @@
 using System;
 using System.Linq;
 using System.Threading;
+using Harvester.Capture.Ports;
 
 namespace Harvester.Capture.Playing;
 
 /// <summary>
 /// The features of a mod. No exception of theirs leaves: a feature that fails is stopped with a message, and the others go on.
 /// </summary>
-/// <param name="messages">Where failures are told.</param>
+/// <param name="messages">Where failures are told, and what the features cost is logged.</param>
+/// <param name="calls">Counts what is asked of the game.</param>
+/// <param name="clock">The player's time.</param>
 /// <param name="features">The features, in the order of their ticks.</param>
-public sealed class FeatureSet(PlayerMessages messages, params IFeature[] features)
+public sealed class FeatureSet(PlayerMessages messages, ICallCounter calls, IClock clock, params IFeature[] features)
 {
     private static readonly TimeSpan LongestWaitForTheLog = TimeSpan.FromSeconds(2);
+
+    private readonly FeatureWatch[] _watches = [.. features.Select(feature => new FeatureWatch(feature, messages, calls, clock))];
 
     /// <summary>Whether work of any of them goes on on another thread.</summary>
     public bool IsBusy => messages.IsBusy || features.OfType<ILastingFeature>().Any(feature => feature.IsBusy);
@@ -19,9 +24,11 @@ public sealed class FeatureSet(PlayerMessages messages, params IFeature[] featur
     /// <summary>Does one frame's work.</summary>
     public void Tick()
     {
-        foreach (IFeature feature in features)
+        foreach (FeatureWatch watch in _watches)
         {
-            Do(feature, feature.Tick);
+            (long, long, double) before = watch.Before;
+            Do(watch.Feature, watch.Feature.Tick);
+            watch.After(before);
         }
     }
 
@@ -36,6 +43,11 @@ public sealed class FeatureSet(PlayerMessages messages, params IFeature[] featur
         foreach (ILastingFeature feature in features.OfType<ILastingFeature>())
         {
             Try(feature.Name, feature.Finish);
+        }
+
+        foreach (FeatureWatch watch in _watches)
+        {
+            watch.LogEnd();
         }
 
         messages.Wait(LongestWaitForTheLog);

@@ -4,40 +4,43 @@ using Harvester.Capture.Ports;
 namespace Harvester.Capture.Playing;
 
 /// <summary>A game's pause, and its time, which stands still while it is paused, whatever the game's own timer does.</summary>
-/// <param name="setPaused">Pauses the game under running scripts, or lets it go on.</param>
+/// <param name="setFrozen">Stops the game's world under running scripts in one way, or lets it go on.</param>
 /// <param name="timerMilliseconds">The game's own timer, milliseconds.</param>
-public sealed class GameTime(Action<bool> setPaused, Func<int> timerMilliseconds) : IPause
+public sealed class GameTime(Action<FreezeMethod, bool> setFrozen, Func<int> timerMilliseconds) : IPause
 {
     private const double SecondsPerMillisecond = 0.001;
-    private bool _isFrozen;
+    private FreezeMethod? _frozenBy;
     private int _frozenAt;
     private int _lost;
 
+    /// <inheritdoc/>
+    public FreezeMethod Method { get; set; }
+
     /// <summary>The game's time, seconds.</summary>
-    public double Seconds => (_isFrozen ? _frozenAt : Running) * SecondsPerMillisecond;
+    public double Seconds => (_frozenBy is null ? Running : _frozenAt) * SecondsPerMillisecond;
 
     private int Running => timerMilliseconds() - _lost;
 
     /// <inheritdoc/>
     public void Freeze()
     {
-        if (!_isFrozen)
+        if (_frozenBy is null)
         {
             _frozenAt = Running;
-            _isFrozen = true;
+            _frozenBy = Method;
         }
 
-        setPaused(true);
+        setFrozen(_frozenBy.Value, true);
     }
 
     /// <inheritdoc/>
     public void Unfreeze()
     {
-        // First the game, whatever fails after it.
-        if (_isFrozen)
+        if (_frozenBy is { } method)
         {
-            setPaused(false);
-            _isFrozen = false;
+            // First the game, whatever fails after it.
+            setFrozen(method, false);
+            _frozenBy = null;
             _lost += Running - _frozenAt;
         }
     }

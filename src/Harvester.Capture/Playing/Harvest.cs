@@ -25,6 +25,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
     private HarvestSession? _session;
     private SessionWriter? _lastWriter;
     private SingleFrames? _singles;
+    private FreezeReport? _freezing;
     private bool _isSingle;
 
     /// <summary>Makes ready for harvests of a game.</summary>
@@ -62,7 +63,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
     /// <summary>Why this game cannot be harvested; null when it can.</summary>
     public Func<string?> Problem { get; init; } = static () => null;
 
-    /// <summary>Whether a harvest runs or is about to.</summary>
+    /// <inheritdoc/>
     public bool IsOn => _writer.IsHeld;
 
     /// <summary>How the harvest that runs stands; null when none does, or when its folder is not open yet.</summary>
@@ -102,7 +103,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
             return;
         }
 
-        HarvestOptions options = Options with { MaxFrames = 1, ProbeLag = false, Spaces = SpacesInUse() };
+        HarvestOptions options = Options with { MaxFrames = 1, ProbeLag = false, Spaces = SpacesInUse(), KnownFreezing = _freezing is { IsConclusive: true } ? _freezing : null };
         SessionOrigin origin = _origin();
         _isSingle = true;
         if (_singles is { } singles && singles.Lens == options.Lens && singles.Spaces == options.Spaces)
@@ -131,9 +132,14 @@ public sealed class Harvest : ILastingFeature, IDisposable
         {
             Stop();
         }
-        else if ((_session ??= Begin()) is { } session && session.Step().IsOver)
+        else if ((_session ??= Begin()) is { } session)
         {
-            Close(session);
+            HarvestStatus status = session.Step();
+            KeepFreezing(session);
+            if (status.IsOver)
+            {
+                Close(session);
+            }
         }
     }
 
@@ -200,6 +206,16 @@ public sealed class Harvest : ILastingFeature, IDisposable
         return _writer.Opened is { } writer ? new HarvestSession(_startedWith!, _game, writer) : null;
     }
 
+    /// <summary>Keeps what was found about freezing for the single frames that follow.</summary>
+    private void KeepFreezing(HarvestSession session)
+    {
+        if (session.Freezing is { } found && found != _freezing)
+        {
+            _freezing = found;
+            _messages.Log($"Freeze = Auto: {found}");
+        }
+    }
+
     private void Close(HarvestSession session)
     {
         SessionWriter writer = _writer.Opened!;
@@ -219,8 +235,13 @@ public sealed class Harvest : ILastingFeature, IDisposable
     {
         HarvestStatus status = session.Status;
         string discards = string.Join(", ", session.Counters.Discards.Select(discard => FormattableString.Invariant($"{discard.Value} {discard.Key}")));
-        string counts = FormattableString.Invariant($"{status.Captured} frames")
+        string counts = Counted.Of(status.Captured, "frame")
             + (discards.Length > 0 ? $", discarded: {discards}" : string.Empty);
+        if (session.Calls.Phases.Count > 0)
+        {
+            _messages.Log($"The harvest asked of the game: {session.Calls}");
+        }
+
         if (session.Warning is { } warning)
         {
             _messages.Tell(warning);

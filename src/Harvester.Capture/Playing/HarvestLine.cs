@@ -20,7 +20,7 @@ public sealed class HarvestLine : IFeature
     private double _diskAskedAt = double.NegativeInfinity;
     private Task<string> _asking = Task.FromResult(string.Empty);
     private string _disk = string.Empty;
-    private bool _isOff;
+    private bool _hasFailed;
 
     /// <summary>Makes the line.</summary>
     /// <param name="harvest">What to tell of.</param>
@@ -45,16 +45,21 @@ public sealed class HarvestLine : IFeature
     public string Name => "The display";
 
     /// <inheritdoc/>
+    public bool IsOn { get; private set; }
+
+    /// <inheritdoc/>
     public void Tick()
     {
         string[] surveys = [.. SurveyLines.Select(line => line()).OfType<string>()];
         if (_harvest.Status is null && surveys.Length == 0)
         {
-            _isOff = false;
+            IsOn = false;
+            _hasFailed = false;
             return;
         }
 
-        if (_isOff || IsPictureNear())
+        IsOn = !_hasFailed;
+        if (_hasFailed || IsPictureNear())
         {
             return;
         }
@@ -71,14 +76,18 @@ public sealed class HarvestLine : IFeature
     }
 
     /// <inheritdoc/>
-    public void Stop() => _isOff = true;
+    public void Stop()
+    {
+        IsOn = false;
+        _hasFailed = true;
+    }
 
     private void Tell(HarvestStatus status)
     {
         AskDisk();
         string state = status.Phase == HarvestPhase.WaitingForSink ? "WAITING FOR DISK" : "REC";
         string line = FormattableString.Invariant(
-            $"{state}  {status.Captured} frames  {status.FramesPerSecond:0.0}/s  {status.Discarded} discarded  queue {_harvest.Queued}  {_disk}");
+            $"{state}  {Counted.Of(status.Captured, "frame")}  {status.FramesPerSecond:0.0}/s  {status.Discarded} discarded  queue {_harvest.Queued}  {_disk}");
         _display.Text(line, 0.02, 0.02);
     }
 

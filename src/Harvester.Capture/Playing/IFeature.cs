@@ -6,6 +6,9 @@ public interface IFeature
     /// <summary>What it is to the player, as the message of a failure names it.</summary>
     string Name { get; }
 
+    /// <summary>Whether it is at work. When this changes from one tick to the next, the log says so.</summary>
+    bool IsOn { get; }
+
     /// <summary>Does this frame's work.</summary>
     void Tick();
 

@@ -42,8 +42,8 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
     /// <inheritdoc/>
     public string Name => "The calibration";
 
-    /// <summary>Whether it runs.</summary>
-    public bool IsRunning => _session is not null;
+    /// <inheritdoc/>
+    public bool IsOn => _session is not null;
 
     /// <summary>Whether the settings file is being written.</summary>
     public bool IsBusy => _disk.IsBusy;
@@ -66,10 +66,9 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
 
         if (!_mount.IsMounted)
         {
-            _mount.Mount();
+            _messages.Tell("Mount the camera first, then calibrate it.");
         }
-
-        if (_mount.IsMounted)
+        else
         {
             var options = new CalibrationOptions { Image = _harvest.Options.Image, MaxPictureLagTicks = _harvest.Options.MaxPictureLagTicks };
             _session = new CalibrationSession(options, _game);

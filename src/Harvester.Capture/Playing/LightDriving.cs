@@ -47,6 +47,9 @@ public sealed class LightDriving : IFeature, ILights
     /// <inheritdoc/>
     public string Name => "The driving of traffic lights";
 
+    /// <inheritdoc/>
+    public bool IsOn => IsWanted();
+
     /// <summary>Whether lights are to be driven.</summary>
     public Func<bool> IsWanted { get; init; } = static () => false;
 

@@ -18,6 +18,9 @@ public sealed class Overlay : IFeature
 {
     private const double LineFraction = 0.0015;
 
+    /// <summary>Distance of the dots of a lane line, as a share of the window.</summary>
+    private const double DotFraction = 0.02;
+
     /// <summary>Lane lines are drawn this far, metres along the road, as they are labelled.</summary>
     private const double LaneReach = 70;
 
@@ -30,22 +33,22 @@ public sealed class Overlay : IFeature
     private readonly Harvest _harvest;
     private readonly GamePorts _game;
     private readonly PlayerMessages _messages;
-    private readonly IMount _mount;
+    private readonly Sight _sight;
     private readonly IDisplay _display;
     private RoadMatch? _previous;
 
     /// <summary>Makes an overlay; it is off.</summary>
     /// <param name="harvest">Its options and faces say what is drawn.</param>
-    /// <param name="game">The game.</param>
+    /// <param name="game">The roads that are known.</param>
     /// <param name="messages">Tells why it cannot be switched on.</param>
-    /// <param name="mount">The camera; when it is mounted, lanes are those of its vehicle.</param>
+    /// <param name="sight">What is seen of the game; when the camera is mounted, lanes are those of its vehicle.</param>
     /// <param name="display">Where to draw.</param>
-    public Overlay(Harvest harvest, GamePorts game, PlayerMessages messages, IMount mount, IDisplay display)
+    public Overlay(Harvest harvest, GamePorts game, PlayerMessages messages, Sight sight, IDisplay display)
     {
         _harvest = harvest;
         _game = game;
         _messages = messages;
-        _mount = mount;
+        _sight = sight;
         _display = display;
     }
 
@@ -55,7 +58,7 @@ public sealed class Overlay : IFeature
     /// <summary>Whether nothing may be drawn now.</summary>
     public Func<bool> IsPictureNear { get; init; } = static () => false;
 
-    /// <summary>Whether it is on.</summary>
+    /// <inheritdoc/>
     public bool IsOn { get; private set; }
 
     /// <summary>Switches it on or off.</summary>
@@ -78,12 +81,12 @@ public sealed class Overlay : IFeature
         }
 
         HarvestOptions options = _harvest.Options;
-        CameraState state = _game.World.ReadCamera();
+        CameraState state = _sight.ReadCamera();
         var camera = new Camera(
             state.Pose, new CameraIntrinsics(state.VerticalFovDegrees, Canvas, state.WindowAspect, state.NearClip, options.Lens));
-        foreach (EntityState entity in _game.World.ReadEntities(state.Pose.Position, options.RangeMetres))
+        foreach (SeenEntity entity in _sight.Around(state.Pose, options.RangeMetres))
         {
-            if (options.Classes?.Contains(entity.Class) ?? true)
+            if (options.Classes?.Contains(entity.Model.Class) ?? true)
             {
                 Draw(camera, entity);
             }
@@ -97,10 +100,15 @@ public sealed class Overlay : IFeature
 
     private void DrawLanes(Camera camera)
     {
-        EgoState? ego = _mount.IsMounted ? _game.World.ReadEgo() : null;
-        Pose pose = ego?.Pose ?? camera.Pose;
-        Vector3D centre = ego is null ? pose.Position : pose.ToWorld((ego.ModelMin + ego.ModelMax) * 0.5);
-        if (_game.Roads?.Near(centre) is not { } known)
+        if (_game.Roads is null)
+        {
+            return;
+        }
+
+        SeenEntity? ego = _sight.ReadEgo();
+        Pose pose = ego?.Place.Pose ?? camera.Pose;
+        Vector3D centre = ego?.Cuboid.Centre ?? pose.Position;
+        if (_game.Roads.Near(centre) is not { } known)
         {
             return;
         }
@@ -116,18 +124,27 @@ public sealed class Overlay : IFeature
         foreach (LaneLineView view in LaneLineTracer.Trace(stretch, carOffset, 0, LaneReach)
             .SelectMany(line => LaneLineProjector.Project(camera, line, 0, null)))
         {
-            // The game draws a few hundred rectangles a frame at most; every other point is still a dot a metre near the car.
-            for (int point = 0; point < view.Points.Count; point += 2)
+            DrawDots(view);
+        }
+    }
+
+    /// <summary>Draws a line as dots that stand apart in the window: each costs a native, and far away many fall together.</summary>
+    private void DrawDots(LaneLineView line)
+    {
+        Vector2D? last = null;
+        foreach (Vector2D place in line.Points.Select(point => new Vector2D(point.Pixel.X / Canvas.Width, point.Pixel.Y / Canvas.Height)))
+        {
+            if (last is not { } drawn || (place - drawn).Length >= DotFraction)
             {
-                Vector2D pixel = view.Points[point].Pixel;
-                Fill(pixel.X / Canvas.Width, pixel.Y / Canvas.Height, 2 * LineFraction, 2 * LineFraction, Lanes);
+                Fill(place.X, place.Y, 2 * LineFraction, 2 * LineFraction, Lanes);
+                last = place;
             }
         }
     }
 
-    private void Draw(Camera camera, EntityState entity)
+    private void Draw(Camera camera, SeenEntity entity)
     {
-        Colour colour = entity.Class switch
+        Colour colour = entity.Model.Class switch
         {
             ObjectClass.Pedestrian => People,
             ObjectClass.Sign or ObjectClass.TrafficLight => Signs,
@@ -142,12 +159,12 @@ public sealed class Overlay : IFeature
         }
     }
 
-    private IEnumerable<Cuboid> CuboidsOf(EntityState entity)
+    private IEnumerable<Cuboid> CuboidsOf(SeenEntity entity)
     {
-        IReadOnlyList<SpaceOfInterest> faces = _harvest.Spaces.Of(entity.Model);
+        IReadOnlyList<SpaceOfInterest> faces = _harvest.Spaces.Of(entity.Model.Name);
         return faces.Count > 0
-            ? faces.Select(face => face.CuboidAt(entity.Pose))
-            : [Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose)];
+            ? faces.Select(face => face.CuboidAt(entity.Place.Pose))
+            : [entity.Cuboid];
     }
 
     private void Outline(Box2D box, Colour colour)

@@ -19,8 +19,6 @@ public sealed class PlayerMessages
     private readonly DiskQueue _disk = new();
     private readonly IClock _clock;
     private readonly Dictionary<string, double> _failures = [];
-    private string _last = string.Empty;
-    private double _lastMilliseconds;
 
     /// <summary>Makes the log's place known.</summary>
     /// <param name="folder">The folder that the mod lies in.</param>
@@ -36,14 +34,11 @@ public sealed class PlayerMessages
     /// <summary>Whether something is on its way to the log.</summary>
     public bool IsBusy => _disk.IsBusy;
 
-    /// <summary>Tells the player, and the log; the same message again within five seconds only once.</summary>
+    /// <summary>Tells the player, and the log.</summary>
     public void Tell(string message)
     {
-        if (message != _last || IsLongAgo(_lastMilliseconds))
-        {
-            _failures.Clear();
-            Show(message);
-        }
+        _failures.Clear();
+        Show(message);
     }
 
     /// <summary>
@@ -75,8 +70,6 @@ public sealed class PlayerMessages
 
     private void Show(string message)
     {
-        _last = message;
-        _lastMilliseconds = _clock.Milliseconds;
         Log(message);
         Quietly(() => _show(Prefix + message));
     }

@@ -55,7 +55,7 @@ public sealed class RoadSurveying : ILastingFeature
     /// <inheritdoc/>
     public string Name => "The road survey";
 
-    /// <summary>Whether it is on.</summary>
+    /// <inheritdoc/>
     public bool IsOn { get; private set; }
 
     /// <summary>A line about it; null when it is off.</summary>
@@ -78,7 +78,7 @@ public sealed class RoadSurveying : ILastingFeature
         if (IsOn)
         {
             Stop();
-            _messages.Tell(FormattableString.Invariant($"The road survey is off: {_status.Nodes} nodes and {_status.Links} links, in {_path}."));
+            _messages.Tell($"The road survey is off: {Counted.Of(_status.Nodes, "node")} and {Counted.Of(_status.Links, "link")}, in {_path}.");
         }
         else
         {

@@ -53,6 +53,9 @@ public sealed class SpaceMarking : ILastingFeature
     public string Name => "Marking by hand";
 
     /// <inheritdoc/>
+    public bool IsOn => _prop is not null;
+
+    /// <inheritdoc/>
     public bool IsBusy => _measured.IsBusy;
 
     /// <summary>Whether a harvest runs, which goes on with the faces that it began with.</summary>

@@ -60,8 +60,8 @@ public sealed class SpaceSurveying : ILastingFeature
     /// <inheritdoc/>
     public string Name => "The survey of signs";
 
-    /// <summary>Whether it runs.</summary>
-    public bool IsRunning => _isOn;
+    /// <inheritdoc/>
+    public bool IsOn => _isOn;
 
     /// <inheritdoc/>
     public bool IsBusy => _measured.IsBusy;
@@ -144,6 +144,6 @@ public sealed class SpaceSurveying : ILastingFeature
         Stop();
         int faces = _measured.Open()?.Table.Spaces.Count() ?? 0;
         _messages.Tell(survey.Fault ?? FormattableString.Invariant(
-            $"All {_models.Count} models are surveyed: {faces} faces, in {_measured.Path}. They are in use from now on."));
+            $"All {_models.Count} models are surveyed: {Counted.Of(faces, "face")}, in {_measured.Path}. They are in use from now on."));
     }
 }

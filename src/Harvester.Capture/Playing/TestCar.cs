@@ -39,6 +39,9 @@ public sealed class TestCar : ILastingFeature
     public string Name => "The test car";
 
     /// <inheritdoc/>
+    public bool IsOn => _requestedModel != 0;
+
+    /// <inheritdoc/>
     public bool IsBusy => false;
 
     /// <summary>Asks for a car; it appears when the game has loaded its model, some ticks later.</summary>

@@ -41,6 +41,9 @@ public sealed class UnknownModelsList : ILastingFeature
     public string Name => "The list of unknown models";
 
     /// <inheritdoc/>
+    public bool IsOn => IsBusy;
+
+    /// <inheritdoc/>
     public bool IsBusy => _disk.IsBusy;
 
     /// <summary>Why this game cannot list what is near; null when it can.</summary>
@@ -65,7 +68,7 @@ public sealed class UnknownModelsList : ILastingFeature
             byte[] bytes = new UTF8Encoding(false).GetBytes(text.ToString());
             files.WriteWhole(_file, stream => stream.Write(bytes, 0, bytes.Length));
         });
-        _messages.Tell(FormattableString.Invariant($"{_unknown.Models.Count} models near here are in no table: {Path.Combine(_folder, _file)}."));
+        _messages.Tell($"{Counted.Of(_unknown.Models.Count, "model")} near here without a face in any table, listed in {Path.Combine(_folder, _file)}.");
     }
 
     /// <summary>Fails when the list could not be written.</summary>

@@ -68,7 +68,7 @@ public sealed class RoadCsvReader
                 Require(fields.Count == 10, "a node has 10 fields.");
                 Require(_links.Count == 0 && _edges.Count == 0, "all nodes stand before the links.");
                 _nodes.Add(new RoadNode(
-                    Whole(fields[1], "area", 0, int.MaxValue),
+                    fields[1].Length == 0 ? RoadNode.NoArea : Whole(fields[1], "area", 0, int.MaxValue),
                     Whole(fields[2], "number", 0, int.MaxValue),
                     Place(fields, 3),
                     fields[6],

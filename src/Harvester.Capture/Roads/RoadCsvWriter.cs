@@ -30,7 +30,7 @@ public static class RoadCsvWriter
         Line(text, RoadCsv.NodeColumns);
         foreach (RoadNode node in network.Nodes)
         {
-            Line(text, "node", Whole(node.Area), Whole(node.Number), Metres(node.Position.X), Metres(node.Position.Y), Metres(node.Position.Z),
+            Line(text, "node", node.Area == RoadNode.NoArea ? string.Empty : Whole(node.Area), Whole(node.Number), Metres(node.Position.X), Metres(node.Position.Y), Metres(node.Position.Z),
                 CsvFields.Quote(node.Street), RoadCsv.NodeFlags.Write((int)node.Flags), node.Speed is { } speed ? RoadCsv.NameOf(speed) : "", node.Density is { } density ? Whole(density) : "");
         }
 

@@ -14,4 +14,7 @@ public sealed record EgoState(int Handle, string Model, Pose Pose, Vector3D Velo
 
     /// <summary>Front, right, upper corner of the model's box in its own frame, metres; zero when unknown.</summary>
     public Vector3D ModelMax { get; init; }
+
+    /// <summary>Vertical distance from the model's origin down to the ground, metres; null when unknown.</summary>
+    public double? HeightAboveGroundMetres { get; init; }
 }

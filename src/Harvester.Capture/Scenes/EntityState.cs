@@ -11,4 +11,8 @@ namespace Harvester.Capture.Scenes;
 /// <param name="ModelMax">Front, right, upper corner of the model's box in its own frame, metres.</param>
 /// <param name="Velocity">Metres per second, world.</param>
 public sealed record EntityState(
-    int Handle, ObjectClass Class, string Model, Pose Pose, Vector3D ModelMin, Vector3D ModelMax, Vector3D Velocity);
+    int Handle, ObjectClass Class, string Model, Pose Pose, Vector3D ModelMin, Vector3D ModelMax, Vector3D Velocity)
+{
+    /// <summary>Whether somebody sits on a motorcycle or bicycle; null for everything else and when unknown.</summary>
+    public bool? HasRider { get; init; }
+}

@@ -7,7 +7,7 @@ namespace Harvester.Capture.Scenes;
 /// <param name="TimeSeconds">The game's time, seconds.</param>
 /// <param name="Camera">The rendered camera.</param>
 /// <param name="Ego">The vehicle that carries the camera.</param>
-/// <param name="Entities">The entities near, without the ego vehicle, in the order of their handles.</param>
+/// <param name="Entities">The entities within the labelling range, without the ego vehicle, in the order of their handles.</param>
 /// <param name="Environment">Weather and hour.</param>
 public sealed record SceneSnapshot(
     long GameFrame,
@@ -15,4 +15,8 @@ public sealed record SceneSnapshot(
     CameraState Camera,
     EgoState Ego,
     IReadOnlyList<EntityState> Entities,
-    EnvironmentState Environment);
+    EnvironmentState Environment)
+{
+    /// <summary>The entities beyond the labelling range that are near enough to be seen, in the order of their handles.</summary>
+    public IReadOnlyList<EntityState> Distant { get; init; } = [];
+}

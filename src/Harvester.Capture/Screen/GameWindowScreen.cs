@@ -14,7 +14,7 @@ namespace Harvester.Capture.Screen;
 /// <see cref="CameraIntrinsics.WindowAspect"/>. A picture that does not show the whole window, as it stood from before the copy
 /// until after it, is refused with one of <see cref="GrabRefusals"/>. One thread at a time.
 /// </summary>
-public sealed class GameWindowScreen : IScreen, IDisposable
+public sealed class GameWindowScreen : IScreen, IGameWindow, IDisposable
 {
     private readonly IDesktop _desktop;
     private readonly int _processId;
@@ -49,6 +49,15 @@ public sealed class GameWindowScreen : IScreen, IDisposable
         PixelBuffer wanted = target ?? throw new ArgumentNullException(nameof(target));
         WindowVerdict before = Judge();
         return before.Refusal is null ? GrabClient(before.Client, wanted) : GrabResult.Refused(before.Refusal);
+    }
+
+    /// <inheritdoc/>
+    public string Describe()
+    {
+        DesktopView view = _desktop.Observe();
+        return WindowJudge.Find(view, _processId, _window) is { } window
+            ? WindowDescription.Of(view, window, _desktop.FactsOf(window.Handle))
+            : "no window";
     }
 
     /// <summary>Gives the bitmap back that pixels are copied into.</summary>

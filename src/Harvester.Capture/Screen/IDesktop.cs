@@ -8,6 +8,9 @@ internal interface IDesktop
     /// <summary>Windows and monitors as they are now.</summary>
     DesktopView Observe();
 
+    /// <summary>How a window is displayed now.</summary>
+    DisplayFacts FactsOf(long window);
+
     /// <summary>Copies what the monitors show of a rectangle.</summary>
     /// <param name="area">What to copy; not empty.</param>
     /// <param name="target">Where the pixels go; of the rectangle's size.</param>

@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Imaging.Jpeg;
+using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry.Cameras;
 
@@ -35,13 +37,16 @@ public static class HarvestSettings
         {
             Image = new ImageSize(
                 ini.Whole(Harvest, "Width", fallback.Image.Width, 16, 7680), ini.Whole(Harvest, "Height", fallback.Image.Height, 16, 4320)),
-            Format = ini.Choice(Harvest, "Format", fallback.Format, "PNG or BMP"),
+            Format = ini.Choice(Harvest, "ImageFormat", fallback.Format, "Png, Bmp or Jpeg"),
+            JpegQuality = ini.Whole(Harvest, "JpegQuality", fallback.JpegQuality, JpegEncoder.LowestQuality, JpegEncoder.HighestQuality),
             RateHz = ini.Number(Harvest, "Rate", fallback.RateHz, 0.01, 60),
             RangeMetres = ini.Number(Harvest, "Range", fallback.RangeMetres, 1, 1000),
+            IgnoreRangeMetres = ini.Number(Harvest, "IgnoreRange", fallback.IgnoreRangeMetres, 0, 1000),
             Classes = classes.Count > 0 ? classes : null,
             Freeze = ini.Choice(Harvest, "Mode", CaptureMode.Freeze, "Freeze or Live") == CaptureMode.Freeze,
+            FreezeBy = FreezeByOf(ini.Choice(Harvest, "Freeze", FreezeChoice.Auto, "Paused, TimeScale or Auto")),
             Masks = ini.Choice(Harvest, "Masks", Switch.Off, "On or Off") == Switch.On,
-            MaskRayBudget = ini.Whole(Harvest, "MaskRays", fallback.MaskRayBudget, 0, HarvestOptions.MostMaskRays),
+            RayBudget = ini.Whole(Harvest, "Rays", fallback.RayBudget, 0, HarvestOptions.MostRays),
             RayReachMetres = ini.Number(Harvest, "RayReach", fallback.RayReachMetres, 1, 100_000),
             OcclusionSamples = ini.Whole(Harvest, "OcclusionRays", fallback.OcclusionSamples, 1, 10_000),
             ProbeLag = ini.Choice(Harvest, "ProbeLag", Switch.On, "On or Off") == Switch.On,
@@ -62,6 +67,13 @@ public static class HarvestSettings
         new(K1, lens.K1),
         new(K2, lens.K2),
     ];
+
+    private static FreezeMethod? FreezeByOf(FreezeChoice choice) => choice switch
+    {
+        FreezeChoice.Paused => FreezeMethod.Paused,
+        FreezeChoice.TimeScale => FreezeMethod.TimeScale,
+        _ => null,
+    };
 
     /// <summary>The lens of a settings file; what is missing or out of range is as in a pinhole.</summary>
     public static Lens LensOf(IniFile ini)

@@ -17,6 +17,7 @@ public sealed class IniFile
     private readonly Dictionary<string, (int Line, string Text)> _values = new(StringComparer.OrdinalIgnoreCase);
     private readonly HashSet<string> _asked = new(StringComparer.OrdinalIgnoreCase);
     private readonly List<(int Line, string Text)> _complaints = [];
+    private readonly Dictionary<int, string> _changes = [];
 
     private IniFile()
     {
@@ -28,6 +29,9 @@ public sealed class IniFile
         .OrderBy(complaint => complaint.Line)
         .Select(complaint => string.Format(CultureInfo.InvariantCulture, "Line {0}: {1}", complaint.Line, complaint.Text))
         .ToArray();
+
+    /// <summary>The settings that were asked for and have another value than their default, in the order of their lines: "[Section] Name = value".</summary>
+    public IReadOnlyList<string> Changes => [.. _changes.OrderBy(change => change.Key).Select(change => change.Value)];
 
     /// <summary>Reads a file to its end.</summary>
     /// <exception cref="IOException">The file cannot be read.</exception>
@@ -63,7 +67,7 @@ public sealed class IniFile
     }
 
     /// <summary>A text.</summary>
-    public string Text(string section, string name, string fallback) => Find(section, name)?.Text ?? fallback;
+    public string Text(string section, string name, string fallback) => Parse(section, name, fallback, string.Empty, static text => (true, text));
 
     /// <summary>A number from a least to a greatest.</summary>
     public double Number(string section, string name, double fallback, double least, double greatest) =>
@@ -103,7 +107,7 @@ public sealed class IniFile
                 chosen.Add(value);
                 return known;
             });
-            return (good, good ? chosen : fallback);
+            return (good, good && chosen.SequenceEqual(fallback) ? fallback : chosen);
         });
 
     private static bool TryName<T>(string text, out T value)
@@ -167,6 +171,11 @@ public sealed class IniFile
         if (!good)
         {
             _complaints.Add((found.Line, $"{name} = {found.Text} is not {expected}; the default is used."));
+        }
+
+        else if (!EqualityComparer<T>.Default.Equals(value, fallback))
+        {
+            _changes[found.Line] = $"[{section}] {name} = {found.Text}";
         }
 
         return good ? value : fallback;

@@ -36,8 +36,8 @@ public sealed class SpaceTable
     /// <summary>The spaces of a model, in the order of their faces; none for a model that is not in the table.</summary>
     public IReadOnlyList<SpaceOfInterest> Of(int hash) => _byHash.TryGetValue(hash, out IReadOnlyList<SpaceOfInterest>? faces) ? faces : None;
 
-    /// <summary>The spaces of a model by its name.</summary>
-    public IReadOnlyList<SpaceOfInterest> Of(string model) => Of(ModelHash.Of(model));
+    /// <summary>The spaces of a model by its name, or by its hash as 0xXXXXXXXX.</summary>
+    public IReadOnlyList<SpaceOfInterest> Of(string model) => Of(ModelHash.TryParse(model, out int hash) ? hash : ModelHash.Of(model));
 
     /// <summary>This table with the models of another in place of its own: what a user has measured goes before what was shipped.</summary>
     public SpaceTable OverriddenBy(SpaceTable other)

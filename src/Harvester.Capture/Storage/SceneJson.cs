@@ -30,6 +30,7 @@ internal static class SceneJson
         Append(json, snapshot.Ego.Pose)
             .Key("modelMin").Exact(snapshot.Ego.ModelMin)
             .Key("modelMax").Exact(snapshot.Ego.ModelMax)
+            .Key("heightAboveGround").Exact(snapshot.Ego.HeightAboveGroundMetres)
             .Key("velocity").Exact(snapshot.Ego.Velocity)
             .EndObject()
             .Key("entities").BeginArray();
@@ -37,14 +38,8 @@ internal static class SceneJson
         {
             json.BeginObject()
                 .Key("handle").Integer(entity.Handle)
-                .Key("id").Integer(scene.Ids.TryGetValue(entity.Handle, out int id) ? id : null)
-                .Key("class").String(JsonName.Of(entity.Class))
-                .Key("model").String(entity.Model);
-            Append(json, entity.Pose)
-                .Key("modelMin").Exact(entity.ModelMin)
-                .Key("modelMax").Exact(entity.ModelMax)
-                .Key("velocity").Exact(entity.Velocity)
-                .EndObject();
+                .Key("id").Integer(scene.Ids.TryGetValue(entity.Handle, out int id) ? id : null);
+            Append(json, entity).EndObject();
         }
 
         json.EndArray().Key("occlusions").BeginArray();
@@ -54,13 +49,32 @@ internal static class SceneJson
                 .Key("handle").Integer(found.Handle)
                 .Key("face").Integer(found.Face)
                 .Key("id").Integer(found.Id)
+                .Key("sight").String(JsonName.Of(found.Sight))
                 .Key("method").String(JsonName.Of(found.Method))
                 .Key("occludedFraction").Exact(found.OccludedFraction)
                 .Key("setLight").String(found.SetLight is { } state ? JsonName.Of(state) : null)
                 .EndObject();
         }
 
+        json.EndArray().Key("distant").BeginArray();
+        foreach (DistantEntity distant in scene.Distant)
+        {
+            json.BeginObject().Key("handle").Integer(distant.Entity.Handle);
+            Append(json, distant.Entity).Key("sight").String(JsonName.Of(distant.Sight)).EndObject();
+        }
+
         return json.EndArray().EndObject() + "\n";
+    }
+
+    private static JsonText Append(JsonText json, EntityState entity)
+    {
+        json.Key("class").String(JsonName.Of(entity.Class))
+            .Key("model").String(entity.Model);
+        return Append(json, entity.Pose)
+            .Key("modelMin").Exact(entity.ModelMin)
+            .Key("modelMax").Exact(entity.ModelMax)
+            .Key("velocity").Exact(entity.Velocity)
+            .Key("hasRider").Truth(entity.HasRider);
     }
 
     private static JsonText Append(JsonText json, Pose pose) =>

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Imaging;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Labels;
 using Harvester.Capture.Scenes;
@@ -38,7 +39,9 @@ internal static class SessionJson
             .Key("width").Integer(options.Image.Width)
             .Key("height").Integer(options.Image.Height)
             .Key("format").String(JsonName.Of(options.Format))
+            .Key("quality").Integer(options.Format == ImageFormat.Jpeg ? options.JpegQuality : null)
             .EndObject();
+        AppendBoxes(json.Key("boxes"));
         Append(json.Key("options"), options);
         json.Key("classes").BeginArray();
         foreach (ObjectClass each in ClassesOf(options))
@@ -50,8 +53,13 @@ internal static class SessionJson
             .Key("gameFrame").Integer(record.Start.GameFrame)
             .Key("timeSeconds").Number(record.Start.TimeSeconds, LabelDecimals.Seconds)
             .Key("recordedUtc").String(record.Origin.RecordedUtc)
-            .Key("cameraErrorPixels").Number(record.Start.CameraErrorPixels, LabelDecimals.Pixels)
-            .EndObject();
+            .Key("cameraErrorPixels").Number(record.Start.CameraErrorPixels, LabelDecimals.Pixels);
+        if (record.Start.Freezing is { } freezing)
+        {
+            Append(json.Key("freezing"), freezing);
+        }
+
+        json.EndObject();
         JsonLabelWriter.Append(json.Key("camera"), FrameLabels.Of(FrameLabeller.CameraOf(options, record.Start.Camera)));
         AppendEnd(json, record);
         return json.EndObject() + "\n";
@@ -64,10 +72,12 @@ internal static class SessionJson
         json.BeginObject()
             .Key("rateHz").Number(options.RateHz, LabelDecimals.Seconds)
             .Key("rangeMetres").Number(options.RangeMetres, LabelDecimals.Metres)
+            .Key("ignoreRangeMetres").Number(options.IgnoreRangeMetres, LabelDecimals.Metres)
             .Key("freeze").Truth(options.Freeze)
+            .Key("freezeBy").String(options.FreezeBy is { } method ? JsonName.Of(method) : "auto")
             .Key("masks").Truth(options.Masks)
             .Key("scenes").Truth(options.Scenes)
-            .Key("maskRayBudget").Integer(options.MaskRayBudget)
+            .Key("rayBudget").Integer(options.RayBudget)
             .Key("rayReachMetres").Number(options.RayReachMetres, LabelDecimals.Metres)
             .Key("minBoxAreaPixels").Number(options.MinBoxAreaPixels, LabelDecimals.Pixels)
             .Key("minBoxSidePixels").Number(options.MinBoxSidePixels, LabelDecimals.Pixels)
@@ -76,6 +86,32 @@ internal static class SessionJson
             .Key("maxPictureLagTicks").Integer(options.MaxPictureLagTicks)
             .Key("maxSettleTicks").Integer(options.MaxSettleTicks)
             .Key("stillToleranceMetres").Number(options.StillToleranceMetres, LabelDecimals.Seconds)
+            .EndObject();
+
+    private static void Append(JsonText json, FreezeReport freezing)
+    {
+        json.BeginObject().Key("used").String(JsonName.Of(freezing.Method)).Key("tried").BeginArray();
+        foreach (FreezeFinding finding in freezing.Findings)
+        {
+            json.BeginObject()
+                .Key("method").String(JsonName.Of(finding.Method))
+                .Key("sawMovement").Truth(finding.SawMovement)
+                .Key("settleTicks").Integer(finding.SettleTicks)
+                .Key("holdsEnvironment").Truth(finding.HoldsEnvironment)
+                .Key("movesCamera").Truth(finding.MovesCamera)
+                .Key("pictureChange").Number(finding.PictureChange, LabelDecimals.Fraction)
+                .EndObject();
+        }
+
+        json.EndArray().EndObject();
+    }
+
+    /// <summary>Which field of an object holds which box, by the words of harvester export --boxes.</summary>
+    private static void AppendBoxes(JsonText json) =>
+        json.BeginObject()
+            .Key("visible").String("box2dVisible")
+            .Key("amodal").String("box2dAmodal")
+            .Key("cuboid").String("box2d")
             .EndObject();
 
     private static void AppendEnd(JsonText json, SessionRecord record)
@@ -113,6 +149,16 @@ internal static class SessionJson
             json.Key("pictureLag").BeginObject()
                 .Key("cameraTicks").Integer(lag.CameraTicks)
                 .Key("entityTicks").Integer(lag.EntityTicks)
+                .EndObject();
+        }
+
+        if (end.Reading is { } reading)
+        {
+            json.Key("reading").BeginObject()
+                .Key("vehicles").String(JsonName.Of(reading.Vehicles))
+                .Key("peds").String(JsonName.Of(reading.Peds))
+                .Key("props").String(JsonName.Of(reading.Props))
+                .Key("distortedEntities").Integer(reading.DistortedEntities)
                 .EndObject();
         }
     }

@@ -22,7 +22,7 @@ public sealed class SessionWriter : IFrameSink
     private readonly ISessionFiles _files;
     private readonly SessionContent _before;
     private readonly PngEncoder _png = new();
-    private readonly BmpEncoder _bmp = new();
+    private PictureEncoder? _pictures;
     private BlockingCollection<CapturedFrame>? _queue;
     private Thread? _thread;
     private SessionStart? _start;
@@ -79,6 +79,7 @@ public sealed class SessionWriter : IFrameSink
     public void Open(SessionStart start)
     {
         _start = start ?? throw new ArgumentNullException(nameof(start));
+        _pictures = new PictureEncoder(start.Options.Format, start.Options.JpegQuality);
         _queue = new BlockingCollection<CapturedFrame>(start.Options.QueueCapacity);
         _thread = new Thread(WriteAll) { IsBackground = true, Name = "harvest writer" };
         _thread.Start();
@@ -163,17 +164,7 @@ public sealed class SessionWriter : IFrameSink
 
     private void Write(CapturedFrame frame)
     {
-        _files.WriteWhole(frame.Label.Image, stream =>
-        {
-            if (_start!.Options.Format == ImageFormat.Png)
-            {
-                _png.Write(frame.Picture, stream);
-            }
-            else
-            {
-                _bmp.Write(frame.Picture, stream);
-            }
-        });
+        _files.WriteWhole(frame.Label.Image, stream => _pictures!.Write(frame.Picture, stream));
         if (frame is { Label.Mask: { } path, Mask: { } mask })
         {
             _files.WriteWhole(path, stream => _png.Write(mask, stream));

@@ -7,7 +7,9 @@ namespace Harvester.Cli.Arguments;
 /// <summary>The option that lets the simulated game misbehave as the real one does.</summary>
 internal static class QuirkList
 {
-    private const string Form = "lag=N, lateCamera, heldCamera, creep=N, vanish=P, boxRays, missedRays=P (N ticks, 0 to 60; P 0 to 1)";
+    private const string Form =
+        "lag=N, lateCamera, vanish=P, boxRays, missedRays=P; of the frozen world creep=N, restless, heldCamera, weather, visibility, each also with "
+        + "'paused.' or 'timeScale.' before it for one way of freezing only (N ticks, 0 to 60; P 0 to 1)";
     private const int MostTicks = 60;
 
     public static Option<string?> Option() => new("--quirks")
@@ -35,15 +37,38 @@ internal static class QuirkList
         return (halves[0], value) switch
         {
             ("lag", not null) => Ticks(value) is { } lag ? quirks with { PictureLagTicks = lag } : null,
-            ("creep", not null) => Ticks(value) is { } creep ? quirks with { CreepTicks = creep } : null,
             ("vanish", not null) => Fraction(value) is { } gone ? quirks with { VanishingFraction = gone } : null,
             ("missedRays", not null) => Fraction(value) is { } missed ? quirks with { RayMissFraction = missed } : null,
             ("lateCamera", null) => quirks with { IsCameraReportedLate = true },
-            ("heldCamera", null) => quirks with { HoldsCameraWhileFrozen = true },
             ("boxRays", null) => quirks with { RaysMeetBoxes = true },
+            _ => WithFreezing(quirks, halves[0], value),
+        };
+    }
+
+    /// <summary>A quirk of both ways of freezing, or of the one that its name begins with.</summary>
+    private static GameQuirks? WithFreezing(GameQuirks quirks, string name, string? value)
+    {
+        string[] parts = name.Split('.', 2);
+        return parts switch
+        {
+            [_] => With(quirks.Paused, name, value) is { } paused && With(quirks.TimeScale, name, value) is { } timeScale
+                ? quirks with { Paused = paused, TimeScale = timeScale }
+                : null,
+            ["paused", var quirk] => With(quirks.Paused, quirk, value) is { } changed ? quirks with { Paused = changed } : null,
+            ["timeScale", var quirk] => With(quirks.TimeScale, quirk, value) is { } changed ? quirks with { TimeScale = changed } : null,
             _ => null,
         };
     }
+
+    private static FreezeQuirks? With(FreezeQuirks quirks, string name, string? value) => (name, value) switch
+    {
+        ("creep", not null) => Ticks(value) is { } creep ? quirks with { CreepTicks = creep } : null,
+        ("restless", null) => quirks with { NeverStands = true },
+        ("heldCamera", null) => quirks with { HoldsCamera = true },
+        ("weather", null) => quirks with { LetsWeatherGoOn = true },
+        ("visibility", null) => quirks with { ChangesVisibility = true },
+        _ => null,
+    };
 
     private static int? Ticks(string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int ticks) && ticks <= MostTicks ? ticks : null;

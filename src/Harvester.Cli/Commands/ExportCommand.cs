@@ -7,8 +7,11 @@ using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Labels;
 using Harvester.Cli.Arguments;
 using Harvester.Datasets.Exports;
+using Harvester.Datasets.Json;
 
 namespace Harvester.Cli.Commands;
 
@@ -24,6 +27,8 @@ internal static class ExportCommand
         + "Examples:\n"
         + "  harvester export out --format kitti --out kitti\n"
         + "  harvester export day night --format coco --out coco --split train:0.8,val:0.2 --seed 3 --min-visible 0.2\n"
+        + "  harvester export out --format kitti --out kitti --map bus=Truck,motorcycle=Cyclist\n"
+        + "  harvester export out --format yolo --out yolo --boxes cuboid --subclasses mutcd,light\n"
         + "  harvester export out --format yolo --out yolo --shard 2/8";
 
     private static readonly Argument<string[]> Sessions = new("SESSION")
@@ -55,13 +60,33 @@ internal static class ExportCommand
     private static readonly Option<double> MinVisible = ValueParsers.Number(
         "--min-visible", "S", "Export objects of which at least this share is seen, 0 to 1", value => value is >= 0 and <= 1, "a number from 0 to 1");
 
-    private static readonly Option<PartSelection> Parts = new("--parts")
+    private static readonly Option<PartSelection?> Parts = new("--parts")
     {
-        Description = "Whether parts of other objects, as the faces of signs, are exported: all objects, none that is a part, or parts only",
+        Description = "How signs and traffic lights are exported: faces (faces and heads without their posts), none (whole), all (both), or only (faces and heads, "
+            + "and no other objects) [default: faces; all in webdataset and csv]",
+        HelpName = "all|faces|none|only",
+    };
+
+    private static readonly Option<BoxKind?> Boxes = new("--boxes")
+    {
+        Description = "Which boxes: visible (around the visible pixels), amodal (around the whole cuboid) or cuboid (around the part of the cuboid in the image) "
+            + "[default: visible where there are masks, else cuboid]",
+        HelpName = "amodal|cuboid|visible",
+    };
+
+    private static readonly Option<string?> Map = ClassMap.Option();
+
+    private static readonly Option<string?> SubclassesOf = new("--subclasses")
+    {
+        Description = "Make classes of the MUTCD codes of signs (mutcd) and of the states of traffic lights (light)",
+        HelpName = "mutcd,light",
     };
 
     private static readonly Option<SegmentationKind> Segmentation = new("--segmentation") { Description = "How coco describes pixels" };
     private static readonly Option<ImageTransfer> Images = new("--images") { Description = "Whether images are hard links, where that can be done, or copies" };
+
+    private static readonly Option<ImageFormat?> ImageFormat = ImageFormatOption.Format("Convert the images to png, bmp or jpg [default: as the session has them]");
+    private static readonly Option<int?> Quality = ImageFormatOption.Quality();
 
     /// <summary>The options that only some formats have a use for; with another they would do nothing.</summary>
     private static readonly (Option Option, Func<DatasetFormat, bool> IsOf)[] OptionsOfFormats =
@@ -70,6 +95,9 @@ internal static class ExportCommand
         (Classes, format => format.HasObjects),
         (MinVisible, format => format.HasObjects),
         (Parts, format => format.HasParts),
+        (Boxes, format => format.HasBoxes),
+        (Map, format => format.HasNames),
+        (SubclassesOf, format => format.HasSubclasses),
         (Images, format => format.KeepsImages),
         (Block, format => !format.KeepsSessions),
     ];
@@ -81,7 +109,7 @@ internal static class ExportCommand
         Block.DefaultValueFactory = _ => 1;
         var command = new Command("export", "Export sessions to a dataset format.")
         {
-            Sessions, Format, Out, Splits, Seed, Block, Classes, MinVisible, Parts, Segmentation, Images, ShardOf,
+            Sessions, Format, Out, Splits, Seed, Block, Classes, Map, SubclassesOf, MinVisible, Parts, Boxes, Segmentation, Images, ImageFormat, Quality, ShardOf,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
@@ -120,8 +148,13 @@ internal static class ExportCommand
             Classes = ClassList.Parse(parsed.GetValue(Classes)),
             MinVisibleFraction = parsed.GetValue(MinVisible),
             Parts = parsed.GetValue(Parts),
+            Boxes = parsed.GetValue(Boxes),
+            Names = ClassMap.Parse(parsed.GetValue(Map), format),
+            Subclasses = SubclassesIn(parsed),
             Segmentation = parsed.GetValue(Segmentation),
             Images = parsed.GetValue(Images),
+            ImageFormat = parsed.GetValue(ImageFormat),
+            JpegQuality = ImageFormatOption.QualityOf(parsed, Quality, parsed.GetValue(ImageFormat)),
         };
         return new ExportPlan(format, [.. sessions.Select(folder => RecordedSessions.Open(terminal, folder))], options);
     }
@@ -135,6 +168,20 @@ internal static class ExportCommand
                 throw new UsageException($"{option.Name} does nothing in {format.Name}. It is for {string.Join(", ", DatasetFormats.All.Where(isOf).Select(each => each.Name))}.");
             }
         }
+    }
+
+    private static Subclasses SubclassesIn(ParseResult parsed)
+    {
+        string text = parsed.GetValue(SubclassesOf) ?? "";
+        var subclasses = Subclasses.None;
+        foreach (string name in text.Split(',', StringSplitOptions.RemoveEmptyEntries))
+        {
+            subclasses |= JsonNames.TryRead(name, out Subclasses one) && one != Subclasses.None
+                ? one
+                : throw new UsageException($"--subclasses takes mutcd, light or both with a comma, not '{text}'.");
+        }
+
+        return subclasses;
     }
 
     private static SplitPlan SplitsOf(ParseResult parsed)

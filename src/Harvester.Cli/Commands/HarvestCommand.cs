@@ -6,6 +6,7 @@ using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Imaging;
 using Harvester.Capture.Scenes;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Harvesting;
@@ -47,6 +48,8 @@ internal static class HarvestCommand
         ValueParsers.Integer("--seed", "N", "Decides everything that is left to chance", 0, int.MaxValue), 1);
 
     private static readonly Option<ImageSize> Size = WithDefault(CameraOptions.Size(), new ImageSize(800, 600));
+    private static readonly Option<ImageFormat?> Format = ImageFormatOption.Format("Format of the images: png, bmp or jpg; jpg loses a little [default: png]");
+    private static readonly Option<int?> Quality = ImageFormatOption.Quality();
     private static readonly Option<double> Fov = WithDefault(CameraOptions.Fov(), 50);
     private static readonly Option<double> Hz = WithDefault(
         ValueParsers.Number(
@@ -84,17 +87,26 @@ internal static class HarvestCommand
         "--time", "HH:MM", "The hour at the beginning [default: 12:00]", ParseTime, "an hour as 18:30");
 
     private static readonly Option<bool> Masks = new("--masks") { Description = "Write instance masks too" };
-    private static readonly Option<int> MaskRays = WithDefault(
-        ValueParsers.Integer("--mask-rays", "N", "Rays that a mask may take; the rest is drawn from what they show", 0, HarvestOptions.MostMaskRays),
-        new HarvestOptions().MaskRayBudget);
+    private static readonly Option<int> Rays = WithDefault(
+        ValueParsers.Integer("--rays", "N", "Rays that a frame may take in all: for masks first, then objects, faces and lanes", 0, HarvestOptions.MostRays),
+        new HarvestOptions().RayBudget);
 
     private static readonly Option<double> RayReach = WithDefault(
-        ValueParsers.Number("--ray-reach", "M", "Draw objects farther away by their boxes in masks, metres", IsDistance, DistanceForm),
+        ValueParsers.Number("--ray-reach", "M", "Distance beyond which rays are not trusted to meet objects, which are then marked as regions to ignore, metres", IsDistance, DistanceForm),
         new HarvestOptions().RayReachMetres);
 
     private static readonly Option<bool> NoScenes = new("--no-scenes") { Description = "Write no scenes; the session cannot be relabelled then" };
     private static readonly Option<double> Range = WithDefault(
         ValueParsers.Number("--range", "M", "Label objects up to this distance, metres", IsDistance, DistanceForm), 150);
+
+    private static readonly Option<double> IgnoreRange = WithDefault(
+        ValueParsers.Number(
+            "--ignore-range",
+            "M",
+            "Mark objects that are seen beyond the range, up to this distance, as regions to ignore, metres; 0 marks none",
+            value => value is >= 0 and <= GreatestRange,
+            "a number from 0 to 100000"),
+        new HarvestOptions().IgnoreRangeMetres);
 
     private static readonly Option<LookAhead> LaneLookAhead = LaneOptions.LookAhead();
     private static readonly Option<double> LaneWidth = LaneOptions.LaneWidth();
@@ -103,6 +115,8 @@ internal static class HarvestCommand
     private static readonly Option<string?> Classes = ClassList.Option("Label");
 
     private static readonly Option<string?> Quirks = QuirkList.Option();
+
+    private static readonly Option<string> FreezeBy = FreezeOption.Create();
 
     private static readonly Option<int> MaxPictureLag = WithDefault(
         ValueParsers.Integer("--max-picture-lag", "TICKS", "How late the game's picture may be, of 60 ticks a second", 0, HarvestOptions.GreatestPictureLagTicks),
@@ -116,7 +130,7 @@ internal static class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Frames, Seed, Size, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, MaskRays, RayReach, NoScenes, Range, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, Quirks, MaxPictureLag, ShardOf, NoReport,
+            Out, Overwrite, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, Rays, RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, Quirks, FreezeBy, MaxPictureLag, ShardOf, NoReport,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
@@ -175,11 +189,7 @@ internal static class HarvestCommand
             throw new UsageException($"--fov: the images of a harvest have a field of view of {SmallestFovDegrees} to {GreatestFovDegrees} degrees.");
         }
 
-        if (!parsed.GetValue(Masks) && new Option[] { MaskRays, RayReach }.FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false }) is { } idle)
-        {
-            throw new UsageException($"{idle.Name} does nothing without --masks.");
-        }
-
+        ImageFormat format = parsed.GetValue(Format) ?? ImageFormat.Png;
         string weather = parsed.GetRequiredValue(WeatherName);
         return new HarvestPlan
         {
@@ -188,6 +198,8 @@ internal static class HarvestCommand
             Frames = parsed.GetValue(Frames),
             Seed = parsed.GetValue(Seed),
             Image = image,
+            Format = format,
+            JpegQuality = ImageFormatOption.QualityOf(parsed, Quality, format),
             FovDegrees = fov,
             RateHz = parsed.GetValue(Hz),
             Roads = parsed.GetValue(Roads)?.FullName,
@@ -199,17 +211,19 @@ internal static class HarvestCommand
                 : throw new UsageException($"--weather takes one of {string.Join(", ", WeatherNames.All)}, not '{weather}'."),
             TimeOfDay = parsed.GetValue(Time) ?? Noon,
             Masks = parsed.GetValue(Masks),
-            MaskRayBudget = parsed.GetValue(MaskRays),
+            RayBudget = parsed.GetValue(Rays),
             RayReachMetres = parsed.GetValue(RayReach),
             Scenes = !parsed.GetValue(NoScenes),
             Shard = parsed.GetValue(ShardOf),
             RangeMetres = parsed.GetValue(Range),
+            IgnoreRangeMetres = parsed.GetValue(IgnoreRange),
             LookAhead = parsed.GetValue(LaneLookAhead),
             LaneWidth = parsed.GetValue(LaneWidth),
             NarrowLaneWidth = parsed.GetValue(NarrowLaneWidth),
             Classes = ClassList.Parse(parsed.GetValue(Classes)),
             Quirks = QuirkList.Parse(parsed.GetValue(Quirks)),
             MaxPictureLagTicks = parsed.GetValue(MaxPictureLag),
+            FreezeBy = FreezeOption.Parse(parsed.GetRequiredValue(FreezeBy)),
             QuirksAsked = parsed.GetValue(Quirks),
         };
     }

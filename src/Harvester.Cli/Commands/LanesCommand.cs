@@ -61,7 +61,7 @@ internal static class LanesCommand
             var car = new Pose(parsed.GetRequiredValue(Position), Axes.FromHeading(heading));
             LaneObservation seen = observer.Observe(
                 car.ToWorld(parsed.GetValue(BoxCentre) ?? Vector3D.Zero), heading, parsed.GetValue(Speed), parsed.GetValue(Length), ReadVehicles(parsed.GetValue(Vehicles)), null);
-            using JsonDocument lanes = JsonDocument.Parse(JsonLabelWriter.Lanes(LanesLabel.Of(seen, "roadFile", [])));
+            using JsonDocument lanes = JsonDocument.Parse(JsonLabelWriter.Lanes(LanesLabel.Of(seen, "roadFile", [], null)));
             terminal.Out.WriteLine(JsonSerializer.Serialize(lanes.RootElement, Indented));
             return ExitCode.Done;
         });

@@ -16,8 +16,8 @@ internal static class StatsCommand
     private const string Notes =
         "The figures are of all sessions together: counts by class, distances, heights, widths and areas of boxes in the image,\n"
         + "truncation (the share of an object outside the image), occlusion (the share of its silhouette in the image that is hidden), weather,\n"
-        + "hours, and between what values the lane indicators were. An object has a label in each frame that shows it. Medians are to 1/4096 of\n"
-        + "their value.\n\n"
+        + "hours, and between what values the lane indicators were. An object has a label in each frame that shows it. Bins\n"
+        + "hold their lower end. Medians are to 1/4096 of their value.\n\n"
         + "Example:\n"
         + "  harvester stats day night";
 
@@ -65,9 +65,13 @@ internal static class StatsCommand
 
     private static string PartsOf(ClassStatistics figures) => figures.Parts == 0 ? "" : Text($" ({figures.Parts} of them faces or heads)");
 
-    /// <summary>The bins that hold something, by where they begin; the last one takes whatever lies above.</summary>
+    /// <summary>The bins that hold something.</summary>
     private static string Bins(string name, Histogram histogram) => Listed(
-        name, histogram.Counts.Select((count, bin) => (count, bin)).Where(pair => pair.count > 0).Select(pair => Text($"{histogram.Starts[pair.bin]:0.##}+ {pair.count}")));
+        name, histogram.Counts.Select((count, bin) => (count, bin)).Where(pair => pair.count > 0).Select(pair => $"{RangeOf(histogram, pair.bin)} {pair.count}"));
+
+    private static string RangeOf(Histogram histogram, int bin) => (bin + 1 < histogram.Starts.Count ? histogram.Starts[bin + 1] : histogram.End) is { } end
+        ? Text($"{histogram.Starts[bin]:0.##}-{end:0.##}:")
+        : Text($"{histogram.Starts[bin]:0.##} or more:");
 
     private static string Listed(string name, IEnumerable<string> items) => $"{name}: {(items.Any() ? string.Join(", ", items) : "none")}";
 

@@ -61,6 +61,18 @@ internal static class ValidateCommand
                 terminal.Out.WriteLine("Note: the recording was cut off before session.json could be closed; the frames it has are listed all the same.");
             }
 
+            if (validation.Undetermined > 0)
+            {
+                terminal.Out.WriteLine(
+                    $"Warning: of {validation.Undetermined} of {Counted.Of(validation.Objects, "label")} it is not known how much is seen (occlusionMethod none); filters by visibility leave them out.");
+            }
+
+            if (validation.UndeterminedRegions > 0)
+            {
+                terminal.Out.WriteLine(
+                    $"Warning: whether {Counted.Of(validation.UndeterminedRegions, "object")} can be seen could not be determined; they have regions to ignore instead of labels.");
+            }
+
             foreach (string open in validation.Info?.Unchecked ?? [])
             {
                 terminal.Out.WriteLine($"Note: {open}");

@@ -1,4 +1,5 @@
 using System;
+using Harvester.Capture.Harvesting;
 
 namespace Harvester.Cli.Harvesting;
 
@@ -13,6 +14,9 @@ internal sealed record HarvestOutcome(int Frames, int Discarded, TimeSpan Elapse
 {
     /// <summary>What could not be made sure of; null when there is nothing.</summary>
     public string? Warning { get; init; }
+
+    /// <summary>The ways of freezing that were tried; null when the way was given.</summary>
+    public FreezeReport? Freezing { get; init; }
 
     /// <summary>Frames a second of the clock on the wall.</summary>
     public double FramesPerSecond => Elapsed > TimeSpan.Zero ? Frames / Elapsed.TotalSeconds : 0;

@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
@@ -26,6 +28,12 @@ internal sealed record HarvestPlan
 
     /// <summary>Size of the images, pixels.</summary>
     public required ImageSize Image { get; init; }
+
+    /// <summary>Format of the images.</summary>
+    public required ImageFormat Format { get; init; }
+
+    /// <summary>Quality of JPEG images, 1 to 100.</summary>
+    public required int JpegQuality { get; init; }
 
     /// <summary>Vertical field of view, degrees.</summary>
     public required double FovDegrees { get; init; }
@@ -54,8 +62,8 @@ internal sealed record HarvestPlan
     /// <summary>Whether instance masks are made.</summary>
     public required bool Masks { get; init; }
 
-    /// <summary>Rays that a frame's mask may take at most.</summary>
-    public required int MaskRayBudget { get; init; }
+    /// <summary>Rays that a frame may take at most.</summary>
+    public required int RayBudget { get; init; }
 
     /// <summary>Beyond this rays are not trusted to meet objects, metres.</summary>
     public required double RayReachMetres { get; init; }
@@ -68,6 +76,9 @@ internal sealed record HarvestPlan
 
     /// <summary>How far objects are labelled, metres.</summary>
     public required double RangeMetres { get; init; }
+
+    /// <summary>How far objects beyond the labelling range are marked by ignore regions, metres.</summary>
+    public required double IgnoreRangeMetres { get; init; }
 
     /// <summary>Where the lane indicators are measured.</summary>
     public required LookAhead LookAhead { get; init; }
@@ -83,6 +94,9 @@ internal sealed record HarvestPlan
 
     /// <summary>How many ticks the game's picture may be late.</summary>
     public required int MaxPictureLagTicks { get; init; }
+
+    /// <summary>How the game is frozen for each frame; null to try every way at the start.</summary>
+    public required FreezeMethod? FreezeBy { get; init; }
 
     /// <summary>In what the game misbehaves.</summary>
     public required GameQuirks Quirks { get; init; }

@@ -28,6 +28,11 @@ internal static class HarvestSummary
         terminal.Out.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
             $"{Counted.Of(outcome.Frames, "frame")}, {Counted.Of(statistics.Labels, "label")} in {outcome.Elapsed.TotalSeconds:0.0} s ({outcome.FramesPerSecond:0.0} frames a second), {outcome.Discarded} discarded"));
+        if (outcome.Freezing is { } freezing)
+        {
+            terminal.Out.WriteLine($"freeze   {freezing}");
+        }
+
         terminal.Out.WriteLine($"session  {plan.Folder}");
         if (report is not null)
         {

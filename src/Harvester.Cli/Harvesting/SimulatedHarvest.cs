@@ -102,6 +102,7 @@ internal sealed class SimulatedHarvest
             cancellation.IsCancellationRequested && session.Status.Captured < _plan.Frames)
         {
             Warning = session.Warning,
+            Freezing = session.Freezing,
         };
     }
 
@@ -127,15 +128,19 @@ internal sealed class SimulatedHarvest
     private HarvestOptions Options() => new()
     {
         Image = _plan.Image,
+        Format = _plan.Format,
+        JpegQuality = _plan.JpegQuality,
         MaxFrames = _plan.Frames,
         Shard = _plan.Shard,
         RateHz = _plan.RateHz,
         RangeMetres = _plan.RangeMetres,
+        IgnoreRangeMetres = _plan.IgnoreRangeMetres,
         Classes = _plan.Classes,
         Masks = _plan.Masks,
-        MaskRayBudget = _plan.MaskRayBudget,
+        RayBudget = _plan.RayBudget,
         RayReachMetres = _plan.RayReachMetres,
         MaxPictureLagTicks = _plan.MaxPictureLagTicks,
+        FreezeBy = _plan.FreezeBy,
         Scenes = _plan.Scenes,
         Spaces = _spaces,
     };

@@ -1,12 +1,10 @@
 using System;
-using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Threading;
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Labels;
+using Harvester.Capture.Imaging;
 using Harvester.Datasets.Exports.Assembly;
-using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports;
 
@@ -16,7 +14,7 @@ namespace Harvester.Datasets.Exports;
 /// </summary>
 public sealed class DatasetExporter
 {
-    private readonly ExportPlan _plan;
+    private readonly ExportPlan _asked;
     private readonly DatasetFolder _folder;
     private readonly Shard _shard;
 
@@ -26,7 +24,7 @@ public sealed class DatasetExporter
     /// <param name="shard">Which frames.</param>
     public DatasetExporter(ExportPlan plan, string folder, Shard shard)
     {
-        _plan = plan.Format.KeepsSessions
+        _asked = plan.Format.KeepsSessions
             ? plan with { Options = plan.Options with { Splits = new SplitPlan(plan.Options.Splits.Splits, plan.Options.Splits.Seed, int.MaxValue) } }
             : plan;
         _folder = new DatasetFolder(folder);
@@ -41,7 +39,9 @@ public sealed class DatasetExporter
     /// <exception cref="IOException">Something cannot be read or written.</exception>
     public ExportResult Run(Action<int> report, CancellationToken cancellation = default)
     {
-        string identity = _plan.Identity;
+        SessionSurvey survey = SessionSurvey.Of(_asked, cancellation);
+        ExportPlan plan = survey.Decide();
+        string identity = plan.Identity;
         if (_folder.HasLeftovers && DatasetAssembly.PlanOf(_folder) == identity)
         {
             _folder.Finish();
@@ -53,19 +53,15 @@ public sealed class DatasetExporter
             throw new OccupiedFolderException($"'{_folder.Path}' holds a finished dataset already. Name another folder.");
         }
 
-        // What the first frame cannot be said in is refused before there is anything to go on with.
-        if (!_folder.IsBegun && Frames().FirstOrDefault() is { } first)
-        {
-            Check(first);
-        }
-
+        // Whatever the sessions lack is refused before there is anything to go on with.
+        survey.Check();
         _folder.Begin(identity);
         int frames;
         using (var journal = new Journal(_folder, _shard))
         {
             if (!journal.IsEnded)
             {
-                WriteFrames(journal, report, cancellation);
+                WriteFrames(plan, journal, report, cancellation);
                 journal.End();
             }
 
@@ -73,63 +69,21 @@ public sealed class DatasetExporter
         }
 
         return _shard.Count > 1
-            ? new ExportResult(_plan.Format, frames, IsFinished: false)
+            ? new ExportResult(plan.Format, frames, IsFinished: false)
             : DatasetAssembly.Finish(_folder, [Journal.PathOf(_folder, _shard)]);
     }
 
-    private void WriteFrames(Journal journal, Action<int> report, CancellationToken cancellation)
+    private void WriteFrames(ExportPlan plan, Journal journal, Action<int> report, CancellationToken cancellation)
     {
-        IDatasetWriter writer = _plan.Format.CreateWriter(_plan.Options);
-        foreach (ExportFrame frame in Frames().Where(frame => _shard.Takes(frame.Index) && frame.Index > journal.LastFrame))
+        PictureEncoder? encoder = plan.Options.ImageFormat is { } format ? new PictureEncoder(format, plan.Options.JpegQuality) : null;
+        IDatasetWriter writer = plan.Format.CreateWriter(plan.Options);
+        foreach (ExportFrame frame in PlannedFrames.Of(plan).Where(frame => _shard.Takes(frame.Index) && frame.Index > journal.LastFrame))
         {
             cancellation.ThrowIfCancellationRequested();
-            Check(frame);
-            var output = new FrameOutput(_folder, _plan.Options.Images);
-            int objects = writer.Write(frame, output);
-            journal.Append(new JournalEntry(frame.Index, frame.Split, frame.Label.Objects.Count, objects, output.Files, output.Parts));
+            var output = new FrameOutput(_folder, plan.Options.Images, encoder);
+            WrittenObjects written = writer.Write(frame, output);
+            journal.Append(new JournalEntry(frame.Index, frame.Split, frame.Label.Objects.Count, written, output.Files, output.Parts));
             report(journal.Frames);
-        }
-    }
-
-    private IEnumerable<ExportFrame> Frames()
-    {
-        int index = 0;
-        for (int session = 0; session < _plan.Sessions.Count; session++)
-        {
-            int frameInSession = 0;
-            CameraLabel? camera = null;
-            foreach (LabelLine line in _plan.Sessions[session].ReadGoodLines())
-            {
-                camera ??= line.Label!.Camera;
-                yield return new ExportFrame(_plan.Sessions[session], line, _plan.Options)
-                {
-                    Index = index++,
-                    SessionIndex = session,
-                    FrameInSession = frameInSession,
-                    Split = _plan.Options.Splits.Of(session, frameInSession),
-                    SessionCamera = camera,
-                };
-                frameInSession++;
-            }
-        }
-    }
-
-    private void Check(ExportFrame frame)
-    {
-        if (_plan.Format.NeedsMasks && frame.Label.Mask is null)
-        {
-            throw frame.Problem($"it has no mask, and {_plan.Format.Name} needs one. Harvest with masks, or choose another format.");
-        }
-
-        if (_plan.Format.NeedsLanes && frame.Label.Lanes is null)
-        {
-            throw frame.Problem($"it has no lanes, and {_plan.Format.Name} is about nothing else. Harvest with roads, or choose another format.");
-        }
-
-        if (_plan.Format.NeedsRectilinear && LensBend.PixelsOf(frame.Label.Camera) is var bend and > LensBend.MostPixels)
-        {
-            throw frame.Problem(FormattableString.Invariant(
-                $"its lens bends straight lines by {bend:0.0} pixels, and {_plan.Format.Name} has no words for that. Choose another format."));
         }
     }
 }

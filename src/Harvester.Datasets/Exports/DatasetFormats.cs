@@ -19,25 +19,54 @@ public static class DatasetFormats
     /// <summary>All of them, in the order in which help lists them.</summary>
     public static IReadOnlyList<DatasetFormat> All { get; } =
     [
-        new("kitti", "KITTI object detection: image_2, label_2, calib", _ => new KittiWriter()) { NeedsRectilinear = true, Check = KittiCheck.Problems },
-        new("kitti-tracking", "KITTI tracking: a sequence for each session", _ => new KittiTrackingWriter())
+        new("kitti", "KITTI object detection: image_2, label_2, calib", options => new KittiWriter(options))
         {
-            NeedsRectilinear = true, KeepsSessions = true, Check = KittiTrackingCheck.Problems,
+            NeedsRectilinear = true, UsesMasks = true, HasBoxes = true, HasNames = true, Names = KittiClasses.Types, Check = KittiCheck.Problems,
         },
-        new("coco", "COCO instances", options => new CocoWriter(options)) { HasParts = true, HasSegmentations = true, Check = CocoCheck.Problems },
-        new("coco-panoptic", "COCO panoptic segmentation", options => new CocoPanopticWriter(options)) { NeedsMasks = true, Check = CocoPanopticCheck.Problems },
-        new("yolo", "Ultralytics YOLO, boxes", options => new YoloWriter(options)) { HasParts = true, Check = YoloCheck.BoxProblems },
-        new("yolo-segment", "Ultralytics YOLO, outlines", options => new YoloSegmentWriter(options)) { NeedsMasks = true, Check = YoloCheck.OutlineProblems },
-        new("voc", "Pascal VOC", options => new VocWriter(options)) { HasParts = true, Check = VocCheck.Problems },
-        new("cityscapes", "Maps of instances and classes in the style of Cityscapes", _ => new CityscapesWriter()) { NeedsMasks = true, Check = CityscapesCheck.Problems },
-        new("deepdriving", "Images of 280 x 210 and DeepDriving's thirteen indicators", _ => new DeepDrivingWriter())
+        new("kitti-tracking", "KITTI tracking: a sequence for each session", options => new KittiTrackingWriter(options))
+        {
+            NeedsRectilinear = true, UsesMasks = true, HasBoxes = true, HasNames = true, Names = KittiClasses.Types, KeepsSessions = true,
+            Check = KittiTrackingCheck.Problems,
+        },
+        new("coco", "COCO instances", options => new CocoWriter(options))
+        {
+            UsesMasks = true, HasBoxes = true, HasBoxesBeyondImage = true, HasNames = true, HasSubclasses = true, HasParts = true, HasSegmentations = true,
+            Check = CocoCheck.Problems,
+        },
+        new("coco-panoptic", "COCO panoptic segmentation", options => new CocoPanopticWriter(options))
+        {
+            NeedsMasks = true, HasNames = true, HasSubclasses = true, HasParts = true, Check = CocoPanopticCheck.Problems,
+        },
+        new("yolo", "Ultralytics YOLO, boxes", options => new YoloWriter(options))
+        {
+            UsesMasks = true, HasBoxes = true, HasNames = true, HasSubclasses = true, HasParts = true, Check = YoloCheck.BoxProblems,
+        },
+        new("yolo-segment", "Ultralytics YOLO, outlines", options => new YoloSegmentWriter(options))
+        {
+            NeedsMasks = true, HasNames = true, HasSubclasses = true, HasParts = true, Check = YoloCheck.OutlineProblems,
+        },
+        new("voc", "Pascal VOC", options => new VocWriter(options))
+        {
+            UsesMasks = true, HasBoxes = true, HasNames = true, HasSubclasses = true, HasParts = true, Check = VocCheck.Problems,
+        },
+        new("cityscapes", "Maps of instances and classes in the style of Cityscapes", options => new CityscapesWriter(options))
+        {
+            NeedsMasks = true, HasNames = true, Names = CityscapesLabels.Names, HasParts = true, Check = CityscapesCheck.Problems,
+        },
+        new("deepdriving", "Images of 280 x 210 and DeepDriving's thirteen indicators", options => new DeepDrivingWriter(options))
         {
             NeedsLanes = true, KeepsImages = false, Check = DeepDrivingCheck.Problems,
         },
-        new("tusimple", "TuSimple lanes", options => new TuSimpleWriter(options)) { NeedsLanes = true, Check = TuSimpleCheck.Problems },
-        new("openlane", "OpenLane 3D lane lines", _ => new OpenLaneWriter()) { NeedsLanes = true, Check = OpenLaneCheck.Problems },
-        new("webdataset", "Tar archives for streaming readers", _ => new WebDatasetWriter()) { HasParts = true, KeepsImages = false, Check = WebDatasetCheck.Problems },
-        new("csv", "Flat tables of frames and objects", _ => new CsvDatasetWriter()) { HasParts = true, Check = CsvDatasetCheck.Problems },
+        new("tusimple", "TuSimple lanes", options => new TuSimpleWriter(options)) { NeedsLanes = true, LeavesOutUnknownLanes = true, Check = TuSimpleCheck.Problems },
+        new("openlane", "OpenLane 3D lane lines", _ => new OpenLaneWriter()) { NeedsLanes = true, LeavesOutUnknownLanes = true, Check = OpenLaneCheck.Problems },
+        new("webdataset", "Tar archives for streaming readers", _ => new WebDatasetWriter())
+        {
+            UsesMasks = true, KeepsUndetermined = true, HasParts = true, DefaultParts = PartSelection.All, KeepsImages = false, Check = WebDatasetCheck.Problems,
+        },
+        new("csv", "Flat tables of frames and objects", options => new CsvDatasetWriter(options))
+        {
+            KeepsUndetermined = true, HasNames = true, HasParts = true, DefaultParts = PartSelection.All, Check = CsvDatasetCheck.Problems,
+        },
     ];
 
     /// <summary>A format by its name, or null.</summary>

@@ -4,6 +4,8 @@ using System.IO;
 using System.Linq;
 using System.Security.Cryptography;
 using System.Text.Json;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Imaging.Jpeg;
 using Harvester.Capture.Labels;
 using Harvester.Capture.Scenes;
 using Harvester.Datasets.Json;
@@ -45,10 +47,32 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
         json.WriteEndObject();
         json.WriteNumber("splitSeed", Options.Splits.Seed);
         json.WriteNumber("splitBlockFrames", Options.Splits.BlockFrames);
-        json.WriteString("classes", Options.ClassNames);
+        json.WriteString("classes", string.Join(',', Options.ClassList.Select(JsonName.Of)));
+        json.WriteStartObject("names");
+        foreach ((ObjectClass kind, string name) in Options.Names.OrderBy(pair => pair.Key))
+        {
+            json.WriteString(JsonName.Of(kind), name);
+        }
+
+        json.WriteEndObject();
+        json.WriteNumber("subclasses", (int)Options.Subclasses);
+        json.WriteStartArray("mutcdCodes");
+        foreach (string code in Options.MutcdCodes)
+        {
+            json.WriteStringValue(code);
+        }
+
+        json.WriteEndArray();
         json.WriteNumber("minVisibleFraction", Options.MinVisibleFraction);
-        json.WriteString("parts", JsonName.Of(Options.Parts));
+        WriteName(json, "parts", Options.Parts);
+        WriteName(json, "boxes", Options.Boxes);
         json.WriteString("segmentation", JsonName.Of(Options.Segmentation));
+        if (Options.ImageFormat is { } imageFormat)
+        {
+            json.WriteString("imageFormat", JsonName.Of(imageFormat));
+            json.WriteNumber("quality", Options.JpegQuality);
+        }
+
         json.WriteEndObject();
     });
 
@@ -66,9 +90,28 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
             Splits = new SplitPlan(splits, fields.WholeNumber("splitSeed"), fields.WholeNumber("splitBlockFrames")),
             Classes = [.. fields.Text("classes").Split(',', StringSplitOptions.RemoveEmptyEntries).Select(ClassOf)],
             MinVisibleFraction = fields.Number("minVisibleFraction"),
-            Parts = fields.Name<PartSelection>("parts"),
+            Names = root.GetProperty("names").EnumerateObject().ToDictionary(name => ClassOf(name.Name), name => name.Value.GetString()!),
+            Subclasses = (Subclasses)fields.WholeNumber("subclasses"),
+            MutcdCodes = [.. root.GetProperty("mutcdCodes").EnumerateArray().Select(code => code.GetString()!)],
+            Parts = fields.Has("parts") ? fields.Name<PartSelection>("parts") : null,
+            Boxes = fields.Has("boxes") ? fields.Name<BoxKind>("boxes") : null,
             Segmentation = fields.Name<SegmentationKind>("segmentation"),
+            ImageFormat = fields.Has("imageFormat") ? fields.Name<ImageFormat>("imageFormat") : null,
+            JpegQuality = fields.Has("imageFormat") ? fields.WholeNumber("quality") : JpegEncoder.DefaultQuality,
         });
+    }
+
+    private static void WriteName<T>(Utf8JsonWriter json, string key, T? value)
+        where T : struct, Enum
+    {
+        if (value is { } known)
+        {
+            json.WriteString(key, JsonName.Of(known));
+        }
+        else
+        {
+            json.WriteNull(key);
+        }
     }
 
     private static ObjectClass ClassOf(string name) =>

@@ -17,6 +17,9 @@ public sealed record ExportResult(DatasetFormat Format, int Frames, bool IsFinis
     /// <summary>How many of them the dataset has, as far as the filters and the format let them in; in a shard, 0.</summary>
     public int Objects { get; init; }
 
+    /// <summary>How many regions the dataset marks as not to be evaluated; in a shard, 0.</summary>
+    public int Ignored { get; init; }
+
     /// <summary>The frames by split, in the order of the names; none in a shard.</summary>
     public IReadOnlyDictionary<string, int> FramesOfSplits { get; init; } = new Dictionary<string, int>();
 }

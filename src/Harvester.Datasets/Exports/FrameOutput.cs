@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
+using Harvester.Capture.Imaging;
 using Harvester.Datasets.Exports.Assembly;
 
 namespace Harvester.Datasets.Exports;
@@ -13,26 +14,49 @@ public sealed class FrameOutput
 
     private readonly DatasetFolder _folder;
     private readonly ImageTransfer _transfer;
+    private readonly PictureEncoder? _encoder;
     private readonly List<string> _files = [];
     private readonly List<KeyValuePair<string, string>> _parts = [];
 
-    internal FrameOutput(DatasetFolder folder, ImageTransfer transfer)
+    internal FrameOutput(DatasetFolder folder, ImageTransfer transfer, PictureEncoder? encoder)
     {
         _folder = folder;
         _transfer = transfer;
+        _encoder = encoder;
     }
 
     internal IReadOnlyList<string> Files => _files;
 
     internal IReadOnlyList<KeyValuePair<string, string>> Parts => _parts;
 
-    /// <summary>Takes an existing file, such as the image, into the dataset.</summary>
+    /// <summary>Takes a frame's image into the dataset, in the format that the export asks for.</summary>
     /// <param name="path">Its path in the dataset, with forward slashes.</param>
-    /// <param name="source">The file.</param>
-    public void Transfer(string path, string source)
+    /// <param name="frame">The frame.</param>
+    /// <exception cref="DatasetFormatException">The image has to be converted and cannot be read.</exception>
+    public void Image(string path, ExportFrame frame)
     {
-        _folder.Transfer(path, source, _transfer);
+        if (frame.IsImageConverted)
+        {
+            File(path, stream => _encoder!.Write(frame.ReadImage(), stream));
+            return;
+        }
+
+        _folder.Transfer(path, frame.ImagePath, _transfer);
         _files.Add(path);
+    }
+
+    /// <summary>The bytes that <see cref="Image"/> would write.</summary>
+    /// <exception cref="DatasetFormatException">The image has to be converted and cannot be read.</exception>
+    public byte[] ImageBytes(ExportFrame frame)
+    {
+        if (!frame.IsImageConverted)
+        {
+            return System.IO.File.ReadAllBytes(frame.ImagePath);
+        }
+
+        using var bytes = new MemoryStream();
+        _encoder!.Write(frame.ReadImage(), bytes);
+        return bytes.ToArray();
     }
 
     /// <summary>Writes a text file.</summary>

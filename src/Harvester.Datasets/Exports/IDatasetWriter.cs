@@ -10,11 +10,11 @@ namespace Harvester.Datasets.Exports;
 public interface IDatasetWriter
 {
     /// <summary>Writes one frame.</summary>
-    /// <returns>How many of the frame's objects it has written; 0 in formats without objects.</returns>
+    /// <returns>How many of the frame's objects it has written; none in formats without objects.</returns>
     /// <exception cref="DatasetFormatException">The frame cannot be said in this format.</exception>
-    int Write(ExportFrame frame, FrameOutput output);
+    WrittenObjects Write(ExportFrame frame, FrameOutput output);
 
     /// <summary>The files to put together in the end.</summary>
-    /// <param name="parts">Names of the parts that frames handed over, in ordinal order.</param>
-    IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts);
+    /// <param name="parts">Names of the parts that frames handed over, in ordinal order, and how many there are of each.</param>
+    IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts);
 }

@@ -3,12 +3,15 @@ namespace Harvester.Datasets.Exports;
 /// <summary>Which objects are exported by what they are parts of: the face of a sign and the head of a traffic light are objects with a parent.</summary>
 public enum PartSelection
 {
-    /// <summary>Objects of their own and parts of others.</summary>
+    /// <summary>Faces and heads stand for their signs and lights, whose posts are no objects; everything else is whole.</summary>
+    Faces,
+
+    /// <summary>Whole objects and their parts.</summary>
     All,
 
-    /// <summary>Objects of their own only: each thing is there once.</summary>
+    /// <summary>Whole objects only: a sign or light includes its post.</summary>
     None,
 
-    /// <summary>Parts only: what a reader of signs and lights learns from.</summary>
+    /// <summary>Parts only.</summary>
     Only,
 }

@@ -70,6 +70,39 @@ public sealed class SplitPlan
         return Splits[^1].Name;
     }
 
+    /// <summary>The first split that gets none of some frames; null when each gets one.</summary>
+    /// <param name="frames">The frames.</param>
+    internal string? FirstEmpty(IEnumerable<FramePlace> frames)
+    {
+        HashSet<string> empty = [.. Splits.Select(split => split.Name)];
+        foreach (FramePlace frame in frames)
+        {
+            empty.Remove(Of(frame.Session, frame.Frame));
+            if (empty.Count == 0)
+            {
+                return null;
+            }
+        }
+
+        return Splits.First(split => empty.Contains(split.Name)).Name;
+    }
+
+    /// <summary>The largest block, smaller than this plan's, with which each split gets some of the frames; null when there is none.</summary>
+    /// <param name="frames">The frames.</param>
+    internal int? LargestFullBlock(IReadOnlyCollection<FramePlace> frames)
+    {
+        int largest = Math.Min(BlockFrames - 1, frames.Max(frame => frame.Frame) + 1);
+        for (int block = largest; block >= 1; block--)
+        {
+            if (new SplitPlan(Splits, Seed, block).FirstEmpty(frames) is null)
+            {
+                return block;
+            }
+        }
+
+        return null;
+    }
+
     private static bool IsName(string name) => name.Length > 0 && name.All(c => char.IsAsciiLetterOrDigit(c) || c is '-' or '_');
 
     private double Draw(int session, int block)

@@ -1,24 +1,42 @@
 using System;
 using System.Buffers.Binary;
 using System.IO;
+using System.Linq;
+using Harvester.Datasets.Images.Jpeg;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Images;
 
 /// <summary>What an image file says of itself in its first bytes.</summary>
-/// <param name="MediaType">image/png or image/bmp.</param>
+/// <param name="MediaType">image/png, image/bmp or image/jpeg.</param>
 /// <param name="Size">Width and height, pixels.</param>
 /// <param name="BitsPerPixel">Bits of one pixel, all channels together.</param>
 public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPixel)
 {
+    /// <summary>Media type of PNG.</summary>
+    public const string Png = "image/png";
+
+    /// <summary>Media type of Windows bitmaps.</summary>
+    public const string Bmp = "image/bmp";
+
+    /// <summary>Media type of JPEG.</summary>
+    public const string Jpeg = "image/jpeg";
+
+    /// <summary>More than any screen has, and few enough for one array.</summary>
+    private const long GreatestPixelCount = 1 << 29;
+
     private const int PngHeaderLength = 33;
     private const int BmpHeaderLength = 30;
 
     private static ReadOnlySpan<byte> PngSignature => [0x89, (byte)'P', (byte)'N', (byte)'G', 0x0D, 0x0A, 0x1A, 0x0A];
 
+    private static ReadOnlySpan<byte> JpegStart => [0xFF, JpegSegment.StartOfImage, 0xFF];
+
+    private static ReadOnlySpan<byte> JpegEnd => [0xFF, JpegSegment.EndOfImage];
+
     private static ReadOnlySpan<byte> PngEnd => [0, 0, 0, 0, (byte)'I', (byte)'E', (byte)'N', (byte)'D', 0xAE, 0x42, 0x60, 0x82];
 
-    /// <summary>Reads the header of a PNG or BMP file and looks whether the file reaches to its end.</summary>
+    /// <summary>Reads the header of a PNG, BMP or JPEG file and looks whether the file reaches to its end.</summary>
     /// <exception cref="DatasetFormatException">It is neither, or cut off; the message speaks of the file as "it".</exception>
     /// <exception cref="IOException">It cannot be read.</exception>
     public static ImageHeader Read(string path)
@@ -27,7 +45,7 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
         return Read(file);
     }
 
-    /// <summary>Reads the header of a PNG or BMP file in a stream that is it and nothing else.</summary>
+    /// <summary>Reads the header of a PNG, BMP or JPEG file in a stream that is it and nothing else.</summary>
     /// <exception cref="DatasetFormatException">It is neither, or cut off; the message speaks of the file as "it".</exception>
     /// <exception cref="IOException">It cannot be read.</exception>
     public static ImageHeader Read(Stream file)
@@ -40,17 +58,19 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
             return ReadPng(start, file);
         }
 
+        if (start.StartsWith(JpegStart))
+        {
+            return ReadJpeg(file);
+        }
+
         return length >= BmpHeaderLength && start.StartsWith("BM"u8)
             ? ReadBmp(start, file)
-            : throw new DatasetFormatException("it is neither a PNG nor a BMP file, or cut off.");
+            : throw new DatasetFormatException("it is no PNG, BMP or JPEG file, or cut off.");
     }
 
     private static ImageHeader ReadPng(ReadOnlySpan<byte> start, Stream file)
     {
-        Span<byte> end = stackalloc byte[PngEnd.Length];
-        file.Seek(-end.Length, SeekOrigin.End);
-        file.ReadExactly(end);
-        if (!end.SequenceEqual(PngEnd))
+        if (!EndsWith(file, PngEnd))
         {
             throw new DatasetFormatException("it is cut off: the PNG file has no end.");
         }
@@ -58,7 +78,7 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
         // The IHDR chunk: width, height, bit depth, colour type.
         int channels = start[25] switch { 2 => 3, 4 => 2, 6 => 4, _ => 1 };
         return new ImageHeader(
-            "image/png",
+            Png,
             SizeOf(BinaryPrimitives.ReadUInt32BigEndian(start[16..]), BinaryPrimitives.ReadUInt32BigEndian(start[20..])),
             start[24] * channels);
     }
@@ -73,13 +93,36 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
 
         // The height is negative when the rows run from the top.
         return new ImageHeader(
-            "image/bmp",
+            Bmp,
             SizeOf(BinaryPrimitives.ReadInt32LittleEndian(start[18..]), Math.Abs((long)BinaryPrimitives.ReadInt32LittleEndian(start[22..]))),
             BinaryPrimitives.ReadUInt16LittleEndian(start[28..]));
     }
 
-    private static ImageSize SizeOf(long width, long height) =>
-        width is >= 1 and <= ushort.MaxValue && height is >= 1 and <= ushort.MaxValue
+    private static ImageHeader ReadJpeg(Stream file)
+    {
+        if (!EndsWith(file, JpegEnd))
+        {
+            throw new DatasetFormatException("it is cut off: the JPEG file has no end.");
+        }
+
+        file.Seek(0, SeekOrigin.Begin);
+        JpegSegment frame = JpegSegment.ReadHeader(file).FirstOrDefault(segment => segment.IsFrame)
+            ?? throw new DatasetFormatException("its JPEG header does not give its size.");
+        return new ImageHeader(Jpeg, frame.Size, frame.BitsPerSample * frame.Components);
+    }
+
+    private static bool EndsWith(Stream file, ReadOnlySpan<byte> expected)
+    {
+        Span<byte> end = stackalloc byte[expected.Length];
+        file.Seek(-end.Length, SeekOrigin.End);
+        file.ReadExactly(end);
+        return end.SequenceEqual(expected);
+    }
+
+    /// <summary>The size that a header gives.</summary>
+    /// <exception cref="DatasetFormatException">No picture has it.</exception>
+    internal static ImageSize SizeOf(long width, long height) =>
+        width is >= 1 and <= ushort.MaxValue && height is >= 1 and <= ushort.MaxValue && width * height <= GreatestPixelCount
             ? new ImageSize((int)width, (int)height)
             : throw new DatasetFormatException(FormattableString.Invariant($"its header gives the impossible size {width} x {height}."));
 }

@@ -32,6 +32,9 @@ public readonly struct JsonFields
     /// <summary>Whether a field is there and not null.</summary>
     public bool Has(string name) => _element.TryGetProperty(name, out JsonElement field) && field.ValueKind != JsonValueKind.Null;
 
+    /// <summary>The names of all fields, in their order.</summary>
+    public IEnumerable<string> Names => _element.EnumerateObject().Select(static member => member.Name);
+
     /// <summary>A finite number.</summary>
     public double Number(string name)
     {
@@ -102,6 +105,9 @@ public readonly struct JsonFields
     /// <summary>Either true or false.</summary>
     public bool Truth(string name) => TruthOf(Field(name), name);
 
+    /// <summary>A truth, or null where it is null or missing.</summary>
+    public bool? OptionalTruth(string name) => Has(name) ? Truth(name) : null;
+
     /// <summary>A list of true, false and null.</summary>
     public bool?[] OptionalTruths(string name)
     {
@@ -137,6 +143,15 @@ public readonly struct JsonFields
         Vector3D forward = Vector("forward");
         Vector3D up = Vector("up");
         return Checked(() => Harvester.Geometry.Axes.FromVectors(right, forward, up));
+    }
+
+    /// <summary>A list of texts.</summary>
+    public string[] Texts(string name)
+    {
+        JsonElement list = Field(name);
+        return list.ValueKind == JsonValueKind.Array && list.EnumerateArray().All(item => item.ValueKind == JsonValueKind.String)
+            ? [.. list.EnumerateArray().Select(item => item.GetString()!)]
+            : throw Wrong(Path(name), "a list of texts", list);
     }
 
     /// <summary>An object within this one.</summary>

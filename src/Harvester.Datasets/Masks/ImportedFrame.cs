@@ -65,6 +65,7 @@ internal sealed class ImportedFrame
             double occluded = OccludedFraction(id);
             double visible = (1 - item["truncatedFraction"]!.GetValue<double>()) * (1 - occluded);
             item["box2dVisible"] = _bounds.TryGetValue(id, out Box2D box) ? new JsonArray(box.XMin, box.YMin, box.XMax, box.YMax) : null;
+            item["boxes"] = new JsonArray([.. BoxKinds.Known(_bounds.ContainsKey(id)).Select(kind => JsonValue.Create(JsonName.Of(kind)))]);
             item["occludedFraction"] = Math.Round(occluded, FractionDecimals);
             item["occlusionMethod"] = JsonName.Of(OcclusionMethod.Imported);
             item["visibleFraction"] = Math.Round(visible, FractionDecimals);

@@ -71,6 +71,7 @@ internal sealed class RecordedSession
                 Image = session.ReadInfo().Image,
                 Format = header.Fields("image").Name<ImageFormat>("format"),
                 RangeMetres = options.Number("rangeMetres"),
+                IgnoreRangeMetres = options.OptionalNumber("ignoreRangeMetres") ?? 0,
                 Masks = options.Truth("masks"),
                 MinBoxAreaPixels = options.Number("minBoxAreaPixels"),
                 MinBoxSidePixels = options.Number("minBoxSidePixels"),

@@ -43,6 +43,7 @@ internal static class SceneParser
             {
                 ModelMin = ego.Vector("modelMin"),
                 ModelMax = ego.Vector("modelMax"),
+                HeightAboveGroundMetres = ego.OptionalNumber("heightAboveGround"),
             },
             [.. entities.Select(EntityOf)],
             label.Environment);
@@ -57,7 +58,11 @@ internal static class SceneParser
                 lens.Checked(() => new Lens(
                     lens.Number("focalScale"), lens.Number("centreOffsetX"), lens.Number("centreOffsetY"), lens.Number("k1"), lens.Number("k2"))),
                 ids,
-                occlusions);
+                occlusions)
+            {
+                // Scenes of earlier versions have none.
+                Distant = scene.Has("distant") ? [.. scene.List("distant").Select(DistantOf)] : [],
+            };
     }
 
     private static EntityState EntityOf(JsonFields entity) => new(
@@ -67,12 +72,18 @@ internal static class SceneParser
         PoseOf(entity),
         entity.Vector("modelMin"),
         entity.Vector("modelMax"),
-        entity.Vector("velocity"));
+        entity.Vector("velocity"))
+    {
+        HasRider = entity.OptionalTruth("hasRider"),
+    };
+
+    private static DistantEntity DistantOf(JsonFields entity) => new(EntityOf(entity), entity.Name<Sight>("sight"));
 
     private static RecordedOcclusion OcclusionOf(JsonFields found) => new(
         found.WholeNumber("handle"),
         found.Has("face") ? found.WholeNumber("face") : null,
         found.WholeNumber("id"),
+        found.Name<Sight>("sight"),
         found.Name<OcclusionMethod>("method"),
         found.Number("occludedFraction"),
         found.Has("setLight") ? found.Name<LightState>("setLight") : null);

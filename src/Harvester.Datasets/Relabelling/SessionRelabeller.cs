@@ -144,8 +144,17 @@ public sealed class SessionRelabeller
         _changes.LaneWidthMetres ?? _recorded.LaneWidthMetres,
         _changes.NarrowLaneWidthMetres ?? _recorded.NarrowLaneWidthMetres);
 
-    private PixelBuffer? Picture(FrameLabel label) =>
-        _recorded.Options.Format == ImageFormat.Png ? PngDecoder.ReadRgb(_recorded.Session.PathOf(label.Image)) : null;
+    private PixelBuffer Picture(FrameLabel label)
+    {
+        try
+        {
+            return PictureReader.Read(_recorded.Session.PathOf(label.Image));
+        }
+        catch (DatasetFormatException e)
+        {
+            throw new DatasetFormatException($"{_recorded.Session.PathOf(label.Image)} cannot be read: {e.Message}", e);
+        }
+    }
 
     private void PlaceFiles(string folder, FrameLabel recorded, FrameLabel made)
     {

@@ -101,6 +101,7 @@ internal static class ReportFigures
         json.WriteString("unit", unit);
         json.Numbers("counts", [.. histogram.Counts.Select(count => (double)count)], 0);
         json.Numbers("starts", [.. histogram.Starts.Select(start => start * factor)], Decimals);
+        json.Number("end", histogram.End * factor, Decimals);
         json.WriteEndObject();
     }
 

@@ -58,7 +58,7 @@ public static class StillWriter
     {
         try
         {
-            return PngDecoder.ReadRgb(session.PathOf(image));
+            return PictureReader.Read(session.PathOf(image));
         }
         catch (DatasetFormatException e)
         {

@@ -13,7 +13,7 @@ public static class NodeDatabaseWriter
 {
     /// <summary>The columns: those of the thesis's Figure 22 by its names, then those that say how far to trust them.</summary>
     public const string Columns =
-        "nodeId,onMarking,oneWay,leftStart,leftEnd,rightStart,rightEnd,heading,lanes,oncomingLanes,laneWidth,laneWidthSource,medianWidth,confidence,junction";
+        "nodeId,onMarking,oneWay,leftStart,leftEnd,rightStart,rightEnd,heading,lanes,oncomingLanes,laneWidth,laneWidthSource,medianWidth,confidence,junction,node";
 
     private const int MetreDecimals = 3;
     private const int UnitDecimals = 6;
@@ -47,7 +47,8 @@ public static class NodeDatabaseWriter
 
             line.Append(',');
             InvariantNumber.Append(line, entry.Confidence, MetreDecimals);
-            text.Write(line.Append(',').Append(Word(entry.IsJunction)).Append('\n').ToString());
+            line.Append(CultureInfo.InvariantCulture, $",{Word(entry.IsJunction)},{entry.Node}\n");
+            text.Write(line.ToString());
             count++;
         }
 

@@ -22,17 +22,18 @@ public static class RoadImporter
 
     /// <summary>Reads a road network.</summary>
     /// <param name="path">A file, a folder, or a zip archive.</param>
+    /// <param name="lanesIn">Which way the "lanes in" of paths.ipl and paths.xml are driven; other files say it themselves.</param>
     /// <exception cref="DatasetFormatException">The files are of no known format, or not as their format asks; the message names the place.</exception>
     /// <exception cref="IOException">A file cannot be read.</exception>
-    public static RoadImport Import(string path) => Import(path, LargestImport);
+    public static RoadImport Import(string path, LanesIn lanesIn = LanesIn.Forward) => Import(path, lanesIn, LargestImport);
 
     /// <summary>The same with another limit on the files together, bytes unpacked.</summary>
-    internal static RoadImport Import(string path, long largest)
+    internal static RoadImport Import(string path, LanesIn lanesIn, long largest)
     {
         ArgumentException.ThrowIfNullOrEmpty(path);
         try
         {
-            return ImportAny(path, new ByteAllowance(largest));
+            return ImportAny(path, lanesIn, new ByteAllowance(largest));
         }
         catch (InvalidDataException e)
         {
@@ -40,27 +41,27 @@ public static class RoadImporter
         }
     }
 
-    private static RoadImport ImportAny(string path, ByteAllowance allowance)
+    private static RoadImport ImportAny(string path, LanesIn lanesIn, ByteAllowance allowance)
     {
         if (Directory.Exists(path))
         {
-            return Import(path, [.. Directory.EnumerateFiles(path).Order(StringComparer.Ordinal).Select(FileSource)]);
+            return Import(path, lanesIn, [.. Directory.EnumerateFiles(path).Order(StringComparer.Ordinal).Select(FileSource)]);
         }
 
         if (!IsZip(path))
         {
-            return Import(path, [FileSource(path)]);
+            return Import(path, lanesIn, [FileSource(path)]);
         }
 
         using ZipArchive archive = ZipFile.OpenRead(path);
-        return Import(path, [.. archive.Entries.Where(entry => entry.Length > 0).OrderBy(entry => entry.FullName, StringComparer.Ordinal).Select(EntrySource)]);
+        return Import(path, lanesIn, [.. archive.Entries.Where(entry => entry.Length > 0).OrderBy(entry => entry.FullName, StringComparer.Ordinal).Select(EntrySource)]);
 
         RoadSource FileSource(string file) => new(Path.GetFileName(file), allowance, () => File.OpenRead(file));
 
         RoadSource EntrySource(ZipArchiveEntry entry) => new(entry.FullName, allowance, entry.Open);
     }
 
-    private static RoadImport Import(string path, IReadOnlyList<RoadSource> sources)
+    private static RoadImport Import(string path, LanesIn lanesIn, IReadOnlyList<RoadSource> sources)
     {
         var cells = new List<RoadSource>();
         foreach (RoadSource source in sources)
@@ -70,7 +71,7 @@ public static class RoadImporter
             {
                 cells.Add(source);
             }
-            else if (cells.Count == 0 && ImporterOf(head) is { } import)
+            else if (cells.Count == 0 && ImporterOf(head, lanesIn) is { } import)
             {
                 return import(source);
             }
@@ -81,11 +82,11 @@ public static class RoadImporter
             : throw new DatasetFormatException($"{path}: no road data of a known format here; known are *.ynd.xml, paths.ipl, paths.xml, the JSON dump of nodes, and the project's own csv.");
     }
 
-    private static Func<RoadSource, RoadImport>? ImporterOf(string head) =>
+    private static Func<RoadSource, RoadImport>? ImporterOf(string head, LanesIn lanesIn) =>
         JsonDumpImporter.Understands(head) ? JsonDumpImporter.Import
-        : head.StartsWith('<') ? SceneImporter.Import
+        : head.StartsWith('<') ? source => SceneImporter.Import(source, lanesIn)
         : head.StartsWith(RoadCsv.FirstLine, StringComparison.Ordinal) ? CsvImporter.Import
-        : IplImporter.Understands(head) ? IplImporter.Import
+        : IplImporter.Understands(head) ? source => IplImporter.Import(source, lanesIn)
         : null;
 
     private static bool IsZip(string path)

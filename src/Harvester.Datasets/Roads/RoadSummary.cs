@@ -20,7 +20,7 @@ public static class RoadSummary
             ("nodes", Text(network.Nodes.Count)),
             ("links", Text(network.Links.Count)),
             ("length", FormattableString.Invariant($"{metres / 1000:0.0} km")),
-            ("cells with nodes", Text(network.Nodes.Select(node => node.Area).Distinct().Count())),
+            ("cells with nodes", Text(network.Nodes.Select(node => node.Area).Where(area => area != RoadNode.NoArea).Distinct().Count())),
             ("nodes with a street", Text(network.Nodes.Count(node => node.Street.Length > 0))),
             ("links driven by cars", Text(network.Links.Count(link => RoadContinuations.IsDrivable(network, link)))),
             ("one-way links", Text(network.Links.Count(link => link.IsOneWay))),

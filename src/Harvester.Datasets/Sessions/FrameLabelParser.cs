@@ -44,11 +44,16 @@ public static class FrameLabelParser
             [.. frame.List("objects").Select(ReadObject)])
         {
             PixelMap = frame.Has("pixelMap") ? ReadPixelMap(frame.Fields("pixelMap")) : null,
+            Rays = frame.Has("rays") ? ReadRays(frame.Fields("rays")) : null,
+            IgnoreRegions = frame.Has("ignoreRegions") ? [.. frame.List("ignoreRegions").Select(ReadIgnoreRegion)] : [],
             Lanes = frame.Has("lanes") ? LanesParser.Parse(frame.Fields("lanes")) : null,
         };
 
     private static PixelMapLabel ReadPixelMap(JsonFields map) =>
         new(map.WholeNumber("resolutionPixels"), map.WholeNumber("interpolatedPixels"), map.WholeNumber("raysCast"));
+
+    private static RayCounts ReadRays(JsonFields rays) => new(
+        rays.WholeNumber("map"), rays.WholeNumber("occlusion"), rays.WholeNumber("faces"), rays.WholeNumber("ignoreRegions"), rays.WholeNumber("lanes"));
 
     private static CameraLabel ReadCamera(JsonFields camera)
     {
@@ -68,7 +73,11 @@ public static class FrameLabelParser
     }
 
     private static EgoLabel ReadEgo(JsonFields ego) =>
-        new(ego.Vector("position"), ego.Number("headingDegrees"), ego.Vector("velocity"), ego.Text("model"));
+        new(ego.Vector("position"), ego.Number("headingDegrees"), ego.Vector("velocity"), ego.Text("model"))
+        {
+            Axes = ego.Has("right") ? ego.Axes() : null,
+            HeightAboveGroundMetres = ego.OptionalNumber("heightAboveGroundMetres"),
+        };
 
     private static EnvironmentState ReadEnvironment(JsonFields environment)
     {
@@ -88,6 +97,8 @@ public static class FrameLabelParser
             Model = label.Text("model"),
             Name = label.OptionalText("name"),
             Parent = label.Has("parent") ? label.WholeNumber("parent") : null,
+            KnownParts = label.Has("knownParts") ? label.WholeNumber("knownParts") : null,
+            HasRider = label.OptionalTruth("hasRider"),
             Box2D = ReadBox(label, "box2d"),
             Box2DAmodal = ReadBox(label, "box2dAmodal"),
             Box2DVisible = label.Has("box2dVisible") ? ReadBox(label, "box2dVisible") : null,
@@ -100,6 +111,12 @@ public static class FrameLabelParser
             Space = label.Has("space") ? ReadSpace(label.Fields("space")) : null,
         };
     }
+
+    private static IgnoreRegion ReadIgnoreRegion(JsonFields region) => new(
+        region.Name<IgnoreReason>("reason"),
+        region.Name<ObjectClass>("class"),
+        ReadBox(region, "box2d"),
+        region.Number("distanceMetres"));
 
     private static SpaceLabel ReadSpace(JsonFields space) => new(
         space.WholeNumber("face"),

@@ -28,7 +28,8 @@ internal static class LanesParser
         TorcsEquivalent = ReadIndicators(lanes.Fields("torcsEquivalent"), lanes.Fields("valid")),
         IndicatorsAtCar = ReadIndicators(lanes.Fields("atCar").Fields("indicators"), lanes.Fields("atCar").Fields("valid")),
         Vehicles = [.. lanes.List("vehicles").Select(ReadVehicle)],
-        Markings = [.. lanes.List("markings").Select(ReadMarking)],
+        Boundaries = [.. lanes.List("boundaries").Select(ReadLine)],
+        Markings = lanes.Has("markings") ? [.. lanes.List("markings").Select(ReadMarking)] : null,
     };
 
     private static LaneIndicators ReadIndicators(JsonFields values, JsonFields valid) =>
@@ -44,18 +45,32 @@ internal static class LanesParser
 
     private static LaneLineView ReadMarking(JsonFields marking)
     {
-        double[][] points = marking.Rows("points", 3);
-        double[][] inCamera = marking.Rows("inCamera", 3);
-        double[][] pixels = marking.Rows("pixels", 2);
-        bool?[] hidden = marking.OptionalTruths("hidden");
+        LaneLineView line = ReadLine(marking);
+        bool?[] painted = marking.OptionalTruths("painted");
+        return painted.Length != line.Points.Count
+            ? throw new DatasetFormatException("painted and points of a marking must be of one length.")
+            : line with
+            {
+                Points = [.. line.Points.Select((point, i) => point with { IsPainted = painted[i] == true })],
+                Paint = new MarkingPaint(
+                    marking.Name<MarkingStyle>("style"), marking.Name<MarkingColour>("colour"), marking.Number("widthMetres")),
+            };
+    }
+
+    private static LaneLineView ReadLine(JsonFields line)
+    {
+        double[][] points = line.Rows("points", 3);
+        double[][] inCamera = line.Rows("inCamera", 3);
+        double[][] pixels = line.Rows("pixels", 2);
+        bool?[] hidden = line.OptionalTruths("hidden");
         if (inCamera.Length != points.Length || pixels.Length != points.Length || hidden.Length != points.Length)
         {
-            throw new DatasetFormatException("points, inCamera, pixels and hidden of a marking must be of one length.");
+            throw new DatasetFormatException("points, inCamera, pixels and hidden of a boundary or marking must be of one length.");
         }
 
         return new LaneLineView(
-            marking.WholeNumber("index"),
-            marking.Text("side") == "left",
+            line.WholeNumber("index"),
+            line.Text("side") == "left",
             [
                 .. points.Select((point, i) => new LaneLinePoint(
                     Vector(point), Vector(inCamera[i]), new Vector2D(pixels[i][0], pixels[i][1]), hidden[i])),

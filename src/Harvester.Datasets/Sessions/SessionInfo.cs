@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
 using Harvester.Geometry.Cameras;
@@ -19,6 +20,12 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
 
     /// <summary>Whether it keeps the scenes that its labels were made from; null where it does not say.</summary>
     public bool? KeepsScenes { get; init; }
+
+    /// <summary>Frames that were begun and thrown away, by reason; empty for a session that was cut off.</summary>
+    public IReadOnlyList<KeyValuePair<string, int>> Discards { get; init; } = [];
+
+    /// <summary>Whether the game was frozen in a way that was given; false where both were tried, and in sessions of earlier versions.</summary>
+    public bool IsFreezeGiven { get; init; }
 
     /// <summary>The version of the format that this reader knows.</summary>
     private const int KnownFormatVersion = 1;
@@ -56,6 +63,9 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
         }
     }
 
+    private static KeyValuePair<string, int>[] DiscardsOf(JsonFields discards) =>
+        [.. discards.Names.Select(reason => KeyValuePair.Create(reason, discards.WholeNumber(reason)))];
+
     private static SessionInfo Read(JsonFields session)
     {
         int version = session.WholeNumber("formatVersion");
@@ -73,6 +83,8 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
             session.OptionalText("fault"))
         {
             KeepsScenes = session.Has("options") && session.Fields("options").Has("scenes") ? session.Fields("options").Truth("scenes") : null,
+            Discards = session.Has("counters") && session.Fields("counters").Has("discards") ? DiscardsOf(session.Fields("counters").Fields("discards")) : [],
+            IsFreezeGiven = session.Has("options") && session.Fields("options").OptionalText("freezeBy") is not (null or "auto"),
             Unchecked = session.Has("counters") && session.Has("start") ? [.. UncheckedOf(session)] : [],
         };
     }

@@ -24,7 +24,7 @@ public sealed class ClassStatistics
     /// <summary>Distance of the nearest, metres.</summary>
     public double NearestMetres => _distances.Least;
 
-    /// <summary>Median of the distances, metres, to 1/4096 of it: of an even number, the upper of the two in the middle.</summary>
+    /// <summary>Median of the distances, metres, to 1/4096 of it: of an even number, the mean of the two in the middle.</summary>
     public double MedianDistanceMetres => _distances.Median;
 
     /// <summary>Mean of the occluded fractions, where they were determined; null where none was.</summary>

@@ -23,26 +23,8 @@ internal sealed class QuantileSketch
     /// <summary>The least number. There must be one.</summary>
     public double Least { get; private set; } = double.PositiveInfinity;
 
-    /// <summary>
-    /// The median, of an even count the upper of the two in the middle: the mean of its bin, at most 1/4096 of it off. There must be a number.
-    /// </summary>
-    public double Median
-    {
-        get
-        {
-            int before = 0;
-            foreach ((int count, double sum) in _bins.Values)
-            {
-                before += count;
-                if (before > Count / 2)
-                {
-                    return sum / count;
-                }
-            }
-
-            throw new InvalidOperationException("There are no numbers.");
-        }
-    }
+    /// <summary>The median, of an even count the mean of the two in the middle; at most 1/4096 of it off. There must be a number.</summary>
+    public double Median => (At((Count - 1) / 2) + At(Count / 2)) / 2;
 
     /// <summary>Counts a number, finite and at least 0.</summary>
     public void Add(double value)
@@ -54,5 +36,21 @@ internal sealed class QuantileSketch
         _bins[bin] = (count + 1, sum + value);
         Count++;
         Least = Math.Min(Least, value);
+    }
+
+    /// <summary>The number at a place in the order, from 0: the mean of its bin.</summary>
+    private double At(int place)
+    {
+        int before = 0;
+        foreach ((int count, double sum) in _bins.Values)
+        {
+            before += count;
+            if (before > place)
+            {
+                return sum / count;
+            }
+        }
+
+        throw new InvalidOperationException("There are no numbers.");
     }
 }

@@ -53,7 +53,7 @@ public sealed class SessionStatistics
     public double LabelsPerFrame => Frames == 0 ? 0 : (double)Labels / Frames;
 
     /// <summary>Labels of what KITTI labels too: vehicles, people and other things that move, not signs and lights with their faces and heads.</summary>
-    public int LabelsAsKitti => _classes.Where(kind => KittiClasses.TypeOf(kind.Key) is not null).Sum(kind => kind.Value.Labels);
+    public int LabelsAsKitti => _classes.Where(kind => KittiClasses.Has(kind.Key)).Sum(kind => kind.Value.Labels);
 
     /// <summary>The same a frame; 0 without frames.</summary>
     public double LabelsAsKittiPerFrame => Frames == 0 ? 0 : (double)LabelsAsKitti / Frames;
@@ -92,10 +92,10 @@ public sealed class SessionStatistics
     public Histogram BoxAreas { get; } = new(0, 8 * 8, 16 * 16, 32 * 32, 64 * 64, 96 * 96, 128 * 128, 256 * 256, 512 * 512);
 
     /// <summary>Labels by truncated fraction.</summary>
-    public Histogram TruncatedFractions { get; } = Histogram.Even(1, FractionBins);
+    public Histogram TruncatedFractions { get; } = Histogram.Fractions(FractionBins);
 
     /// <summary>Labels by occluded fraction, where it was determined.</summary>
-    public Histogram OccludedFractions { get; } = Histogram.Even(1, FractionBins);
+    public Histogram OccludedFractions { get; } = Histogram.Fractions(FractionBins);
 
     private void Add(FrameLabel label)
     {

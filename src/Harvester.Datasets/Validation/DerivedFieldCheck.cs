@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Text.Json;
 using Harvester.Capture.Labels;
 using Harvester.Datasets.Json;
@@ -44,6 +45,13 @@ internal static class DerivedFieldCheck
         {
             yield return FormattableString.Invariant(
                 $"object {item.Id}: visibleFraction is {Text(visible)}, but (1 - truncatedFraction)(1 - occludedFraction) is {Text(item.VisibleFraction)}.");
+        }
+
+        // Labels of earlier versions do not list their boxes.
+        string[] boxes = fields.Has("boxes") ? [.. fields.Texts("boxes")] : [.. item.Boxes.Select(JsonName.Of)];
+        if (!boxes.SequenceEqual(item.Boxes.Select(JsonName.Of)))
+        {
+            yield return $"object {item.Id}: boxes is [{string.Join(", ", boxes)}], but the label has [{string.Join(", ", item.Boxes.Select(JsonName.Of))}].";
         }
 
         if (item.Space is { FacingAngleDegrees: >= 0 and <= 180 and var angle }

@@ -15,7 +15,7 @@ internal static class LanesCheck
 
     private static readonly Dictionary<string, IndicatorRange> Ranges = new(StringComparer.Ordinal)
     {
-        [NamedIndicators.Angle] = new IndicatorRange(-Math.PI, Math.PI, IndicatorRanges.Angle.InactiveValue),
+        [NamedIndicators.Angle] = IndicatorRanges.Angle,
         ["toMarkingL"] = IndicatorRanges.ToMarkingL,
         ["toMarkingM"] = IndicatorRanges.ToMarkingM,
         ["toMarkingR"] = IndicatorRanges.ToMarkingR,

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Labels;
@@ -27,6 +28,10 @@ internal static class MaskCheck
             if (bounds != item.Box2DVisible)
             {
                 yield return $"object {item.Id}: box2dVisible is {Text(item.Box2DVisible)}, but the bounds of its pixels in the mask are {Text(bounds)}.";
+            }
+            else if (bounds is null && item is { VisibleFraction: > 0, Parent: null })
+            {
+                yield return FormattableString.Invariant($"object {item.Id}: visibleFraction is {item.VisibleFraction:0.####}, but it has no pixel in the mask.");
             }
         }
     }

@@ -10,7 +10,7 @@ namespace Harvester.Datasets.Validation;
 internal static class ObjectCheck
 {
     /// <summary>Numbers in files are rounded; a hundredth of a pixel is more than that.</summary>
-    private const double RoundingPixels = 0.01;
+    internal const double RoundingPixels = 0.01;
 
     /// <summary>The box of visible pixels runs along pixel borders, so it may stand over the exact box by less than a pixel.</summary>
     private const double PixelBorder = 1;

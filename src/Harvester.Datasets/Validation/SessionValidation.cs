@@ -10,6 +10,12 @@ namespace Harvester.Datasets.Validation;
 /// <param name="Problems">All that is wrong, in the order of the files; empty for a good session.</param>
 public sealed record SessionValidation(SessionInfo? Info, int Frames, int Objects, IReadOnlyList<SessionProblem> Problems)
 {
+    /// <summary>Labels of which it is not known whether anything of the object is seen.</summary>
+    public int Undetermined { get; init; }
+
+    /// <summary>Ignore regions of objects of which it could not be determined whether they are seen.</summary>
+    public int UndeterminedRegions { get; init; }
+
     /// <summary>Whether nothing is wrong.</summary>
     public bool IsGood => Problems.Count == 0;
 }

@@ -21,6 +21,8 @@ public static class SessionValidator
         var scenes = new SceneCheck(session, info);
         int frames = 0;
         int objects = 0;
+        int undetermined = 0;
+        int undeterminedRegions = 0;
         foreach (LabelLine line in session.ReadLines())
         {
             cancellation.ThrowIfCancellationRequested();
@@ -29,6 +31,8 @@ public static class SessionValidator
             {
                 frames++;
                 objects += label.Objects.Count;
+                undetermined += label.Objects.Count(item => item.IsUndetermined);
+                undeterminedRegions += label.IgnoreRegions.Count(region => region.Reason == IgnoreReason.Undetermined);
                 found =
                 [
                     .. SizeProblems(label, info),
@@ -38,6 +42,7 @@ public static class SessionValidator
                     .. new[] { scenes.Problem(label) }.OfType<string>(),
                     .. DerivedFieldCheck.Problems(label, line.Text),
                     .. label.Lanes is { } lanes ? LanesCheck.Problems(lanes) : [],
+                    .. IgnoreRegionCheck.Problems(label),
                     .. label.Objects.SelectMany(item => ObjectCheck.Problems(item, label)),
                 ];
             }
@@ -52,7 +57,7 @@ public static class SessionValidator
                 SessionInfo.FileName, null, $"it counts {captured} captured frames, but {SessionReader.LabelsFile} has {frames} good lines."));
         }
 
-        return new SessionValidation(info, frames, objects, problems);
+        return new SessionValidation(info, frames, objects, problems) { Undetermined = undetermined, UndeterminedRegions = undeterminedRegions };
     }
 
     private static SessionInfo? ReadInfo(SessionReader session, List<SessionProblem> problems)

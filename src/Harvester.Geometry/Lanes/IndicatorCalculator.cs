@@ -12,10 +12,12 @@ public static class IndicatorCalculator
     /// <summary>Vehicles further ahead are not seen, metres: the thesis's range, and the value when there is none.</summary>
     public const double VehicleRange = 70;
 
+    /// <summary>The indicators on marking are valid up to so far outside the outermost lanes, metres where lanes are 4 m wide.</summary>
+    internal const double ReachOutsideTheRoad = 2.0;
+
     private const double InLaneReach = 1.5;
     private const double MarkingReachOfThreeLanes = 1.0;
     private const double MarkingReachOfFewerLanes = 1.2;
-    private const double ReachOutsideTheRoad = 2.0;
 
     /// <summary>Computes the indicators.</summary>
     /// <param name="angle">Heading of the road less that of the car, radians.</param>

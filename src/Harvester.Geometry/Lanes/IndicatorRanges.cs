@@ -1,3 +1,5 @@
+using System;
+
 namespace Harvester.Geometry.Lanes;
 
 /// <summary>
@@ -5,8 +7,11 @@ namespace Harvester.Geometry.Lanes;
 /// </summary>
 public static class IndicatorRanges
 {
-    /// <summary>Radians.</summary>
-    public static IndicatorRange Angle { get; } = new(-0.5, 0.5, 0);
+    /// <summary>
+    /// Radians. In sharp bends the road ahead turns by more than the half radian of Figure 15, which is what DeepDriving's normalisation
+    /// spans; nothing but <see cref="DeepDrivingNormalisation"/> cuts it.
+    /// </summary>
+    public static IndicatorRange Angle { get; } = new(-Math.PI, Math.PI, 0);
 
     /// <summary>Metres.</summary>
     public static IndicatorRange ToMarkingL { get; } = new(-7, -2.5, -7);

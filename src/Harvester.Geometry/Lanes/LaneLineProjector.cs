@@ -5,9 +5,12 @@ using Harvester.Geometry.Visibility;
 
 namespace Harvester.Geometry.Lanes;
 
-/// <summary>Brings markings into an image: cut at its border, with what is hidden told by rays.</summary>
+/// <summary>Brings lane boundaries and painted markings into an image: cut at its border, with what is hidden told by rays.</summary>
 public static class LaneLineProjector
 {
+    /// <summary>A ray to so much above the paint does not graze the road before it, metres.</summary>
+    private const double AboveRoad = 0.05;
+
     /// <summary>A ray to a point of the road meets the road about there; what it meets this much before hides the point, metres.</summary>
     private const double SurfaceTolerance = 0.3;
 
@@ -17,12 +20,12 @@ public static class LaneLineProjector
     /// <summary>Halvings of a piece of half a metre to two metres: to a millionth of a metre.</summary>
     private const int Halvings = 22;
 
-    /// <summary>Projects a marking.</summary>
+    /// <summary>Projects a line.</summary>
     /// <param name="camera">The camera.</param>
-    /// <param name="line">The marking.</param>
+    /// <param name="line">The line.</param>
     /// <param name="ignoredEntity">Handle of an entity that hides nothing, as the car that carries the camera; <see cref="RayHit.World"/> for none.</param>
     /// <param name="rays">What rays meet; null to leave open what is hidden.</param>
-    /// <returns>The runs of the marking within the image; none when it is not in view.</returns>
+    /// <returns>The runs of the line within the image; none when it is not in view.</returns>
     public static IReadOnlyList<LaneLineView> Project(Camera camera, LaneLine line, int ignoredEntity, IRayCaster? rays)
     {
         Guard.NotNull(camera, nameof(camera));
@@ -31,17 +34,18 @@ public static class LaneLineProjector
         var run = new List<LaneLinePoint>();
         for (int i = 0; i < line.Points.Count; i++)
         {
-            Vector3D point = line.Points[i];
+            Vector3D point = line.Points[i].World;
             bool isInside = IsInside(camera, point);
-            if (i > 0 && isInside != IsInside(camera, line.Points[i - 1]))
+            if (i > 0 && isInside != IsInside(camera, line.Points[i - 1].World))
             {
-                Vector3D border = isInside ? Border(camera, point, line.Points[i - 1]) : Border(camera, line.Points[i - 1], point);
-                run.Add(Seen(camera, border, ignoredEntity, rays));
+                LinePoint inner = isInside ? line.Points[i] : line.Points[i - 1];
+                LinePoint outer = isInside ? line.Points[i - 1] : line.Points[i];
+                run.Add(Seen(camera, line, inner with { World = Border(camera, inner.World, outer.World) }, ignoredEntity, rays));
             }
 
             if (isInside)
             {
-                run.Add(Seen(camera, point, ignoredEntity, rays));
+                run.Add(Seen(camera, line, line.Points[i], ignoredEntity, rays));
             }
             else
             {
@@ -53,11 +57,14 @@ public static class LaneLineProjector
         return views;
     }
 
+    /// <summary>The greatest number of rays that a marking may take: one for each point, and one for each place where it enters or leaves the image.</summary>
+    public static int MostRays(LaneLine line) => 2 * Guard.NotNull(line, nameof(line)).Points.Count;
+
     private static void Close(List<LaneLineView> views, LaneLine line, ref List<LaneLinePoint> run)
     {
         if (run.Count > 1)
         {
-            views.Add(new LaneLineView(line.Index, line.IsLeftOfCar, run));
+            views.Add(new LaneLineView(line.Index, line.IsLeftOfCar, run) { Paint = line.Paint });
         }
 
         run = [];
@@ -84,15 +91,19 @@ public static class LaneLineProjector
         return inside;
     }
 
-    private static LaneLinePoint Seen(Camera camera, Vector3D point, int ignoredEntity, IRayCaster? rays)
+    private static LaneLinePoint Seen(Camera camera, LaneLine line, LinePoint place, int ignoredEntity, IRayCaster? rays)
     {
-        Projection projection = camera.Project(point);
-        Vector3D toPoint = point - camera.Pose.Position;
+        Vector3D point = place.World;
+        bool? isHidden = rays is null ? null : IsHidden(camera.Pose.Position, point, line.Paint is not null, ignoredEntity, rays);
+        return new LaneLinePoint(point, camera.Pose.ToLocal(point), camera.Project(point).Pixel, isHidden) { IsPainted = place.IsPainted };
+    }
+
+    /// <summary>Whether a ray meets something before a point: one of paint lies on the road, one of a boundary about there.</summary>
+    private static bool IsHidden(Vector3D eye, Vector3D point, bool isOnRoad, int ignoredEntity, IRayCaster rays)
+    {
+        Vector3D toPoint = (isOnRoad ? point + new Vector3D(0, 0, AboveRoad) : point) - eye;
         double distance = toPoint.Length;
-        double clear = distance - Math.Max(SurfaceTolerance, SurfaceToleranceFraction * distance);
-        bool? isHidden = rays is null
-            ? null
-            : clear > 0 && rays.Cast(new Ray(camera.Pose.Position, toPoint), clear, ignoredEntity) is not null;
-        return new LaneLinePoint(point, camera.Pose.ToLocal(point), projection.Pixel, isHidden);
+        double clear = distance - (isOnRoad ? AboveRoad : Math.Max(SurfaceTolerance, SurfaceToleranceFraction * distance));
+        return clear > 0 && rays.Cast(new Ray(eye, toPoint), clear, ignoredEntity) is not null;
     }
 }

@@ -16,6 +16,9 @@ public sealed class RoadStretch
     /// <summary>A point this far beyond an end of a link is not beside it, metres: room for the bend between two links.</summary>
     private const double OvershootTolerance = 0.5;
 
+    /// <summary>What is further from the centre line is not on this road, metres: no carriageway of the game is so wide.</summary>
+    private const double FurthestBeside = 50;
+
     private readonly List<StretchPiece> _pieces;
 
     private RoadStretch(List<StretchPiece> pieces) => _pieces = pieces;
@@ -32,15 +35,18 @@ public sealed class RoadStretch
     /// <summary>Unrolls the road from where a car is on it.</summary>
     /// <param name="curves">The centre lines.</param>
     /// <param name="lanes">How wide the lanes are.</param>
+    /// <param name="junctions">How far junctions reach.</param>
     /// <param name="match">Where the car is; it has a road.</param>
     /// <param name="behind">How far back, metres; 0 or more.</param>
     /// <param name="ahead">How far ahead, metres; 0 or more.</param>
     /// <exception cref="ArgumentException">The match has no road.</exception>
-    public static RoadStretch Follow(RoadCurves curves, LaneModel lanes, RoadMatch match, double behind, double ahead)
+    public static RoadStretch Follow(
+        RoadCurves curves, LaneModel lanes, JunctionExtents junctions, RoadMatch match, double behind, double ahead)
     {
         Guard.NotNull(curves, nameof(curves));
         Guard.NotNull(lanes, nameof(lanes));
-        if (!match.HasRoad || PieceOf(curves, lanes, match.Link, match.IsForward, 0) is not { } own)
+        Guard.NotNull(junctions, nameof(junctions));
+        if (!match.HasRoad || PieceOf(curves, lanes, junctions, match.Link, match.IsForward, 0) is not { } own)
         {
             throw new ArgumentException("The car is on no road.", nameof(match));
         }
@@ -49,13 +55,13 @@ public sealed class RoadStretch
         var pieces = new List<StretchPiece> { own };
         var visited = new HashSet<int> { own.Link };
         while (pieces[pieces.Count - 1] is var last && last.EndStation < ahead
-            && Beyond(curves, lanes, last, atEnd: true) is { } next && visited.Add(next.Link))
+            && Beyond(curves, lanes, junctions, last, atEnd: true) is { } next && visited.Add(next.Link))
         {
             pieces.Add(next with { StartStation = last.EndStation });
         }
 
         while (pieces[0] is var first && first.StartStation > -behind
-            && Beyond(curves, lanes, first, atEnd: false) is { } previous && visited.Add(previous.Link))
+            && Beyond(curves, lanes, junctions, first, atEnd: false) is { } previous && visited.Add(previous.Link))
         {
             pieces.Insert(0, previous with { StartStation = first.StartStation - previous.Curve.Length });
         }
@@ -77,6 +83,12 @@ public sealed class RoadStretch
         return null;
     }
 
+    /// <summary>The point of the centre line at a station within the stretch, metres, world.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The station is beyond the stretch's ends.</exception>
+    public Vector3D PointAt(double station) => PieceAt(station) is { } piece
+        ? piece.Curve.PointAt(piece.ParameterAt(station))
+        : throw new ArgumentOutOfRangeException(nameof(station), station, "The stretch does not reach there.");
+
     /// <summary>Where a point of the world is on the road: beside the link that it is nearest to.</summary>
     /// <returns>Null when it is beside none of the stretch's links, or too far above or below them.</returns>
     public StretchPlace? Locate(Vector3D world)
@@ -86,6 +98,11 @@ public sealed class RoadStretch
         double nearest = double.PositiveInfinity;
         foreach (StretchPiece piece in _pieces)
         {
+            if (piece.Curve.IsBeyond(place, Math.Min(nearest, FurthestBeside)))
+            {
+                continue;
+            }
+
             double parameter = piece.Curve.ClosestParameter(place);
             Vector3D onLine = piece.Curve.PointAt(parameter);
             Vector2D direction = piece.DirectionAt(parameter);
@@ -102,7 +119,7 @@ public sealed class RoadStretch
         return found;
     }
 
-    private static StretchPiece? Beyond(RoadCurves curves, LaneModel lanes, StretchPiece piece, bool atEnd)
+    private static StretchPiece? Beyond(RoadCurves curves, LaneModel lanes, JunctionExtents junctions, StretchPiece piece, bool atEnd)
     {
         RoadLink link = curves.Network.Links[piece.Link];
         int node = piece.IsForward == atEnd ? link.To : link.From;
@@ -114,11 +131,26 @@ public sealed class RoadStretch
 
         // Leaving through the end of this piece means entering the next at the same node.
         bool startsHere = curves.Network.Links[next].From == node;
-        return PieceOf(curves, lanes, next, isForward: startsHere == atEnd, 0);
+        return PieceOf(curves, lanes, junctions, next, isForward: startsHere == atEnd, 0);
     }
 
-    private static StretchPiece? PieceOf(RoadCurves curves, LaneModel lanes, int link, bool isForward, double startStation) =>
-        lanes.LanesOf(link, isForward) is { } own
-            ? new StretchPiece(link, isForward, curves.Of(link), startStation, own.Section, own.LeftEdge, lanes.LanesOf(link, !isForward))
-            : null;
+    private static StretchPiece? PieceOf(
+        RoadCurves curves, LaneModel lanes, JunctionExtents junctions, int link, bool isForward, double startStation)
+    {
+        if (lanes.LanesOf(link, isForward) is not { } own)
+        {
+            return null;
+        }
+
+        (double fromStart, double fromEnd) = junctions.Of(link);
+        return new StretchPiece(
+            link,
+            isForward,
+            curves.Of(link),
+            startStation,
+            own.Section,
+            own.LeftEdge,
+            lanes.LanesOf(link, !isForward),
+            isForward ? (fromStart, fromEnd) : (fromEnd, fromStart));
+    }
 }

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Lanes;
@@ -10,6 +11,7 @@ namespace Harvester.Geometry.Lanes;
 /// <param name="Section">The lanes of the driven direction.</param>
 /// <param name="LeftEdge">Where the leftmost of them begins, metres to the right of the centre line in the driven direction.</param>
 /// <param name="Oncoming">The lanes of the other direction and where their leftmost (nearest the median, seen that way) begins; null for a one-way road.</param>
+/// <param name="Junctions">How far junctions reach into it from where the stretch enters it and from where it leaves it, metres.</param>
 public sealed record StretchPiece(
     int Link,
     bool IsForward,
@@ -17,10 +19,18 @@ public sealed record StretchPiece(
     double StartStation,
     LaneSection Section,
     double LeftEdge,
-    (LaneSection Section, double LeftEdge)? Oncoming)
+    (LaneSection Section, double LeftEdge)? Oncoming,
+    (double AtEntry, double AtExit) Junctions)
 {
+    /// <summary>A median narrower than this is a painted divide, metres.</summary>
+    private const double NoMedian = 0.05;
+
     /// <summary>Where the stretch leaves it, metres along the road from the car.</summary>
     public double EndStation => StartStation + Curve.Length;
+
+    /// <summary>Whether a station of the stretch lies in a junction, where there are no lanes.</summary>
+    public bool IsInJunction(double station) =>
+        station < StartStation + Junctions.AtEntry || station > EndStation - Junctions.AtExit;
 
     /// <summary>The curve's parameter at a station of the stretch.</summary>
     public double ParameterAt(double station) =>
@@ -45,4 +55,25 @@ public sealed record StretchPiece(
 
     /// <summary>The point at an offset to the right of the centre line as it is driven, metres, world.</summary>
     public Vector3D PointBeside(double parameter, double offset) => Curve.PointBeside(parameter, IsForward ? offset : -offset);
+
+    /// <summary>The boundaries of its lanes by their numbers, with their offsets to the right of the centre line as it is driven.</summary>
+    public IReadOnlyDictionary<int, double> Boundaries()
+    {
+        var boundaries = new Dictionary<int, double>();
+        for (int i = 0; i <= Section.LaneCount; i++)
+        {
+            boundaries.Add(i, LeftEdge + (i * Section.LaneWidth));
+        }
+
+        if (Oncoming is { } oncoming)
+        {
+            bool hasMedian = LeftEdge + oncoming.LeftEdge > NoMedian;
+            for (int i = hasMedian ? 0 : 1; i <= oncoming.Section.LaneCount; i++)
+            {
+                boundaries.Add(-i - 1, -(oncoming.LeftEdge + (i * oncoming.Section.LaneWidth)));
+            }
+        }
+
+        return boundaries;
+    }
 }

@@ -35,7 +35,7 @@ public sealed class AdaptivePixelMapper
     private int _openPixels;
     private MapCell? _current;
     private MapperPhase _phase = MapperPhase.FirstPlaces;
-    private UnmetTargets? _unmet;
+    private UnseenTargets? _unseen;
     private int _searches;
 
     /// <summary>Starts a map. No ray is cast before the first <see cref="Step"/>.</summary>
@@ -54,7 +54,6 @@ public sealed class AdaptivePixelMapper
         _targets = TargetOrder.ByNumber(Guard.NotNull(targets, nameof(targets)));
         _ignoredEntity = ignoredEntity;
         _rays = Guard.NotNull(rays, nameof(rays));
-        _samples = new PixelSamples(camera, _targets, ignoredEntity, rays);
         foreach (MapTarget target in _targets)
         {
             if (SilhouettePainter.DistanceOf(camera, target) - target.Cuboid.HalfExtents.Length > _options.RayReachMetres)
@@ -67,6 +66,7 @@ public sealed class AdaptivePixelMapper
             }
         }
 
+        _samples = new PixelSamples(camera, _views.ConvertAll(view => view.Target), ignoredEntity, rays);
         _views.ForEach(view => _openPixels += _samples.Open(view.Spans));
         _search = new FragmentSearch(camera, _views, _samples, _options.UnsearchedFraction);
         _examiner = new CellExaminer(_samples, _views, _options);
@@ -76,7 +76,7 @@ public sealed class AdaptivePixelMapper
     }
 
     /// <summary>The number of rays cast so far.</summary>
-    public int RaysCast => _samples.RaysCast + (_unmet?.RaysCast ?? 0);
+    public int RaysCast => _samples.RaysCast + (_unseen?.RaysCast ?? 0);
 
     /// <summary>Whether the map is as exact as the options ask for.</summary>
     public bool IsComplete => _phase == MapperPhase.Complete;
@@ -115,10 +115,10 @@ public sealed class AdaptivePixelMapper
             }
 
             _phase = MapperPhase.Probes;
-            _unmet = new UnmetTargets(_camera, _views, _samples, Paint(), _ignoredEntity, _rays);
+            _unseen = new UnseenTargets(_camera, _views, _samples, Paint(), _ignoredEntity, _rays);
         }
 
-        if (_unmet!.Step())
+        if (_unseen!.Step())
         {
             return true;
         }
@@ -131,19 +131,30 @@ public sealed class AdaptivePixelMapper
     public AdaptivePixelMap Finish()
     {
         InstanceMap map = Paint();
-        BoxClip.TakeBack(map, _samples, _targets);
-        List<MapTarget> drawn = [.. _beyondReach, .. _unmet?.Unmet ?? []];
-        new SilhouetteFallback(_camera, _samples).Draw(map, drawn, _targets);
-        var methods = new Dictionary<ushort, PixelMapMethod>();
-        _targets.ForEach(target => methods[target.Number] = PixelMapMethod.Rays);
-        drawn.ForEach(target => methods[target.Number] = PixelMapMethod.Silhouette);
+        Evidence.Demand(map, _samples, _targets);
         int resolution = 1;
         foreach ((_, MapCell cell) in Pending())
         {
             resolution = Math.Max(resolution, Math.Max(cell.Width, cell.Height));
         }
 
-        return new AdaptivePixelMap(map, RaysCast, IsComplete, resolution, _openPixels - _samples.PixelsCast, methods);
+        return new AdaptivePixelMap(map, RaysCast, IsComplete, resolution, _openPixels - _samples.PixelsCast, SightsIn(map));
+    }
+
+    private Dictionary<ushort, Sight> SightsIn(InstanceMap map)
+    {
+        var sights = new Dictionary<ushort, Sight>();
+        _targets.ForEach(target => sights[target.Number] = _unseen?.SightOf(target.Number) ?? Sight.NotAsked);
+        _beyondReach.ForEach(target => sights[target.Number] = Sight.Undetermined);
+        foreach (ushort number in new HashSet<ushort>(map.Ids))
+        {
+            if (number != 0)
+            {
+                sights[number] = Sight.Seen;
+            }
+        }
+
+        return sights;
     }
 
     private static double PriorityOf(MapCell cell, double weight) => WrongShare * cell.Width * cell.Height * weight;

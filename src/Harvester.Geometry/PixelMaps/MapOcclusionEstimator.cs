@@ -34,37 +34,37 @@ public sealed class MapOcclusionEstimator
 
     /// <summary>Estimates how much of a target is hidden.</summary>
     /// <param name="target">The target.</param>
-    /// <param name="method">How its pixels were come by; one drawn by its silhouette is compared with its silhouette and costs no rays.</param>
-    /// <returns>The estimate; method <see cref="OcclusionMethod.None"/> when it covers no pixel or nothing of it would show.</returns>
-    public OcclusionEstimate Estimate(MapTarget target, PixelMapMethod method)
+    /// <param name="sight">What the map's maker knows of it. Rays are cast only for one that is seen or unseen.</param>
+    /// <returns>The estimate; method <see cref="OcclusionMethod.None"/> when nothing of the object is in the image, or nothing is known of it.</returns>
+    public OcclusionEstimate Estimate(MapTarget target, Sight sight)
     {
-        if (Guard.NotNull(target, nameof(target)).Projection.Box is not { } box)
+        if (Guard.NotNull(target, nameof(target)).Projection.Box is not { } box || sight is Sight.NotAsked or Sight.Undetermined)
         {
-            return new OcclusionEstimate(0, 0, 0, OcclusionMethod.None);
+            return new OcclusionEstimate(0, 0, 0, OcclusionMethod.None) { Sight = sight };
         }
 
         var spans = new SilhouetteSpans(target.Projection.Silhouette, box, _camera.Image);
         int visible = VisiblePixels(target, spans);
         int others = spans.PixelCount - VisibleInSilhouette(target, spans);
-        double hidden = others;
         int cast = 0;
-        if (method == PixelMapMethod.Rays && others > 0)
+        int met = 0;
+        var probe = new EntityProbe(_camera, new TargetView(target, spans), _ignoredEntity, _rays);
+        foreach ((int column, int row) in probe.Spread(others > 0 ? _probes : 0, (c, r) => _map[c, r] == target.Number))
         {
-            int met = 0;
-            var probe = new EntityProbe(_camera, new TargetView(target, spans), _ignoredEntity, _rays);
-            foreach ((int column, int row) in probe.Spread(_probes, (c, r) => _map[c, r] == target.Number))
+            // Of an object without a visible pixel all is hidden, be it much or little.
+            if (met > 0 && visible == 0)
             {
-                cast++;
-                met += probe.Meets(column, row) ? 1 : 0;
+                break;
             }
 
-            hidden = cast == 0 ? 0 : (double)others * met / cast;
+            cast++;
+            met += probe.Meets(column, row) ? 1 : 0;
         }
 
-        OcclusionMethod named = method == PixelMapMethod.Rays ? OcclusionMethod.PixelMap : OcclusionMethod.Silhouettes;
+        double hidden = cast == 0 ? 0 : (double)others * met / cast;
         return visible + hidden > 0
-            ? new OcclusionEstimate(hidden / (visible + hidden), visible, cast, named)
-            : new OcclusionEstimate(0, 0, cast, OcclusionMethod.None);
+            ? new OcclusionEstimate(hidden / (visible + hidden), visible, cast, OcclusionMethod.PixelMap) { Sight = sight }
+            : new OcclusionEstimate(0, 0, cast, OcclusionMethod.None) { Sight = Sight.Unseen };
     }
 
     // An outline between rays may lie a pixel outside the silhouette, so all of the box is counted.

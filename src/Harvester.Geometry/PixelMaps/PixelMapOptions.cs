@@ -18,7 +18,7 @@ public sealed record PixelMapOptions
     /// <summary>How large a part of an object, as a share of its visible pixels, stands around each place that is asked whether more of it shows; greater than 0.</summary>
     public double UnsearchedFraction { get; init; } = 0.025;
 
-    /// <summary>Beyond this distance rays are known not to meet entities, which are then drawn by their cuboids; metres, greater than 0.</summary>
+    /// <summary>Beyond this distance rays are known not to meet entities, which are not looked for; metres, greater than 0.</summary>
     public double RayReachMetres { get; init; } = double.PositiveInfinity;
 
     internal PixelMapOptions Checked()

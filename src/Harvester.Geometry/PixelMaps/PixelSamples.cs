@@ -20,6 +20,7 @@ internal sealed class PixelSamples
     private readonly float[] _distances;
     private readonly bool[] _assumed;
     private readonly Dictionary<long, int> _between = [];
+    private readonly HashSet<int> _met = [];
 
     public PixelSamples(Camera camera, IReadOnlyList<MapTarget> targets, int ignoredEntity, IRayCaster rays)
     {
@@ -36,6 +37,9 @@ internal sealed class PixelSamples
     }
 
     public int RaysCast { get; private set; }
+
+    /// <summary>Whether any ray has met the object with a number.</summary>
+    public bool HasMet(int number) => _met.Contains(number);
 
     /// <summary>The number of pixels through whose centres a ray was cast.</summary>
     public int PixelsCast { get; private set; }
@@ -101,6 +105,7 @@ internal sealed class PixelSamples
             _ignoredEntity);
         RaysCast++;
         int number = hit is { Entity: not RayHit.World } seen && _numbers.TryGetValue(seen.Entity, out ushort own) ? own : 0;
+        _met.Add(number);
         if (place.FineX % Fine == 0 && place.FineY % Fine == 0)
         {
             int index = Index(place.FineX / Fine, place.FineY / Fine);

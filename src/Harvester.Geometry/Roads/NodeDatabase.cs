@@ -16,7 +16,6 @@ public sealed class NodeDatabase
 
     private readonly RoadCurves _curves;
     private readonly LaneModel _lanes;
-    private readonly JunctionDistances _junctions;
 
     /// <summary>Prepares the database.</summary>
     /// <param name="curves">The centre lines.</param>
@@ -25,7 +24,6 @@ public sealed class NodeDatabase
     {
         _curves = Guard.NotNull(curves, nameof(curves));
         _lanes = Guard.NotNull(lanes, nameof(lanes));
-        _junctions = new JunctionDistances(curves, furthest: double.Epsilon);
     }
 
     /// <summary>The entries in the order of the nodes, and of the links at each.</summary>
@@ -69,10 +67,11 @@ public sealed class NodeDatabase
         double innerEdge = oneWay ? 0 : (road.MedianWidth ?? 0) / 2;
         double rightEdge = RoadGeometry.MarkingOffset(road, road.LanesForward, width);
         double leftEdge = oneWay ? rightEdge : innerEdge + (road.LanesBackward * width);
-        bool isJunction = _junctions.IsJunction(node);
+        bool isJunction = JunctionExtents.IsJunction(network, node);
         return new NodeDatabaseEntry
         {
-            NodeId = ((long)place.Number << 16) + place.Area + 1,
+            Node = node,
+            NodeId = place.Area == RoadNode.NoArea ? null : ((long)place.Number << 16) + place.Area + 1,
             OnMarking = oneWay ? road.LanesForward % 2 == 0 : innerEdge == 0,
             OneWay = oneWay,
             LeftStart = place.Position - (right * innerEdge),

@@ -27,7 +27,6 @@ public sealed class RoadMatcher
     private readonly LaneModel _lanes;
     private readonly RoadMatcherOptions _options;
     private readonly RoadIndex _index;
-    private readonly JunctionDistances _junctions;
     private readonly double[] _reach;
     private readonly double _headingDeviation;
     private readonly double _largestHeadingError;
@@ -44,7 +43,7 @@ public sealed class RoadMatcher
         _options = options ?? new RoadMatcherOptions();
         _headingDeviation = Angles.ToRadians(_options.HeadingDeviationDegrees);
         _largestHeadingError = Angles.ToRadians(_options.LargestHeadingErrorDegrees);
-        _junctions = new JunctionDistances(curves, _options.JunctionReach);
+        Junctions = new JunctionExtents(curves, lanes);
         _reach = new double[_network.Links.Count];
         for (int i = 0; i < _reach.Length; i++)
         {
@@ -53,6 +52,9 @@ public sealed class RoadMatcher
 
         _index = new RoadIndex(curves, link => _reach[link]);
     }
+
+    /// <summary>How far the junctions of the network reach.</summary>
+    public JunctionExtents Junctions { get; }
 
     /// <summary>Matches one sight of a car.</summary>
     /// <param name="position">Metres, world, about at the height of the road.</param>
@@ -66,12 +68,14 @@ public sealed class RoadMatcher
         var forward = new Vector2D(-Math.Sin(heading), Math.Cos(heading));
         RoadCandidate? best = null;
         RoadCandidate? rival = null;
+        double crossing = double.PositiveInfinity; // What the best way through a junction costs, whichever road was followed.
         bool isRoadNear = false;
         ArraySegment<int> near = _index.Near(position);
         for (int i = near.Offset; i < near.Offset + near.Count; i++)
         {
             if (Candidate(near.Array![i], position, forward, previous, ref isRoadNear) is { } candidate)
             {
+                crossing = IsInJunction(candidate) ? Math.Min(crossing, candidate.CostOfPlace) : crossing;
                 if (best is null || candidate.Cost < best.Value.Cost)
                 {
                     rival = Rival(rival, best, candidate);
@@ -85,8 +89,28 @@ public sealed class RoadMatcher
         }
 
         return best is { } found && found.Cost < _options.CostOfUnknownRoad
-            ? Result(found, rival)
+            ? Result(Beside(found, position, forward, previous), rival, crossing)
             : new RoadMatch { Outcome = isRoadNear ? RoadMatchOutcome.NotAlongAnyRoad : RoadMatchOutcome.NoRoadNear };
+    }
+
+    /// <summary>The link of a road that a car is abreast of: where it is past the end of the link that fits best, the next one that it has not passed.</summary>
+    private RoadCandidate Beside(RoadCandidate found, Vector3D position, Vector2D forward, RoadMatch? previous)
+    {
+        for (int step = 0; step < LinksOfSameRoad && found.Overshoot != 0; step++)
+        {
+            int next = _curves.Continuations.Of(found.Link, beyondEnd: found.Overshoot > 0);
+            bool isRoadNear = false;
+            if (next == RoadContinuations.None
+                || Candidate(next, position, forward, previous, ref isRoadNear) is not { } beyond
+                || Math.Abs(beyond.Overshoot) >= Math.Abs(found.Overshoot))
+            {
+                break;
+            }
+
+            found = beyond;
+        }
+
+        return found;
     }
 
     /// <summary>The better of two candidates that are not the road that won.</summary>
@@ -118,6 +142,7 @@ public sealed class RoadMatcher
         along = isForward ? along : along * -1;
         double headingError = Math.Atan2(forward.Cross(along), forward.Dot(along));
         double right = -along.Cross(apart);
+        double overshoot = parameter is 0 or 1 ? along.Dot(apart) * (isForward ? 1 : -1) : 0;
         (LaneSection Section, double LeftEdge)? lanes = _lanes.LanesOf(link, isForward);
         if (lanes is not { } there)
         {
@@ -145,9 +170,8 @@ public sealed class RoadMatcher
             + Square(headingError / _headingDeviation)
             + Square(height)
             + Square(along.Dot(apart) / OvershootDeviation)
-            + (CostOfLaneEdge * Square(fromMiddle))
-            + CostOfHistory(link, isForward, previous);
-        return new RoadCandidate(link, isForward, parameter, there.Section, there.LeftEdge, offset, headingError, cost);
+            + (CostOfLaneEdge * Square(fromMiddle));
+        return new RoadCandidate(link, isForward, parameter, there.Section, there.LeftEdge, offset, headingError, overshoot, cost, cost + CostOfHistory(link, isForward, previous));
     }
 
     private double CostOfHistory(int link, bool isForward, RoadMatch? previous)
@@ -203,16 +227,15 @@ public sealed class RoadMatcher
         return false;
     }
 
-    private RoadMatch Result(RoadCandidate found, RoadCandidate? rival)
+    private RoadMatch Result(RoadCandidate found, RoadCandidate? rival, double crossing)
     {
         double unknown = Math.Exp((found.Cost - _options.CostOfUnknownRoad) / 2);
         double other = rival is { } second ? Math.Exp((found.Cost - second.Cost) / 2) : 0;
         double confidence = 1 / (1 + unknown + other);
         double width = found.Section.LaneCount * found.Section.LaneWidth;
         double outside = Math.Max(-found.Offset, found.Offset - width);
-        int? lane = outside > _options.EdgeTolerance ? null
+        int? lane = outside * found.Section.TorcsScale > _options.EdgeTolerance ? null
             : Math.Max(0, Math.Min(found.Section.LaneCount - 1, (int)Math.Floor(found.Offset / found.Section.LaneWidth)));
-        RoadCurve curve = _curves.Of(found.Link);
         return new RoadMatch
         {
             Outcome = lane is null ? RoadMatchOutcome.BesideTheLanes
@@ -227,9 +250,12 @@ public sealed class RoadMatcher
             Lane = lane,
             HeadingError = found.HeadingError,
             Confidence = confidence,
-            InJunction = _junctions.From(_network.Links[found.Link], curve.StationAt(found.Parameter), curve.Length) < _options.JunctionReach,
+            InJunction = IsInJunction(found) || crossing < found.CostOfPlace,
         };
     }
+
+    private bool IsInJunction(RoadCandidate candidate) =>
+        Junctions.Contains(candidate.Link, _curves.Of(candidate.Link).StationAt(candidate.Parameter));
 
     private double RightEdge(int link, bool isForward) =>
         _lanes.LanesOf(link, isForward) is { } lanes ? lanes.LeftEdge + (lanes.Section.LaneCount * lanes.Section.LaneWidth) : 0;

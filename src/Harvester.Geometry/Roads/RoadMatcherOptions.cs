@@ -1,3 +1,5 @@
+using Harvester.Geometry.Lanes;
+
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
@@ -23,11 +25,11 @@ public sealed record RoadMatcherOptions
     /// <summary>How far beside the carriageway a car still follows its road, metres.</summary>
     public double LargestDistanceBeside { get; init; } = 6;
 
-    /// <summary>A car that is less far beside its carriageway counts to the outermost lane, metres.</summary>
-    public double EdgeTolerance { get; init; } = 1;
-
-    /// <summary>Distance along the road from a junction within which lanes are not defined, metres.</summary>
-    public double JunctionReach { get; init; } = 15;
+    /// <summary>
+    /// A car that is less far beside its carriageway counts to the outermost lane, metres where lanes are 4 m wide, and in proportion
+    /// elsewhere: as far as the indicators on marking are valid.
+    /// </summary>
+    public double EdgeTolerance { get; init; } = IndicatorCalculator.ReachOutsideTheRoad;
 
     /// <summary>What leaving the road that was followed costs.</summary>
     public double CostOfLeaving { get; init; } = 6;

@@ -1,40 +1,29 @@
 using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.Visibility;
 
 /// <summary>
-/// Visibility by rays over a deterministic pattern: the points of a fixed low-discrepancy sequence (the R2 sequence, whose steps
-/// are the inverse powers of the plastic number) that fall on the cuboid's silhouette in the image. A sample counts where its ray meets the object itself; it is hidden when
-/// something lies nearer than the cuboid. Whether a hidden sample would have met the object is asked by a second ray that starts
-/// at the cuboid, so that the gaps between a cuboid and the object in it do not count.
+/// Visibility by rays through pixels spread evenly over the cuboid's silhouette in the image. A sample counts where its ray meets the
+/// object itself; it is hidden when something lies nearer than the cuboid. Whether a hidden sample would have met the object is asked by
+/// a second ray that starts at the cuboid, so that the gaps between a cuboid and the object in it do not count. An object that no sample
+/// is on is looked for with more rays: it may be thin, out of the image, or not met by rays.
 /// </summary>
 public sealed class OcclusionEstimator
 {
-    private const double PlasticNumber = 1.32471795724474602596;
-
-    /// <summary>How far outside the cuboid the second ray starts, metres, so that a surface on the cuboid's face is met.</summary>
-    private const double EntryMargin = 0.01;
-
-    /// <summary>How many points of the sequence are tried for each that is wanted, before a sliver of a silhouette is given up.</summary>
-    private const int TriesPerSample = 16;
+    /// <summary>Masts with an arm fill a twentieth of their cuboid's silhouette: so many times the usual 64 rays all miss them once in 500,000 times.</summary>
+    private const int MoreSamples = 4;
 
     private readonly int _samples;
 
     /// <summary>Makes an estimator.</summary>
-    /// <param name="samples">Points wanted on the silhouette; at least 1. The standard error is about 0.5 / √samples at worst.</param>
+    /// <param name="samples">Pixels of the silhouette wanted; at least 1. The standard error is about 0.5 / √samples at worst.</param>
     /// <exception cref="ArgumentOutOfRangeException">Fewer than 1 sample.</exception>
-    public OcclusionEstimator(int samples = 64)
-    {
-        if (samples < 1)
-        {
-            throw new ArgumentOutOfRangeException(nameof(samples), samples, "At least one sample is needed.");
-        }
+    public OcclusionEstimator(int samples = 64) => _samples = Guard.AtLeast(samples, 1, nameof(samples));
 
-        _samples = samples;
-    }
+    /// <summary>The greatest number of rays that one estimate may take.</summary>
+    public int MostRays => (2 * MoreSamples * _samples) + SightFinder.Probes;
 
     /// <summary>Estimates how much of an entity is hidden.</summary>
     /// <param name="camera">The camera.</param>
@@ -43,7 +32,10 @@ public sealed class OcclusionEstimator
     /// <param name="entity">The entity's handle.</param>
     /// <param name="ignoredEntity">Handle of an entity that hides nothing, as the car that carries the camera; <see cref="RayHit.World"/> for none.</param>
     /// <param name="rays">What rays meet.</param>
-    /// <returns>The estimate; method <see cref="OcclusionMethod.None"/> when nothing of the cuboid is in the image.</returns>
+    /// <returns>
+    /// The estimate; method <see cref="OcclusionMethod.None"/> when nothing of the object is in the image, which is then unseen, and when
+    /// rays do not meet it.
+    /// </returns>
     public OcclusionEstimate Estimate(
         Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)
     {
@@ -53,16 +45,22 @@ public sealed class OcclusionEstimator
         Guard.NotNull(rays, nameof(rays));
         if (projection.Box is not { } box)
         {
-            return new OcclusionEstimate(0, 0, 0, OcclusionMethod.None);
+            return new OcclusionEstimate(0, 0, 0, OcclusionMethod.None) { Sight = Sight.Unseen };
         }
 
+        var probe = new CuboidProbe(camera.Pose.Position, cuboid, entity, ignoredEntity, rays);
         int cast = 0;
         int visible = 0;
         int hidden = 0;
         int onCuboid = 0;
-        int nearerThanCuboid = 0;
-        foreach (Vector2D pixel in SamplePixels(projection, box))
+        int stopped = 0;
+        foreach (Vector2D pixel in SilhouetteSamples.Of(projection, box, MoreSamples * _samples))
         {
+            if (onCuboid >= _samples && (visible + hidden > 0 || stopped == onCuboid))
+            {
+                break;
+            }
+
             Ray ray = camera.RayThrough(pixel.X, pixel.Y);
             if (cuboid.Intersect(ray) is not { } span)
             {
@@ -71,53 +69,36 @@ public sealed class OcclusionEstimator
 
             onCuboid++;
             cast++;
-            RayHit? first = rays.Cast(ray, span.Exit + EntryMargin, ignoredEntity);
+            RayHit? first = rays.Cast(ray, span.Exit + CuboidProbe.Margin, ignoredEntity);
             if (first is { } hit && hit.Entity == entity)
             {
                 visible++;
-                continue;
             }
-
-            if (first is not { } blocker || blocker.Distance >= span.Entry)
+            else if (first is { } blocker && blocker.Distance < span.Entry)
             {
-                continue;
+                stopped++;
+                cast++;
+                hidden += probe.Meets(ray) ? 1 : 0;
             }
-
-            nearerThanCuboid++;
-            cast++;
-            double start = Math.Max(0, span.Entry - EntryMargin);
-            RayHit? second = rays.Cast(new Ray(ray.At(start), ray.Direction), span.Exit - start + EntryMargin, ignoredEntity);
-            hidden += second is { } own && own.Entity == entity ? 1 : 0;
         }
 
         int onObject = visible + hidden;
         if (onObject > 0)
         {
-            return new OcclusionEstimate((double)hidden / onObject, onObject, cast, OcclusionMethod.Rays);
+            return new OcclusionEstimate((double)hidden / onObject, onObject, cast, OcclusionMethod.Rays) { Sight = visible > 0 ? Sight.Seen : Sight.Unseen };
         }
 
-        return onCuboid == 0
-            ? new OcclusionEstimate(0, 0, cast, OcclusionMethod.None)
-            : new OcclusionEstimate((double)nearerThanCuboid / onCuboid, onCuboid, cast, OcclusionMethod.CuboidRays);
-    }
-
-    private IEnumerable<Vector2D> SamplePixels(CuboidProjection projection, Box2D box)
-    {
-        const double stepX = 1 / PlasticNumber;
-        const double stepY = 1 / (PlasticNumber * PlasticNumber);
-        int found = 0;
-        for (int i = 1; i <= _samples * TriesPerSample && found < _samples; i++)
+        if (onCuboid > 0 && stopped == onCuboid)
         {
-            var pixel = new Vector2D(
-                box.XMin + (box.Width * Fraction(0.5 + (i * stepX))),
-                box.YMin + (box.Height * Fraction(0.5 + (i * stepY))));
-            if (ConvexPolygon.Contains(projection.Silhouette, pixel))
-            {
-                found++;
-                yield return pixel;
-            }
+            return new OcclusionEstimate(1, onCuboid, cast, OcclusionMethod.CuboidRays) { Sight = Sight.Unseen };
         }
-    }
 
-    private static double Fraction(double value) => value - Math.Floor(value);
+        if (onCuboid == 0)
+        {
+            return new OcclusionEstimate(0, 0, 0, OcclusionMethod.None) { Sight = Sight.Unseen };
+        }
+
+        Sight sight = SightFinder.FindUnmet(probe, out int probes);
+        return new OcclusionEstimate(0, 0, cast + probes, OcclusionMethod.None) { Sight = sight };
+    }
 }

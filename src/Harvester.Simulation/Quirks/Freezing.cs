@@ -1,30 +1,54 @@
 using System;
+using Harvester.Capture.Ports;
 
 namespace Harvester.Simulation.Quirks;
 
-/// <summary>How time passes in a game that is frozen and let go: a frozen world may creep on for some ticks.</summary>
-internal sealed class Freezing(int seed, int mostCreepTicks)
+/// <summary>How time passes in a game that is frozen and let go, in either way, each with its quirks.</summary>
+internal sealed class Freezing(int seed, GameQuirks quirks)
 {
     /// <summary>Fast enough that traffic moves by centimetres a tick, too slow to be seen.</summary>
     private const double CreepingScale = 0.1;
 
+    /// <summary>For so many ticks a vehicle stays hidden where visibility changes, and for as many none is.</summary>
+    private const int VisibilityTicks = 8;
+
+    private static readonly FreezeQuirks None = new();
     private readonly Random _random = new(seed);
+    private FreezeQuirks _quirks = None;
     private int _creepTicksLeft;
+    private int _ticks;
+
+    public FreezeMethod Method { get; set; }
 
     public bool IsAsked { get; private set; }
 
-    public bool IsStanding => IsAsked && _creepTicksLeft == 0;
+    public bool IsStanding => IsAsked && _creepTicksLeft == 0 && !_quirks.NeverStands;
+
+    /// <summary>Whether a change of the camera must wait until the game goes on.</summary>
+    public bool HoldsCamera => _quirks.HoldsCamera;
+
+    /// <summary>Whether rain and the hour go on though the world is frozen.</summary>
+    public bool LetsWeatherGoOn => _quirks.LetsWeatherGoOn;
+
+    /// <summary>Whether a vehicle that is there is not shown.</summary>
+    public bool HidesVehicle => _quirks.ChangesVisibility && _ticks / VisibilityTicks % 2 == 1;
 
     public void Freeze()
     {
         if (!IsAsked)
         {
             IsAsked = true;
-            _creepTicksLeft = _random.Next(mostCreepTicks + 1);
+            _quirks = Method == FreezeMethod.Paused ? quirks.Paused : quirks.TimeScale;
+            _creepTicksLeft = _random.Next(_quirks.CreepTicks + 1);
+            _ticks = 0;
         }
     }
 
-    public void Unfreeze() => IsAsked = false;
+    public void Unfreeze()
+    {
+        IsAsked = false;
+        _quirks = None;
+    }
 
     /// <summary>Takes a tick.</summary>
     /// <returns>The speed of the world's time in it: 1 when it runs, 0 when it stands.</returns>
@@ -32,6 +56,7 @@ internal sealed class Freezing(int seed, int mostCreepTicks)
     {
         double scale = !IsAsked ? 1 : IsStanding ? 0 : CreepingScale;
         _creepTicksLeft -= IsAsked && _creepTicksLeft > 0 ? 1 : 0;
+        _ticks++;
         return scale;
     }
 }

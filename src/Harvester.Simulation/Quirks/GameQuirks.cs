@@ -12,11 +12,11 @@ public sealed record GameQuirks
     /// <summary>Whether the camera is reported as it was a tick ago.</summary>
     public bool IsCameraReportedLate { get; init; }
 
-    /// <summary>Whether the camera can be moved on its mount only while the game runs; a change asked of a frozen game takes after it.</summary>
-    public bool HoldsCameraWhileFrozen { get; init; }
+    /// <summary>In what the game's pause falls short.</summary>
+    public FreezeQuirks Paused { get; init; } = new();
 
-    /// <summary>The most ticks that a frozen world creeps on before it stands; how many they are differs from freeze to freeze.</summary>
-    public int CreepTicks { get; init; }
+    /// <summary>In what a time scale of 0 falls short.</summary>
+    public FreezeQuirks TimeScale { get; init; } = new();
 
     /// <summary>How often, of all readings of the entities, one of those read is gone right after it, 0 to 1. It comes back within a second.</summary>
     public double VanishingFraction { get; init; }

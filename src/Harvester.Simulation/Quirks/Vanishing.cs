@@ -28,12 +28,6 @@ internal sealed class Vanishing(int seed, double fraction)
         return true;
     }
 
-    /// <summary>Called in every tick.</summary>
-    /// <returns>Whether the entity is back.</returns>
-    public bool Tick(long gameFrame)
-    {
-        bool isBack = Handle != 0 && gameFrame >= _backAt;
-        Handle = isBack ? 0 : Handle;
-        return isBack;
-    }
+    /// <summary>Called in every tick: the entity comes back when its time is over.</summary>
+    public void Tick(long gameFrame) => Handle = gameFrame >= _backAt ? 0 : Handle;
 }

@@ -55,7 +55,6 @@ internal readonly record struct LaneLayout(int Forward, int Backward, double Lan
     /// <summary>The painted lines across the road, left to right.</summary>
     public IEnumerable<Marking> Markings()
     {
-        const double doubleLineHalf = 0.15;
         const double inset = 0.25;
         bool hasMedian = MedianWidth > 0;
         yield return new Marking(LeftEdge + inset, MarkingKind.Edge);
@@ -77,11 +76,14 @@ internal readonly record struct LaneLayout(int Forward, int Backward, double Lan
             {
                 yield return new Marking(0, MarkingKind.CentreDashed);
             }
+            else if (!hasMedian)
+            {
+                yield return new Marking(0, MarkingKind.CentreDouble);
+            }
             else
             {
-                double half = hasMedian ? MedianWidth / 2 : doubleLineHalf;
-                yield return new Marking(-half, MarkingKind.Centre);
-                yield return new Marking(half, MarkingKind.Centre);
+                yield return new Marking(-MedianWidth / 2, MarkingKind.Centre);
+                yield return new Marking(MedianWidth / 2, MarkingKind.Centre);
             }
 
             for (int i = 1; i < Forward; i++)

@@ -9,8 +9,11 @@ internal enum MarkingKind
     /// <summary>White and dashed, between lanes of one direction.</summary>
     LaneDashed,
 
-    /// <summary>Yellow and unbroken, between the directions.</summary>
+    /// <summary>Yellow and unbroken, along a median.</summary>
     Centre,
+
+    /// <summary>Two yellow unbroken lines side by side, between the directions where there is no median.</summary>
+    CentreDouble,
 
     /// <summary>Yellow and dashed, between the directions of a small road.</summary>
     CentreDashed,

@@ -1,29 +1,27 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Harvester.Geometry;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.World;
 
-/// <summary>Paints the lines along roads, stop lines and crossings for people. There are no lines where carriageways overlap.</summary>
-internal sealed class RoadPainter(RoadPlan plan, RoadIndex index, GroundMesh mesh)
+/// <summary>Paints the lines along roads, stop lines and crossings for people.</summary>
+internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintRun> runs, RoadIndex index, GroundMesh mesh)
 {
-    /// <summary>Paint lies this far above the asphalt, metres: enough to be drawn, too little to be seen as height.</summary>
-    private const double PaintHeight = 0.01;
-    private const double LineWidth = 0.15;
-    private const double DashLength = 3;
-    private const double DashPeriod = 9;
-    private const double PieceLength = 3;
     private const double CrossingDepth = 3.2;
 
     public void Paint()
     {
-        foreach (Road road in plan.Roads.Where(road => !road.IsInner && !road.IsUnpaved))
+        foreach (PaintRun run in runs)
         {
-            RoadRibbon ribbon = new(road, mesh);
-            foreach (Marking marking in road.Layout.Markings())
+            RoadRibbon ribbon = new(run.Road, mesh);
+            foreach ((double from, double to) in run.Pieces)
             {
-                PaintLine(road, ribbon, marking);
+                foreach ((double left, double right) in run.Marking.Stripes())
+                {
+                    Stripe(ribbon, from, to, left, right, run.Marking.IsYellow ? Palette.Yellow : Palette.White);
+                }
             }
         }
 
@@ -33,21 +31,6 @@ internal sealed class RoadPainter(RoadPlan plan, RoadIndex index, GroundMesh mes
             {
                 PaintStopLine(arm);
                 PaintCrossing(arm);
-            }
-        }
-    }
-
-    private void PaintLine(Road road, RoadRibbon ribbon, Marking marking)
-    {
-        double end = road.Length - road.EndTrim;
-        double period = marking.IsDashed ? DashPeriod : PieceLength;
-        double length = marking.IsDashed ? DashLength : PieceLength;
-        for (double from = road.StartTrim; from < end; from += period)
-        {
-            double to = Math.Min(from + length, end);
-            if (!index.IsOnAnother(road, road.Curve.OffsetAt((from + to) / 2, marking.Offset), 0))
-            {
-                Stripe(ribbon, from, to, marking.Offset - (LineWidth / 2), marking.Offset + (LineWidth / 2), marking.IsYellow ? Palette.Yellow : Palette.White);
             }
         }
     }
@@ -88,5 +71,5 @@ internal sealed class RoadPainter(RoadPlan plan, RoadIndex index, GroundMesh mes
     private static (double From, double To) Ordered(double a, double b) => (Math.Min(a, b), Math.Max(a, b));
 
     private static void Stripe(RoadRibbon ribbon, double from, double to, double left, double right, Rgb colour) =>
-        ribbon.LayBetween(from, to, new Rail(left, PaintHeight), new Rail(right, PaintHeight), colour, Surface.Matte);
+        ribbon.LayBetween(from, to, new Rail(left, PaintRun.Height), new Rail(right, PaintRun.Height), colour, Surface.Matte);
 }

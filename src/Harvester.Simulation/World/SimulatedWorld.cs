@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
 using Harvester.Simulation.Driving;
 using Harvester.Simulation.Models;
@@ -74,7 +75,9 @@ internal sealed class SimulatedWorld
         GroundMesh ground = new();
         terrain.Build(ground);
         new RoadSurfaces(plan, index, terrain, ground).Build();
-        new RoadPainter(plan, index, ground).Paint();
+        List<PaintRun> paint = [.. plan.Roads.Where(road => !road.IsInner && !road.IsUnpaved).SelectMany(road => PaintRun.Of(road, index))];
+        new RoadPainter(plan, paint, index, ground).Paint();
+        Paint = [.. paint.Select(run => run.Line())];
         Scene = new RenderScene([
             .. ground.Instances(),
             .. parked.Concat(scenery.Props).Select(prop => new MeshInstance(prop.Model.Variant(prop.Variant), prop.Pose, prop.Handle)),
@@ -87,6 +90,9 @@ internal sealed class SimulatedWorld
 
     public RenderScene Scene { get; }
 
+    /// <summary>The lines painted along the roads.</summary>
+    public IReadOnlyList<PaintedLine> Paint { get; }
+
     /// <summary>Seconds since the beginning.</summary>
     public double TimeSeconds { get; private set; }
 
@@ -95,7 +101,14 @@ internal sealed class SimulatedWorld
     /// <summary>The ego, to be driven from outside.</summary>
     public EgoCar Car { get; }
 
-    public EgoState EgoState => new(Ego.Handle, Ego.Model.Name, Ego.Pose, Ego.Velocity) { ModelMin = Ego.Model.Min, ModelMax = Ego.Model.Max };
+    public EgoState EgoState => new(Ego.Handle, Ego.Model.Name, Ego.Pose, Ego.Velocity)
+    {
+        ModelMin = Ego.Model.Min,
+        ModelMax = Ego.Model.Max,
+
+        // The wheels stand on the ground, at the lower end of the model's box.
+        HeightAboveGroundMetres = -Ego.Model.Min.Z / Ego.Pose.Axes.Up.Z,
+    };
 
     /// <summary>Whether the ego has to stop at a line ahead.</summary>
     public bool MustEgoGiveWay => _traffic.MustEgoGiveWay;
@@ -141,7 +154,10 @@ internal sealed class SimulatedWorld
     {
         double squared = range * range;
         IEnumerable<EntityState> vehicles = _vehicles.Skip(1).Where(vehicle => IsNear(vehicle.Pose)).Select(vehicle =>
-            new EntityState(vehicle.Handle, vehicle.Model.Class, vehicle.Model.Name, vehicle.Pose, vehicle.Model.Min, vehicle.Model.Max, vehicle.Velocity));
+            new EntityState(vehicle.Handle, vehicle.Model.Class, vehicle.Model.Name, vehicle.Pose, vehicle.Model.Min, vehicle.Model.Max, vehicle.Velocity)
+            {
+                HasRider = vehicle.Model.Class is ObjectClass.Motorcycle or ObjectClass.Bicycle ? true : null,
+            });
         IEnumerable<EntityState> walkers = _walkers.Where(walker => IsNear(walker.Pose)).Select(walker =>
             new EntityState(walker.Handle, walker.Model.Class, walker.Model.Name, walker.Pose, walker.Model.Min, walker.Model.Max, walker.Velocity));
         IEnumerable<EntityState> props = _entities.Where(prop => IsNear(prop.Pose)).Select(prop => prop.State);
@@ -151,6 +167,10 @@ internal sealed class SimulatedWorld
 
         bool IsNear(Pose pose) => (pose.Position - place).LengthSquared < squared;
     }
+
+    /// <summary>The handle of the vehicle nearest to a place, without the ego; 0 when there is none.</summary>
+    public int VehicleNearest(Vector3D place) =>
+        _vehicles.Skip(1).MinBy(vehicle => (vehicle.Pose.Position - place).LengthSquared)?.Handle ?? 0;
 
     /// <summary>The nearest street lamps and headlights, which light what is seen at night.</summary>
     public List<LightSource> LightsNear(Vector3D eye)

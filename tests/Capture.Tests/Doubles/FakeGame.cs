@@ -3,6 +3,7 @@ using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
+using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Visibility;
 
 namespace Harvester.Capture.Tests.Doubles;
@@ -17,6 +18,7 @@ internal sealed class FakeGame : IWorld, IRayCaster, IScreen, IPause, IClock
     public const double TicksPerSecond = 60;
 
     private readonly List<long> _shown = [0];
+    private IReadOnlyList<EntityState> _read = [];
     private bool _wantsFrozen;
     private int _ticksToFreeze;
 
@@ -52,8 +54,8 @@ internal sealed class FakeGame : IWorld, IRayCaster, IScreen, IPause, IClock
     /// <summary>Changes what the world reports, entity by entity.</summary>
     public Func<IReadOnlyList<EntityState>, IReadOnlyList<EntityState>> Entities { get; set; } = static entities => entities;
 
-    /// <summary>What rays meet.</summary>
-    public Func<Ray, double, int, RayHit?> Rays { get; set; } = static (_, _, _) => null;
+    /// <summary>What rays meet; null (default) for the cuboids of the entities.</summary>
+    public Func<Ray, double, int, RayHit?>? Rays { get; set; }
 
     /// <summary>The number of the world's state: it stands still while the world is frozen.</summary>
     public long State { get; private set; }
@@ -61,6 +63,8 @@ internal sealed class FakeGame : IWorld, IRayCaster, IScreen, IPause, IClock
     public bool IsFrozen => _wantsFrozen && _ticksToFreeze == 0;
 
     public bool WantsFrozen => _wantsFrozen;
+
+    public FreezeMethod Method { get; set; }
 
     public double Milliseconds { get; private set; }
 
@@ -134,7 +138,7 @@ internal sealed class FakeGame : IWorld, IRayCaster, IScreen, IPause, IClock
             new Vector3D(-1, -2.3, -0.6),
             new Vector3D(1, 2.3, 0.9),
             new Vector3D(0, 22, 0));
-        return Entities([car]);
+        return _read = Entities([car]);
     }
 
     public EnvironmentState ReadEnvironment()
@@ -147,7 +151,7 @@ internal sealed class FakeGame : IWorld, IRayCaster, IScreen, IPause, IClock
     {
         OnCall(nameof(Cast));
         Milliseconds += MillisecondsPerRay;
-        return Rays(ray, maxDistance, ignoredEntity);
+        return Rays is null ? FirstCuboid(ray, maxDistance) : Rays(ray, maxDistance, ignoredEntity);
     }
 
     public GrabResult Grab(PixelBuffer target)
@@ -174,6 +178,21 @@ internal sealed class FakeGame : IWorld, IRayCaster, IScreen, IPause, IClock
     {
         OnCall(nameof(Unfreeze));
         _wantsFrozen = false;
+    }
+
+    private RayHit? FirstCuboid(Ray ray, double maxDistance)
+    {
+        RayHit? first = null;
+        foreach (EntityState entity in _read)
+        {
+            if (Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose).Intersect(ray) is { } span
+                && span.Entry <= Math.Min(maxDistance, first?.Distance ?? maxDistance))
+            {
+                first = new RayHit(span.Entry, entity.Handle);
+            }
+        }
+
+        return first;
     }
 
     private long StateAgo(int ticks) => _shown[Math.Max(0, _shown.Count - 1 - ticks)];

@@ -10,6 +10,7 @@ public sealed class HarvestOptionsTests
         { "RateHz", options => options with { RateHz = double.NaN } },
         { "RateHz", options => options with { RateHz = double.PositiveInfinity } },
         { "RangeMetres", options => options with { RangeMetres = -1 } },
+        { "IgnoreRangeMetres", options => options with { IgnoreRangeMetres = -1 } },
         { "MinBoxAreaPixels", options => options with { MinBoxAreaPixels = -1 } },
         { "MinBoxSidePixels", options => options with { MinBoxSidePixels = double.NaN } },
         { "MaxOccludedFraction", options => options with { MaxOccludedFraction = 1.01 } },

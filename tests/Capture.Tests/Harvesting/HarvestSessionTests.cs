@@ -4,6 +4,7 @@ using Harvester.Capture.Scenes;
 using Harvester.Capture.Tests.Doubles;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Visibility;
 
 namespace Harvester.Capture.Tests.Harvesting;
 
@@ -207,16 +208,37 @@ public sealed class HarvestSessionTests
     }
 
     [Fact]
-    public void Step_reads_entities_around_the_camera_within_the_range()
+    public void Step_reads_entities_around_the_camera_as_far_as_they_are_marked()
     {
         var asked = new List<(Vector3D Centre, double Range)>();
         var game = new FakeGame();
         var world = new RecordingWorld(game, asked);
-        using var session = new HarvestSession(Small with { RangeMetres = 80, MaxFrames = 1 }, game.Ports with { World = world }, new MemorySink());
+        using var session = new HarvestSession(Small with { RangeMetres = 80, IgnoreRangeMetres = 90, MaxFrames = 1 }, game.Ports with { World = world }, new MemorySink());
 
         game.Run(session);
 
         Assert.NotEmpty(asked);
-        Assert.All(asked, query => Assert.Equal((new Vector3D(0, 0, 1.5), 80), query));
+        Assert.All(asked, query => Assert.Equal((new Vector3D(0, 0, 1.5), 90), query));
+    }
+
+    [Fact]
+    public void Frame_labels_what_is_within_the_range_and_marks_what_is_beyond()
+    {
+        // The car's origin is 12 m ahead and 2 m to the right of the camera; the bus is 40 m ahead.
+        var game = new FakeGame
+        {
+            Entities = cars => [.. cars, cars[0] with { Handle = 5, Class = ObjectClass.Bus, Pose = new Pose(new Vector3D(-2, 40, 0.6), Axes.Identity) }],
+            Rays = (ray, _, _) => new RayHit(ray.Direction.X > 0 ? 10 : 38, ray.Direction.X > 0 ? 101 : 5),
+        };
+        var sink = new MemorySink();
+        using var session = new HarvestSession(Small with { RangeMetres = 30, MinBoxAreaPixels = 0, MinBoxSidePixels = 0, MaxFrames = 1 }, game.Ports, sink);
+
+        game.Run(session);
+
+        CapturedFrame frame = Assert.Single(sink.Frames);
+        Assert.Equal([ObjectClass.Car], frame.Label.Objects.Select(item => item.Class));
+        Assert.Equal([(IgnoreReason.BeyondRange, ObjectClass.Bus)], frame.Label.IgnoreRegions.Select(region => (region.Reason, region.Class)));
+        Assert.Equal([101], frame.Scene!.Snapshot.Entities.Select(entity => entity.Handle));
+        Assert.Equal([(5, Sight.Seen)], frame.Scene.Distant.Select(distant => (distant.Entity.Handle, distant.Sight)));
     }
 }

@@ -42,7 +42,18 @@ public sealed class ImageEqualsLabelTests
             judged++;
             wrong += FakeGame.StateOf(frame.Picture) == FakeGame.StateAt(frame.Label.TimeSeconds) ? 0 : 1;
         };
-        var options = new HarvestOptions { Image = new ImageSize(8, 6), MaxFrames = FramesWanted, OcclusionSamples = 1, ProbeLag = false, MinBoxAreaPixels = 0, MinBoxSidePixels = 0 };
+        var options = new HarvestOptions
+        {
+            Image = new ImageSize(8, 6),
+            MaxFrames = FramesWanted,
+
+            // The car drives farther and farther away.
+            RangeMetres = 1e6,
+            OcclusionSamples = 1,
+            ProbeLag = false,
+            MinBoxAreaPixels = 0,
+            MinBoxSidePixels = 0,
+        };
         using var session = new HarvestSession(options, game.Ports, sink);
         for (int tick = 0; tick < 1_000_000 && !session.Step().IsOver; tick++)
         {

@@ -117,7 +117,7 @@ public sealed class LiveHarvestTests
     [Fact]
     public void Step_with_a_spent_budget_leaves_occlusion_open_and_keeps_boxes()
     {
-        var game = new FakeGame { MillisecondsPerRay = 3 };
+        var game = new FakeGame { MillisecondsPerRay = 3, Rays = static (_, _, _) => new RayHit(1, 101) };
         game.Entities = entities => [.. entities, entities[0] with { Handle = 102 }];
         var sink = new MemorySink();
         using var session = new HarvestSession(Live with { LiveLag = new PictureLag(0, 0), MaxFrames = 1 }, game.Ports, sink);
@@ -125,7 +125,7 @@ public sealed class LiveHarvestTests
         game.Run(session);
 
         // Four rays of 3 ms for the first object spend the 4 ms.
-        Assert.Equal([OcclusionMethod.CuboidRays, OcclusionMethod.None], sink.Frames[0].Label.Objects.Select(label => label.OcclusionMethod));
+        Assert.Equal([OcclusionMethod.Rays, OcclusionMethod.None], sink.Frames[0].Label.Objects.Select(label => label.OcclusionMethod));
         Assert.Equal([0, null], sink.Frames[0].Label.Objects.Select(label => label.OccludedFraction));
     }
 

@@ -88,8 +88,9 @@ public sealed class FrameLabellerTests
         // Seen past the near one's right edge: both have their middle 20 m away at x = 2, where the near one's edge at 1 m of 10 m ends.
         FrameLabelling labelling = Label(Options with { OcclusionSamples = 400 }, Near, Entity(21, 2, 20));
 
-        // The far near-face spans 52.5 to 57.5, the near one covers up to 55. The right side adds nothing, it is hidden by the near face.
-        Assert.InRange(labelling.Objects[1].OccludedFraction!.Value, 0.45, 0.6);
+        // The far near-face spans 52.5 to 57.5, the near one covers up to 55: of its 5 or 6 columns of pixels the centres of 2 or 3 are hidden.
+        // The right side adds nothing, it is hidden by the near face.
+        Assert.InRange(labelling.Objects[1].OccludedFraction!.Value, 2 / 5.0, 3 / 5.0);
     }
 
     [Fact]
@@ -123,19 +124,135 @@ public sealed class FrameLabellerTests
         Assert.True(labelling.Objects[0].Box2D.XMin < labelling.Objects[1].Box2D.XMin);
     }
 
+    [Fact]
+    public void Object_seen_beyond_the_range_is_an_ignore_region()
+    {
+        FrameLabelling labelling = LabelWithDistant(Options, [Near], [Entity(21, 10, 20)]);
+
+        // At 20 m, 1 m is 2.5 pixels: 11 m to the right is 50 + 27.5.
+        IgnoreRegion region = Assert.Single(labelling.IgnoreRegions);
+        Assert.Equal((IgnoreReason.BeyondRange, ObjectClass.Car), (region.Reason, region.Class));
+        Assert.Equal(77.5, region.Box2D.XMax, 9);
+        Assert.Equal(new Vector3D(10, 21, 0).Length, region.DistanceMetres, 9);
+        Assert.Equal([1], labelling.Objects.Select(label => label.Id));
+        Assert.Equal([20], labelling.Ids.Keys);
+        Assert.Equal((21, Sight.Seen), (Assert.Single(labelling.Distant).Entity.Handle, labelling.Distant[0].Sight));
+    }
+
+    [Fact]
+    public void Ignore_regions_are_the_nearest_first()
+    {
+        FrameLabelling labelling = LabelWithDistant(Options, [], [Entity(21, 10, 22), Entity(22, -10, 20)]);
+
+        Assert.Equal([22, 21], labelling.IgnoreRegions.Select(region => region.Box2D.XMin < 50 ? 22 : 21));
+    }
+
+    [Fact]
+    public void Object_hidden_beyond_the_range_is_no_ignore_region() =>
+        Assert.Empty(LabelWithDistant(Options, [Near], [Entity(21, 0, 30)]).IgnoreRegions);
+
+    [Fact]
+    public void Object_too_small_or_of_another_class_beyond_the_range_is_no_ignore_region() =>
+        Assert.Empty(LabelWithDistant(
+            Options with { Classes = [ObjectClass.Car] },
+            [],
+            [Entity(21, 0, 60), Entity(22, 10, 20) with { Class = ObjectClass.Bus }]).IgnoreRegions);
+
+    [Fact]
+    public void Object_beyond_the_range_that_no_ray_meets_is_an_undetermined_ignore_region()
+    {
+        var labeller = Labeller(Options, new CuboidRays([]), new ObjectRegistry(1));
+
+        IgnoreRegion region = Assert.Single(labeller.Label(Snapshot([]) with { Distant = [Near] }, static () => true).Last()!.IgnoreRegions);
+
+        Assert.Equal(IgnoreReason.Undetermined, region.Reason);
+    }
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Object_that_no_ray_meets_is_an_ignore_region_and_no_label(bool masks)
+    {
+        FrameLabelling labelling = Labeller(Options with { Masks = masks }, new CuboidRays([]), new ObjectRegistry(1)).Label(Snapshot([Near]), static () => true).Last()!;
+
+        Assert.Empty(labelling.Objects);
+        Assert.Equal((IgnoreReason.Undetermined, ObjectClass.Car), labelling.IgnoreRegions.Select(region => (region.Reason, region.Class)).Single());
+        Assert.Equal(Sight.Undetermined, Assert.Single(labelling.Occlusions).Sight);
+        Assert.True(labelling.Mask?.Ids.All(id => id == 0) ?? true);
+    }
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Object_beyond_the_reach_of_rays_is_an_ignore_region_without_rays(bool masks)
+    {
+        FrameLabelling labelling = Label(Options with { Masks = masks, RayReachMetres = 8 }, Near);
+
+        Assert.Empty(labelling.Objects);
+        Assert.Equal(IgnoreReason.Undetermined, Assert.Single(labelling.IgnoreRegions).Reason);
+        Assert.Equal(0, labelling.Rays!.Total);
+    }
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Object_of_which_only_empty_space_is_in_the_image_is_neither_label_nor_region(bool masks)
+    {
+        // The image ends at 10 m to the right at 10 m ahead. Rays meet the entity at its right end only, from 11 m on.
+        EntityState wide = Entity(20, 9, 10) with { ModelMax = new Vector3D(8, 1, 1) };
+        EntityState rightEnd = Entity(20, 16, 10) with { ModelMax = new Vector3D(1, 1, 1) };
+        FrameLabelling labelling = Labeller(Options with { Masks = masks, MaxOccludedFraction = 1 }, new CuboidRays([rightEnd]), new ObjectRegistry(1))
+            .Label(Snapshot([wide]), static () => true).Last()!;
+
+        Assert.Empty(labelling.Objects);
+        Assert.Empty(labelling.IgnoreRegions);
+    }
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void Rays_of_a_frame_are_counted_by_phase_and_bounded(bool masks)
+    {
+        EntityState[] entities = [.. Enumerable.Range(0, 12).Select(i => Entity(20 + i, (3 * i) - 18, 12 + i))];
+        EntityState distant = Entity(50, 6, 20);
+        int all = LabelWith(50_000).Total;
+        Assert.InRange(LabelWith(all / 2).Total, 1, all / 2);
+        Assert.Equal(0, LabelWith(0).Total);
+
+        RayCounts LabelWith(int budget)
+        {
+            var counted = new CountedRays(new CuboidRays([.. entities, distant]));
+            FrameLabelling labelling = Labeller(Options with { Masks = masks, RayBudget = budget }, counted, new ObjectRegistry(1))
+                .Label(Snapshot(entities) with { Distant = [distant] }, static () => true).Last()!;
+            RayCounts rays = labelling.Rays!;
+
+            Assert.Equal(counted.Count, rays.Total);
+            Assert.Equal(masks ? labelling.PixelMap!.RaysCast : 0, rays.Map);
+            Assert.Equal(budget == 50_000, labelling.Objects.All(label => !label.IsUndetermined) && rays.IgnoreRegions > 0);
+            return rays;
+        }
+    }
+
+    private static FrameLabelling LabelWithDistant(HarvestOptions options, EntityState[] entities, EntityState[] distant) =>
+        Labeller(options, new CuboidRays([.. entities, .. distant]), new ObjectRegistry(1))
+            .Label(Snapshot(entities) with { Distant = distant }, static () => true).Last()!;
+
     private static FrameLabelling Label(HarvestOptions options, params EntityState[] entities) => Label(options, new ObjectRegistry(1), entities);
 
     private static FrameLabelling Label(HarvestOptions options, ObjectRegistry registry, params EntityState[] entities)
     {
-        var snapshot = new SceneSnapshot(
-            0, 0,
-            new CameraState(new Pose(Vector3D.Zero, Axes.Identity), 90, 0.15, 1),
-            new EgoState(7, "blista", new Pose(Vector3D.Zero, Axes.Identity), Vector3D.Zero),
-            entities,
-            new EnvironmentState("clear", TimeSpan.Zero));
-        var labeller = new FrameLabeller(options, new CuboidRays(entities), registry);
-        return labeller.Label(snapshot, static () => true).Last()!;
+        return Labeller(options, new CuboidRays(entities), registry).Label(Snapshot(entities), static () => true).Last()!;
     }
+
+    private static FrameLabeller Labeller(HarvestOptions options, IRayCaster rays, ObjectRegistry registry) =>
+        new(options, new FrameRays(rays, options.RayBudget), registry);
+
+    private static SceneSnapshot Snapshot(EntityState[] entities) => new(
+        0, 0,
+        new CameraState(new Pose(Vector3D.Zero, Axes.Identity), 90, 0.15, 1),
+        new EgoState(7, "blista", new Pose(Vector3D.Zero, Axes.Identity), Vector3D.Zero),
+        entities,
+        new EnvironmentState("clear", TimeSpan.Zero));
 
     private static void AssertBox(Box2D expected, Box2D actual)
     {
@@ -153,5 +270,15 @@ public sealed class FrameLabellerTests
             .OrderBy(hit => hit.Span!.Value.Entry)
             .Select(hit => (RayHit?)new RayHit(hit.Span!.Value.Entry, hit.Handle))
             .FirstOrDefault();
+    }
+    private sealed class CountedRays(IRayCaster rays) : IRayCaster
+    {
+        public int Count { get; private set; }
+
+        public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
+        {
+            Count++;
+            return rays.Cast(ray, maxDistance, ignoredEntity);
+        }
     }
 }

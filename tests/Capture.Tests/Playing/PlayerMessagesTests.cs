@@ -10,7 +10,7 @@ public sealed class PlayerMessagesTests : IDisposable
     public void Dispose() => Directory.Delete(_folder, recursive: true);
 
     [Fact]
-    public void Tell_shows_and_logs_a_message_once_however_often_it_comes_at_once()
+    public void Tell_shows_and_logs_every_message_even_the_same_again()
     {
         var shown = new List<string>();
         var messages = new PlayerMessages(_folder, shown.Add, _clock);
@@ -20,9 +20,9 @@ public sealed class PlayerMessagesTests : IDisposable
         messages.Tell("two");
         messages.Tell("one");
 
-        Assert.Equal(["GtaDataHarvester: one", "GtaDataHarvester: two", "GtaDataHarvester: one"], shown);
+        Assert.Equal(["GtaDataHarvester: one", "GtaDataHarvester: one", "GtaDataHarvester: two", "GtaDataHarvester: one"], shown);
         messages.Wait(Timeout.InfiniteTimeSpan);
-        Assert.Equal(3, File.ReadAllLines(Path.Combine(_folder, "GtaDataHarvester.log")).Length);
+        Assert.Equal(4, File.ReadAllLines(Path.Combine(_folder, "GtaDataHarvester.log")).Length);
     }
 
     [Fact]

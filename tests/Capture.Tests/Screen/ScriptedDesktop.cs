@@ -12,6 +12,8 @@ internal sealed class ScriptedDesktop : IDesktop
 
     public bool IsMinimised { get; set; }
 
+    public DisplayFacts Facts { get; set; }
+
     public bool CanCopy { get; set; } = true;
 
     public bool IsBlack { get; set; }
@@ -21,6 +23,8 @@ internal sealed class ScriptedDesktop : IDesktop
     public DesktopView Observe() => new(
         [new TopLevelWindow(1, Process, IsApplication: true, IsMinimised, ShowsNothing: false, Client, Client, Client.Area)],
         [new PixelRectangle(-1000, 0, 1000, 1000)]);
+
+    public DisplayFacts FactsOf(long window) => Facts;
 
     public bool TryCopy(PixelRectangle area, PixelBuffer target)
     {

@@ -1,5 +1,6 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Imaging;
+using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Capture.Settings;
 using Harvester.Geometry.Cameras;
@@ -11,7 +12,7 @@ public sealed class HarvestSettingsTests
     [Fact]
     public void Empty_file_gives_the_defaults()
     {
-        Assert.Equal(new HarvestOptions(), HarvestSettings.Read(IniFile.Read(TextReader.Null)));
+        Assert.Equal(Defaults, HarvestSettings.Read(IniFile.Read(TextReader.Null)));
     }
 
     [Fact]
@@ -21,13 +22,16 @@ public sealed class HarvestSettingsTests
             [Harvest]
             Width = 280
             Height = 210
-            Format = bmp
+            ImageFormat = jpeg
+            JpegQuality = 80
             Rate = 2.5
             Range = 70
+            IgnoreRange = 140
             Classes = car, bus
             Mode = Live
+            Freeze = timeScale
             Masks = On
-            MaskRays = 3000
+            Rays = 3000
             RayReach = 120.5
             OcclusionRays = 9
             ProbeLag = Off
@@ -49,13 +53,16 @@ public sealed class HarvestSettingsTests
         var expected = new HarvestOptions
         {
             Image = new ImageSize(280, 210),
-            Format = ImageFormat.Bmp,
+            Format = ImageFormat.Jpeg,
+            JpegQuality = 80,
             RateHz = 2.5,
             RangeMetres = 70,
+            IgnoreRangeMetres = 140,
             Classes = options.Classes,
             Freeze = false,
+            FreezeBy = FreezeMethod.TimeScale,
             Masks = true,
-            MaskRayBudget = 3000,
+            RayBudget = 3000,
             RayReachMetres = 120.5,
             OcclusionSamples = 9,
             ProbeLag = false,
@@ -68,6 +75,13 @@ public sealed class HarvestSettingsTests
         Assert.Equal(expected, options);
     }
 
+    [Theory]
+    [InlineData("Paused", FreezeMethod.Paused)]
+    [InlineData("TimeScale", FreezeMethod.TimeScale)]
+    [InlineData("Auto", null)]
+    public void Freeze_names_a_way_or_leaves_the_choice_to_a_trial(string value, FreezeMethod? expected) =>
+        Assert.Equal(expected, HarvestSettings.Read(Read($"[Harvest]\nFreeze = {value}\n")).FreezeBy);
+
     [Fact]
     public void Error_of_the_lens_of_zero_means_that_it_is_not_checked()
     {
@@ -78,11 +92,14 @@ public sealed class HarvestSettingsTests
     public void Bad_setting_names_its_line_and_what_is_expected()
     {
         IniFile ini = Read("[Harvest]\nMode = Freezing\nClasses = car, lorry\n");
-        Assert.Equal(new HarvestOptions(), HarvestSettings.Read(ini));
+        Assert.Equal(Defaults, HarvestSettings.Read(ini));
 
         Assert.Equal("Line 2: Mode = Freezing is not Freeze or Live; the default is used.", ini.Complaints[0]);
         Assert.StartsWith("Line 3: Classes = car, lorry is not a list of Car, Truck, Bus", ini.Complaints[1], StringComparison.Ordinal);
     }
+
+    /// <summary>A player's game is frozen in the way that a trial finds better; for a program, the way is paused unless it says otherwise.</summary>
+    private static HarvestOptions Defaults => new() { FreezeBy = null };
 
     private static IniFile Read(string text) => IniFile.Read(new StringReader(text));
 }

@@ -27,6 +27,21 @@ public sealed class IniFileTests
     }
 
     [Fact]
+    public void Changes_are_the_values_asked_for_that_are_not_the_default_in_the_order_of_lines()
+    {
+        IniFile ini = Read("[S]\nText = other\nSame = 5.0\nFormat = bmp\nBad = x\nClasses = bus, car\nAlike = car, bus\nUnasked = 1\nEmpty =\n");
+        ini.Choices<ObjectClass>("S", "Alike", [ObjectClass.Car, ObjectClass.Bus], "classes");
+        ini.Choices<ObjectClass>("S", "Classes", [ObjectClass.Car, ObjectClass.Bus], "classes");
+        ini.Choice("S", "Format", ImageFormat.Png, "PNG or BMP");
+        ini.Number("S", "Same", 5, 0, 10);
+        ini.Number("S", "Bad", 5, 0, 10);
+        ini.Text("S", "Text", "one");
+        ini.Text("S", "Empty", "full");
+
+        Assert.Equal(["[S] Text = other", "[S] Format = bmp", "[S] Classes = bus, car"], ini.Changes);
+    }
+
+    [Fact]
     public void Number_is_read_the_same_in_every_culture()
     {
         CultureInfo before = CultureInfo.CurrentCulture;
@@ -76,7 +91,7 @@ public sealed class IniFileTests
     [InlineData("BMP", ImageFormat.Bmp, 0)]
     [InlineData("1", ImageFormat.Png, 1)]
     [InlineData("png,bmp", ImageFormat.Png, 1)]
-    [InlineData("jpeg", ImageFormat.Png, 1)]
+    [InlineData("tiff", ImageFormat.Png, 1)]
     public void Choice_takes_names_only(string text, ImageFormat expected, int complaints)
     {
         IniFile ini = Read($"[S]\nA = {text}\n");

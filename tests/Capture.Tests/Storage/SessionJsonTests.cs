@@ -1,4 +1,6 @@
+using System.Text.Json;
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
 using Harvester.Capture.Storage;
 using Harvester.Geometry;
@@ -42,15 +44,23 @@ public sealed class SessionJsonTests
               "image": {
                 "width": 100,
                 "height": 100,
-                "format": "png"
+                "format": "png",
+                "quality": null
+              },
+              "boxes": {
+                "visible": "box2dVisible",
+                "amodal": "box2dAmodal",
+                "cuboid": "box2d"
               },
               "options": {
                 "rateHz": 10,
                 "rangeMetres": 150,
+                "ignoreRangeMetres": 300,
                 "freeze": true,
+                "freezeBy": "paused",
                 "masks": false,
                 "scenes": true,
-                "maskRayBudget": 50000,
+                "rayBudget": 50000,
                 "rayReachMetres": 1000,
                 "minBoxAreaPixels": 16,
                 "minBoxSidePixels": 2,
@@ -113,6 +123,42 @@ public sealed class SessionJsonTests
 
             """.ReplaceLineEndings("\n"),
             SessionJson.Text(finished));
+    }
+
+    [Fact]
+    public void Text_tells_which_ways_of_freezing_were_tried_and_what_they_did()
+    {
+        FreezeReport freezing = FreezeReport.Of(
+        [
+            new FreezeFinding(FreezeMethod.Paused, true, null),
+            new FreezeFinding(FreezeMethod.TimeScale, false, 3) { HoldsEnvironment = false, MovesCamera = true, PictureChange = 0.12345 },
+        ]);
+        string text = SessionJson.Text(Recording with
+        {
+            Start = Recording.Start with { Options = Recording.Start.Options with { FreezeBy = null }, Freezing = freezing },
+        });
+
+        JsonElement json = JsonDocument.Parse(text).RootElement;
+        Assert.Equal("auto", json.GetProperty("options").GetProperty("freezeBy").GetString());
+        JsonElement start = json.GetProperty("start").GetProperty("freezing");
+        Assert.Equal("timeScale", start.GetProperty("used").GetString());
+        Assert.Equal(
+            [
+                """{"method":"paused","sawMovement":true,"settleTicks":null,"holdsEnvironment":null,"movesCamera":null,"pictureChange":null}""",
+                """{"method":"timeScale","sawMovement":false,"settleTicks":3,"holdsEnvironment":false,"movesCamera":true,"pictureChange":0.1235}""",
+            ],
+            start.GetProperty("tried").EnumerateArray().Select(tried => JsonSerializer.Serialize(tried)));
+    }
+
+    [Fact]
+    public void Text_says_how_well_the_game_could_be_read_where_that_is_known()
+    {
+        var end = new SessionEnd(99, 1.5, 3, [], [], null, null) { Reading = new ReadingReport(ListSource.Api, ListSource.Natives, ListSource.Api, 2) };
+
+        Assert.EndsWith(
+            ",\n  \"reading\": {\n    \"vehicles\": \"api\",\n    \"peds\": \"natives\",\n    \"props\": \"api\",\n    \"distortedEntities\": 2\n  }\n}\n",
+            SessionJson.Text(Recording with { End = end }),
+            StringComparison.Ordinal);
     }
 
     [Fact]

@@ -1,16 +1,11 @@
+using System.Text.RegularExpressions;
 using Harvester.Datasets.Exports;
 
 namespace Harvester.Cli.Tests.Commands;
 
-public sealed class ExportCommandTests : IDisposable
+public sealed class ExportCommandTests(SmallSession session) : IClassFixture<SmallSession>, IDisposable
 {
     private readonly TemporaryFolder _folder = new();
-
-    public ExportCommandTests()
-    {
-        Directory.CreateDirectory(_folder.PathOf("session"));
-        _folder.File("session/session.json", """{ "formatVersion": 1, "game": "simulation", "image": { "width": 80, "height": 60 }, "counters": { "captured": 0 } }""");
-    }
 
     public void Dispose() => _folder.Dispose();
 
@@ -21,11 +16,63 @@ public sealed class ExportCommandTests : IDisposable
     [InlineData("csv", "objects.csv")]
     public void Export_writes_a_dataset(string format, string file)
     {
-        CliRun run = CliRun.Of("export", _folder.PathOf("session"), "--format", format, "--out", _folder.PathOf("out"));
+        CliRun run = CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"));
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.Equal($"{_folder.PathOf("out")}: {format}, 0 frames (train 0), 0 of 0 labels written\n", run.Out);
+        Assert.Matches($"^{Regex.Escape(_folder.PathOf("out"))}: {format}, 2 frames \\(train 2\\), [0-9]+ of [0-9]+ labels written\n$", run.Out);
         Assert.True(File.Exists(_folder.PathOf("out/" + file)));
+    }
+
+    [Theory]
+    [InlineData("kitti", "bus=Bus", "--map: kitti has no class 'Bus'. It has Car, Van, Truck,")]
+    [InlineData("cityscapes", "bus=Bus", "--map: cityscapes has no class 'Bus'. It has unlabeled, ")]
+    [InlineData("kitti", "bus=DontCare", "--map: kitti has no class 'DontCare'.")]
+    public void Name_that_the_format_does_not_have_is_refused(string format, string map, string message) =>
+        CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"), "--map", map).AssertFailed(ExitCode.Usage, message);
+
+    [Theory]
+    [InlineData("kitti", "other=Misc")]
+    [InlineData("kitti-tracking", "other=Misc")]
+    [InlineData("coco", "car=auto")]
+    [InlineData("coco-panoptic", "car=auto")]
+    [InlineData("yolo", "car=auto")]
+    [InlineData("yolo-segment", "car=auto")]
+    [InlineData("voc", "car=auto")]
+    [InlineData("cityscapes", "other=static")]
+    [InlineData("csv", "car=auto")]
+    public void Name_that_the_format_has_is_taken(string format, string map)
+    {
+        CliRun run = CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"), "--map", map);
+
+        Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
+    }
+
+    [Theory]
+    [InlineData("tusimple")]
+    [InlineData("openlane")]
+    [InlineData("deepdriving")]
+    [InlineData("webdataset")]
+    public void Names_do_nothing_in_formats_without_classes_of_their_own(string format) =>
+        CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"), "--map", "car=auto")
+            .AssertFailed(ExitCode.Usage, $"--map does nothing in {format}. It is for kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, csv.");
+
+    [Fact]
+    public void Subclass_that_is_not_known_is_refused() =>
+        CliRun.Of("export", session.Folder, "--format", "yolo", "--out", _folder.PathOf("out"), "--subclasses", "colour")
+            .AssertFailed(ExitCode.Usage, "--subclasses takes mutcd, light or both with a comma, not 'colour'.");
+
+    [Fact]
+    public void Summary_says_how_many_regions_are_ignored()
+    {
+        var result = new ExportResult(DatasetFormats.Find("kitti")!, 4, IsFinished: true)
+        {
+            Labels = 20,
+            Objects = 12,
+            Ignored = 3,
+            FramesOfSplits = new Dictionary<string, int> { ["train"] = 4 },
+        };
+
+        Assert.Equal("out: kitti, 4 frames (train 4), 12 of 20 labels written, 3 regions marked as ignored", ExportSummary.Of("out", result));
     }
 
     [Fact]
@@ -45,7 +92,7 @@ public sealed class ExportCommandTests : IDisposable
     {
         foreach (string shard in (string[])["1/2", "2/2"])
         {
-            CliRun run = CliRun.Of("export", _folder.PathOf("session"), "--format", "csv", "--out", _folder.PathOf("shards"), "--shard", shard);
+            CliRun run = CliRun.Of("export", session.Folder, "--format", "csv", "--out", _folder.PathOf("shards"), "--shard", shard);
             Assert.Contains($"shard {shard} of csv", run.Out, StringComparison.Ordinal);
         }
 
@@ -62,25 +109,30 @@ public sealed class ExportCommandTests : IDisposable
     [InlineData("--classes", "cars", "--classes takes some of car, ")]
     [InlineData("--min-visible", "2", "--min-visible takes a number from 0 to 1")]
     [InlineData("--shard", "3/2", "--shard takes a shard as 1/8")]
+    [InlineData("--map", "cars=Car", "--map takes classes with names, as bus=Car,truck=Car, not 'cars=Car'.")]
+    [InlineData("--map", "car=", "--map takes classes with names, as bus=Car,truck=Car, not 'car='.")]
+    [InlineData("--map", "car=A,car=B", "--map names car twice.")]
     public void Export_with_an_option_that_makes_no_sense_says_what_it_takes(string option, string value, string message)
     {
         string[] format = option == "--format" ? [] : ["--format", "csv"];
 
-        CliRun.Of(["export", _folder.PathOf("session"), "--out", _folder.PathOf("out"), .. format, option, value]).AssertFailed(ExitCode.Usage, message);
+        CliRun.Of(["export", session.Folder, "--out", _folder.PathOf("out"), .. format, option, value]).AssertFailed(ExitCode.Usage, message);
     }
 
     [Theory]
     [InlineData("--segmentation", "polygon", "coco")]
     [InlineData("--classes", "car", "kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, webdataset, csv")]
     [InlineData("--min-visible", "0.2", "kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, webdataset, csv")]
-    [InlineData("--parts", "none", "coco, yolo, voc, webdataset, csv")]
+    [InlineData("--parts", "none", "coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, webdataset, csv")]
+    [InlineData("--boxes", "cuboid", "kitti, kitti-tracking, coco, yolo, voc")]
+    [InlineData("--subclasses", "mutcd,light", "coco, coco-panoptic, yolo, yolo-segment, voc")]
     [InlineData("--images", "copy", "kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, tusimple, openlane, csv")]
     [InlineData("--split-block", "10", "kitti, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, deepdriving, tusimple, openlane, webdataset, csv")]
     public void Export_takes_an_option_with_the_formats_only_in_which_it_does_something(string option, string value, string formats)
     {
         foreach (string format in DatasetFormats.All.Select(format => format.Name))
         {
-            CliRun run = CliRun.Of("export", _folder.PathOf("session"), "--out", _folder.PathOf(format), "--format", format, option, value);
+            CliRun run = CliRun.Of("export", session.Folder, "--out", _folder.PathOf(format), "--format", format, option, value);
             if (formats.Split(", ").Contains(format))
             {
                 Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
@@ -96,8 +148,8 @@ public sealed class ExportCommandTests : IDisposable
     [Fact]
     public void Export_of_a_session_that_is_named_twice_is_refused()
     {
-        CliRun.Of("export", _folder.PathOf("session"), _folder.PathOf("session/"), "--format", "csv", "--out", _folder.PathOf("out"))
-            .AssertFailed(ExitCode.Usage, $"'{_folder.PathOf("session")}' is named twice");
+        CliRun.Of("export", session.Folder, session.Folder + "/", "--format", "csv", "--out", _folder.PathOf("out"))
+            .AssertFailed(ExitCode.Usage, $"'{session.Folder}' is named twice");
 
         Assert.False(Directory.Exists(_folder.PathOf("out")));
     }
@@ -111,14 +163,14 @@ public sealed class ExportCommandTests : IDisposable
     {
         foreach (string shard in (string[])["1/2", "2/2"])
         {
-            CliRun.Of("export", _folder.PathOf("session"), "--format", "csv", "--out", _folder.PathOf("shards"), "--shard", shard);
+            CliRun.Of("export", session.Folder, "--format", "csv", "--out", _folder.PathOf("shards"), "--shard", shard);
         }
 
-        string[] words = [.. command.Select(word => word is "session" or "shards" ? _folder.PathOf(word) : word)];
+        string[] words = [.. command.Select(word => word == "session" ? session.Folder : word == "shards" ? _folder.PathOf(word) : word)];
 
-        CliRun run = CliRun.Of([.. words, "--out", _folder.PathOf("session")]);
+        CliRun run = CliRun.Of([.. words, "--out", session.Folder]);
 
-        run.AssertFailed(ExitCode.Usage, _folder.PathOf("session"));
+        run.AssertFailed(ExitCode.Usage, session.Folder);
         Assert.Contains("Name another folder", run.Error, StringComparison.Ordinal);
     }
 
@@ -126,10 +178,10 @@ public sealed class ExportCommandTests : IDisposable
     public void Export_of_a_malformed_line_names_the_session_that_it_is_in()
     {
         Directory.CreateDirectory(_folder.PathOf("other"));
-        File.Copy(_folder.PathOf("session/session.json"), _folder.PathOf("other/session.json"));
+        File.Copy(Path.Combine(session.Folder, "session.json"), _folder.PathOf("other/session.json"));
         _folder.File("other/labels.jsonl", "{}\n");
 
-        CliRun.Of("export", _folder.PathOf("session"), _folder.PathOf("other"), "--format", "csv", "--out", _folder.PathOf("out"))
+        CliRun.Of("export", session.Folder, _folder.PathOf("other"), "--format", "csv", "--out", _folder.PathOf("out"))
             .AssertFailed(ExitCode.BadData, $"{_folder.PathOf("other/labels.jsonl")}, line 1: frame is missing.");
     }
 
@@ -140,12 +192,12 @@ public sealed class ExportCommandTests : IDisposable
     [Fact]
     public void Merge_of_a_finished_dataset_says_that_it_is_whole()
     {
-        CliRun.Of("export", _folder.PathOf("session"), "--format", "csv", "--out", _folder.PathOf("whole"));
+        CliRun.Of("export", session.Folder, "--format", "csv", "--out", _folder.PathOf("whole"));
 
         CliRun.Of("merge", _folder.PathOf("whole"), "--out", _folder.PathOf("out")).AssertFailed(ExitCode.BadData, "is a whole dataset, no shard of one.");
     }
 
     [Fact]
     public void Merge_of_a_folder_without_shards_is_an_error_of_the_data() =>
-        CliRun.Of("merge", _folder.PathOf("session"), "--out", _folder.PathOf("out")).AssertFailed(ExitCode.BadData, "is a whole session, no shard of one");
+        CliRun.Of("merge", session.Folder, "--out", _folder.PathOf("out")).AssertFailed(ExitCode.BadData, "is a whole session, no shard of one");
 }

@@ -92,6 +92,34 @@ public sealed class HarvestCommandTests : IDisposable
     }
 
     [Theory]
+    [InlineData("paused.heldCamera", "timeScale")]
+    [InlineData("heldCamera,timeScale.restless", "paused")]
+    [InlineData("paused.visibility,timeScale.weather", "timeScale")]
+    public void Harvest_that_tries_the_ways_of_freezing_uses_the_better_one(string quirks, string better)
+    {
+        CliRun run = Harvest(Session, "--frames", "2", "--freeze", "auto", "--quirks", quirks);
+
+        Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
+        Assert.Matches($"(?mi)^freeze   Paused: .*; {better} is used[.]", run.Out);
+        using JsonDocument info = JsonDocument.Parse(File.ReadAllText(Path.Combine(Session, "session.json")));
+        Assert.Equal(better, info.RootElement.GetProperty("start").GetProperty("freezing").GetProperty("used").GetString());
+        Assert.Equal(ExitCode.Done, CliRun.Of("validate", Session).ExitCode);
+    }
+
+    [Theory]
+    [InlineData("--freeze", "slow", "--freeze takes paused, timeScale or auto, not 'slow'.")]
+    [InlineData("--quirks", "pause.heldCamera", "--quirks takes some of lag=N, ")]
+    [InlineData("--quirks", "paused.lag=2", "--quirks takes some of lag=N, ")]
+    public void Harvest_refuses_what_is_no_way_of_freezing(string option, string value, string message)
+    {
+        CliRun run = Harvest(Session, option, value);
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.Contains(message, run.Error, StringComparison.Ordinal);
+        Assert.False(Directory.Exists(Session));
+    }
+
+    [Theory]
     [InlineData(7)]
     [InlineData(40)]
     public void Harvest_whose_picture_is_too_late_is_refused_and_leaves_no_folder(int lag)

@@ -1,7 +1,6 @@
 using System.Text.Json;
 using Harvester.Capture.Labels;
 using Harvester.Datasets.Sessions;
-using Harvester.Geometry.Visibility;
 
 namespace Harvester.Cli.Tests.Commands;
 
@@ -15,29 +14,35 @@ public sealed class HarvestMasksTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void Harvest_masks_take_no_more_rays_than_is_asked()
+    public void Frames_take_no_more_rays_than_are_asked_for()
     {
-        Harvest(Session, "--frames", "2", "--masks", "--mask-rays", "40");
+        Harvest(Session, "--frames", "2", "--masks", "--rays", "1000");
 
-        Assert.All(new SessionReader(Session).ReadLabels(), label => Assert.Equal(40, label.PixelMap!.RaysCast));
-        Assert.Equal(40, OptionOfSession("maskRayBudget"));
-    }
-
-    [Fact]
-    public void Harvest_masks_show_what_is_beyond_the_reach_of_rays_by_its_box()
-    {
-        Harvest(Session, "--frames", "2", "--masks", "--ray-reach", "20");
-
-        ObjectLabel[] far =
-            [.. new SessionReader(Session).ReadLabels().SelectMany(label => label.Objects).Where(item => item.Parent is null && item.DistanceMetres > 40)];
-        Assert.NotEmpty(far);
-        Assert.All(far, item => Assert.Equal(OcclusionMethod.Silhouettes, item.OcclusionMethod));
-        Assert.Equal(20, OptionOfSession("rayReachMetres"));
+        Assert.All(new SessionReader(Session).ReadLabels(), label =>
+        {
+            Assert.InRange(label.Rays!.Total, 1, 1000);
+            Assert.Equal(label.PixelMap!.RaysCast, label.Rays.Map);
+        });
+        Assert.Equal(1000, OptionOfSession("rayBudget"));
     }
 
     [Theory]
-    [InlineData("--mask-rays", "-1")]
-    [InlineData("--mask-rays", "many")]
+    [InlineData("--masks")]
+    [InlineData("--no-report")]
+    public void What_is_beyond_the_reach_of_rays_is_marked_and_not_labelled(string option)
+    {
+        Harvest(Session, "--frames", "2", option, "--ray-reach", "20");
+
+        FrameLabel[] labels = [.. new SessionReader(Session).ReadLabels()];
+        Assert.DoesNotContain(labels.SelectMany(label => label.Objects), item => item.DistanceMetres > 40);
+        Assert.Contains(labels.SelectMany(label => label.IgnoreRegions), region => region is { Reason: IgnoreReason.Undetermined, DistanceMetres: > 40 and < 150 });
+        Assert.Equal(20, OptionOfSession("rayReachMetres"));
+        Assert.Contains("Warning: whether ", CliRun.Of("validate", Session).Out, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("--rays", "-1")]
+    [InlineData("--rays", "many")]
     [InlineData("--ray-reach", "0")]
     public void Harvest_bad_limit_of_masks_is_refused(string option, string value)
     {
@@ -45,16 +50,6 @@ public sealed class HarvestMasksTests : IDisposable
 
         Assert.Equal(ExitCode.Usage, run.ExitCode);
         Assert.Contains(option, run.Error, StringComparison.Ordinal);
-        Assert.False(Directory.Exists(Session));
-    }
-
-    [Theory]
-    [InlineData("--mask-rays", "100")]
-    [InlineData("--ray-reach", "100")]
-    public void Harvest_limit_of_masks_without_masks_is_refused(string option, string value)
-    {
-        Harvest(Session, option, value).AssertFailed(ExitCode.Usage, $"{option} does nothing without --masks.");
-
         Assert.False(Directory.Exists(Session));
     }
 

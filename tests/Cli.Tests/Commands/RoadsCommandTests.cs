@@ -10,8 +10,8 @@ public sealed class RoadsCommandTests : IDisposable
         0, 40, 10, 0, 0, 0, 1, 15, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
         end
         link
-        0, 1, 2, 1, 2, 0
-        1, 2, 0, 0, 1, 1
+        0, 1, 2, 2, 1, 0
+        1, 2, 0, 1, 0, 1
         end
         """;
 
@@ -40,6 +40,23 @@ public sealed class RoadsCommandTests : IDisposable
     }
 
     [Fact]
+    public void Compare_counts_the_one_way_links_that_agree_and_lanes_in_turns_them_round()
+    {
+        string ipl = _folder.File("roads.txt", Ipl);
+        string csv = Path.Combine(_folder.Path, "roads.csv");
+        Assert.Equal(0, CliRun.Of("roads", "import", ipl, "--out", csv).ExitCode);
+
+        CliRun same = CliRun.Of("roads", "compare", ipl, csv);
+        CliRun turned = CliRun.Of("roads", "compare", ipl, csv, "--lanes-in", "backward");
+
+        Assert.Equal(0, same.ExitCode);
+        Assert.Matches(@"matched with a link of B +2 \(100\.0 %\)\n", same.Out);
+        Assert.Matches(@"driven the same way +1 \(100\.0 %\)\n", same.Out);
+        Assert.Matches(@"driven opposite ways +1 \(100\.0 %\)\n", turned.Out);
+        Assert.Equal(2, CliRun.Of("roads", "compare", ipl, csv, "--lanes-in", "sideways").ExitCode);
+    }
+
+    [Fact]
     public void Nodes_writes_the_columns_of_figure_22_first()
     {
         string from = _folder.File("roads.txt", Ipl);
@@ -51,7 +68,7 @@ public sealed class RoadsCommandTests : IDisposable
         Assert.Equal(0, run.ExitCode);
         Assert.StartsWith("nodeId,onMarking,oneWay,leftStart,leftEnd,rightStart,rightEnd,heading,", lines[0], StringComparison.Ordinal);
         // Node 0 northwards: median 2 m, lanes of 5 m, two right of it and one left of it.
-        Assert.Contains("1,false,false,-1 0 10,-6 0 10,1 0 10,11 0 10,0 1 0,2,1,5,constant,2,0.8,false", lines);
+        Assert.Contains(",false,false,-1 0 10,-6 0 10,1 0 10,11 0 10,0 1 0,2,1,5,constant,2,0.8,false,0", lines);
     }
 
     [Fact]
@@ -75,7 +92,7 @@ public sealed class RoadsCommandTests : IDisposable
         Assert.Equal(0, CliRun.Of("roads", "import", survey, "--out", imported).ExitCode);
         Assert.Equal(0, CliRun.Of("roads", "nodes", imported, "--out", csv).ExitCode);
 
-        Assert.Contains("1,true,false,0 0 10,-4.5 0 10,0 0 10,4.5 0 10,0 1 0,1,1,4.5,calibrated,0,1,false", File.ReadAllLines(csv));
+        Assert.Contains("1,true,false,0 0 10,-4.5 0 10,0 0 10,4.5 0 10,0 1 0,1,1,4.5,calibrated,0,1,false,0", File.ReadAllLines(csv));
         Assert.Matches(@"links with calibrated lanes +1\n", CliRun.Of("roads", "info", imported).Out);
     }
 
@@ -103,7 +120,7 @@ public sealed class RoadsCommandTests : IDisposable
     [Fact]
     public void Map_of_nodes_without_a_link_says_that_there_are_no_roads()
     {
-        string from = _folder.File("roads.txt", Ipl.Split("0, 1, 2, 1, 2, 0")[0] + "end\n");
+        string from = _folder.File("roads.txt", Ipl.Split("0, 1, 2, 2, 1, 0")[0] + "end\n");
 
         CliRun.Of("roads", "map", from, "--out", _folder.PathOf("map.png")).AssertFailed(2, "There are no roads to draw.");
     }
@@ -119,7 +136,7 @@ public sealed class RoadsCommandTests : IDisposable
     [Fact]
     public void Import_of_a_corrupt_file_fails_with_its_place()
     {
-        string from = _folder.File("roads.txt", Ipl.Replace("0, 1, 2, 1, 2, 0", "0, 9, 2, 1, 2, 0", StringComparison.Ordinal));
+        string from = _folder.File("roads.txt", Ipl.Replace("0, 1, 2, 2, 1, 0", "0, 9, 2, 2, 1, 0", StringComparison.Ordinal));
 
         CliRun.Of("roads", "import", from, "--out", Path.Combine(_folder.Path, "x.csv")).AssertFailed(1, "roads.txt, line 7: the link runs from node 0 to node 9");
         CliRun.Of("roads", "info", Path.Combine(_folder.Path, "absent")).AssertFailed(3, "absent");

@@ -10,7 +10,7 @@ public abstract class CheckTests(SimulatedSession simulated, string format) : Ex
 {
     private protected static readonly ExportOptions Copied = new() { Images = ImageTransfer.Copy };
 
-    private protected static readonly ExportOptions TwoSplits = Copied with { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 5, 1) };
+    private protected static readonly ExportOptions TwoSplits = Copied with { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 1, 1) };
 
     /// <summary>Exports; images are copies, as tests change them.</summary>
     private protected void Export(ExportOptions? options = null) => Folder.Export(format, simulated.Open(), options ?? Copied);

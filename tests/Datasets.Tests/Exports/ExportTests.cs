@@ -11,8 +11,13 @@ public abstract class ExportTests : IDisposable
 
     public void Dispose()
     {
+        Dispose(true);
+        GC.SuppressFinalize(this);
+    }
+
+    protected virtual void Dispose(bool disposing)
+    {
         Folder.Dispose();
         _session?.Dispose();
-        GC.SuppressFinalize(this);
     }
 }

@@ -14,11 +14,12 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
     [MemberData(nameof(DatasetExporterTests.Formats), MemberType = typeof(DatasetExporterTests))]
     public void Export_goes_on_after_it_was_killed(string format)
     {
-        Folder.Export(format, simulated.Open(), TwoSplits, "single");
+        ExportOptions splits = DatasetExporterTests.SplitsOf(format);
+        Folder.Export(format, simulated.Open(), splits, "single");
         KillAfter(3, format);
 
         var done = new List<int>();
-        new DatasetExporter(ExportFolder.Plan(format, [simulated.Open()], TwoSplits), Folder.PathOf("killed"), Shard.Whole).Run(done.Add);
+        new DatasetExporter(ExportFolder.Plan(format, [simulated.Open()], splits), Folder.PathOf("killed"), Shard.Whole).Run(done.Add);
 
         Assert.Equal(4, done[0]);
         Assert.Equal(Folder.Contents("single"), Folder.Contents("killed"));
@@ -110,7 +111,7 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
     private void KillAfter(int frames, string format)
     {
         using var stop = new CancellationTokenSource();
-        var exporter = new DatasetExporter(ExportFolder.Plan(format, [simulated.Open()], TwoSplits), Folder.PathOf("killed"), Shard.Whole);
+        var exporter = new DatasetExporter(ExportFolder.Plan(format, [simulated.Open()], DatasetExporterTests.SplitsOf(format)), Folder.PathOf("killed"), Shard.Whole);
         Assert.Throws<OperationCanceledException>(() => exporter.Run(
             done =>
             {

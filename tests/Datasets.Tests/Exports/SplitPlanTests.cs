@@ -40,6 +40,25 @@ public sealed class SplitPlanTests
         Assert.NotEqual(Draw(1, 0), Draw(1, 1));
     }
 
+    [Fact]
+    public void Largest_full_block_is_the_largest_that_leaves_no_split_empty()
+    {
+        FramePlace[] frames = [.. Enumerable.Range(0, 100).Select(frame => new FramePlace(0, frame))];
+        var plan = new SplitPlan(TrainAndVal, 0, 100);
+
+        int largest = plan.LargestFullBlock(frames)!.Value;
+
+        Assert.NotNull(plan.FirstEmpty(frames));
+        Assert.Equal(["train", "val"], SplitsOf(largest));
+        Assert.All(Enumerable.Range(largest + 1, 99 - largest), block => Assert.Single(SplitsOf(block)));
+
+        IEnumerable<string> SplitsOf(int block) => frames.Select(frame => new SplitPlan(TrainAndVal, 0, block).Of(0, frame.Frame)).Distinct().Order();
+    }
+
+    [Fact]
+    public void No_block_fills_more_splits_than_there_are_frames() =>
+        Assert.Null(new SplitPlan(TrainAndVal, 0, 100).LargestFullBlock([new FramePlace(0, 0)]));
+
     [Theory]
     [InlineData("train", 0.8, "val", 0.1)]
     [InlineData("train", 0.8, "train", 0.2)]

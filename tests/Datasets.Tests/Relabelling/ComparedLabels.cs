@@ -5,24 +5,32 @@ using Harvester.Geometry.Visibility;
 namespace Harvester.Datasets.Tests.Relabelling;
 
 /// <summary>
-/// Labels as lines that are the same for the same things, whatever numbers objects have: another harvest may give others. Everything else stays in,
-/// except what a test says that only the game could tell.
+/// Labels as lines that are the same for the same things, whatever numbers objects have: another harvest may give others. The rays are those of
+/// the harvest that was recorded. Everything else stays in, except what a test says that only the game could tell.
 /// </summary>
 internal static class ComparedLabels
 {
-    public static string[] Of(SessionReader session, Func<ObjectLabel, ObjectLabel>? objects = null, Func<LanesLabel, LanesLabel>? lanes = null) =>
+    public static string[] Of(
+        SessionReader session,
+        Func<ObjectLabel, ObjectLabel>? objects = null,
+        Func<LanesLabel, LanesLabel>? lanes = null,
+        Func<IgnoreRegion, bool>? regions = null) =>
         [.. session.ReadLabels().Select(label => JsonLabelWriter.Line(label with
         {
             Objects = [.. label.Objects.Select(item => Numberless(objects?.Invoke(item) ?? item)).OrderBy(PlaceOf)],
+            Rays = null,
+            IgnoreRegions = [.. label.IgnoreRegions.Where(regions ?? (_ => true))],
             Lanes = label.Lanes is { } seen ? Numberless(lanes?.Invoke(seen) ?? seen) : null,
         }))];
 
     public static ObjectLabel WithoutOcclusion(ObjectLabel item) =>
         item with { OccludedFraction = null, OcclusionMethod = OcclusionMethod.None, Box2DVisible = null };
 
-    public static LanesLabel WithoutHidden(LanesLabel lanes) => lanes with
+    /// <summary>What is measured of lanes: not what only rays or the game tell, hidden points and paint.</summary>
+    public static LanesLabel Measured(LanesLabel lanes) => lanes with
     {
-        Markings = [.. lanes.Markings.Select(marking => marking with { Points = [.. marking.Points.Select(point => point with { IsHidden = null })] })],
+        Markings = null,
+        Boundaries = [.. lanes.Boundaries.Select(line => line with { Points = [.. line.Points.Select(point => point with { IsHidden = null })] })],
     };
 
     private static ObjectLabel Numberless(ObjectLabel item) => item with { Id = 0, Parent = item.Parent is null ? null : 0 };

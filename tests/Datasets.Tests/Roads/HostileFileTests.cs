@@ -146,8 +146,8 @@ public sealed class HostileFileTests : IDisposable
         long all = texts.Sum(text => (long)Encoding.UTF8.GetByteCount(text));
 
         // Each file is read several times over and counts once.
-        Assert.NotEmpty(RoadImporter.Import(from, all).Network.Nodes);
-        string refusal = Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(from, all - 1)).Message;
+        Assert.NotEmpty(RoadImporter.Import(from, LanesIn.Forward, all).Network.Nodes);
+        string refusal = Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(from, LanesIn.Forward, all - 1)).Message;
         Assert.Equal($"nodes{texts.Length - 1}.ynd.xml: with the files before it larger than {all - 1} bytes when unpacked; no road data is.", refusal);
         Directory.Delete(folder, recursive: true);
     }

@@ -26,7 +26,7 @@ internal static class IplText
             int Bit(RoadLinkFlags flag, int value) => (link.Flags & flag) != 0 ? value : 0;
             int flags = Bit(RoadLinkFlags.NarrowRoad, 1) + Bit(RoadLinkFlags.GpsBothWays, 2) + Bit(RoadLinkFlags.BlockIfNoLanes, 4)
                 + Bit(RoadLinkFlags.Shortcut, 8) + Bit(RoadLinkFlags.DontUseForNavigation, 16);
-            text.Append(CultureInfo.InvariantCulture, $"{link.From}, {link.To}, {link.MedianWidth ?? -1}, {link.LanesBackward}, {link.LanesForward}, {flags}\n");
+            text.Append(CultureInfo.InvariantCulture, $"{link.From}, {link.To}, {link.MedianWidth ?? -1}, {link.LanesForward}, {link.LanesBackward}, {flags}\n");
         }
 
         return text.Append("end\n").ToString();

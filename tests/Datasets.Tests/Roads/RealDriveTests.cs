@@ -17,7 +17,7 @@ public sealed class RealDriveTests(ITestOutputHelper output)
     private const double HeadingNoiseDegrees = 2;
 
     [RealWorldFact("nodes.zip")]
-    public void Match_over_100_km_finds_link_and_lane_in_99_percent_of_the_samples_outside_junctions()
+    public void Match_over_100_km_finds_link_and_lane_of_99_percent_of_the_samples_outside_junctions_and_of_those_told_to_be_known()
     {
         RoadNetwork network = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network;
         var matcher = new RoadMatcher(new RoadCurves(network), new LaneModel(network));
@@ -26,6 +26,7 @@ public sealed class RealDriveTests(ITestOutputHelper output)
 
         output.WriteLine(result.ToString());
         Assert.InRange(result.Metres, Kilometres * 1000, double.MaxValue);
-        Assert.InRange(result.RightFraction, 0.99, 1);
+        Assert.InRange(result.FarFromJunctions.RightFraction, 0.99, 1);
+        Assert.InRange(result.Known.RightFraction, 0.99, 1);
     }
 }

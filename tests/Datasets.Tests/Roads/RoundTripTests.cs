@@ -64,6 +64,21 @@ public sealed class RoundTripTests : IDisposable
         AssertSame(WithoutCells(_network), RoadImporter.Import(Written(IplText.Of(_network))).Network);
 
     [Fact]
+    public void Nodes_without_the_games_numbers_have_none_in_the_csv_and_the_node_database()
+    {
+        RoadNetwork network = RoadImporter.Import(Written(IplText.Of(_network))).Network;
+        string file = Written(string.Empty);
+        RoadWriter.Write(network, file);
+        using var database = new StringWriter();
+        NodeDatabaseWriter.Write(new NodeDatabase(new RoadCurves(network), new LaneModel(network)), database);
+
+        AssertSame(network, RoadImporter.Import(file).Network);
+        Assert.All(
+            database.ToString().Split('\n', StringSplitOptions.RemoveEmptyEntries).Skip(1),
+            row => Assert.Matches("^,.*,[0-9]+$", row));
+    }
+
+    [Fact]
     public void Import_scene_reads_back_the_network() =>
         AssertSame(WithoutCells(_network), RoadImporter.Import(Written(SceneText.Of(_network))).Network);
 
@@ -124,7 +139,7 @@ public sealed class RoundTripTests : IDisposable
         .OrderBy(link => link.From).ThenBy(link => link.To);
 
     private static RoadNetwork WithoutCells(RoadNetwork network) =>
-        new([.. network.Nodes.Select(node => node with { Area = 0, Flags = node.Flags & ~RandomRoads.OfCellsOnly })], network.Links);
+        new([.. network.Nodes.Select(node => node with { Area = RoadNode.NoArea, Flags = node.Flags & ~RandomRoads.OfCellsOnly })], network.Links);
 
     private string Written(string text)
     {

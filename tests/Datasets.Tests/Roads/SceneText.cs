@@ -43,8 +43,8 @@ internal static class SceneText
         {
             text.Append("<object class=\"vehiclelink\" guid=\"{l}\">\n<transform />\n<attributes>\n");
             Attribute(text, "Width", (int)(link.MedianWidth ?? -1), 0);
-            Attribute(text, "Lanes In", link.LanesBackward, 1);
-            Attribute(text, "Lanes Out", link.LanesForward, 1);
+            Attribute(text, "Lanes In", link.LanesForward, 1);
+            Attribute(text, "Lanes Out", link.LanesBackward, 1);
             Flags(text, LinkFlags.Where(flag => link.Flags.HasFlag(flag.Flag)).Select(flag => flag.Name));
             text.Append(CultureInfo.InvariantCulture, $"</attributes>\n<children />\n<references><ref guid=\"{{{link.From}}}\" /><ref guid=\"{{{link.To}}}\" /></references>\n</object>\n");
         }

@@ -36,7 +36,7 @@ public sealed class SimulatedTownTests(ITestOutputHelper output) : IDisposable
             Assert.InRange(Math.Max(Math.Abs(error.X), Math.Abs(error.Y)), 0, Math.Abs(node.Position.X * node.Position.Y) < PathGrid.HorizontalStep ? PathGrid.HorizontalStep : PathGrid.HorizontalStep / 2);
         }
 
-        RoadNetwork flat = new([.. stored.Nodes.Select(node => node with { Area = 0, Flags = node.Flags & ~RandomRoads.OfCellsOnly })], stored.Links);
+        RoadNetwork flat = new([.. stored.Nodes.Select(node => node with { Area = RoadNode.NoArea, Flags = node.Flags & ~RandomRoads.OfCellsOnly })], stored.Links);
         RoundTripTests.AssertSame(flat, Import(IplText.Of(flat)));
         RoundTripTests.AssertSame(flat, Import(SceneText.Of(flat)));
         RoadNetwork bare = new(
@@ -55,7 +55,8 @@ public sealed class SimulatedTownTests(ITestOutputHelper output) : IDisposable
         DriveResult result = DriveResult.Of(new NetworkDrive(_town, seed: 4), matcher, Kilometres * 1000, PositionNoise, HeadingNoiseDegrees);
 
         output.WriteLine(result.ToString());
-        Assert.InRange(result.RightFraction, 0.99, 1);
+        Assert.InRange(result.FarFromJunctions.RightFraction, 0.99, 1);
+        Assert.InRange(result.Known.RightFraction, 0.99, 1);
     }
 
     private static RoadNetwork Stored(RoadNetwork town) => new(

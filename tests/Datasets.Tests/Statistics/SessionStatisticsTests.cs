@@ -56,14 +56,28 @@ public sealed class SessionStatisticsTests : IDisposable
     }
 
     [Fact]
-    public void Histogram_puts_what_lies_above_into_the_last_bin()
+    public void Histogram_has_a_bin_for_what_lies_above()
     {
-        Histogram histogram = Histogram.Even(1, 10);
-        histogram.Add(1);
-        histogram.Add(7);
-        histogram.Add(-1);
+        Histogram histogram = Histogram.Even(100, 5);
+        foreach (double value in (double[])[-1, 99.9, 100, 700])
+        {
+            histogram.Add(value);
+        }
 
-        Assert.Equal([1, 0, 0, 0, 0, 0, 0, 0, 0, 2], histogram.Counts);
+        Assert.Equal([0, 20, 40, 60, 80, 100], histogram.Starts);
+        Assert.Equal([1, 0, 0, 0, 1, 2], histogram.Counts);
+        Assert.Null(histogram.End);
+    }
+
+    [Fact]
+    public void Histogram_of_fractions_ends_with_1()
+    {
+        Histogram histogram = Histogram.Fractions(10);
+        histogram.Add(0.95);
+        histogram.Add(1);
+
+        Assert.Equal([0, 0, 0, 0, 0, 0, 0, 0, 0, 2], histogram.Counts);
+        Assert.Equal(1, histogram.End);
     }
 
     [Fact]

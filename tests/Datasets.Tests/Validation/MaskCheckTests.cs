@@ -19,6 +19,15 @@ public sealed class MaskCheckTests : IDisposable
     }
 
     [Fact]
+    public void Object_that_says_it_is_seen_and_has_no_pixel_is_a_problem()
+    {
+        _session.PaintMask(0, 0, 0, 0, 80, 60);
+        _session.Car(0)["box2dVisible"] = null;
+
+        _session.AssertProblem(1, "object 1: visibleFraction is 0.75, but it has no pixel in the mask");
+    }
+
+    [Fact]
     public void Validate_finds_a_number_that_is_no_objects()
     {
         _session.PaintMask(0, 999, 38, 28, 43, 33);

@@ -1,3 +1,4 @@
+using System.Text.Json.Nodes;
 using Harvester.Datasets.Validation;
 
 namespace Harvester.Datasets.Tests.Validation;
@@ -18,6 +19,24 @@ public sealed class SessionValidatorTests : IDisposable
         Assert.True(validation.IsGood);
         Assert.Equal(3, validation.Frames);
         Assert.Equal(6, validation.Objects);
+    }
+
+    [Fact]
+    public void Undetermined_labels_and_regions_are_counted()
+    {
+        _session.Lines[0]["ignoreRegions"] = JsonNode.Parse(
+            """
+            [
+              { "reason": "undetermined", "class": "car", "box2d": [60, 20, 70, 25], "distanceMetres": 140 },
+              { "reason": "beyondRange", "class": "car", "box2d": [60, 20, 70, 25], "distanceMetres": 157 }
+            ]
+            """);
+
+        SessionValidation validation = SessionValidator.Validate(_session.Open());
+
+        // The pedestrian of each frame has the method none.
+        Assert.Equal((3, 1), (validation.Undetermined, validation.UndeterminedRegions));
+        Assert.True(validation.IsGood);
     }
 
     [Fact]

@@ -135,6 +135,52 @@ public sealed class LaneObserverTests
         Assert.Equal(LaneStatus.Known, observer.Observe(new Vector3D(2.7, -70, 0), 0, 10, 4, [], null).Status);
     }
 
+    [Theory]
+    [InlineData(1.9, true)]
+    [InlineData(2.1, false)]
+    public void Observe_outside_the_outer_lanes_keeps_the_indicators_on_marking_for_two_metres_of_lanes_of_four(double outside, bool isKnown)
+    {
+        const double scale = 5.4 / 4;
+        LaneObserver observer = Observer(Straight.Network(5, 2, 0));
+
+        LaneObservation right = observer.Observe(Straight.At(50, 5.4 + (outside * scale)).Point, 0, 10, 4, [], null);
+        LaneObservation left = observer.Observe(Straight.At(50, -5.4 - (outside * scale)).Point, 0, 10, 4, [], null);
+
+        Assert.Equal([isKnown, isKnown], new[] { right, left }.Select(seen => seen.Status == LaneStatus.Known));
+        Assert.Equal([isKnown, isKnown], new[] { right, left }.Select(seen => seen.IndicatorsAtCar.ToMarkingM.IsValid));
+        if (isKnown)
+        {
+            Assert.Equal(-outside * scale, right.IndicatorsAtCar.ToMarkingM.Value, ExactMetres);
+            Assert.Equal(outside * scale, left.IndicatorsAtCar.ToMarkingM.Value, ExactMetres);
+            Assert.False(right.IndicatorsAtCar.ToMarkingR.IsValid || right.IndicatorsAtCar.ToMarkingMR.IsValid);
+            Assert.False(left.IndicatorsAtCar.ToMarkingL.IsValid || left.IndicatorsAtCar.ToMarkingML.IsValid);
+        }
+    }
+
+    [Theory]
+    [InlineData(1, 0)]
+    [InlineData(-1, 0)]
+    [InlineData(1, 15)]
+    [InlineData(1, -15)]
+    [InlineData(-1, 15)]
+    public void Observe_in_a_sharp_bend_is_not_led_astray_by_the_ends_of_links(int side, double turned)
+    {
+        // A radius of 15 m; a cubic between nodes 4 m apart keeps to such a circle within a millimetre.
+        const double curveMetres = 0.002;
+        const double curveRadians = 0.002;
+        var bend = new AnalyticRoad((0, 20), (side / 15.0, 40), (0, 20));
+        LaneObserver observer = Observer(bend.Network(4, 1, 1));
+        RoadMatch? previous = null;
+        for (double station = 26; station < 54; station += 0.1)
+        {
+            LaneObservation seen = observer.Observe(bend.At(station, 2.2).Point, bend.HeadingAt(station) + turned, 5, 4, [], previous);
+            previous = seen.Match;
+
+            Assert.Equal(2.2, seen.Match.OffsetFromLeftEdge, curveMetres);
+            Assert.Equal(-Angles.ToRadians(turned), seen.IndicatorsAtCar.Angle.Value, curveRadians);
+        }
+    }
+
     [Fact]
     public void Observe_look_ahead_by_speed_is_one_second_of_way()
     {
@@ -145,7 +191,7 @@ public sealed class LaneObserverTests
     }
 
     [Fact]
-    public void Trace_gives_all_markings_of_both_directions()
+    public void Trace_gives_all_boundaries_of_both_directions()
     {
         RoadNetwork network = Straight.Network(5, 2, 1, median: 2);
         LaneObservation seen = Observer(network).Observe(Straight.At(50, 1 + 2.7).Point, 0, 10, 4, [], null);
@@ -154,9 +200,24 @@ public sealed class LaneObserverTests
 
         // Own: 1, 6.4, 11.8 m right of the line; oncoming: 1 and 6.4 m left of it.
         Assert.Equal([-2, -1, 0, 1, 2], lines.Select(line => line.Index));
-        Assert.Equal([-6.4, -1, 1, 6.4, 11.8], lines.Select(line => Math.Round(line.Points[0].X, 6)));
+        Assert.Equal([-6.4, -1, 1, 6.4, 11.8], lines.Select(line => Math.Round(line.Points[0].World.X, 6)));
         Assert.Equal([true, true, true, false, false], lines.Select(line => line.IsLeftOfCar));
-        Assert.All(lines, line => Assert.Equal(100, line.Points[^1].Y, ExactMetres));
+        Assert.All(lines, line => Assert.Equal(100, line.Points[^1].World.Y, ExactMetres));
+    }
+
+    [Fact]
+    public void Trace_leaves_out_the_junction_and_goes_on_beyond_it()
+    {
+        RoadNode[] nodes = [Node(0, 0, -100), Node(1, 0, 0), Node(2, 0, 100), Node(3, 100, 0)];
+        LaneObservation seen = Observer(new RoadNetwork(nodes, [Link(0, 1), Link(1, 2), Link(1, 3)])).Observe(new Vector3D(2.7, -30, 0), 0, 10, 4, [], null);
+
+        IReadOnlyList<LaneLine> lines = LaneLineTracer.Trace(seen.Stretch!, 2.7, 0, 60);
+
+        // Three boundaries before and three after; the other road is 5.4 m wide on either side, its corners take 1.5 m; points are up to 2 m apart.
+        Assert.Equal(6, lines.Count);
+        Assert.All(lines.SelectMany(line => line.Points), point => Assert.InRange(Math.Abs(point.World.Y), 6.9, 30.5));
+        Assert.All(lines.Where(line => line.Points[0].World.Y < 0), line => Assert.InRange(line.Points[^1].World.Y, -8.9, -6.9));
+        Assert.All(lines.Where(line => line.Points[0].World.Y > 0), line => Assert.InRange(line.Points[0].World.Y, 6.9, 8.9));
     }
 
     private static LaneObserver Observer(RoadNetwork network) => new(new RoadCurves(network), new LaneModel(network));

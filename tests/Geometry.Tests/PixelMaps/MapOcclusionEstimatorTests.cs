@@ -25,7 +25,7 @@ public sealed class MapOcclusionEstimatorTests
     [Fact]
     public void Estimate_wall_over_the_left_half_hides_half()
     {
-        OcclusionEstimate estimate = Estimate([(Car, Target), WallOnTheLeft], PixelMapMethod.Rays);
+        OcclusionEstimate estimate = Estimate([(Car, Target), WallOnTheLeft], Sight.Seen);
 
         Assert.Equal(0.5, estimate.OccludedFraction, SamplingError);
         Assert.Equal(OcclusionMethod.PixelMap, estimate.Method);
@@ -36,34 +36,46 @@ public sealed class MapOcclusionEstimatorTests
     {
         Cuboid rightHalf = new(new(1, 20, 0), new(1, 2, 2), Axes.Identity);
 
-        Assert.Equal(0, Estimate([(Car, rightHalf), WallOnTheLeft], PixelMapMethod.Rays).OccludedFraction, SamplingError);
+        Assert.Equal(0, Estimate([(Car, rightHalf), WallOnTheLeft], Sight.Seen).OccludedFraction, SamplingError);
     }
 
     [Fact]
     public void Estimate_wholly_hidden_is_one()
     {
         OcclusionEstimate estimate = Estimate(
-            [(Car, Target), (RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))], PixelMapMethod.Rays);
+            [(Car, Target), (RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))], Sight.Unseen);
 
         Assert.Equal(1, estimate.OccludedFraction);
         Assert.Equal(0, estimate.SamplesOnObject);
     }
 
     [Fact]
-    public void Estimate_object_drawn_by_its_silhouette_costs_no_rays()
+    public void Estimate_hidden_object_takes_only_the_rays_that_show_it_is_there()
     {
-        OcclusionEstimate estimate = Estimate([(Car, Target), WallOnTheLeft], PixelMapMethod.Silhouette);
+        OcclusionEstimate estimate = Estimate([(Car, Target), (RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))], Sight.Unseen);
 
-        Assert.Equal(0.5, estimate.OccludedFraction, SamplingError);
-        Assert.Equal(OcclusionMethod.Silhouettes, estimate.Method);
-        Assert.Equal(0, estimate.RaysCast);
+        Assert.Equal((OcclusionMethod.PixelMap, Sight.Unseen, 1), (estimate.Method, estimate.Sight, estimate.RaysCast));
     }
 
-    private static OcclusionEstimate Estimate(IReadOnlyList<(int Entity, Cuboid Solid)> solids, PixelMapMethod method)
+    [Fact]
+    public void Estimate_object_without_anything_in_the_image_has_no_occlusion()
+    {
+        OcclusionEstimate estimate = Estimate([], Sight.Unseen);
+
+        Assert.Equal((OcclusionMethod.None, Sight.Unseen), (estimate.Method, estimate.Sight));
+    }
+
+    [Theory]
+    [InlineData(Sight.NotAsked)]
+    [InlineData(Sight.Undetermined)]
+    public void Estimate_object_of_which_nothing_is_known_takes_no_rays(Sight sight) =>
+        Assert.Equal(new OcclusionEstimate { Sight = sight }, Estimate([(Car, Target)], sight));
+
+    private static OcclusionEstimate Estimate(IReadOnlyList<(int Entity, Cuboid Solid)> solids, Sight sight)
     {
         var world = new CuboidWorld(solids);
         InstanceMap map = ExhaustivePixelMapper.Map(Camera, Camera.Image.Bounds, entity => entity == Car ? (ushort)1 : (ushort)0, RayHit.World, world);
         var target = new MapTarget(Car, 1, Target, CuboidProjector.Project(Camera, Target));
-        return new MapOcclusionEstimator(Camera, map, RayHit.World, world, 64).Estimate(target, method);
+        return new MapOcclusionEstimator(Camera, map, RayHit.World, world, 64).Estimate(target, sight);
     }
 }

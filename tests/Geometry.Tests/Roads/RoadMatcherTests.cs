@@ -62,8 +62,8 @@ public sealed class RoadMatcherTests
     [InlineData(2.7, 50, 12, North, RoadMatchOutcome.NoRoadNear)]
     [InlineData(5000, 5000, 0, North, RoadMatchOutcome.NoRoadNear)]
     [InlineData(2.7, 50, 0, East, RoadMatchOutcome.NotAlongAnyRoad)]
-    [InlineData(-2.7, 50, 0, North, RoadMatchOutcome.BesideTheLanes)]
-    [InlineData(8, 50, 0, North, RoadMatchOutcome.BesideTheLanes)]
+    [InlineData(-2.8, 50, 0, North, RoadMatchOutcome.BesideTheLanes)]
+    [InlineData(8.2, 50, 0, North, RoadMatchOutcome.BesideTheLanes)]
     public void Match_says_why_it_does_not_know(double x, double y, double z, double heading, RoadMatchOutcome expected) =>
         Assert.Equal(expected, Matcher(Road(1, 1, null, (0, 0), (0, 100))).Match(new Vector3D(x, y, z), heading).Outcome);
 
@@ -114,17 +114,37 @@ public sealed class RoadMatcherTests
     }
 
     [Fact]
-    public void Match_near_a_crossing_says_so_and_beyond_its_reach_does_not()
+    public void Match_in_a_crossing_says_so_up_to_its_corners()
     {
         var network = new RoadNetwork(
             [Node(0, 0, 0), Node(0, 50, 0), Node(0, 100, 0), Node(50, 50, 0)],
             [new RoadLink(0, 1, 1, 1, null, RoadLinkFlags.None), new RoadLink(1, 2, 1, 1, null, RoadLinkFlags.None), new RoadLink(1, 3, 1, 1, null, RoadLinkFlags.None)]);
         RoadMatcher matcher = Matcher(network);
 
-        // The reach is 15 m along the road from the node at y = 50.
-        Assert.True(matcher.Match(new Vector3D(2.7, 36, 0), North).InJunction);
-        Assert.True(matcher.Match(new Vector3D(2.7, 64, 0), North).InJunction);
-        Assert.False(matcher.Match(new Vector3D(2.7, 34, 0), North).InJunction);
+        // The road that joins at y = 50 is 5.4 m wide on either side, and its corners take 1.5 m.
+        Assert.True(matcher.Match(new Vector3D(2.7, 43.2, 0), North).InJunction);
+        Assert.True(matcher.Match(new Vector3D(2.7, 56.8, 0), North).InJunction);
+        Assert.False(matcher.Match(new Vector3D(2.7, 43, 0), North).InJunction);
+        Assert.False(matcher.Match(new Vector3D(2.7, 57, 0), North).InJunction);
+    }
+
+    [Fact]
+    public void Match_of_a_car_that_changes_over_between_two_carriageways_is_in_a_junction()
+    {
+        // A link at 45 degrees ties two one-way roads; from its start on, a car along it is no longer in the lanes of either.
+        var network = new RoadNetwork(
+            [Node(0, 0, 0), Node(0, 50, 0), Node(0, 100, 0), Node(14, 0, 0), Node(14, 64, 0), Node(14, 100, 0)],
+            [
+                new RoadLink(0, 1, 1, 0, null, RoadLinkFlags.None), new RoadLink(1, 2, 1, 0, null, RoadLinkFlags.None),
+                new RoadLink(3, 4, 1, 0, null, RoadLinkFlags.None), new RoadLink(4, 5, 1, 0, null, RoadLinkFlags.None),
+                new RoadLink(1, 4, 1, 1, null, RoadLinkFlags.None),
+            ]);
+        RoadMatcher matcher = Matcher(network);
+        RoadMatch before = matcher.Match(new Vector3D(0, 48, 0), North);
+
+        Assert.False(before.InJunction);
+        Assert.False(matcher.Match(new Vector3D(0, 52, 0), North, before).InJunction);
+        Assert.True(matcher.Match(new Vector3D(3, 52, 0), North - 45, before).InJunction);
     }
 
     [Fact]

@@ -69,22 +69,61 @@ public sealed class OcclusionEstimatorTests
     }
 
     [Fact]
-    public void Estimate_entity_that_rays_never_meet_falls_back_to_its_cuboid()
+    public void Estimate_entity_that_rays_never_meet_is_undetermined()
     {
         OcclusionEstimate estimate = Estimate([(RayHit.World, new(new(-50, 10, 0), new(50, 0.1, 50), Axes.Identity))]);
 
-        Assert.Equal(0.5, estimate.OccludedFraction, SamplingError);
-        Assert.Equal(OcclusionMethod.CuboidRays, estimate.Method);
+        Assert.Equal((OcclusionMethod.None, Sight.Undetermined), (estimate.Method, estimate.Sight));
     }
 
     [Fact]
-    public void Estimate_behind_the_camera_says_nothing()
+    public void Estimate_entity_that_rays_never_meet_behind_a_wall_is_hidden()
+    {
+        OcclusionEstimate estimate = Estimate([(RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))]);
+
+        Assert.Equal((1, OcclusionMethod.CuboidRays, Sight.Unseen), (estimate.OccludedFraction, estimate.Method, estimate.Sight));
+    }
+
+    [Fact]
+    public void Estimate_thin_object_is_found_by_more_rays()
+    {
+        // A mast 2 cm wide in a cuboid of 4 m: one ray in 200 meets it.
+        OcclusionEstimate estimate = Estimate([(Car, new(new(0.37, 20, 0), new(0.01, 2, 2), Axes.Identity))]);
+
+        Assert.Equal((0, OcclusionMethod.Rays, Sight.Seen), (estimate.OccludedFraction, estimate.Method, estimate.Sight));
+    }
+
+    [Fact]
+    public void Estimate_object_whose_part_in_the_image_is_empty_is_unseen_without_occlusion()
+    {
+        // The image ends at x = y · 4/3 to the right. The cuboid reaches from x = 24 to 44 at 20 to 24 m; the object fills its right end, outside.
+        Cuboid wide = new(new(34, 22, 0), new(10, 2, 2), Axes.Identity);
+        Cuboid rightEnd = new(new(43, 22, 0), new(1, 2, 2), Axes.Identity);
+        OcclusionEstimate estimate = new OcclusionEstimator().Estimate(
+            Camera, wide, CuboidProjector.Project(Camera, wide), Car, Ego, new CuboidWorld([(Car, rightEnd)]));
+
+        Assert.Equal((OcclusionMethod.None, Sight.Unseen), (estimate.Method, estimate.Sight));
+    }
+
+    [Fact]
+    public void Estimate_takes_no_more_rays_than_it_says()
+    {
+        var estimator = new OcclusionEstimator(16);
+        var world = new CuboidWorld([]);
+
+        estimator.Estimate(Camera, Target, CuboidProjector.Project(Camera, Target), Car, Ego, world);
+
+        Assert.InRange(world.RaysCast, 1, estimator.MostRays);
+    }
+
+    [Fact]
+    public void Estimate_behind_the_camera_is_unseen()
     {
         Cuboid behind = new(new(0, -20, 0), new(2, 2, 2), Axes.Identity);
         OcclusionEstimate estimate = new OcclusionEstimator().Estimate(
             Camera, behind, CuboidProjector.Project(Camera, behind), Car, Ego, new CuboidWorld([]));
 
-        Assert.Equal(new OcclusionEstimate(0, 0, 0, OcclusionMethod.None), estimate);
+        Assert.Equal(new OcclusionEstimate(0, 0, 0, OcclusionMethod.None) { Sight = Sight.Unseen }, estimate);
     }
 
     [Fact]

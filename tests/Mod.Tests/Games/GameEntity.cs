@@ -20,6 +20,9 @@ internal sealed class GameEntity
 
     public required Pose Pose { get; set; }
 
+    /// <summary>The matrix' vectors where they are not the pose's axes.</summary>
+    public (Vector3D Right, Vector3D Forward, Vector3D Up)? Matrix { get; init; }
+
     public Vector3D Velocity { get; set; }
 
     public Vector3D ModelMin { get; init; } = new(-1, -2, -0.5);
@@ -28,6 +31,12 @@ internal sealed class GameEntity
 
     /// <summary>Number of the game's class of vehicles; 1 is sedans.</summary>
     public int VehicleClass { get; init; } = 1;
+
+    public bool IsInvincible { get; set; }
+
+    public bool EngineCanDegrade { get; set; } = true;
+
+    public bool PetrolTankCanBeDamaged { get; set; } = true;
 
     public bool TyresCanBurst { get; set; } = true;
 
@@ -40,6 +49,12 @@ internal sealed class GameEntity
     public string Plate { get; set; } = string.Empty;
 
     public bool IsOnGround { get; set; }
+
+    /// <summary>Metres from its origin down to the ground.</summary>
+    public double HeightAboveGround { get; init; }
+
+    /// <summary>Handle of the vehicle that a person sits in; 0 for none.</summary>
+    public int Vehicle { get; init; }
 
     public bool IsFrozen { get; set; }
 

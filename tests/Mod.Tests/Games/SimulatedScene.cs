@@ -11,6 +11,9 @@ namespace Harvester.Mod.Tests.Games;
 internal sealed class SimulatedScene
 {
     private const double SecondsOfAFrame = 0.05;
+    /// <summary>Handles of riders are those of their machines and this.</summary>
+    private const int AboveAllHandles = 1 << 24;
+
     private readonly SimulatedGame _simulation;
     private readonly SinglePrecisionWorld _world;
     private readonly HashSet<int> _handles = [];
@@ -37,7 +40,7 @@ internal sealed class SimulatedScene
             NextFrame();
             Show(game);
         };
-        game.PauseChanged = paused => (paused ? (Action)_simulation.Ports.Pause.Freeze : _simulation.Ports.Pause.Unfreeze)();
+        game.FreezeChanged = Freeze;
         game.LightDriven = (light, value) => _simulation.DriveLight(light, value switch
         {
             0 => LightState.Green,
@@ -49,6 +52,20 @@ internal sealed class SimulatedScene
         Show(game);
     }
 
+    private void Freeze(FreezeMethod method, bool isFrozen)
+    {
+        IPause pause = _simulation.Ports.Pause;
+        pause.Method = method;
+        if (isFrozen)
+        {
+            pause.Freeze();
+        }
+        else
+        {
+            pause.Unfreeze();
+        }
+    }
+
     private void Show(TestGame game)
     {
         foreach (int handle in _handles)
@@ -58,10 +75,14 @@ internal sealed class SimulatedScene
 
         _handles.Clear();
         EgoState ego = _simulation.Ports.World.ReadEgo();
-        Put(game, new EntityState(ego.Handle, ObjectClass.Car, ego.Model, ego.Pose, default, default, ego.Velocity));
+        Put(game, new EntityState(ego.Handle, ObjectClass.Car, ego.Model, ego.Pose, default, default, ego.Velocity), ego.HeightAboveGroundMetres ?? 0);
         foreach (EntityState entity in _world.Unrounded())
         {
             Put(game, entity);
+            if (entity.HasRider == true)
+            {
+                PutRider(game, entity);
+            }
         }
 
         game.PlayersVehicle = ego.Handle;
@@ -70,7 +91,14 @@ internal sealed class SimulatedScene
         game.Environment = _world.ReadEnvironment();
     }
 
-    private void Put(TestGame game, EntityState entity)
+    private void PutRider(TestGame game, EntityState entity)
+    {
+        int handle = entity.Handle + AboveAllHandles;
+        _handles.Add(handle);
+        game.Entities[handle] = new GameEntity { Pool = PoolKind.Peds, Name = "a_m_y_cyclist_01", Pose = entity.Pose, Vehicle = entity.Handle };
+    }
+
+    private void Put(TestGame game, EntityState entity, double heightAboveGround = 0)
     {
         _handles.Add(entity.Handle);
         game.Entities[entity.Handle] = new GameEntity
@@ -96,6 +124,7 @@ internal sealed class SimulatedScene
             ModelMin = entity.ModelMin,
             ModelMax = entity.ModelMax,
             Velocity = entity.Velocity,
+            HeightAboveGround = heightAboveGround,
         };
     }
 }

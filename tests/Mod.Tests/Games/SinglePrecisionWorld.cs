@@ -35,7 +35,7 @@ internal sealed class SinglePrecisionWorld(IWorld world, SpaceTable spaces) : IW
     public EgoState ReadEgo()
     {
         EgoState ego = world.ReadEgo();
-        return ego with { Pose = Round(ego.Pose), Velocity = Round(ego.Velocity) };
+        return ego with { Pose = Round(ego.Pose), Velocity = Round(ego.Velocity), HeightAboveGroundMetres = (float?)ego.HeightAboveGroundMetres };
     }
 
     public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range) =>

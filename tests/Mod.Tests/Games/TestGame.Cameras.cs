@@ -8,12 +8,13 @@ namespace Harvester.Mod.Tests.Games;
 internal sealed partial class TestGame
 {
     public const float Aspect = 4f / 3;
+    private const int NoCamera = -1;
     private const float NearClip = 0.15f;
     private const float OwnVerticalFovDegrees = 65;
 
     public Dictionary<int, GameCamera> Cameras { get; } = [];
 
-    public int RenderingCamera { get; set; } = -1;
+    public int RenderingCamera { get; set; } = NoCamera;
 
     /// <summary>The camera of the picture when a scripted one renders; null for the one that the mod has mounted.</summary>
     public Func<CameraState>? SceneCamera { get; set; }
@@ -56,12 +57,12 @@ internal sealed partial class TestGame
         {
             GameCamera camera = Cameras[(int)a[0]];
             camera.AttachedTo = (int)a[1];
-            camera.Offset = ToWorld(a[5], a[6], a[7]);
+            camera.Offset = IsCameraHeld ? camera.Offset : ToWorld(a[5], a[6], a[7]);
         });
         Do(Hash.SET_CAM_ACTIVE, a => Cameras[(int)a[0]].IsActive = (bool)a[1]);
         Do(Hash.DESTROY_CAM, a => Cameras.Remove((int)a[0]));
         _natives[Hash.GET_RENDERING_CAM] = _ => RenderingCamera;
-        Do(Hash.RENDER_SCRIPT_CAMS, a => RenderingCamera = (bool)a[0] ? Cameras.First(camera => camera.Value.IsActive).Key : -1);
+        Do(Hash.RENDER_SCRIPT_CAMS, a => RenderingCamera = (bool)a[0] ? Cameras.First(camera => camera.Value.IsActive).Key : NoCamera);
         _natives[Hash.GET_FINAL_RENDERED_CAM_COORD] = _ => ToGame(RenderedCamera.Pose.Position);
         _natives[Hash.GET_FINAL_RENDERED_CAM_ROT] = _ =>
         {

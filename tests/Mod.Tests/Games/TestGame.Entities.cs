@@ -16,24 +16,31 @@ internal sealed partial class TestGame
             ? entity.Pool switch { PoolKind.Peds => 1, PoolKind.Vehicles => 2, _ => 3 }
             : 0;
         _natives[Hash.GET_ENTITY_MODEL] = a => Entities.TryGetValue((int)a[0], out GameEntity? entity) ? entity.Model : 0;
-        _natives[Hash.GET_ENTITY_COORDS] = a => ToGame(Entities[PlayersVehicle != 0 && (int)a[0] == Player ? PlayersVehicle : (int)a[0]].Pose.Position);
+        _natives[Hash.GET_ENTITY_COORDS] = a => ToGame(PositionOf((int)a[0]));
         _natives[Hash.GET_ENTITY_VELOCITY] = a => ToGame(Entities.TryGetValue((int)a[0], out GameEntity? entity) ? entity.Velocity : default);
         _natives[Hash.GET_ENTITY_HEADING] = a => (float)Angles.HeadingDegrees(Entities[(int)a[0]].Pose.Axes.Forward);
         _natives[Hash.GET_OFFSET_FROM_ENTITY_IN_WORLD_COORDS] = a => ToGame(Entities[(int)a[0]].Pose.ToWorld(ToWorld(a[1], a[2], a[3])));
+        _natives[Hash.GET_ENTITY_HEIGHT_ABOVE_GROUND] = a => (float)(Entities.TryGetValue((int)a[0], out GameEntity? entity) ? entity.HeightAboveGround : 0);
         Do(Hash.GET_ENTITY_MATRIX, a =>
         {
-            // The matrix of what is gone is all zeros.
-            Pose pose = Entities.TryGetValue((int)a[0], out GameEntity? entity) ? entity.Pose : default;
-            Write(a[1], ToGame(pose.Axes.Forward));
-            Write(a[2], ToGame(pose.Axes.Right));
-            Write(a[3], ToGame(pose.Axes.Up));
-            Write(a[4], ToGame(pose.Position));
+            // Of what is gone nothing is written.
+            if (Entities.TryGetValue((int)a[0], out GameEntity? entity))
+            {
+                Axes axes = entity.Pose.Axes;
+                (Vector3D right, Vector3D forward, Vector3D up) = entity.Matrix ?? (axes.Right, axes.Forward, axes.Up);
+                Write(a[1], ToGame(forward));
+                Write(a[2], ToGame(right));
+                Write(a[3], ToGame(up));
+                Write(a[4], ToGame(entity.Pose.Position));
+            }
         });
         Do(Hash.GET_MODEL_DIMENSIONS, a =>
         {
-            GameEntity? known = Entities.Values.FirstOrDefault(entity => entity.Model == (int)a[0]);
-            Write(a[1], ToGame(known?.ModelMin ?? default));
-            Write(a[2], ToGame(known?.ModelMax ?? default));
+            if (Entities.Values.FirstOrDefault(entity => entity.Model == (int)a[0]) is { } known)
+            {
+                Write(a[1], ToGame(known.ModelMin));
+                Write(a[2], ToGame(known.ModelMax));
+            }
         });
     }
 }

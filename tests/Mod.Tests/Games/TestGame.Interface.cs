@@ -1,3 +1,4 @@
+using System.Text;
 using GTA.Native;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Scenes;
@@ -10,6 +11,8 @@ namespace Harvester.Mod.Tests.Games;
 /// <summary>The natives about what is drawn, about time and about the weather.</summary>
 internal sealed partial class TestGame
 {
+    private const int LongestText = 99;
+
     /// <summary>What this frame draws, as fractions of the window: left, top, width, height.</summary>
     public List<Box2D> Rectangles { get; } = [];
 
@@ -46,11 +49,6 @@ internal sealed partial class TestGame
 
     private void AddInterfaceNatives()
     {
-        Do(Hash.SET_GAME_PAUSED, a =>
-        {
-            IsPaused = (bool)a[0];
-            PauseChanged(IsPaused);
-        });
         _natives[Hash.GET_FRAME_COUNT] = _ => Frame;
         _natives[Hash.GET_GAME_TIMER] = _ => TimerMilliseconds;
         _natives[Hash.GET_CLOCK_HOURS] = _ => Environment.TimeOfDay.Hours;
@@ -70,7 +68,16 @@ internal sealed partial class TestGame
             float x = (float)a[0], y = (float)a[1], width = (float)a[2], height = (float)a[3];
             Rectangles.Add(new Box2D(x - (width / 2), y - (height / 2), x + (width / 2), y + (height / 2)));
         });
-        Do(Hash.ADD_TEXT_COMPONENT_SUBSTRING_PLAYER_NAME, a => Texts.Add((string)a[0]));
+        Do(Hash.ADD_TEXT_COMPONENT_SUBSTRING_PLAYER_NAME, a =>
+        {
+            string text = (string)a[0];
+            if (Encoding.UTF8.GetByteCount(text) > LongestText)
+            {
+                Report($"The text is longer than {LongestText} bytes: {text}");
+            }
+
+            Texts.Add(text);
+        });
         foreach (Hash style in new[]
         {
             Hash.SET_TEXT_FONT, Hash.SET_TEXT_SCALE, Hash.SET_TEXT_COLOUR, Hash.SET_TEXT_OUTLINE, Hash.BEGIN_TEXT_COMMAND_DISPLAY_TEXT,

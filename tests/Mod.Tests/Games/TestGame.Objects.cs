@@ -2,6 +2,7 @@ using GTA.Hosting;
 using GTA.Native;
 using Harvester.Capture.Spaces;
 using Harvester.Geometry;
+using Harvester.Mod.Tests.Games.Natives;
 using Harvester.Simulation.Tests.Spaces.Survey;
 
 namespace Harvester.Mod.Tests.Games;
@@ -49,7 +50,7 @@ internal sealed partial class TestGame
         Do(Hash.FREEZE_ENTITY_POSITION, a => Entities[(int)a[0]].IsFrozen = (bool)a[1]);
         Do(Hash.DELETE_OBJECT, a =>
         {
-            Entities.Remove(((OutputArgument)a[0]).GetResult<int>());
+            Remove(((NativeAddress)a[0]).Integer);
             Write(a[0], 0);
         });
         _natives[Hash.GET_ENTITY_BONE_INDEX_BY_NAME] = a =>
@@ -72,7 +73,7 @@ internal sealed partial class TestGame
         (string name, Prop prop) = HasLoaded(model) && PropOf(model) is { } found
             ? found
             : throw new InvalidOperationException("An object was made of a model that is not loaded.");
-        return Add(new GameEntity
+        return Make(new GameEntity
         {
             Pool = PoolKind.Props,
             Name = name,

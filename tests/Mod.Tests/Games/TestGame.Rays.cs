@@ -34,9 +34,13 @@ internal sealed partial class TestGame
         _natives[Hash.GET_SHAPE_TEST_RESULT] = a =>
         {
             Write(a[1], _probe.Hit is not null);
-            Write(a[2], ToGame(_probe.Hit is { } hit ? _probe.Ray.At(hit.Distance) : default));
-            Write(a[3], ToGame(default));
-            Write(a[4], _probe.Hit is { } met ? ScriptHandleOf(met.Entity) : 0);
+            if (_probe.Hit is { } hit)
+            {
+                Write(a[2], ToGame(_probe.Ray.At(hit.Distance)));
+                Write(a[3], ToGame(default));
+                Write(a[4], ScriptHandleOf(hit.Entity));
+            }
+
             return 2;
         };
         Do(Hash.RELEASE_SCRIPT_GUID_FROM_ENTITY, a => LeakedScriptHandles.Remove((int)a[0]));

@@ -26,10 +26,14 @@ internal sealed partial class TestGame
         Do(Hash.GET_VEHICLE_NODE_POSITION, a => Write(a[1], ToGame(_roadNodes[(int)a[0]].Position)));
         _natives[Hash.GET_VEHICLE_NODE_PROPERTIES] = a =>
         {
-            SurveyedProperties? properties = Roads?.ReadProperties(ToWorld(a[0], a[1], a[2]));
-            Write(a[3], properties?.Density ?? 0);
-            Write(a[4], properties?.Flags ?? 0);
-            return properties is not null;
+            if (Roads?.ReadProperties(ToWorld(a[0], a[1], a[2])) is not { } properties)
+            {
+                return false;
+            }
+
+            Write(a[3], properties.Density);
+            Write(a[4], properties.Flags);
+            return true;
         };
         _natives[Hash.GET_CLOSEST_ROAD] = a =>
         {
@@ -47,9 +51,13 @@ internal sealed partial class TestGame
         };
         _natives[Hash.GET_ROAD_BOUNDARY_USING_HEADING] = a =>
         {
-            Vector3D? edge = Roads?.RoadEdge(ToWorld(a[0], a[1], a[2]), (float)a[3]);
-            Write(a[4], ToGame(edge ?? Vector3D.Zero));
-            return edge is not null;
+            if (Roads?.RoadEdge(ToWorld(a[0], a[1], a[2]), (float)a[3]) is not { } edge)
+            {
+                return false;
+            }
+
+            Write(a[4], ToGame(edge));
+            return true;
         };
     }
 }

@@ -1,6 +1,7 @@
 using GTA.Hosting;
 using GTA.Native;
 using Harvester.Geometry;
+using Harvester.Mod.Tests.Games.Natives;
 
 namespace Harvester.Mod.Tests.Games;
 
@@ -19,8 +20,8 @@ internal sealed partial class TestGame
 
     private void AddVehicleNatives()
     {
-        _natives[Hash.IS_PED_IN_ANY_VEHICLE] = a => (int)a[0] == Player && PlayersVehicle != 0;
-        _natives[Hash.GET_VEHICLE_PED_IS_IN] = _ => PlayersVehicle;
+        _natives[Hash.IS_PED_IN_ANY_VEHICLE] = a => VehicleOf((int)a[0]) != 0;
+        _natives[Hash.GET_VEHICLE_PED_IS_IN] = a => VehicleOf((int)a[0]);
         _natives[Hash.GET_VEHICLE_CLASS] = a => Entities[(int)a[0]].VehicleClass;
         _natives[Hash.GET_DISPLAY_NAME_FROM_VEHICLE_MODEL] = a =>
             Vehicles.FirstOrDefault(vehicle => vehicle.Model == (int)a[0])?.Name.ToUpperInvariant() ?? "CARNOTFOUND";
@@ -33,12 +34,15 @@ internal sealed partial class TestGame
         Do(Hash.SET_ENTITY_AS_MISSION_ENTITY, _ => { });
         Do(Hash.DELETE_VEHICLE, a =>
         {
-            int handle = ((OutputArgument)a[0]).GetResult<int>();
-            Entities.Remove(handle);
+            int handle = ((NativeAddress)a[0]).Integer;
+            Remove(handle);
             PlayersVehicle = PlayersVehicle == handle ? 0 : PlayersVehicle;
             Write(a[0], 0);
         });
         Do(Hash.SET_VEHICLE_ON_GROUND_PROPERLY, a => Entities[(int)a[0]].IsOnGround = true);
+        Do(Hash.SET_ENTITY_INVINCIBLE, a => Entities[(int)a[0]].IsInvincible = (bool)a[1]);
+        Do(Hash.SET_VEHICLE_ENGINE_CAN_DEGRADE, a => Entities[(int)a[0]].EngineCanDegrade = (bool)a[1]);
+        Do(Hash.SET_DISABLE_VEHICLE_PETROL_TANK_DAMAGE, a => Entities[(int)a[0]].PetrolTankCanBeDamaged = !(bool)a[1]);
         Do(Hash.SET_VEHICLE_TYRES_CAN_BURST, a => Entities[(int)a[0]].TyresCanBurst = (bool)a[1]);
         Do(Hash.SET_VEHICLE_CAN_BE_VISIBLY_DAMAGED, a => Entities[(int)a[0]].IsDamagedVisibly = (bool)a[1]);
         Do(Hash.SET_VEHICLE_WHEELS_CAN_BREAK, a => Entities[(int)a[0]].WheelsCanBreak = (bool)a[1]);
@@ -46,9 +50,11 @@ internal sealed partial class TestGame
         Do(Hash.SET_VEHICLE_NUMBER_PLATE_TEXT, a => Entities[(int)a[0]].Plate = (string)a[1]);
     }
 
+    private int VehicleOf(int ped) => ped == Player ? PlayersVehicle : Entities[ped].Vehicle;
+
     private int Create(int model, Vector3D position, float headingDegrees) =>
         HasLoaded(model) && model == AdderHash
-            ? Add(new GameEntity { Pool = PoolKind.Vehicles, Name = Adder, Pose = new Pose(position, Axes.FromHeading(headingDegrees)) })
+            ? Make(new GameEntity { Pool = PoolKind.Vehicles, Name = Adder, Pose = new Pose(position, Axes.FromHeading(headingDegrees)) })
             : throw new InvalidOperationException("A vehicle was made of a model that is not loaded.");
 
     private bool HasLoaded(int model) => _ticksUntilLoaded.TryGetValue(model, out int ticks) && ticks <= 0;

@@ -2,6 +2,7 @@ using GTA.Hosting;
 using GTA.Math;
 using GTA.Native;
 using Harvester.Geometry;
+using Harvester.Mod.Tests.Games.Natives;
 
 namespace Harvester.Mod.Tests.Games;
 
@@ -15,6 +16,8 @@ internal sealed partial class TestGame : IGameHost
     private const int MillisecondsOfAFrame = 50;
     private readonly Dictionary<Hash, Func<object[], object?>> _natives = [];
     private readonly Dictionary<int, int> _ticksUntilLoaded = [];
+    private readonly HashSet<int> _made = [];
+    private NativeConvention _convention = new(sizeof(int));
     private int _lastHandle = 1_000_000;
 
     public TestGame(string folder)
@@ -29,17 +32,17 @@ internal sealed partial class TestGame : IGameHost
         AddRoadNatives();
         AddControlNatives();
         AddInterfaceNatives();
+        AddListNatives();
+        AddFreezeNatives();
     }
 
     public string ScriptFile { get; }
 
-    public int GameVersion { get; set; } = 86;
+    public GameBuild Build { get; set; } = Legacy(3179);
 
     public Dictionary<int, GameEntity> Entities { get; } = [];
 
     public int PlayersVehicle { get; set; }
-
-    public bool IsPaused { get; private set; }
 
     public int Frame { get; set; }
 
@@ -49,11 +52,23 @@ internal sealed partial class TestGame : IGameHost
 
     public List<Hash> Calls { get; } = [];
 
+    /// <summary>What the script did that the real API or the real game would not bear.</summary>
+    public HashSet<string> Misuses { get; } = [];
+
+    /// <summary>How many bytes natives write for a BOOL: 1, 4 or 8.</summary>
+    public int BoolBytes
+    {
+        set => _convention = new NativeConvention(value);
+    }
+
     /// <summary>What to throw instead of answering a native; null to answer.</summary>
     public Func<Hash, Exception?> Fault { get; set; } = _ => null;
 
     /// <summary>What happens after the handles of what is near were listed, before they are read.</summary>
     public Action AfterListing { get; set; } = () => { };
+
+    /// <summary>What a list of the API's gives in a build whose memory it cannot read, by throwing or being empty; null for what there is.</summary>
+    public Func<PoolKind, int[]?>? BrokenList { get; set; }
 
     /// <summary>A list of handles needs free places in the pool of script handles.</summary>
     public bool ScriptHandlePoolIsFull { get; set; }
@@ -61,10 +76,19 @@ internal sealed partial class TestGame : IGameHost
     /// <summary>What a frame brings, paused or not; null for a world in which only time passes.</summary>
     public Action? PassFrame { get; set; }
 
-    /// <summary>Who must know when the world is stopped or goes on.</summary>
-    public Action<bool> PauseChanged { get; set; } = _ => { };
-
     public IEnumerable<GameEntity> Vehicles => Entities.Values.Where(entity => entity.Pool == PoolKind.Vehicles);
+
+    public static GameBuild Legacy(int build) => new("GTA5.exe", new Version(1, 0, build, 0));
+
+    /// <summary>What a script that has ended should have given back.</summary>
+    public IEnumerable<string> LeftBehind =>
+    [
+        .. _made.Where(Entities.ContainsKey).Select(handle => $"entity {Entities[handle].Name}"),
+        .. Cameras.Select(camera => $"camera {camera.Key}"),
+        .. RenderingCamera != NoCamera ? ["the view"] : Array.Empty<string>(),
+        .. IsPaused ? ["the pause"] : Array.Empty<string>(),
+        .. LightOverrides.Select(light => $"traffic light {light.Key}"),
+    ];
 
     public int Add(GameEntity entity)
     {
@@ -74,6 +98,13 @@ internal sealed partial class TestGame : IGameHost
 
     public int HandleOf(GameEntity wanted) => Entities.Single(entity => entity.Value == wanted).Key;
 
+    /// <summary>Takes an entity out of the world.</summary>
+    public void Remove(int handle)
+    {
+        Entities.Remove(handle);
+        _made.Remove(handle);
+    }
+
     public void NextFrame()
     {
         Frame++;
@@ -82,27 +113,41 @@ internal sealed partial class TestGame : IGameHost
             _ticksUntilLoaded[model]--;
         }
 
-        TimerMilliseconds += IsPaused ? 0 : MillisecondsOfAFrame;
+        TimerMilliseconds += IsFrozen ? 0 : MillisecondsOfAFrame;
         PassFrame?.Invoke();
         PassControls();
         ClearDrawings();
     }
 
-    public object? Call(Hash native, object[] arguments)
+    public void Call(NativeCall call)
     {
-        Calls.Add(native);
-        if (Fault(native) is { } fault)
+        Calls.Add(call.Native);
+        if (Fault(call.Native) is { } fault)
         {
             throw fault;
         }
 
-        return _natives.TryGetValue(native, out Func<object[], object?>? answer)
-            ? answer(arguments)
-            : throw new NotSupportedException($"The test game has no native {native}.");
+        if (!NativeTable.ByHash.TryGetValue((ulong)call.Native, out NativeSignature? native))
+        {
+            throw new NotSupportedException($"The native {call.Native} is not in ref/natives.csv.");
+        }
+
+        if (!_natives.TryGetValue(call.Native, out Func<object[], object?>? answer))
+        {
+            throw new NotSupportedException($"The test game has no native {call.Native}.");
+        }
+
+        Misuses.UnionWith(native.MistakesIn(call));
+        _convention.WriteResult(native, call, answer(_convention.ReadArguments(native, call)!));
     }
 
     public int[] HandlesNear(PoolKind pool, Vector3 position, float radius, int[] models)
     {
+        if (BrokenList?.Invoke(pool) is { } broken)
+        {
+            return broken;
+        }
+
         if (ScriptHandlePoolIsFull)
         {
             throw new InvalidOperationException("The fwScriptGuid pool is full.");
@@ -119,11 +164,20 @@ internal sealed partial class TestGame : IGameHost
 
     public void Notify(string message) => Notifications.Add(message);
 
+    public void Report(string fault) => Misuses.Add(fault);
+
+    private int Make(GameEntity entity)
+    {
+        int handle = Add(entity);
+        _made.Add(handle);
+        return handle;
+    }
+
     private static Vector3 ToGame(Vector3D vector) => new((float)vector.X, (float)vector.Y, (float)vector.Z);
 
     private static Vector3D ToWorld(object x, object y, object z) => new((float)x, (float)y, (float)z);
 
-    private static void Write(object place, object value) => ((OutputArgument)place).Value = value;
+    private static void Write(object place, object value) => ((NativeAddress)place).Write(value);
 
     private void Do(Hash native, Action<object[]> act) => _natives[native] = a =>
     {

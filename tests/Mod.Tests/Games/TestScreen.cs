@@ -1,10 +1,11 @@
 using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
+using Harvester.Capture.Screen;
 
 namespace Harvester.Mod.Tests.Games;
 
 /// <summary>A screen that shows the number of the frame, and tells what else was to be seen when it was grabbed.</summary>
-internal sealed class TestScreen(TestGame game) : IScreen
+internal sealed class TestScreen(TestGame game) : IScreen, IGameWindow
 {
     public string? Refusal { get; set; }
 
@@ -12,6 +13,8 @@ internal sealed class TestScreen(TestGame game) : IScreen
     public int SpoiltPictures { get; private set; }
 
     public int Grabs { get; private set; }
+
+    public string Describe() => "1920 x 1080, borderless, 96 dpi";
 
     public GrabResult Grab(PixelBuffer target)
     {

@@ -96,6 +96,8 @@ internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock
 
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity) => null;
 
+    public FreezeMethod Method { get; set; }
+
     public void Freeze() => IsFrozen = true;
 
     public void Unfreeze() => IsFrozen = false;

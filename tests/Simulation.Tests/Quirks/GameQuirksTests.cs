@@ -59,57 +59,6 @@ public sealed class GameQuirksTests
         Assert.Equal(game.Shown.Camera, game.Ports.World.ReadCamera());
     }
 
-    [Theory]
-    [InlineData(false)]
-    [InlineData(true)]
-    public void HoldsCameraWhileFrozen_lets_a_change_take_only_when_the_game_goes_on(bool holds)
-    {
-        SimulatedGame game = Game(new GameQuirks { HoldsCameraWhileFrozen = holds });
-        game.Tick(TickSeconds);
-        game.Ports.Pause.Freeze();
-        game.Tick(TickSeconds);
-        CameraState before = game.Ports.World.ReadCamera();
-        byte[] picture = Grab(game);
-        game.CameraMount = game.CameraMount with { Position = new Vector3D(0, 2, 1.4) };
-        game.Tick(TickSeconds);
-
-        Assert.Equal(holds, before == game.Ports.World.ReadCamera());
-        Assert.Equal(holds, picture.AsSpan().SequenceEqual(Grab(game)));
-
-        game.Ports.Pause.Unfreeze();
-        game.Tick(TickSeconds);
-        CameraState after = game.Ports.World.ReadCamera();
-        Assert.Equal(1.4, game.Shown.Ego.Pose.ToLocal(after.Pose.Position).Z, 9);
-    }
-
-    [Fact]
-    public void CreepTicks_the_world_goes_on_a_little_before_it_stands()
-    {
-        const int most = 3;
-        SimulatedGame game = Game(new GameQuirks { CreepTicks = most });
-        HashSet<int> counts = [];
-        for (int freeze = 0; freeze < 30; freeze++)
-        {
-            game.Tick(TickSeconds);
-            game.Ports.Pause.Freeze();
-            int crept = 0;
-            for (int tick = 0; tick < 10; tick++)
-            {
-                double time = game.Ports.World.TimeSeconds;
-                game.Tick(TickSeconds);
-                double passed = game.Ports.World.TimeSeconds - time;
-                Assert.InRange(passed, 0, TickSeconds / 2);
-                Assert.False(passed > 0 && tick >= most, "The world still creeps.");
-                crept += passed > 0 ? 1 : 0;
-            }
-
-            counts.Add(crept);
-            game.Ports.Pause.Unfreeze();
-        }
-
-        Assert.Equal([0, 1, 2, 3], counts.Order());
-    }
-
     [Fact]
     public void VanishingFraction_a_vehicle_is_gone_after_it_was_read_and_comes_back()
     {

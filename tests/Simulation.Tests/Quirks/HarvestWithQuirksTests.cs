@@ -60,8 +60,7 @@ public sealed class HarvestWithQuirksTests
         {
             PictureLagTicks = lag,
             IsCameraReportedLate = true,
-            HoldsCameraWhileFrozen = true,
-            CreepTicks = 3,
+            Paused = new FreezeQuirks { HoldsCamera = true, CreepTicks = 3 },
             VanishingFraction = 0.05,
             RaysMeetBoxes = true,
             RayMissFraction = 0.3,
@@ -74,6 +73,7 @@ public sealed class HarvestWithQuirksTests
     {
         Image = new ImageSize(64, 48),
         RangeMetres = Range,
+        IgnoreRangeMetres = Range,
         MaxFrames = frames,
         RateHz = 6,
         OcclusionSamples = 1,

@@ -101,6 +101,8 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
 
     public LightState? SetStateOf(int entity, long gameFrame) => (LightState)(1 + _entities.Single(own => own.State.Handle == entity).Variant);
 
+    public FreezeMethod Method { get; set; }
+
     public void Freeze()
     {
     }

@@ -38,6 +38,13 @@ internal sealed class WindowsDesktop : IDesktop, IDisposable
         return new DesktopView(windows, monitors);
     }
 
+    public DisplayFacts FactsOf(long window)
+    {
+        using var pixels = PhysicalPixels.Enter();
+        bool isExclusive = Shell32.SHQueryUserNotificationState(out int state) == 0 && state == Shell32.RunningFullScreen;
+        return new DisplayFacts(MonitorScaling.DpiOf(new IntPtr(window)), isExclusive);
+    }
+
     public bool TryCopy(PixelRectangle area, PixelBuffer target)
     {
         using var pixels = PhysicalPixels.Enter();

@@ -9,9 +9,9 @@ internal static class RoadSourceArgument
     public static Argument<string> Create() => new("FROM") { Description = "Road data: a file, folder or zip archive" };
 
     /// <summary>Imports, and tells on standard error what was left out.</summary>
-    public static RoadImport Import(ParseResult parsed, Argument<string> from, Terminal terminal)
+    public static RoadImport Import(ParseResult parsed, Argument<string> from, Option<LanesIn> lanesIn, Terminal terminal)
     {
-        RoadImport import = RoadImporter.Import(parsed.GetRequiredValue(from));
+        RoadImport import = RoadImporter.Import(parsed.GetRequiredValue(from), parsed.GetValue(lanesIn));
         foreach (string note in import.Notes)
         {
             terminal.Error.WriteLine($"Note: {note}");
@@ -19,6 +19,13 @@ internal static class RoadSourceArgument
 
         return import;
     }
+
+    public static Option<LanesIn> LanesIn() => new("--lanes-in")
+    {
+        Description = "Which way the lanes in of paths.ipl and paths.xml are driven: forward from a link's first node to its second, or backward",
+        HelpName = "forward|backward",
+        DefaultValueFactory = static _ => Datasets.Roads.LanesIn.Forward,
+    };
 
     public static Option<string> Output(string description) =>
         new("--out") { Description = description, HelpName = "FILE", Required = true };

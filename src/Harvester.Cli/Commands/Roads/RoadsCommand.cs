@@ -11,14 +11,16 @@ internal static class RoadsCommand
         + "Examples:\n"
         + "  harvester roads import exported-ynd/ --out roads.csv.gz\n"
         + "  harvester roads info roads.csv.gz\n"
+        + "  harvester roads compare paths.xml exported-ynd/\n"
         + "  harvester roads map roads.csv.gz --out map.png --size 4000\n"
         + "  harvester roads nodes roads.csv.gz --out nodes.csv";
 
     public static Command Create(Terminal terminal)
     {
-        var command = new Command("roads", "Import road networks, show them, and write their node database.");
+        var command = new Command("roads", "Import road networks, show and compare them, and write their node database.");
         command.Subcommands.Add(RoadsImportCommand.Create(terminal));
         command.Subcommands.Add(RoadsInfoCommand.Create(terminal));
+        command.Subcommands.Add(RoadsCompareCommand.Create(terminal));
         command.Subcommands.Add(RoadsMapCommand.Create(terminal));
         command.Subcommands.Add(RoadsNodesCommand.Create(terminal));
         HelpWithNotes.AddTo(command, Notes);

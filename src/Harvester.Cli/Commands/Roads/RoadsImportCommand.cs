@@ -9,11 +9,12 @@ internal static class RoadsImportCommand
     public static Command Create(Terminal terminal)
     {
         Argument<string> from = RoadSourceArgument.Create();
+        Option<LanesIn> lanesIn = RoadSourceArgument.LanesIn();
         Option<string> output = RoadSourceArgument.Output("File to write; packed by gzip when it ends in .gz");
-        var command = new Command("import", "Convert road data into the project's csv.") { from, output };
+        var command = new Command("import", "Convert road data into the project's csv.") { from, lanesIn, output };
         command.SetAction(parsed =>
         {
-            RoadImport import = RoadSourceArgument.Import(parsed, from, terminal);
+            RoadImport import = RoadSourceArgument.Import(parsed, from, lanesIn, terminal);
             string file = parsed.GetRequiredValue(output);
             RoadWriter.Write(import.Network, file);
             terminal.Out.WriteLine($"{file}: {Counted.Of(import.Network.Nodes.Count, "node")}, {Counted.Of(import.Network.Links.Count, "link")}, from {import.Format}");

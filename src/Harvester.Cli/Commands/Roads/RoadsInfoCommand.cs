@@ -11,10 +11,11 @@ internal static class RoadsInfoCommand
     public static Command Create(Terminal terminal)
     {
         Argument<string> from = RoadSourceArgument.Create();
-        var command = new Command("info", "Count nodes, links, flags and lanes.") { from };
+        Option<LanesIn> lanesIn = RoadSourceArgument.LanesIn();
+        var command = new Command("info", "Count nodes, links, flags and lanes.") { from, lanesIn };
         command.SetAction(parsed =>
         {
-            RoadImport import = RoadSourceArgument.Import(parsed, from, terminal);
+            RoadImport import = RoadSourceArgument.Import(parsed, from, lanesIn, terminal);
             terminal.Out.WriteLine("format".PadRight(NameColumn) + import.Format);
             foreach ((string name, string value) in RoadSummary.Of(import.Network))
             {

@@ -24,12 +24,13 @@ internal static class RoadsMapCommand
     public static Command Create(Terminal terminal)
     {
         Argument<string> from = RoadSourceArgument.Create();
+        Option<LanesIn> lanesIn = RoadSourceArgument.LanesIn();
         Option<string> output = RoadSourceArgument.Output("Picture to write: .png, or .svg for a vector graphic");
         Option<int> size = ValueParsers.Integer("--size", "PIXELS", "Pixels of the longer side", 16, LargestSize);
         size.DefaultValueFactory = _ => DefaultSize;
         Option<Box2D?> area = ValueParsers.Optional<Box2D>(
             "--area", "XMIN,YMIN,XMAX,YMAX", "The part of the world to show, metres [default: all]", ParseArea, "west, south, east and north edge, as -500,-1500,1000,0");
-        var command = new Command("map", $"Draw road data as a map: {Legend}.") { from, output, size, area };
+        var command = new Command("map", $"Draw road data as a map: {Legend}.") { from, lanesIn, output, size, area };
         command.SetAction(parsed =>
         {
             string file = parsed.GetRequiredValue(output);
@@ -39,7 +40,7 @@ internal static class RoadsMapCommand
                 throw new UsageException("--out takes a file that ends in .png or .svg.");
             }
 
-            RoadNetwork network = RoadSourceArgument.Import(parsed, from, terminal).Network;
+            RoadNetwork network = RoadSourceArgument.Import(parsed, from, lanesIn, terminal).Network;
             if (network.Nodes.Count == 0)
             {
                 throw new UsageException(NoRoads);

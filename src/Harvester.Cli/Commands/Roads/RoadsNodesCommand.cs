@@ -12,13 +12,14 @@ internal static class RoadsNodesCommand
     public static Command Create(Terminal terminal)
     {
         Argument<string> from = RoadSourceArgument.Create();
+        Option<LanesIn> lanesIn = RoadSourceArgument.LanesIn();
         Option<string> output = RoadSourceArgument.Output("Csv to write");
         Option<double> laneWidth = LaneOptions.LaneWidth();
         Option<double> narrow = LaneOptions.NarrowLaneWidth();
-        var command = new Command("nodes", "Write the node database: where the road lies at every node, for each direction.") { from, output, laneWidth, narrow };
+        var command = new Command("nodes", "Write the node database: where the road lies at every node, for each direction.") { from, lanesIn, output, laneWidth, narrow };
         command.SetAction(parsed =>
         {
-            RoadNetwork network = RoadSourceArgument.Import(parsed, from, terminal).Network;
+            RoadNetwork network = RoadSourceArgument.Import(parsed, from, lanesIn, terminal).Network;
             var database = new NodeDatabase(new RoadCurves(network), new LaneModel(network, parsed.GetValue(laneWidth), parsed.GetValue(narrow)));
             string file = parsed.GetRequiredValue(output);
             int count = 0;

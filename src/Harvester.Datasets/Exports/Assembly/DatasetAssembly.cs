@@ -20,6 +20,7 @@ internal static class DatasetAssembly
         int leftOut = 0;
         int labels = 0;
         int objects = 0;
+        int ignored = 0;
         foreach (JournalEntry entry in InOrder(journals))
         {
             if (entry.Files.Count == 0)
@@ -32,7 +33,8 @@ internal static class DatasetAssembly
             }
 
             labels += entry.Labels;
-            objects += entry.Objects;
+            objects += entry.Written.Objects;
+            ignored += entry.Written.Ignored;
             foreach ((string name, string line) in entry.Parts)
             {
                 parts.Add(name, line);
@@ -40,12 +42,12 @@ internal static class DatasetAssembly
         }
 
         parts.Flush();
-        foreach (AggregateFile file in format.CreateWriter(options).Aggregates(parts.Names))
+        foreach (AggregateFile file in format.CreateWriter(options).Aggregates(parts.Counts))
         {
             folder.Write(file.Path, stream => Write(stream, file, parts, folder));
         }
 
-        var result = new ExportResult(format, splits.Values.Sum(), IsFinished: true) { FramesLeftOut = leftOut, Labels = labels, Objects = objects, FramesOfSplits = splits };
+        var result = new ExportResult(format, splits.Values.Sum(), IsFinished: true) { FramesLeftOut = leftOut, Labels = labels, Objects = objects, Ignored = ignored, FramesOfSplits = splits };
         folder.Write(DatasetFolder.Manifest, stream => stream.Write(Encoding.UTF8.GetBytes(ManifestText(plan, result))));
         folder.Finish();
         return result;
@@ -71,6 +73,7 @@ internal static class DatasetAssembly
             FramesLeftOut = fields.WholeNumber("framesLeftOut"),
             Labels = fields.WholeNumber("labels"),
             Objects = fields.WholeNumber("objects"),
+            Ignored = fields.WholeNumber("ignored"),
             FramesOfSplits = new Dictionary<string, int>(splits),
         };
     }
@@ -139,6 +142,7 @@ internal static class DatasetAssembly
         json.WriteNumber("framesLeftOut", result.FramesLeftOut);
         json.WriteNumber("labels", result.Labels);
         json.WriteNumber("objects", result.Objects);
+        json.WriteNumber("ignored", result.Ignored);
         json.WriteStartObject("framesOfSplits");
         foreach ((string name, int count) in result.FramesOfSplits)
         {

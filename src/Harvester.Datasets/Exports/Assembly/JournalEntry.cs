@@ -10,11 +10,11 @@ namespace Harvester.Datasets.Exports.Assembly;
 /// <param name="Frame">Number of the frame in the dataset.</param>
 /// <param name="Split">Its split.</param>
 /// <param name="Labels">How many labels it has.</param>
-/// <param name="Objects">How many of them were written.</param>
+/// <param name="Written">How many of them were written.</param>
 /// <param name="Files">The files that are its own.</param>
 /// <param name="Parts">Its parts of aggregate files, in the order in which they were handed over.</param>
 internal sealed record JournalEntry(
-    int Frame, string Split, int Labels, int Objects, IReadOnlyList<string> Files, IReadOnlyList<KeyValuePair<string, string>> Parts)
+    int Frame, string Split, int Labels, WrittenObjects Written, IReadOnlyList<string> Files, IReadOnlyList<KeyValuePair<string, string>> Parts)
 {
     public string ToLine() => JsonLine.Of(json =>
     {
@@ -22,7 +22,8 @@ internal sealed record JournalEntry(
         json.WriteNumber("frame", Frame);
         json.WriteString("split", Split);
         json.WriteNumber("labels", Labels);
-        json.WriteNumber("objects", Objects);
+        json.WriteNumber("objects", Written.Objects);
+        json.WriteNumber("ignored", Written.Ignored);
         json.WriteStartArray("files");
         foreach (string file in Files)
         {
@@ -66,7 +67,7 @@ internal sealed record JournalEntry(
             root.GetProperty("frame").GetInt32(),
             root.GetProperty("split").GetString()!,
             root.GetProperty("labels").GetInt32(),
-            root.GetProperty("objects").GetInt32(),
+            new WrittenObjects(root.GetProperty("objects").GetInt32(), root.GetProperty("ignored").GetInt32()),
             Texts(root.GetProperty("files")),
             [.. parts.Chunk(2).Select(pair => KeyValuePair.Create(pair[0], pair[1]))]);
     }

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
-using System.Linq;
 using System.Text;
 
 namespace Harvester.Datasets.Exports.Assembly;
@@ -15,6 +14,7 @@ internal sealed class PartStore
     private readonly string _folder;
     private readonly SortedDictionary<string, StringBuilder> _buffers = new(StringComparer.Ordinal);
     private readonly Dictionary<string, string> _files = new(StringComparer.Ordinal);
+    private readonly SortedDictionary<string, int> _counts = new(StringComparer.Ordinal);
     private int _buffered;
 
     public PartStore(string folder)
@@ -29,7 +29,8 @@ internal sealed class PartStore
         Directory.CreateDirectory(folder);
     }
 
-    public IReadOnlyCollection<string> Names => [.. _files.Keys.Order(StringComparer.Ordinal)];
+    /// <summary>How many parts there are of each name, in ordinal order.</summary>
+    public IReadOnlyDictionary<string, int> Counts => _counts;
 
     public void Add(string name, string line)
     {
@@ -40,6 +41,7 @@ internal sealed class PartStore
             _files.TryAdd(name, Path.Combine(_folder, _files.Count.ToString(CultureInfo.InvariantCulture)));
         }
 
+        _counts[name] = _counts.GetValueOrDefault(name) + 1;
         buffer.Append(line).Append('\n');
         _buffered += line.Length + 1;
         if (_buffered > MostBufferedCharacters)

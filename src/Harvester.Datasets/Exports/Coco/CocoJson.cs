@@ -1,7 +1,8 @@
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Labels;
+using System.Text.Json;
 using Harvester.Capture.Scenes;
+using Harvester.Datasets.Exports.Selection;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Reports;
 
@@ -20,37 +21,44 @@ internal static class CocoJson
     /// <summary>The files of all splits, put together from the parts that are named images and annotations with the split.</summary>
     /// <param name="kind">What their names begin with.</param>
     /// <param name="options">The options.</param>
-    public static IEnumerable<AggregateFile> Files(string kind, ExportOptions options) => options.Splits.Splits.Select(split => new AggregateFile(
+    /// <param name="stuff">Categories that are no objects.</param>
+    public static IEnumerable<AggregateFile> Files(string kind, ExportOptions options, params IEnumerable<Stuff> stuff) => options.Splits.Splits.Select(split => new AggregateFile(
         $"annotations/{kind}_{split.Name}.json",
         [
             AggregateSection.Literal("{\"info\":" + Info + ",\"licenses\":[],\"images\":[\n"),
             AggregateSection.Joined($"images {split.Name}", ",\n"),
             AggregateSection.Literal("\n],\"annotations\":[\n"),
             AggregateSection.Joined($"annotations {split.Name}", ",\n"),
-            AggregateSection.Literal("\n],\"categories\":" + Categories(options) + "}\n"),
+            AggregateSection.Literal("\n],\"categories\":" + Categories(options, stuff) + "}\n"),
         ]));
 
-    /// <summary>The number of a class, the same in every dataset: its place in the enumeration, from 1.</summary>
-    public static int CategoryOf(ObjectClass kind) => (int)kind + 1;
-
     /// <summary>The list of categories.</summary>
-    private static string Categories(ExportOptions options) => JsonLine.Of(json =>
+    private static string Categories(ExportOptions options, IEnumerable<Stuff> stuff) => JsonLine.Of(json =>
     {
         json.WriteStartArray();
-        foreach (ObjectClass kind in options.ClassList)
+        foreach (DatasetClass kind in new ClassCatalogue(options).All)
         {
-            json.WriteStartObject();
-            json.WriteNumber("id", CategoryOf(kind));
-            json.WriteString("name", JsonName.Of(kind));
-            json.WriteString("supercategory", SuperCategoryOf(kind));
-            json.WriteNumber("isthing", 1);
-            int colour = ClassColours.Of(kind);
-            json.Numbers("color", [colour >> 16, (colour >> 8) & 0xFF, colour & 0xFF], 0);
-            json.WriteEndObject();
+            WriteCategory(json, kind.Category, kind.Name, SuperCategoryOf(kind.Kind), isThing: true, ClassColours.Of(kind.Kind));
+        }
+
+        foreach (Stuff kind in stuff)
+        {
+            WriteCategory(json, kind.Category, kind.Name, "stuff", isThing: false, kind.Colour);
         }
 
         json.WriteEndArray();
     });
+
+    private static void WriteCategory(Utf8JsonWriter json, int id, string name, string superCategory, bool isThing, int colour)
+    {
+        json.WriteStartObject();
+        json.WriteNumber("id", id);
+        json.WriteString("name", name);
+        json.WriteString("supercategory", superCategory);
+        json.WriteNumber("isthing", isThing ? 1 : 0);
+        json.Numbers("color", [colour >> 16, (colour >> 8) & 0xFF, colour & 0xFF], 0);
+        json.WriteEndObject();
+    }
 
     /// <summary>An entry of the list of images.</summary>
     public static string Image(ExportFrame frame, string file) => JsonLine.Of(json =>

@@ -1,14 +1,11 @@
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Imaging;
-using Harvester.Datasets.Exports.Masks;
 using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Validation;
-using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
-using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Exports.Coco;
 
@@ -55,22 +52,17 @@ internal static class CocoPanopticCheck
             return $"its picture is not of {size.Width} x {size.Height}.";
         }
 
-        if (IdsOf(picture) is not { } map)
-        {
-            return "a colour of its picture is a number above 65,535.";
-        }
-
-        Dictionary<int, InstancePixels> found = new(InstancePixels.AllOf(map));
+        var found = new Dictionary<int, Segment>(new SegmentMap(picture).Segments);
         foreach (JsonFields segment in segments)
         {
             int id = segment.WholeNumber("id");
             double[] box = segment.Numbers("bbox", 4);
-            if (!found.Remove(id, out InstancePixels? pixels))
+            if (!found.Remove(id, out Segment? pixels))
             {
                 return $"segment {id} is not in its picture, or there twice.";
             }
 
-            if (segment.WholeNumber("area") != pixels.Area || new Box2D(box[0], box[1], box[0] + box[2], box[1] + box[3]) != pixels.Box)
+            if (segment.WholeNumber("area") != pixels.Area || !box.SequenceEqual([pixels.Left, pixels.Top, pixels.Right - pixels.Left, pixels.Bottom - pixels.Top]))
             {
                 return $"segment {id} has another area or box than in its picture.";
             }
@@ -82,22 +74,5 @@ internal static class CocoPanopticCheck
         }
 
         return found.Count == 0 ? null : $"segment {found.Keys.Min()} of its picture is not listed.";
-    }
-
-    /// <summary>The segments' numbers: red + 256 green; blue is 0, as numbers of objects fit 16 bits.</summary>
-    private static InstanceMap? IdsOf(PixelBuffer picture)
-    {
-        var map = new InstanceMap(picture.Size);
-        for (int i = 0; i < map.Ids.Length; i++)
-        {
-            int at = i * PixelBuffer.BytesPerPixel;
-            map.Ids[i] = (ushort)(picture.Bytes[at] | (picture.Bytes[at + 1] << 8));
-            if (picture.Bytes[at + 2] != 0)
-            {
-                return null;
-            }
-        }
-
-        return map;
     }
 }

@@ -4,6 +4,7 @@ using System.Text.Json;
 using Harvester.Capture.Imaging;
 using Harvester.Capture.Labels;
 using Harvester.Datasets.Exports.Masks;
+using Harvester.Datasets.Exports.Selection;
 using Harvester.Datasets.Json;
 using Harvester.Geometry.PixelMaps;
 
@@ -12,61 +13,67 @@ namespace Harvester.Datasets.Exports.Coco;
 /// <summary>COCO panoptic: a colour PNG a frame whose colours are segments, and their list in one file a split. See docs/exports/coco-panoptic.md.</summary>
 internal sealed class CocoPanopticWriter(ExportOptions options) : IDatasetWriter
 {
+    private const int Void = 0;
+
     private readonly PngEncoder _png = new();
 
-    public int Write(ExportFrame frame, FrameOutput output)
+    public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
-        InstanceMap mask = frame.Mask!;
+        InstanceMap mask = options.Parts == PartSelection.None ? frame.Mask! : frame.DividedMask!;
         IReadOnlyDictionary<int, InstancePixels> pixels = InstancePixels.AllOf(mask);
-        ObjectLabel[] seen = [.. frame.Objects.Where(label => pixels.ContainsKey(label.Id))];
-        string image = frame.Name + frame.ImageExtension;
-        output.Transfer($"images/{frame.Split}/{image}", frame.ImagePath);
-        output.File($"annotations/panoptic_{frame.Split}/{frame.Name}.png", stream => _png.Write(Colours(mask, [.. seen.Select(label => label.Id)]), stream));
-        output.Part($"images {frame.Split}", CocoJson.Image(frame, image));
-        output.Part($"annotations {frame.Split}", Annotation(frame, seen, pixels));
-        return seen.Length;
-    }
-
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => CocoJson.Files("panoptic", options);
-
-    /// <summary>A segment's id is its colour, red + 256 green + 65536 blue; here it is the object's, and black is no segment.</summary>
-    private static PixelBuffer Colours(InstanceMap mask, HashSet<int> ids)
-    {
-        var picture = new PixelBuffer(mask.Image);
-        for (int i = 0; i < mask.Ids.Length; i++)
+        ExportObject[] seen = [.. frame.Objects.Where(item => pixels.ContainsKey(item.Label.Id))];
+        Dictionary<int, int> segments = seen.ToDictionary(item => item.Label.Id, item => item.Label.Id);
+        foreach (ObjectLabel post in frame.Label.Objects.Where(frame.IsPost))
         {
-            if (ids.Contains(mask.Ids[i]))
-            {
-                picture.Bytes[i * PixelBuffer.BytesPerPixel] = (byte)mask.Ids[i];
-                picture.Bytes[(i * PixelBuffer.BytesPerPixel) + 1] = (byte)(mask.Ids[i] >> 8);
-            }
+            segments.Add(post.Id, Stuff.Pole.Segment);
         }
 
-        return picture;
+        segments.Add(0, Stuff.Background.Segment);
+        var map = new SegmentMap(mask, id => segments.GetValueOrDefault(id, Void));
+        string image = frame.Name + frame.ImageExtension;
+        output.Image($"images/{frame.Split}/{image}", frame);
+        output.File($"annotations/panoptic_{frame.Split}/{frame.Name}.png", stream => _png.Write(map.Picture, stream));
+        output.Part($"images {frame.Split}", CocoJson.Image(frame, image));
+        output.Part($"annotations {frame.Split}", Annotation(frame, seen, map));
+        return new WrittenObjects(seen.Length);
     }
 
-    private static string Annotation(ExportFrame frame, ObjectLabel[] seen, IReadOnlyDictionary<int, InstancePixels> pixels) => JsonLine.Of(json =>
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => CocoJson.Files("panoptic", options, StuffOf(options));
+
+    /// <summary>The categories that are no objects: posts only where they are not part of their signs and lights.</summary>
+    public static IEnumerable<Stuff> StuffOf(ExportOptions options) =>
+        options.Parts == PartSelection.Faces ? [Stuff.Pole, Stuff.Background] : [Stuff.Background];
+
+    private string Annotation(ExportFrame frame, ExportObject[] seen, SegmentMap map) => JsonLine.Of(json =>
     {
         json.WriteStartObject();
         json.WriteNumber("image_id", frame.Index);
         json.WriteString("file_name", frame.Name + ".png");
         json.WriteStartArray("segments_info");
-        foreach (ObjectLabel label in seen)
+        foreach (ExportObject item in seen)
         {
-            WriteSegment(json, label, pixels[label.Id]);
+            WriteSegment(json, map.Segments[item.Label.Id], item.Class.Category);
+        }
+
+        foreach (Stuff stuff in StuffOf(options))
+        {
+            if (map.Segments.TryGetValue(stuff.Segment, out Segment? segment))
+            {
+                WriteSegment(json, segment, stuff.Category);
+            }
         }
 
         json.WriteEndArray();
         json.WriteEndObject();
     });
 
-    private static void WriteSegment(Utf8JsonWriter json, ObjectLabel label, InstancePixels pixels)
+    private static void WriteSegment(Utf8JsonWriter json, Segment segment, int category)
     {
         json.WriteStartObject();
-        json.WriteNumber("id", label.Id);
-        json.WriteNumber("category_id", CocoJson.CategoryOf(label.Class));
-        json.Numbers("bbox", [pixels.Left, pixels.Top, pixels.Box.Width, pixels.Box.Height], CocoJson.PixelDecimals);
-        json.WriteNumber("area", pixels.Area);
+        json.WriteNumber("id", segment.Id);
+        json.WriteNumber("category_id", category);
+        json.Numbers("bbox", [segment.Left, segment.Top, segment.Right - segment.Left, segment.Bottom - segment.Top], CocoJson.PixelDecimals);
+        json.WriteNumber("area", segment.Area);
         json.WriteNumber("iscrowd", 0);
         json.WriteEndObject();
     }

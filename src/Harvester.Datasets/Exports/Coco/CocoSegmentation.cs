@@ -1,66 +1,118 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
+using System.Text.Json;
+using Harvester.Datasets.Exports.Masks;
+using Harvester.Datasets.Exports.Selection;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Exports.Coco;
 
-/// <summary>What must hold for a segmentation: it spans its box, and run lengths fill the image and add up to the area.</summary>
-internal static class CocoSegmentation
+/// <summary>The segmentation of an annotation: run lengths, outlines, or none without a mask.</summary>
+internal sealed class CocoSegmentation
 {
-    /// <summary>Polygons run along pixel borders, and so do the boxes around visible pixels.</summary>
-    private const double RoundingPixels = 0.002;
+    private readonly ImageSize _image;
+    private readonly IReadOnlyList<int> _runs = [];
+    private readonly IReadOnlyList<IReadOnlyList<Vector2D>> _outlines = [];
 
-    /// <summary>An empty list is no segmentation.</summary>
-    public static string? PolygonProblem(double[][] polygons, Box2D box)
+    /// <summary>The segmentation of an object.</summary>
+    /// <param name="kind">How it is described.</param>
+    /// <param name="pixels">The object's pixels; null without a mask.</param>
+    public CocoSegmentation(SegmentationKind kind, InstancePixels? pixels)
     {
-        if (polygons.Any(polygon => polygon.Length < 6 || polygon.Length % 2 != 0))
+        if (pixels is not null)
         {
-            return "a polygon does not have three corners or more, two numbers each.";
+            _image = pixels.Map.Image;
+            Area = pixels.Area;
+            _runs = kind == SegmentationKind.Rle ? MaskRuns.Encode(pixels.Map, pixels.Id) : [];
+            _outlines = kind == SegmentationKind.Polygon ? pixels.Outlines() : [];
         }
-
-        double[] xs = [.. polygons.SelectMany(polygon => polygon.Where((_, i) => i % 2 == 0))];
-        double[] ys = [.. polygons.SelectMany(polygon => polygon.Where((_, i) => i % 2 == 1))];
-        return polygons.Length == 0 || IsSame(box, new Box2D(xs.Min(), ys.Min(), xs.Max(), ys.Max())) ? null : "its polygons do not span its box.";
     }
 
-    /// <summary>Uncompressed run lengths: column by column, what is outside first.</summary>
-    public static string? RunsProblem(JsonFields segmentation, ImageSize image, Box2D box, double area)
+    private CocoSegmentation(ImageSize image, IReadOnlyList<int> runs)
     {
-        double[] size = segmentation.Numbers("size", 2);
-        double[] counts = segmentation.Numbers("counts");
-        if (size[0] != image.Height || size[1] != image.Width || counts.Any(count => count < 0 || count != Math.Floor(count)) || counts.Sum() != image.PixelCount)
-        {
-            return $"its run lengths are not those of an image of {image.Width} x {image.Height}.";
-        }
-
-        return counts.Where((_, i) => i % 2 == 1).Sum() != area ? "its run lengths do not add up to its area."
-            : IsSame(box, BoxOf(counts, image.Height)) ? null : "its run lengths do not span its box.";
+        _image = image;
+        _runs = runs;
+        Area = runs.Where((_, i) => i % 2 == 1).Sum();
     }
 
-    private static Box2D BoxOf(double[] counts, int height)
+    /// <summary>Number of pixels; null without a mask.</summary>
+    public int? Area { get; }
+
+    /// <summary>The segmentation of a region: the pixels of what it shows, or else all of its box. The format describes crowds by run lengths.</summary>
+    public static CocoSegmentation OfRegion(ExportRegion region, ExportFrame frame) =>
+        frame.Mask is null ? new CocoSegmentation(SegmentationKind.Rle, null)
+        : region.Label is { } label && frame.PixelsOf(label) is { } pixels ? new CocoSegmentation(SegmentationKind.Rle, pixels)
+        : new CocoSegmentation(frame.Mask.Image, RunsOf(region.Box, frame.Mask.Image));
+
+    /// <summary>Writes it as a value.</summary>
+    public void Write(Utf8JsonWriter json)
     {
-        (int left, int top, int right, int bottom) = (int.MaxValue, int.MaxValue, 0, 0);
-        int at = 0;
-        for (int i = 0; i < counts.Length; i++)
+        if (_runs.Count > 0)
         {
-            int end = at + (int)counts[i];
-            if (i % 2 == 1 && end > at)
+            WriteRuns(json);
+            return;
+        }
+
+        json.WriteStartArray();
+        foreach (IReadOnlyList<Vector2D> outline in _outlines)
+        {
+            json.WriteStartArray();
+            foreach (Vector2D corner in outline)
             {
-                // A run that goes on in the next column touches the last row and the first.
-                bool isInOneColumn = at / height == (end - 1) / height;
-                left = Math.Min(left, at / height);
-                right = Math.Max(right, ((end - 1) / height) + 1);
-                top = isInOneColumn ? Math.Min(top, at % height) : 0;
-                bottom = isInOneColumn ? Math.Max(bottom, ((end - 1) % height) + 1) : height;
+                json.Value(corner.X, 0);
+                json.Value(corner.Y, 0);
             }
 
-            at = end;
+            json.WriteEndArray();
         }
 
-        return new Box2D(left, top, right, bottom);
+        json.WriteEndArray();
     }
 
-    private static bool IsSame(Box2D a, Box2D b) => a.Contains(b, RoundingPixels) && b.Contains(a, RoundingPixels);
+    private void WriteRuns(Utf8JsonWriter json)
+    {
+        json.WriteStartObject();
+        json.WriteStartArray("size");
+        json.WriteNumberValue(_image.Height);
+        json.WriteNumberValue(_image.Width);
+        json.WriteEndArray();
+        json.WriteStartArray("counts");
+        foreach (int count in _runs)
+        {
+            json.WriteNumberValue(count);
+        }
+
+        json.WriteEndArray();
+        json.WriteEndObject();
+    }
+
+    /// <summary>The pixels that a box touches, column by column, what is outside first.</summary>
+    private static List<int> RunsOf(Box2D box, ImageSize image)
+    {
+        (int left, int right) = (Math.Max(0, (int)Math.Floor(box.XMin)), Math.Min(image.Width, (int)Math.Ceiling(box.XMax)));
+        (int top, int bottom) = (Math.Max(0, (int)Math.Floor(box.YMin)), Math.Min(image.Height, (int)Math.Ceiling(box.YMax)));
+        var runs = new List<int>();
+        int end = 0;
+        for (int column = left; column < right; column++)
+        {
+            int begin = (column * image.Height) + top;
+            if (begin == end && runs.Count > 0)
+            {
+                runs[^1] += bottom - top;
+            }
+            else
+            {
+                runs.AddRange([begin - end, bottom - top]);
+            }
+
+            end = (column * image.Height) + bottom;
+        }
+
+        runs.Add((int)image.PixelCount - end);
+        return runs;
+    }
 }

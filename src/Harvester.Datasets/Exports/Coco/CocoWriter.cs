@@ -2,9 +2,9 @@ using System.Collections.Generic;
 using System.Text.Json;
 using Harvester.Capture.Labels;
 using Harvester.Datasets.Exports.Masks;
+using Harvester.Datasets.Exports.Selection;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
-using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Exports.Coco;
 
@@ -12,94 +12,74 @@ namespace Harvester.Datasets.Exports.Coco;
 internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
 {
     /// <summary>Object ids fit 16 bits, so that frame and object together give an id that no filter and no shard changes.</summary>
-    private const long IdsPerFrame = 65_536;
+    private const long IdsPerFrame = 1 << 17;
 
-    public int Write(ExportFrame frame, FrameOutput output)
+    /// <summary>Regions without a label are numbered after all objects.</summary>
+    private const int FirstRegion = 1 << 16;
+
+    public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
         string file = frame.Name + frame.ImageExtension;
-        output.Transfer($"images/{frame.Split}/{file}", frame.ImagePath);
+        output.Image($"images/{frame.Split}/{file}", frame);
         output.Part($"images {frame.Split}", CocoJson.Image(frame, file));
-        IReadOnlyDictionary<int, InstancePixels>? pixels = frame.Mask is { } mask ? InstancePixels.AllOf(mask) : null;
-        int written = 0;
-        foreach (ObjectLabel label in frame.Objects)
+        int objects = 0;
+        foreach (ExportObject item in frame.Objects)
         {
             // With a mask, an object of which no pixel is seen has nothing to annotate.
-            InstancePixels? own = pixels?.GetValueOrDefault(label.Id);
-            if (pixels is null || own is not null)
+            InstancePixels? pixels = frame.PixelsOf(item.Label);
+            if (frame.Mask is null || pixels is not null)
             {
-                output.Part($"annotations {frame.Split}", Annotation(frame, label, own));
-                written++;
+                var segmentation = new CocoSegmentation(options.Segmentation, pixels);
+                output.Part($"annotations {frame.Split}", Annotation(frame, item.Label.Id, item.Class, item.Box, isCrowd: false, segmentation, item.Label));
+                objects++;
             }
         }
 
-        return written;
+        int ignored = 0;
+        foreach (ExportRegion region in frame.Ignored)
+        {
+            if (region.Class is { } kind)
+            {
+                CocoSegmentation segmentation = CocoSegmentation.OfRegion(region, frame);
+                int id = region.Label?.Id ?? FirstRegion + ignored;
+                output.Part($"annotations {frame.Split}", Annotation(frame, id, kind, region.Box, isCrowd: true, segmentation, region.Label));
+                ignored++;
+            }
+        }
+
+        return new WrittenObjects(objects, ignored);
     }
 
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => CocoJson.Files("instances", options);
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => CocoJson.Files("instances", options);
 
-    private string Annotation(ExportFrame frame, ObjectLabel label, InstancePixels? pixels) => JsonLine.Of(json =>
+    private static string Annotation(
+        ExportFrame frame, int id, DatasetClass kind, Box2D box, bool isCrowd, CocoSegmentation segmentation, ObjectLabel? label) => JsonLine.Of(json =>
     {
-        Box2D box = pixels?.Box ?? label.Box2D;
         json.WriteStartObject();
-        json.WriteNumber("id", (frame.Index * IdsPerFrame) + label.Id);
+        json.WriteNumber("id", (frame.Index * IdsPerFrame) + id);
         json.WriteNumber("image_id", frame.Index);
-        json.WriteNumber("category_id", CocoJson.CategoryOf(label.Class));
+        json.WriteNumber("category_id", kind.Category);
         json.Numbers("bbox", [box.XMin, box.YMin, box.Width, box.Height], CocoJson.PixelDecimals);
-        json.Number("area", pixels?.Area ?? box.Area, CocoJson.PixelDecimals);
-        json.WriteNumber("iscrowd", 0);
+        json.Number("area", segmentation.Area ?? box.Area, CocoJson.PixelDecimals);
+        json.WriteNumber("iscrowd", isCrowd ? 1 : 0);
         json.WritePropertyName("segmentation");
-        WriteSegmentation(json, pixels);
+        segmentation.Write(json);
+        if (label is not null)
+        {
+            WriteExtras(json, label);
+        }
+
+        json.WriteEndObject();
+    });
+
+    /// <summary>What the session knows of an object beyond the format.</summary>
+    private static void WriteExtras(Utf8JsonWriter json, ObjectLabel label)
+    {
         json.WriteNumber("track_id", label.Id);
         json.Number("truncated_fraction", label.TruncatedFraction, CocoJson.FractionDecimals);
         json.Number("occluded_fraction", label.OccludedFraction, CocoJson.FractionDecimals);
         json.Number("distance_metres", label.DistanceMetres, CocoJson.PixelDecimals);
-        json.WriteEndObject();
-    });
-
-    private void WriteSegmentation(Utf8JsonWriter json, InstancePixels? pixels)
-    {
-        if (pixels is null)
-        {
-            json.WriteStartArray();
-            json.WriteEndArray();
-        }
-        else if (options.Segmentation == SegmentationKind.Rle)
-        {
-            WriteRunLengths(json, pixels);
-        }
-        else
-        {
-            json.WriteStartArray();
-            foreach (IReadOnlyList<Vector2D> outline in pixels.Outlines())
-            {
-                json.WriteStartArray();
-                foreach (Vector2D corner in outline)
-                {
-                    json.Value(corner.X, 0);
-                    json.Value(corner.Y, 0);
-                }
-
-                json.WriteEndArray();
-            }
-
-            json.WriteEndArray();
-        }
-    }
-
-    private static void WriteRunLengths(Utf8JsonWriter json, InstancePixels pixels)
-    {
-        json.WriteStartObject();
-        json.WriteStartArray("size");
-        json.WriteNumberValue(pixels.Map.Image.Height);
-        json.WriteNumberValue(pixels.Map.Image.Width);
-        json.WriteEndArray();
-        json.WriteStartArray("counts");
-        foreach (int count in MaskRuns.Encode(pixels.Map, pixels.Id))
-        {
-            json.WriteNumberValue(count);
-        }
-
-        json.WriteEndArray();
-        json.WriteEndObject();
+        json.WriteString("mutcd", label.Space?.MutcdCode);
+        json.WriteString("light_state", label.Space?.Light is { } light ? JsonName.Of(light.State) : null);
     }
 }

@@ -4,7 +4,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using CsvHelper;
-using Harvester.Capture.Labels;
+using Harvester.Datasets.Exports.Selection;
 using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Validation;
@@ -18,12 +18,13 @@ internal sealed class CsvDatasetCheck
 {
     private const string Frames = "frames.csv";
     private const string Objects = "objects.csv";
+    private const string Regions = "ignore_regions.csv";
 
     /// <summary>Pixels have three decimals.</summary>
     private const double RoundingPixels = 0.002;
 
     private static readonly string[] Texts =
-        ["split", "image", "weather", "time_of_day", "class", "model", "name"];
+        ["split", "image", "weather", "time_of_day", "class", "model", "name", "mutcd", "light_state", "has_rider", "reason"];
 
     private readonly DatasetContent _dataset;
     private readonly HashSet<string> _classes;
@@ -33,14 +34,15 @@ internal sealed class CsvDatasetCheck
     private CsvDatasetCheck(DatasetContent dataset)
     {
         _dataset = dataset;
-        _classes = [.. dataset.Options.ClassList.Select(kind => JsonName.Of(kind))];
+        _classes = [.. new ClassCatalogue(dataset.Options).All.Select(kind => kind.Name)];
     }
 
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset)
     {
         var check = new CsvDatasetCheck(dataset);
         return check.TableProblems(Frames, CsvDatasetWriter.FrameColumns, check.FrameProblem)
-            .Concat(check.TableProblems(Objects, CsvDatasetWriter.ObjectColumns, check.ObjectProblem));
+            .Concat(check.TableProblems(Objects, CsvDatasetWriter.ObjectColumns, check.ObjectProblem))
+            .Concat(check.TableProblems(Regions, CsvDatasetWriter.RegionColumns, check.RegionProblem));
     }
 
     private IEnumerable<SessionProblem> TableProblems(string name, string[] columns, Func<Dictionary<string, string>, string?> problemOf)
@@ -89,18 +91,25 @@ internal sealed class CsvDatasetCheck
 
     private string? ObjectProblem(Dictionary<string, string> row)
     {
+        return RegionProblem(row) is { } problem ? problem
+            : !_objects.Add((row["frame"], row["id"])) ? $"object {row["id"]} is there twice in frame {row["frame"]}."
+            : row.Where(pair => pair.Key.EndsWith("_fraction", StringComparison.Ordinal) && pair.Value.Length > 0).FirstOrDefault(pair => Number(pair.Value) is < 0 or > 1)
+                is { Key: { } fraction } ? $"{fraction} is not 0 to 1."
+            : null;
+    }
+
+    /// <summary>What must hold for objects and for regions.</summary>
+    private string? RegionProblem(Dictionary<string, string> row)
+    {
         if (!_sizes.TryGetValue(row["frame"], out ImageSize size))
         {
             return $"frame {row["frame"]} is not in {Frames}.";
         }
 
         var box = new Box2D(Number(row["box2d_xmin"]), Number(row["box2d_ymin"]), Number(row["box2d_xmax"]), Number(row["box2d_ymax"]));
-        return !_objects.Add((row["frame"], row["id"])) ? $"object {row["id"]} is there twice in frame {row["frame"]}."
-            : !_classes.Contains(row["class"]) ? $"'{row["class"]}' is not a class of the export."
+        return !_classes.Contains(row["class"]) ? $"'{row["class"]}' is not a class of the export."
             : !(box.Width > 0 && box.Height > 0 && new Box2D(0, 0, size.Width, size.Height).Contains(box, RoundingPixels))
                 ? $"its box2d does not lie in the image of {size.Width} x {size.Height}, or has no area."
-            : row.Where(pair => pair.Key.EndsWith("_fraction", StringComparison.Ordinal) && pair.Value.Length > 0).FirstOrDefault(pair => Number(pair.Value) is < 0 or > 1)
-                is { Key: { } fraction } ? $"{fraction} is not 0 to 1."
             : Number(row["distance_metres"]) < 0 ? "distance_metres is below 0." : null;
     }
 

@@ -2,15 +2,18 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using System.Text.Json;
 using CsvHelper;
 using CsvHelper.Configuration;
 using Harvester.Capture.Labels;
+using Harvester.Datasets.Exports.Selection;
+using Harvester.Datasets.Json;
 using Harvester.Geometry;
 
 namespace Harvester.Datasets.Exports.Csv;
 
-/// <summary>Two flat tables, frames.csv and objects.csv (RFC 4180 with LF), and the images. See docs/exports/csv.md.</summary>
-internal sealed class CsvDatasetWriter : IDatasetWriter
+/// <summary>Flat tables, frames.csv, objects.csv and ignore_regions.csv (RFC 4180 with LF), and the images. See docs/exports/csv.md.</summary>
+internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
 {
     private const int Metres = 4;
     private const int Pixels = 3;
@@ -18,6 +21,8 @@ internal sealed class CsvDatasetWriter : IDatasetWriter
     private const int Axis = 9;
     private const int Intrinsics = 6;
     private const int Seconds = 6;
+
+    private readonly ClassCatalogue _classes = new(options);
 
     /// <summary>Columns of frames.csv.</summary>
     public static string[] FrameColumns { get; } =
@@ -32,25 +37,39 @@ internal sealed class CsvDatasetWriter : IDatasetWriter
     [
         "frame", "id", "class", "model", "name", .. BoxColumns("box2d"), .. BoxColumns("box2d_amodal"), .. BoxColumns("box2d_visible"),
         "truncated_fraction", "occluded_fraction", "visible_fraction", .. VectorColumns("centre"), .. VectorColumns("half_extents"),
-        .. VectorColumns("right"), .. VectorColumns("forward"), .. VectorColumns("up"), "distance_metres", .. VectorColumns("velocity"), "parent",
+        .. VectorColumns("right"), .. VectorColumns("forward"), .. VectorColumns("up"), "distance_metres", .. VectorColumns("velocity"), "parent", "mutcd", "light_state", "has_rider",
     ];
 
-    public int Write(ExportFrame frame, FrameOutput output)
+    /// <summary>Columns of ignore_regions.csv.</summary>
+    public static string[] RegionColumns { get; } = ["frame", "reason", "class", .. BoxColumns("box2d"), "distance_metres"];
+
+    public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
         string image = $"images/{frame.Name}{frame.ImageExtension}";
-        output.Transfer(image, frame.ImagePath);
+        output.Image(image, frame);
         output.Part("frames", Line(FrameFields(frame, image)));
-        foreach (ObjectLabel label in frame.Objects)
+        Dictionary<int, double?> visible = VisibleFractions(frame.LabelText);
+        foreach (ExportObject item in frame.Objects)
         {
-            output.Part("objects", Line([Numbers.Text(frame.Index), .. ObjectFields(label)]));
+            output.Part("objects", Line([Numbers.Text(frame.Index), .. ObjectFields(item, visible[item.Label.Id])]));
         }
 
-        return frame.Objects.Count;
+        IgnoreRegion[] regions = [.. frame.Label.IgnoreRegions.Where(region => _classes.Of(region.Class) is not null)];
+        foreach (IgnoreRegion region in regions)
+        {
+            output.Part("regions", Line(
+            [
+                Numbers.Text(frame.Index), JsonName.Of(region.Reason), _classes.Of(region.Class)!.Name, .. Of(region.Box2D), .. Of(Metres, region.DistanceMetres),
+            ]));
+        }
+
+        return new WrittenObjects(frame.Objects.Count, regions.Length);
     }
 
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) =>
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
     [
         new("frames.csv", [AggregateSection.Literal(Line(FrameColumns) + "\n"), AggregateSection.Lines("frames")]),
+        new("ignore_regions.csv", [AggregateSection.Literal(Line(RegionColumns) + "\n"), AggregateSection.Lines("regions")]),
         new("objects.csv", [AggregateSection.Literal(Line(ObjectColumns) + "\n"), AggregateSection.Lines("objects")]),
     ];
 
@@ -73,14 +92,28 @@ internal sealed class CsvDatasetWriter : IDatasetWriter
         ];
     }
 
-    private static IEnumerable<string> ObjectFields(ObjectLabel label) =>
-    [
-        Numbers.Text(label.Id), JsonName.Of(label.Class), label.Model, label.Name ?? "",
-        .. Of(label.Box2D), .. Of(label.Box2DAmodal), .. Of(label.Box2DVisible),
-        .. Of(Fraction, label.TruncatedFraction, label.OccludedFraction, label.VisibleFraction),
-        .. Of(label.Box3D.Centre, Metres), .. Of(label.Box3D.HalfExtents, Metres), .. Of(label.Box3D.Axes),
-        .. Of(Metres, label.DistanceMetres), .. Of(label.Velocity, Metres), .. Of(0, label.Parent),
-    ];
+    private static IEnumerable<string> ObjectFields(ExportObject item, double? visibleFraction)
+    {
+        ObjectLabel label = item.Label;
+        return
+        [
+            Numbers.Text(label.Id), item.Class.Name, label.Model, label.Name ?? "",
+            .. Of(label.Box2D), .. Of(label.Box2DAmodal), .. Of(label.Box2DVisible),
+            .. Of(Fraction, label.TruncatedFraction, label.OccludedFraction, visibleFraction),
+            .. Of(label.Box3D.Centre, Metres), .. Of(label.Box3D.HalfExtents, Metres), .. Of(label.Box3D.Axes),
+            .. Of(Metres, label.DistanceMetres), .. Of(label.Velocity, Metres), .. Of(0, label.Parent),
+            label.Space?.MutcdCode ?? "", label.Space?.Light is { } light ? JsonName.Of(light.State) : "", Of(label.HasRider),
+        ];
+    }
+
+    /// <summary>The session's own numbers: computed again from the other fractions, which are rounded, they could differ in the last decimal.</summary>
+    private static Dictionary<int, double?> VisibleFractions(string line)
+    {
+        using JsonDocument label = JsonDocument.Parse(line);
+        return new JsonFields(label.RootElement).List("objects").ToDictionary(item => item.WholeNumber("id"), item => item.OptionalNumber("visibleFraction"));
+    }
+
+    private static string Of(bool? truth) => truth switch { true => "1", false => "0", null => "" };
 
     /// <summary>What is not known is an empty field.</summary>
     private static IEnumerable<string> Of(int decimals, params double?[] values) =>

@@ -4,7 +4,6 @@ using System.Linq;
 using Harvester.Capture.Driving;
 using Harvester.Capture.Imaging;
 using Harvester.Capture.Labels;
-using Harvester.Datasets.Images;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 
@@ -39,14 +38,21 @@ internal sealed class DeepDrivingWriter : IDatasetWriter
         DeepDrivingNormalisation.Dist, DeepDrivingNormalisation.Dist, DeepDrivingNormalisation.Dist,
     ];
 
-    private readonly PngEncoder _png = new();
+    private readonly ImageFormat _format;
+    private readonly PictureEncoder _encoder;
     private readonly PixelBuffer _small = new(Size);
 
-    public int Write(ExportFrame frame, FrameOutput output)
+    public DeepDrivingWriter(ExportOptions options)
+    {
+        _format = options.ImageFormat ?? ImageFormat.Png;
+        _encoder = new PictureEncoder(_format, options.JpegQuality);
+    }
+
+    public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
         LanesLabel lanes = frame.Label.Lanes!;
-        string image = $"images/{frame.Name}.png";
-        output.File(image, stream => _png.Write(Scaled(frame), stream));
+        string image = $"images/{frame.Name}{_format.Extension()}";
+        output.File(image, stream => _encoder.Write(Scaled(frame), stream));
         double[] metres = IndicatorOrder.Values(lanes.Indicators);
         double[] torcs = IndicatorOrder.Values(lanes.TorcsEquivalent);
         double[] normalised = Normalised(torcs);
@@ -59,10 +65,10 @@ internal sealed class DeepDrivingWriter : IDatasetWriter
                 .. metres.Select(Text), .. NamedIndicators.Of(lanes.Indicators).Select(named => Flag(named.Indicator.IsValid)), .. torcs.Select(Text),
                 .. normalised.Select(Text), Text(DeepDrivingNormalisation.Fast(lanes.IsFast)),
             ]));
-        return 0;
+        return default;
     }
 
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) =>
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
         [new("indicators.csv", [AggregateSection.Literal(Header), AggregateSection.Lines("rows")])];
 
     /// <summary>The loss layer's maps of values in the order of the indicators.</summary>
@@ -74,15 +80,8 @@ internal sealed class DeepDrivingWriter : IDatasetWriter
 
     private PixelBuffer Scaled(ExportFrame frame)
     {
-        try
-        {
-            PixelBuffer picture = PngDecoder.ReadRgb(frame.ImagePath);
-            new ImageScaler(picture.Size, Size).Scale(picture, _small);
-            return _small;
-        }
-        catch (DatasetFormatException e)
-        {
-            throw frame.Problem($"the image '{frame.Label.Image}' cannot be scaled: {e.Message}");
-        }
+        PixelBuffer picture = frame.ReadImage();
+        new ImageScaler(picture.Size, Size).Scale(picture, _small);
+        return _small;
     }
 }

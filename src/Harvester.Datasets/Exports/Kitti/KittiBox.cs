@@ -1,5 +1,8 @@
 using System;
+using System.Collections.Generic;
 using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+using Harvester.Datasets.Exports.Selection;
 using Harvester.Geometry;
 
 namespace Harvester.Datasets.Exports.Kitti;
@@ -8,7 +11,7 @@ namespace Harvester.Datasets.Exports.Kitti;
 /// An object in KITTI's terms: the camera's frame with x right, y down, z forward; a box that stands upright in it, given by its size,
 /// the centre of its lower face and its turn about y; pixels whose centres have whole numbers.
 /// </summary>
-internal sealed record KittiBox
+internal sealed class KittiBox
 {
     /// <summary>KITTI counts from the centre of the upper left pixel, conventions.md from its corner.</summary>
     public const double PixelShift = -0.5;
@@ -16,47 +19,79 @@ internal sealed record KittiBox
     /// <summary>Pixels have two decimals; a box below this could have none.</summary>
     private const double LeastPixels = 0.02;
 
-    public KittiBox(ObjectLabel label, CameraLabel camera)
-    {
-        Vector3D centre = camera.Pose.ToLocal(label.Box3D.Centre);
-        Vector3D forward = camera.Pose.Axes.ToLocal(label.Box3D.Axes.Forward);
-        Height = 2 * label.Box3D.HalfExtents.Z;
-        Width = 2 * label.Box3D.HalfExtents.X;
-        Length = 2 * label.Box3D.HalfExtents.Y;
-        Location = new Vector3D(centre.X, -centre.Z + (Height / 2), centre.Y);
+    private readonly UprightBox _upright;
 
-        // 0 - y and not -y: the arctangent of a minus zero would give -π for π.
-        RotationY = Math.Atan2(0 - forward.Y, forward.X);
-        Alpha = Numbers.Wrap(RotationY - Math.Atan2(Location.X, Location.Z));
-        Box = new Box2D(
-            Column(label.Box2D.XMin, camera.Width), Column(label.Box2D.YMin, camera.Height),
-            Column(label.Box2D.XMax, camera.Width), Column(label.Box2D.YMax, camera.Height));
+    private KittiBox(ObjectLabel label, string type, Box2D box, UprightBox upright)
+    {
+        Label = label;
+        Type = type;
+        Box = box;
+        _upright = upright;
     }
 
-    public double Height { get; }
+    /// <summary>The object's label.</summary>
+    public ObjectLabel Label { get; }
 
-    public double Width { get; }
+    /// <summary>The object's type.</summary>
+    public string Type { get; }
 
-    public double Length { get; }
-
-    public Vector3D Location { get; }
-
-    public double RotationY { get; }
-
-    public double Alpha { get; }
-
+    /// <summary>Its box in the image.</summary>
     public Box2D Box { get; }
 
-    /// <summary>Whether it reaches over the centre of a pixel at the image's edge: one that does not has no area in the format.</summary>
-    public bool IsInImage => Box.Width >= LeastPixels && Box.Height >= LeastPixels;
+    /// <summary>By how much the sides of the projected upright box miss those of the projected cuboid, pixels; 0 where the cuboid reaches behind the camera.</summary>
+    public double MissPixels => _upright.MissPixels;
+
+    /// <summary>By how much the upright box stands beside the cuboid, metres.</summary>
+    public double MovedMetres => _upright.MovedMetres;
+
+    /// <summary>Angle between the cuboid's up and the camera's, degrees.</summary>
+    public double LeanDegrees => _upright.LeanDegrees;
+
+    /// <summary>The objects of a frame that KITTI labels.</summary>
+    /// <param name="frame">The frame.</param>
+    /// <param name="names">Types of classes, where they are not the usual ones.</param>
+    public static IEnumerable<KittiBox> Of(ExportFrame frame, IReadOnlyDictionary<ObjectClass, string> names)
+    {
+        CameraLabel camera = frame.Label.Camera;
+        foreach (ExportObject item in frame.Objects)
+        {
+            if (KittiClasses.Has(item.Label.Class) && BoxIn(item.Box, camera) is { } box)
+            {
+                yield return new KittiBox(item.Label, KittiClasses.TypeOf(item.Label, names), box, UprightBox.Of(item.Label.Box3D, camera));
+            }
+        }
+    }
+
+    /// <summary>The regions of a frame in which nothing is to be evaluated.</summary>
+    public static IEnumerable<Box2D> IgnoredIn(ExportFrame frame)
+    {
+        foreach (ExportRegion region in frame.Ignored)
+        {
+            if (KittiClasses.Has(region.Kind) && BoxIn(region.Box, frame.Label.Camera) is { } box)
+            {
+                yield return box;
+            }
+        }
+    }
 
     /// <summary>The fields from alpha to rotation_y, as both of KITTI's label files have them.</summary>
     public string Fields() => string.Join(
         ' ',
-        Numbers.Row(KittiDecimals.Angle, Alpha),
-        Numbers.Row(KittiDecimals.Pixels, Box.XMin, Box.YMin, Box.XMax, Box.YMax),
-        Numbers.Row(KittiDecimals.Metres, Height, Width, Length, Location.X, Location.Y, Location.Z),
-        Numbers.Row(KittiDecimals.Angle, RotationY));
+        Numbers.Row(KittiDecimals.Angle, _upright.Alpha),
+        Sides(Box),
+        Numbers.Row(KittiDecimals.Metres, _upright.Height, _upright.Width, _upright.Length, _upright.Location.X, _upright.Location.Y, _upright.Location.Z),
+        Numbers.Row(KittiDecimals.Angle, _upright.RotationY));
 
-    private static double Column(double side, int size) => Math.Clamp(side + PixelShift, 0, size - 1);
+    /// <summary>The four fields of a box in the image.</summary>
+    public static string Sides(Box2D box) => Numbers.Row(KittiDecimals.Pixels, box.XMin, box.YMin, box.XMax, box.YMax);
+
+    /// <summary>A box in KITTI's pixels; null when it reaches over no pixel's centre and has no area in the format.</summary>
+    private static Box2D? BoxIn(Box2D box, CameraLabel camera)
+    {
+        var shifted = new Box2D(
+            Place(box.XMin, camera.Width), Place(box.YMin, camera.Height), Place(box.XMax, camera.Width), Place(box.YMax, camera.Height));
+        return shifted.Width >= LeastPixels && shifted.Height >= LeastPixels ? shifted : null;
+    }
+
+    private static double Place(double side, int size) => Math.Clamp(side + PixelShift, 0, size - 1);
 }

@@ -1,4 +1,4 @@
-using System;
+using System.Collections.Generic;
 using Harvester.Capture.Labels;
 using Harvester.Capture.Scenes;
 
@@ -15,17 +15,28 @@ internal static class KittiClasses
 
     private const int UnknownOcclusion = 3;
 
-    /// <summary>The type of a class; null for those that KITTI does not label.</summary>
-    public static string? TypeOf(ObjectClass kind) => kind switch
-    {
-        ObjectClass.Car => "Car",
-        ObjectClass.Truck => "Truck",
-        ObjectClass.Pedestrian => "Pedestrian",
-        ObjectClass.Bicycle => "Cyclist",
-        ObjectClass.Bus or ObjectClass.Motorcycle or ObjectClass.Trailer or ObjectClass.Other => "Misc",
-        ObjectClass.Sign or ObjectClass.TrafficLight => null,
-        _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "The class has no type in KITTI."),
-    };
+    /// <summary>The types of objects.</summary>
+    public static IReadOnlyCollection<string> Types { get; } = ["Car", "Van", "Truck", "Pedestrian", "Person_sitting", "Cyclist", "Tram", "Misc"];
+
+    /// <summary>The type of what is no object but a region.</summary>
+    public const string DontCare = "DontCare";
+
+    /// <summary>Whether KITTI labels objects of a class.</summary>
+    public static bool Has(ObjectClass kind) => kind is not (ObjectClass.Sign or ObjectClass.TrafficLight);
+
+    /// <summary>The type of an object.</summary>
+    /// <param name="label">The object, of a class that KITTI labels.</param>
+    /// <param name="names">Types of classes, where they are not these.</param>
+    public static string TypeOf(ObjectLabel label, IReadOnlyDictionary<ObjectClass, string> names) => names.TryGetValue(label.Class, out string? name)
+        ? name
+        : label.Class switch
+        {
+            ObjectClass.Car => KittiVans.Has(label.Model) ? "Van" : "Car",
+            ObjectClass.Truck => "Truck",
+            ObjectClass.Pedestrian => "Pedestrian",
+            ObjectClass.Bicycle when label.HasRider == true => "Cyclist",
+            _ => "Misc",
+        };
 
     /// <summary>0 fully visible, 1 partly, 2 largely occluded, 3 unknown.</summary>
     public static int OcclusionOf(ObjectLabel label) => label.OccludedFraction is { } hidden ? LevelOf(hidden) : UnknownOcclusion;

@@ -63,6 +63,7 @@ internal static class OpenLaneCheck
 
         return !IsCamera(intrinsic) ? "intrinsic is not the matrix of a camera."
             : !IsMotion(extrinsic) ? "extrinsic is not a rotation and a displacement."
+            : !(extrinsic[2][3] > 0) ? "extrinsic puts the camera below the road."
             : size is not { } known ? null
             : frame.List("lane_lines").Select((line, index) => OpenLaneLine.Problem(line, intrinsic, known) is { } problem ? $"lane_lines[{index}]: {problem}" : null)
                 .FirstOrDefault(problem => problem is not null);

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Harvester.Datasets.Json;
+using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Exports.Lanes;
@@ -8,12 +9,19 @@ namespace Harvester.Datasets.Exports.Lanes;
 /// <summary>What must hold for one lane line of OpenLane.</summary>
 internal static class OpenLaneLine
 {
-    /// <summary>
-    /// The format says nothing of a lens, and pixels are with its bend: a strong one moves a point at the image's edge by a tenth of the width.
-    /// </summary>
-    private const double MostBendFraction = 0.1;
+    /// <summary>The format says nothing of a lens, and pixels are with its bend: a strong one moves a point by a fifth of its distance from the principal point.</summary>
+    private const double MostBendFraction = 0.2;
+
+    /// <summary>The bend is radial in normalised coordinates, and in pixels as far as both focal lengths are the same.</summary>
+    private const double AspectFraction = 0.01;
+
+    /// <summary>Nearer to the principal point there is no direction from it to speak of.</summary>
+    private const double LeastRadiusPixels = 0.01;
 
     private const double RoundingPixels = 0.002;
+
+    /// <summary>Metres have four decimals.</summary>
+    private const double RoundingMetres = 0.0001;
     private const int LastAttribute = 4;
 
     public static string? Problem(JsonFields line, double[][] intrinsic, ImageSize image)
@@ -48,9 +56,20 @@ internal static class OpenLaneLine
             return $"point {i} does not lie in the image of {image.Width} x {image.Height}.";
         }
 
-        double allowed = MostBendFraction * image.Width;
-        return forward > 0
-            && Math.Abs((k[0][0] * -left / forward) + k[0][2] - u) <= allowed
-            && Math.Abs((k[1][1] * -up / forward) + k[1][2] - v) <= allowed ? null : $"point {i}, projected with intrinsic, does not fall onto its pixel.";
+        if (!(forward > 0))
+        {
+            return $"point {i} lies behind the camera.";
+        }
+
+        // A lens moves a point along the ray from the principal point and never to the other side of it.
+        var ideal = new Vector2D(k[0][0] * -left / forward, k[1][1] * -up / forward);
+        var seen = new Vector2D(u - k[0][2], v - k[1][2]);
+        double radius = Math.Max(ideal.Length, LeastRadiusPixels);
+        double along = seen.Dot(ideal) / radius;
+        double across = seen.Cross(ideal) / radius;
+        double rounding = RoundingPixels + (k[0][0] * RoundingMetres * (1 + (radius / k[0][0])) / forward);
+        return Math.Abs(along - ideal.Length) <= (MostBendFraction * ideal.Length) + rounding && Math.Abs(across) <= (AspectFraction * ideal.Length) + rounding
+            ? null
+            : $"point {i}, projected with intrinsic, does not fall onto its pixel.";
     }
 }

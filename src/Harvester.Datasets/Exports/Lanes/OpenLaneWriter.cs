@@ -18,34 +18,34 @@ internal sealed class OpenLaneWriter : IDatasetWriter
     private const int UnknownCategory = 0;
     private const string ListPrefix = "list ";
 
-    public int Write(ExportFrame frame, FrameOutput output)
+    public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
         if (frame.Label.Lanes is not { Status: LaneStatus.Known } lanes)
         {
-            return 0;
+            return default;
         }
 
         string path = $"{frame.Split}/segment-{frame.SessionIndex:D4}/{frame.FrameInSession:D8}";
         string image = path + frame.ImageExtension;
-        output.Transfer("images/" + image, frame.ImagePath);
-        output.Text($"lane3d/{path}.json", Text(frame.Label, lanes, image) + "\n");
+        output.Image("images/" + image, frame);
+        output.Text($"lane3d/{path}.json", Text(frame, lanes, image) + "\n");
         output.Part(ListPrefix + frame.Split, image);
-        return 0;
+        return default;
     }
 
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) =>
-        parts.Select(part => new AggregateFile($"{part[ListPrefix.Length..]}.txt", [AggregateSection.Lines(part)]));
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
+        parts.Keys.Select(part => new AggregateFile($"{part[ListPrefix.Length..]}.txt", [AggregateSection.Lines(part)]));
 
-    private static string Text(FrameLabel label, LanesLabel lanes, string image) => JsonLine.Of(json =>
+    private static string Text(ExportFrame frame, LanesLabel lanes, string image) => JsonLine.Of(json =>
     {
-        CameraLabel camera = label.Camera;
+        CameraLabel camera = frame.Label.Camera;
         json.WriteStartObject();
-        WriteMatrix(json, "extrinsic", 4, Extrinsic(label));
+        WriteMatrix(json, "extrinsic", 4, Extrinsic(frame.Label));
         WriteMatrix(json, "intrinsic", 3, [camera.Fx, 0, camera.Cx, 0, camera.Fy, camera.Cy, 0, 0, 1]);
         json.WriteString("file_path", image);
         json.WriteStartArray("lane_lines");
-        Dictionary<int, int> attributes = Attributes(lanes.Markings);
-        foreach (LaneLineView view in lanes.Markings)
+        Dictionary<int, int> attributes = Attributes(lanes.Lines);
+        foreach (LaneLineView view in WholeLines.Of(lanes.Lines, frame.Image))
         {
             WriteLine(json, view, attributes[view.Index]);
         }
@@ -57,8 +57,10 @@ internal sealed class OpenLaneWriter : IDatasetWriter
     private static void WriteLine(Utf8JsonWriter json, LaneLineView view, int attribute)
     {
         json.WriteStartObject();
-        json.WriteNumber("category", UnknownCategory);
-        json.Numbers("visibility", [.. view.Points.Select(point => point.IsHidden == true ? 0.0 : 1)], 0);
+        json.WriteNumber("category", CategoryOf(view.Paint));
+
+        // The dataset's lines go on behind vehicles; only points beyond the end of a line's annotation in the image are invisible there.
+        json.Numbers("visibility", [.. view.Points.Select(_ => 1.0)], 0);
         json.WriteStartArray("uv");
         WriteRow(json, view.Points.Select(point => point.Pixel.X), Pixels);
         WriteRow(json, view.Points.Select(point => point.Pixel.Y), Pixels);
@@ -75,6 +77,20 @@ internal sealed class OpenLaneWriter : IDatasetWriter
         json.WriteEndObject();
     }
 
+    /// <summary>The dataset's numbers of white and yellow lines; 0 for a boundary that is not known to be painted.</summary>
+    private static int CategoryOf(MarkingPaint? paint) => paint is { } known
+        ? (known.Colour, known.Style) switch
+        {
+            (MarkingColour.White, MarkingStyle.Dashed) => 1,
+            (MarkingColour.White, MarkingStyle.Solid) => 2,
+            (MarkingColour.White, MarkingStyle.DoubleSolid) => 4,
+            (MarkingColour.Yellow, MarkingStyle.Dashed) => 7,
+            (MarkingColour.Yellow, MarkingStyle.Solid) => 8,
+            (MarkingColour.Yellow, MarkingStyle.DoubleSolid) => 10,
+            _ => UnknownCategory,
+        }
+        : UnknownCategory;
+
     /// <summary>1 left-left, 2 left, 3 right, 4 right-right, 0 for others: the two nearest markings on either side.</summary>
     private static Dictionary<int, int> Attributes(IReadOnlyList<LaneLineView> markings)
     {
@@ -84,10 +100,10 @@ internal sealed class OpenLaneWriter : IDatasetWriter
             index => index, index => Array.IndexOf(left, index) switch { 0 => 2, 1 => 1, _ => Array.IndexOf(right, index) switch { 0 => 3, 1 => 4, _ => 0 } });
     }
 
-    /// <summary>From the camera (x forward, y left, z up) to the vehicle (the same, level, at the model's origin), row by row.</summary>
+    /// <summary>From the camera (x forward, y left, z up) to the vehicle (the same), row by row.</summary>
     private static double[] Extrinsic(FrameLabel label)
     {
-        var vehicle = new Pose(label.Ego.Position, Axes.FromHeading(label.Ego.HeadingDegrees));
+        Pose vehicle = VehicleFrame.Of(label.Ego);
         Axes camera = label.Camera.Pose.Axes;
         Vector3D forward = vehicle.Axes.ToLocal(camera.Forward);
         Vector3D right = vehicle.Axes.ToLocal(camera.Right);

@@ -17,21 +17,21 @@ internal sealed class TuSimpleWriter(ExportOptions options) : IDatasetWriter
     /// <summary>TuSimple's rows begin at the upper third: 240 of 720.</summary>
     private const int RowsAbove = 3;
 
-    public int Write(ExportFrame frame, FrameOutput output)
+    public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
         // A frame of which the lanes are not known would say that there are none.
         if (frame.Label.Lanes is not { Status: LaneStatus.Known } lanes)
         {
-            return 0;
+            return default;
         }
 
         string image = $"clips/{frame.SessionIndex:D4}/{frame.FrameInSession:D8}{frame.ImageExtension}";
-        output.Transfer(image, frame.ImagePath);
+        output.Image(image, frame);
         output.Part(frame.Split, Line(lanes, frame.Label.Camera.Height, image));
-        return 0;
+        return default;
     }
 
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) =>
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
         options.Splits.Splits.Select(split => new AggregateFile($"label_data_{split.Name}.json", [AggregateSection.Lines(split.Name)]));
 
     private static string Line(LanesLabel lanes, int height, string image)
@@ -42,7 +42,7 @@ internal sealed class TuSimpleWriter(ExportOptions options) : IDatasetWriter
         {
             json.WriteStartObject();
             json.WriteStartArray("lanes");
-            foreach (IGrouping<int, LaneLineView> marking in lanes.Markings.GroupBy(view => view.Index).OrderBy(group => group.Key))
+            foreach (IGrouping<int, LaneLineView> marking in lanes.Lines.GroupBy(view => view.Index).OrderBy(group => group.Key))
             {
                 int[] columns = [.. rows.Select(row => ColumnAt(marking, row))];
                 if (columns.Any(column => column != Absent))

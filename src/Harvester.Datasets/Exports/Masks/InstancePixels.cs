@@ -22,6 +22,9 @@ internal sealed record InstancePixels(InstanceMap Map, ushort Id, int Left, int 
     public IReadOnlyList<IReadOnlyList<Vector2D>> Outlines() =>
         [.. MaskOutlines.Of(Map, Id).Where(outline => SignedArea(outline) > 0).OrderByDescending(SignedArea)];
 
+    /// <summary>One closed polygon around all of its parts and along its holes, which covers exactly its pixels by the even-odd rule.</summary>
+    public IReadOnlyList<Vector2D> Contour() => JoinedOutline.Of([.. MaskOutlines.Of(Map, Id).OrderByDescending(SignedArea)]);
+
     /// <summary>All objects of a mask by their id, found in one pass.</summary>
     public static IReadOnlyDictionary<int, InstancePixels> AllOf(InstanceMap map)
     {

@@ -50,7 +50,7 @@ public static class DatasetValidator
     private static IEnumerable<SessionProblem> ImageProblems(string folder)
     {
         IEnumerable<string> images = Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories)
-            .Where(file => Path.GetExtension(file) is ".png" or ".bmp").Order(StringComparer.Ordinal);
+            .Where(file => Path.GetExtension(file) is ".png" or ".bmp" or ".jpg").Order(StringComparer.Ordinal);
         foreach (string image in images)
         {
             if (Damage(image) is { } damage)

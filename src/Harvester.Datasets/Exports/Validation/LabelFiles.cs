@@ -12,8 +12,8 @@ internal static class LabelFiles
     /// <summary>Looks at every line of a label file.</summary>
     /// <param name="dataset">The dataset.</param>
     /// <param name="name">The file.</param>
-    /// <param name="problemOf">What is wrong with the words of a line; null for nothing.</param>
-    public static IEnumerable<SessionProblem> Problems(DatasetContent dataset, string name, Func<string[], string?> problemOf)
+    /// <param name="problemOf">What is wrong with the words of a line, given with its number from 1; null for nothing.</param>
+    public static IEnumerable<SessionProblem> Problems(DatasetContent dataset, string name, Func<int, string[], string?> problemOf)
     {
         if (!dataset.Has(name))
         {
@@ -22,7 +22,7 @@ internal static class LabelFiles
 
         foreach ((int number, string text) in dataset.Lines(name))
         {
-            if (problemOf(text.Split(' ')) is { } problem)
+            if (problemOf(number, text.Split(' ')) is { } problem)
             {
                 yield return new SessionProblem(name, number, problem);
             }

@@ -4,7 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Xml;
 using System.Xml.Linq;
-using Harvester.Capture.Labels;
+using Harvester.Datasets.Exports.Selection;
 using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Validation;
 
@@ -21,10 +21,17 @@ internal static class VocCheck
     {
         IReadOnlyList<string> images = dataset.Files(Images);
         Dictionary<string, int> frames = images.ToDictionary(image => Path.GetFileNameWithoutExtension(image), _ => 1);
-        HashSet<string> classes = [.. dataset.Options.ClassList.Select(kind => JsonName.Of(kind))];
+        HashSet<string> classes = [.. new ClassCatalogue(dataset.Options).All.Select(kind => kind.Name)];
         return images.SelectMany(image => ProblemsOf(dataset, image, classes))
             .Concat(LabelFiles.Strays(dataset, Annotations, frames.Keys))
-            .Concat(SplitLists.Problems(dataset, split => $"ImageSets/Main/{split}.txt", frames));
+            .Concat(SplitLists.Problems(dataset, split => $"ImageSets/Main/{split}.txt", frames))
+            .Concat(LabelMapProblems(dataset, classes));
+    }
+
+    private static IEnumerable<SessionProblem> LabelMapProblems(DatasetContent dataset, HashSet<string> classes)
+    {
+        HashSet<string> listed = [.. dataset.Lines(VocWriter.LabelMapFile).Select(line => line.Text.Split(':')[0])];
+        return classes.Where(name => !listed.Contains(name)).Select(name => new SessionProblem(VocWriter.LabelMapFile, null, $"the class '{name}' is missing."));
     }
 
     private static IEnumerable<SessionProblem> ProblemsOf(DatasetContent dataset, string image, HashSet<string> classes)

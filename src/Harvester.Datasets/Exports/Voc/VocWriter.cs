@@ -1,10 +1,13 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text;
 using System.Xml;
 using Harvester.Capture.Labels;
+using Harvester.Datasets.Exports.Selection;
+using Harvester.Datasets.Reports;
 using Harvester.Geometry;
 
 namespace Harvester.Datasets.Exports.Voc;
@@ -12,6 +15,9 @@ namespace Harvester.Datasets.Exports.Voc;
 /// <summary>Pascal VOC: JPEGImages, Annotations with one XML file a frame, ImageSets/Main. See docs/exports/voc.md.</summary>
 internal sealed class VocWriter(ExportOptions options) : IDatasetWriter
 {
+    /// <summary>Name of the file that lists the classes.</summary>
+    public const string LabelMapFile = "labelmap.txt";
+
     private const string ListPrefix = "list ";
 
     /// <summary>The challenge's guidelines: truncated when 15 to 20 % lie outside the box.</summary>
@@ -32,17 +38,30 @@ internal sealed class VocWriter(ExportOptions options) : IDatasetWriter
         Encoding = new UTF8Encoding(false),
     };
 
-    public int Write(ExportFrame frame, FrameOutput output)
+    public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
         string image = frame.Name + frame.ImageExtension;
-        output.Transfer($"JPEGImages/{image}", frame.ImagePath);
+        output.Image($"JPEGImages/{image}", frame);
         output.File($"Annotations/{frame.Name}.xml", stream => WriteXml(stream, frame, image));
         output.Part(ListPrefix + frame.Split, frame.Name);
-        return frame.Objects.Count;
+        return new WrittenObjects(frame.Objects.Count, frame.Ignored.Count(region => region.Class is not null));
     }
 
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => options.Splits.Splits.Select(split =>
-        new AggregateFile($"ImageSets/Main/{split.Name}.txt", [AggregateSection.Lines(ListPrefix + split.Name)]));
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => options.Splits.Splits.Select(split =>
+        new AggregateFile($"ImageSets/Main/{split.Name}.txt", [AggregateSection.Lines(ListPrefix + split.Name)])).Append(LabelMap());
+
+    /// <summary>The classes with colours, as annotation tools read them.</summary>
+    private AggregateFile LabelMap()
+    {
+        var text = new StringBuilder("# label:color_rgb:parts:actions\nbackground:0,0,0::\n");
+        foreach (DatasetClass kind in new ClassCatalogue(options).All)
+        {
+            int colour = ClassColours.Of(kind.Kind);
+            text.Append(CultureInfo.InvariantCulture, $"{kind.Name}:{colour >> 16},{(colour >> 8) & 0xFF},{colour & 0xFF}::\n");
+        }
+
+        return new AggregateFile(LabelMapFile, [AggregateSection.Literal(text.ToString())]);
+    }
 
     private static void WriteXml(Stream stream, ExportFrame frame, string image)
     {
@@ -60,9 +79,17 @@ internal sealed class VocWriter(ExportOptions options) : IDatasetWriter
             Write(xml, "depth", 3);
             xml.WriteEndElement();
             Write(xml, "segmented", 0);
-            foreach (ObjectLabel label in frame.Objects)
+            foreach (ExportObject item in frame.Objects)
             {
-                WriteObject(xml, label);
+                WriteObject(xml, item.Class, item.Box, item.Label, isIgnored: false);
+            }
+
+            foreach (ExportRegion region in frame.Ignored)
+            {
+                if (region.Class is { } kind)
+                {
+                    WriteObject(xml, kind, region.Box, region.Label, isIgnored: true);
+                }
             }
 
             xml.WriteEndElement();
@@ -71,15 +98,14 @@ internal sealed class VocWriter(ExportOptions options) : IDatasetWriter
         stream.WriteByte((byte)'\n');
     }
 
-    private static void WriteObject(XmlWriter xml, ObjectLabel label)
+    private static void WriteObject(XmlWriter xml, DatasetClass kind, Box2D box, ObjectLabel? label, bool isIgnored)
     {
-        Box2D box = label.Box2D;
         xml.WriteStartElement("object");
-        xml.WriteElementString("name", JsonName.Of(label.Class));
+        xml.WriteElementString("name", kind.Name);
         xml.WriteElementString("pose", "Unspecified");
-        Write(xml, "truncated", label.TruncatedFraction >= TruncatedFrom ? 1 : 0);
-        Write(xml, "occluded", label.OccludedFraction > OccludedFrom ? 1 : 0);
-        Write(xml, "difficult", label.VisibleFraction < DifficultBelowVisible ? 1 : 0);
+        Write(xml, "truncated", label?.TruncatedFraction >= TruncatedFrom ? 1 : 0);
+        Write(xml, "occluded", label?.OccludedFraction > OccludedFrom ? 1 : 0);
+        Write(xml, "difficult", isIgnored || label?.VisibleFraction < DifficultBelowVisible ? 1 : 0);
 
         // Pixels count from 1, and the last one belongs to the box: what begins in pixel i, from 0, begins in i + 1.
         xml.WriteStartElement("bndbox");

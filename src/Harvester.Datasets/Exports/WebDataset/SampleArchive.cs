@@ -50,7 +50,7 @@ internal sealed class SampleArchive(DatasetContent dataset, string name, string 
             }
 
             string part = entry[Math.Min(entry.Length, key.Length + 1)..];
-            if (!sample.TryAdd(part is "png" or "bmp" ? ImageEnd : part, content))
+            if (!sample.TryAdd(part is "png" or "bmp" or "jpg" ? ImageEnd : part, content))
             {
                 yield return new SessionProblem(name, null, $"{entry} is there twice.");
             }

@@ -19,7 +19,7 @@ internal sealed class WebDatasetWriter : IDatasetWriter
     /// <summary>Two empty blocks end an archive.</summary>
     private const int EndLength = 2 * 512;
 
-    public int Write(ExportFrame frame, FrameOutput output)
+    public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
         string archive = $"{frame.Split}-{frame.Index / FramesPerArchive:D6}";
         output.StagedPart(archive, frame.Name + ".tar", stream =>
@@ -27,7 +27,7 @@ internal sealed class WebDatasetWriter : IDatasetWriter
             using var entries = new MemoryStream();
             using (var tar = new TarWriter(entries, TarEntryFormat.Ustar, leaveOpen: true))
             {
-                Add(tar, frame.Name + frame.ImageExtension, File.ReadAllBytes(frame.ImagePath));
+                Add(tar, frame.Name + frame.ImageExtension, output.ImageBytes(frame));
                 Add(tar, frame.Name + ".json", Encoding.UTF8.GetBytes(LabelOf(frame)));
                 if (frame.MaskPath is { } mask)
                 {
@@ -37,11 +37,11 @@ internal sealed class WebDatasetWriter : IDatasetWriter
 
             stream.Write(entries.GetBuffer(), 0, (int)entries.Length - EndLength);
         });
-        return frame.Objects.Count;
+        return new WrittenObjects(frame.Objects.Count);
     }
 
     /// <summary>Archives of a split are numbered without gaps, as patterns like {000000..000009} need it.</summary>
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => parts.GroupBy(part => part[..part.LastIndexOf('-')]).SelectMany(split =>
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => parts.Keys.GroupBy(part => part[..part.LastIndexOf('-')]).SelectMany(split =>
         split.Select((part, number) => new AggregateFile(
             $"{split.Key}-{number:D6}.tar", [AggregateSection.Files(part), AggregateSection.Literal(new string('\0', EndLength))])));
 
@@ -49,7 +49,7 @@ internal sealed class WebDatasetWriter : IDatasetWriter
     private static string LabelOf(ExportFrame frame)
     {
         JsonNode label = JsonNode.Parse(frame.LabelText)!;
-        HashSet<int> kept = [.. frame.Objects.Select(item => item.Id)];
+        HashSet<int> kept = [.. frame.Objects.Select(item => item.Label.Id)];
         label["objects"]!.AsArray().RemoveAll(item => !kept.Contains(item!["id"]!.GetValue<int>()));
         return label.ToJsonString();
     }

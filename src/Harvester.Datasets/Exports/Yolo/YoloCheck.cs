@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Harvester.Datasets.Exports.Selection;
 using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Validation;
 
@@ -23,20 +24,21 @@ internal static class YoloCheck
 
     private static IEnumerable<SessionProblem> Problems(DatasetContent dataset, Func<double[], string?> shapeProblem)
     {
+        int exported = new ClassCatalogue(dataset.Options).All.Count;
         int classes = dataset.Lines(DataFile).Count(line => line.Text.StartsWith("  ", StringComparison.Ordinal));
         var stems = new HashSet<string>(StringComparer.Ordinal);
-        return DataProblems(dataset, classes).Concat(dataset.Splits.SelectMany(split => SplitProblems(dataset, split, stems, words => ProblemOf(words, classes, shapeProblem))));
+        return DataProblems(dataset, classes, exported).Concat(dataset.Splits.SelectMany(split => SplitProblems(dataset, split, stems, words => ProblemOf(words, classes, shapeProblem))));
     }
 
-    private static IEnumerable<SessionProblem> DataProblems(DatasetContent dataset, int classes)
+    private static IEnumerable<SessionProblem> DataProblems(DatasetContent dataset, int classes, int exported)
     {
         if (!dataset.Has(DataFile))
         {
             yield return new SessionProblem(DataFile, null, "it is missing.");
         }
-        else if (classes != dataset.Options.ClassList.Count)
+        else if (classes != exported)
         {
-            yield return new SessionProblem(DataFile, null, $"it names {classes} classes, but {dataset.Options.ClassList.Count} were exported.");
+            yield return new SessionProblem(DataFile, null, $"it names {classes} classes, but {exported} were exported.");
         }
 
         foreach ((int number, string text) in dataset.Lines(DataFile))
@@ -62,7 +64,7 @@ internal static class YoloCheck
                 yield return new SessionProblem(image, null, "it is there twice, here or in another split.");
             }
 
-            foreach (SessionProblem problem in LabelFiles.Problems(dataset, $"labels/{split}/{stem}.txt", problemOf))
+            foreach (SessionProblem problem in LabelFiles.Problems(dataset, $"labels/{split}/{stem}.txt", (_, words) => problemOf(words)))
             {
                 yield return problem;
             }

@@ -1,8 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using System.Text;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
+using Harvester.Datasets.Exports.Selection;
 
 namespace Harvester.Datasets.Exports.Yolo;
 
@@ -13,18 +12,15 @@ internal sealed class YoloFiles(ExportOptions options)
     private const string TrainSplit = "train";
     private const string ValSplit = "val";
 
-    private readonly List<ObjectClass> _classes = [.. options.ClassList];
+    private readonly ClassCatalogue _classes = new(options);
 
     /// <summary>Writes a frame's files and says how many objects they have, a line each.</summary>
-    public static int Write(ExportFrame frame, FrameOutput output, IReadOnlyCollection<string> lines)
+    public static WrittenObjects Write(ExportFrame frame, FrameOutput output, IReadOnlyCollection<string> lines)
     {
-        output.Transfer($"images/{frame.Split}/{frame.Name}{frame.ImageExtension}", frame.ImagePath);
+        output.Image($"images/{frame.Split}/{frame.Name}{frame.ImageExtension}", frame);
         output.Text($"labels/{frame.Split}/{frame.Name}.txt", string.Concat(lines.Select(line => line + "\n")));
-        return lines.Count;
+        return new WrittenObjects(lines.Count);
     }
-
-    /// <summary>The number of a class: its place among the exported ones.</summary>
-    public int NumberOf(ObjectClass kind) => _classes.IndexOf(kind);
 
     /// <summary>data.yaml. The library asks for train and val; where a split is not there, the first one stands in for it.</summary>
     public AggregateFile DataFile()
@@ -37,9 +33,9 @@ internal sealed class YoloFiles(ExportOptions options)
         }
 
         text.Append("names:\n");
-        for (int i = 0; i < _classes.Count; i++)
+        foreach (DatasetClass kind in _classes.All)
         {
-            text.Append("  ").Append(Numbers.Text(i)).Append(": ").Append(JsonName.Of(_classes[i])).Append('\n');
+            text.Append("  ").Append(Numbers.Text(kind.Number)).Append(": ").Append(kind.Name).Append('\n');
         }
 
         return new AggregateFile("data.yaml", [AggregateSection.Literal(text.ToString())]);

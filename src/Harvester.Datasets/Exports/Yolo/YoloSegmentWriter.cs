@@ -1,31 +1,38 @@
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Labels;
 using Harvester.Datasets.Exports.Masks;
+using Harvester.Datasets.Exports.Selection;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Exports.Yolo;
 
 /// <summary>
-/// Ultralytics YOLO with outlines: a class and the corners of one polygon a line. Of an object that something cuts in pieces the largest
-/// piece is written. See docs/exports/yolo.md.
+/// Ultralytics YOLO with outlines: a class and the corners of one polygon a line, which joins the pieces of an object. See docs/exports/yolo.md.
 /// </summary>
 internal sealed class YoloSegmentWriter(ExportOptions options) : IDatasetWriter
 {
     private readonly YoloFiles _files = new(options);
 
-    public int Write(ExportFrame frame, FrameOutput output)
+    public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
-        IReadOnlyDictionary<int, InstancePixels> pixels = InstancePixels.AllOf(frame.Mask!);
-        return YoloFiles.Write(frame, output, [.. frame.Objects.Where(label => pixels.ContainsKey(label.Id)).Select(label => Line(label, pixels[label.Id]))]);
+        var lines = new List<string>();
+        foreach (ExportObject item in frame.Objects)
+        {
+            if (frame.PixelsOf(item.Label) is { } pixels)
+            {
+                lines.Add(Line(item.Class, pixels));
+            }
+        }
+
+        return YoloFiles.Write(frame, output, lines);
     }
 
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => [_files.DataFile()];
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => [_files.DataFile()];
 
-    private string Line(ObjectLabel label, InstancePixels pixels)
+    private static string Line(DatasetClass kind, InstancePixels pixels)
     {
         ImageSize image = pixels.Map.Image;
-        IEnumerable<string> corners = pixels.Outlines()[0].Select(corner => Numbers.Row(YoloFiles.Decimals, corner.X / image.Width, corner.Y / image.Height));
-        return Numbers.Text(_files.NumberOf(label.Class)) + " " + string.Join(' ', corners);
+        IEnumerable<string> corners = pixels.Contour().Select(corner => Numbers.Row(YoloFiles.Decimals, corner.X / image.Width, corner.Y / image.Height));
+        return Numbers.Text(kind.Number) + " " + string.Join(' ', corners);
     }
 }

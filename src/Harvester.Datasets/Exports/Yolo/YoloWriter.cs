@@ -1,6 +1,8 @@
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Labels;
+using Harvester.Datasets.Exports.Selection;
+using Harvester.Geometry;
 
 namespace Harvester.Datasets.Exports.Yolo;
 
@@ -9,16 +11,15 @@ internal sealed class YoloWriter(ExportOptions options) : IDatasetWriter
 {
     private readonly YoloFiles _files = new(options);
 
-    public int Write(ExportFrame frame, FrameOutput output) => YoloFiles.Write(frame, output, [.. frame.Objects.Select(label => Line(label, frame.Label.Camera))]);
+    public WrittenObjects Write(ExportFrame frame, FrameOutput output) => YoloFiles.Write(frame, output, [.. frame.Objects.Select(item => Line(item, frame.Label.Camera))]);
 
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyCollection<string> parts) => [_files.DataFile()];
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => [_files.DataFile()];
 
-    private string Line(ObjectLabel label, CameraLabel camera)
+    private static string Line(ExportObject item, CameraLabel camera)
     {
-        double centreX = (label.Box2D.XMin + label.Box2D.XMax) / 2;
-        double centreY = (label.Box2D.YMin + label.Box2D.YMax) / 2;
-        return Numbers.Text(_files.NumberOf(label.Class)) + " " + Numbers.Row(
+        Box2D box = item.Box;
+        return Numbers.Text(item.Class.Number) + " " + Numbers.Row(
             YoloFiles.Decimals,
-            centreX / camera.Width, centreY / camera.Height, label.Box2D.Width / camera.Width, label.Box2D.Height / camera.Height);
+            (box.XMin + box.XMax) / 2 / camera.Width, (box.YMin + box.YMax) / 2 / camera.Height, box.Width / camera.Width, box.Height / camera.Height);
     }
 }

@@ -155,7 +155,8 @@ function indicators() {
 function histogram(chart) {
   const width = 320, height = 150, foot = 18, most = Math.max(1, ...chart.counts), step = width / chart.counts.length;
   const last = chart.counts.length - 1;
-  const range = bin => bin < last ? `${chart.starts[bin]} to ${chart.starts[bin + 1]} ${chart.unit}` : `from ${chart.starts[bin]} ${chart.unit}`;
+  const end = bin => bin < last ? chart.starts[bin + 1] : chart.end;
+  const range = bin => end(bin) === null ? `from ${chart.starts[bin]} ${chart.unit}` : `${chart.starts[bin]} to ${end(bin)} ${chart.unit}`;
   const drawing = shape("svg", { viewBox: `0 0 ${width} ${height + foot}`, role: "img", "aria-label": chart.title });
   chart.counts.forEach((count, index) => {
     const tall = count / most * (height - 14);
@@ -167,7 +168,7 @@ function histogram(chart) {
   drawing.append(shape("text", { x: 0, y: 10 }, `most: ${most}`));
   const middle = Math.ceil(last / 2);
   [[0, "start", 0], [middle, "middle", middle * step], [last, "end", width]].forEach(([bin, anchor, x]) => drawing.append(shape("text", {
-    x, y: height + 14, "text-anchor": anchor }, `${bin === last ? "from " : ""}${chart.starts[bin]} ${chart.unit}`)));
+    x, y: height + 14, "text-anchor": anchor }, `${end(bin) === null ? "from " : ""}${chart.starts[bin]} ${chart.unit}`)));
   byId("histograms").append(element("figure", {}, element("figcaption", {}, chart.title), drawing));
 }
 

@@ -45,7 +45,7 @@ internal static class IplImporter
         return false;
     }
 
-    public static RoadImport Import(RoadSource source)
+    public static RoadImport Import(RoadSource source, LanesIn lanesIn)
     {
         var assembly = new RoadAssembly();
         var links = new List<(int Line, RoadLink Link)>();
@@ -77,7 +77,7 @@ internal static class IplImporter
             }
             else if (section == "link")
             {
-                links.Add((number, Link(new IplRow(source.Name, number, line, LinkValues))));
+                links.Add((number, Link(new IplRow(source.Name, number, line, LinkValues), lanesIn)));
             }
         }
 
@@ -114,7 +114,7 @@ internal static class IplImporter
 
         uint street = (uint)row.Large(9, 0, uint.MaxValue);
         return new RoadNode(
-            0,
+            RoadNode.NoArea,
             index,
             new Vector3D(row.Number(0), row.Number(1), row.Number(2)),
             street == 0 ? "" : "hash_" + street.ToString("X8", CultureInfo.InvariantCulture),
@@ -125,7 +125,7 @@ internal static class IplImporter
         };
     }
 
-    private static RoadLink Link(IplRow row)
+    private static RoadLink Link(IplRow row, LanesIn lanesIn)
     {
         int bits = row.Whole(5, 0, (1 << LinkFlags.Length) - 1);
         var flags = RoadLinkFlags.None;
@@ -137,8 +137,8 @@ internal static class IplImporter
         return new RoadLink(
             row.Whole(0, 0, int.MaxValue),
             row.Whole(1, 0, int.MaxValue),
-            row.Whole(4, 0, TextRoadFields.MostLanes),
-            row.Whole(3, 0, TextRoadFields.MostLanes),
+            row.Whole(lanesIn == LanesIn.Forward ? 3 : 4, 0, TextRoadFields.MostLanes),
+            row.Whole(lanesIn == LanesIn.Forward ? 4 : 3, 0, TextRoadFields.MostLanes),
             TextRoadFields.Median(row.Whole(2, -TextRoadFields.LargestWidth, TextRoadFields.LargestWidth)),
             flags);
     }

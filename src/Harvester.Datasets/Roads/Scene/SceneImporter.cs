@@ -30,7 +30,7 @@ internal static class SceneImporter
         ("Shortcut", RoadLinkFlags.Shortcut), ("Dont Use For Navigation", RoadLinkFlags.DontUseForNavigation),
     ];
 
-    public static RoadImport Import(RoadSource source)
+    public static RoadImport Import(RoadSource source, LanesIn lanesIn)
     {
         var assembly = new RoadAssembly();
         var indices = new Dictionary<string, int>(StringComparer.Ordinal);
@@ -62,7 +62,7 @@ internal static class SceneImporter
                 throw link.Wrong($"a vehiclelink refers to two nodes, not {ends.Count}.");
             }
 
-            assembly.Add(Link(link, Index(link, indices, ends[0]), Index(link, indices, ends[1])));
+            assembly.Add(Link(link, Index(link, indices, ends[0]), Index(link, indices, ends[1]), lanesIn));
         }
 
         return assembly.NodeCount > 0
@@ -79,7 +79,7 @@ internal static class SceneImporter
         XElement position = element.Child(source, "transform").Child(source, "object").Child(source, "position");
         RoadNodeFlags flags = NodeFlags.Where(flag => node.IsTrue(flag.Name)).Aggregate(RoadNodeFlags.None, (sum, flag) => sum | flag.Flag);
         return new RoadNode(
-            0,
+            RoadNode.NoArea,
             index,
             new Vector3D(position.Number(source, "x"), position.Number(source, "y"), position.Number(source, "z")),
             Street(node.Text("Streetname")),
@@ -92,11 +92,11 @@ internal static class SceneImporter
 
     private static string Street(string? text) => text is null or "0" ? "" : text;
 
-    private static RoadLink Link(SceneObject link, int from, int to) => new(
+    private static RoadLink Link(SceneObject link, int from, int to, LanesIn lanesIn) => new(
         from,
         to,
-        link.Whole("Lanes Out", DefaultLanes, 0, TextRoadFields.MostLanes),
-        link.Whole("Lanes In", DefaultLanes, 0, TextRoadFields.MostLanes),
+        link.Whole(lanesIn == LanesIn.Forward ? "Lanes In" : "Lanes Out", DefaultLanes, 0, TextRoadFields.MostLanes),
+        link.Whole(lanesIn == LanesIn.Forward ? "Lanes Out" : "Lanes In", DefaultLanes, 0, TextRoadFields.MostLanes),
         TextRoadFields.Median(link.Whole("Width", 0, -TextRoadFields.LargestWidth, TextRoadFields.LargestWidth)),
         LinkFlags.Where(flag => link.IsTrue(flag.Name)).Aggregate(RoadLinkFlags.None, (sum, flag) => sum | flag.Flag));
 }

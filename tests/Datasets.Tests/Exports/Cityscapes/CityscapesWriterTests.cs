@@ -1,3 +1,4 @@
+using System.Text.Json;
 using Harvester.Capture.Labels;
 using Harvester.Capture.Scenes;
 using Harvester.Datasets.Images;
@@ -8,6 +9,84 @@ namespace Harvester.Datasets.Tests.Exports.Cityscapes;
 [Collection(SimulatedSession.Collection)]
 public sealed class CityscapesWriterTests(SimulatedSession simulated) : ExportTests
 {
+    [Fact]
+    public void Polygons_drawn_one_over_the_other_are_the_labels()
+    {
+        Folder.Export("cityscapes", simulated.Open());
+        for (int frame = 0; frame < SimulatedSession.Frames; frame++)
+        {
+            string name = $"out/gtFine/train/session0000/session0000_000000_{frame:D6}_gtFine_";
+            InstanceMap labels = PngDecoder.ReadLabelMap(Folder.PathOf(name + "labelIds.png"));
+            using JsonDocument polygons = JsonDocument.Parse(File.ReadAllText(Folder.PathOf(name + "polygons.json")));
+            var drawn = new InstanceMap(labels.Image);
+            foreach (JsonElement item in polygons.RootElement.GetProperty("objects").EnumerateArray())
+            {
+                (int X, int Y)[] corners = [.. item.GetProperty("polygon").EnumerateArray().Select(corner => (corner[0].GetInt32(), corner[1].GetInt32()))];
+                Draw(drawn, corners, LabelIds[item.GetProperty("label").GetString()!]);
+            }
+
+            Assert.Equal(labels.Ids, drawn.Ids);
+        }
+    }
+
+    [Fact]
+    public void Training_ids_are_those_of_the_benchmark()
+    {
+        Folder.Export("cityscapes", simulated.Open());
+        const string name = "out/gtFine/train/session0000/session0000_000000_000000_gtFine_";
+        InstanceMap labels = PngDecoder.ReadLabelMap(Folder.PathOf(name + "labelIds.png"));
+        InstanceMap trainIds = PngDecoder.ReadLabelMap(Folder.PathOf(name + "labelTrainIds.png"));
+
+        (int Label, int TrainId)[] pairs = [.. labels.Ids.Zip(trainIds.Ids, (label, trainId) => ((int)label, (int)trainId)).Distinct()];
+        Assert.Contains((26, 13), pairs);
+        Assert.All(pairs, pair => Assert.Equal(
+            pair.Label switch { 17 => 5, 19 => 6, 20 => 7, 24 => 11, 26 => 13, 27 => 14, 28 => 15, 32 => 17, 33 => 18, _ => 255 }, pair.TrainId));
+    }
+
+    private static readonly Dictionary<string, ushort> LabelIds = new()
+    {
+        ["unlabeled"] = 0,
+        ["dynamic"] = 5,
+        ["pole"] = 17,
+        ["traffic light"] = 19,
+        ["traffic sign"] = 20,
+        ["person"] = 24,
+        ["car"] = 26,
+        ["truck"] = 27,
+        ["bus"] = 28,
+        ["trailer"] = 30,
+        ["motorcycle"] = 32,
+        ["bicycle"] = 33,
+    };
+
+    /// <summary>Draws a polygon of horizontal and vertical sides with its edges: the pixels on its sides, and those to whose left an odd number of sides passes.</summary>
+    private static void Draw(InstanceMap map, (int X, int Y)[] corners, ushort value)
+    {
+        (int top, int bottom) = (corners.Min(corner => corner.Y), corners.Max(corner => corner.Y));
+        var sides = corners.Select((corner, i) => (From: corner, To: corners[(i + 1) % corners.Length])).ToList();
+        for (int y = top; y <= bottom; y++)
+        {
+            int[] crossings = [.. sides.Where(side => side.From.X == side.To.X && Math.Min(side.From.Y, side.To.Y) <= y && y < Math.Max(side.From.Y, side.To.Y)).Select(side => side.From.X).Order()];
+            for (int i = 0; i + 1 < crossings.Length; i += 2)
+            {
+                Fill(y, crossings[i], crossings[i + 1]);
+            }
+
+            foreach ((var from, var to) in sides.Where(side => Math.Min(side.From.Y, side.To.Y) <= y && y <= Math.Max(side.From.Y, side.To.Y)))
+            {
+                Fill(y, Math.Min(from.X, to.X), Math.Max(from.X, to.X));
+            }
+        }
+
+        void Fill(int row, int first, int last)
+        {
+            for (int column = first; column <= last; column++)
+            {
+                map[column, row] = value;
+            }
+        }
+    }
+
     [Fact]
     public void Instance_ids_are_a_thousand_times_the_label_and_a_number()
     {

@@ -23,7 +23,8 @@ public sealed class CocoPanopticWriterTests(SimulatedSession simulated) : Export
             PixelBuffer colours = PngDecoder.ReadRgb(Folder.PathOf("out/annotations/panoptic_train/" + annotation.GetProperty("file_name").GetString()));
             // The format's rgb2id: red + 256 green + 65536 blue.
             int[] ids = [.. colours.Bytes.Chunk(3).Select(rgb => rgb[0] + (256 * rgb[1]) + (65536 * rgb[2]))];
-            Assert.Equal(mask.Ids.Select(id => (int)id), ids);
+            // What is no object is the background, segment 2 · 65536.
+            Assert.Equal(mask.Ids.Select(id => id == 0 ? 131072 : id), ids);
             Dictionary<int, int> areas = ids.Where(id => id != 0).GroupBy(id => id).ToDictionary(group => group.Key, group => group.Count());
             JsonElement[] segments = [.. annotation.GetProperty("segments_info").EnumerateArray()];
             Assert.Equal(areas.Keys.Order(), segments.Select(segment => segment.GetProperty("id").GetInt32()));

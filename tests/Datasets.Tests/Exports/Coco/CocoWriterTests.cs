@@ -14,7 +14,7 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : ExportTests
     {
         Folder.Export("coco", simulated.Open());
         using JsonDocument coco = Read("out/annotations/instances_train.json");
-        ILookup<int, JsonElement> annotations = coco.RootElement.GetProperty("annotations").EnumerateArray().ToLookup(item => item.GetProperty("image_id").GetInt32());
+        ILookup<int, JsonElement> annotations = coco.RootElement.GetProperty("annotations").EnumerateArray().Where(IsObject).ToLookup(item => item.GetProperty("image_id").GetInt32());
         int frame = 0;
         foreach (FrameLabel label in simulated.Open().ReadLabels())
         {
@@ -72,7 +72,7 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : ExportTests
         Folder.Export("coco", simulated.Open(), new ExportOptions { Segmentation = SegmentationKind.Polygon });
         using JsonDocument coco = Read("out/annotations/instances_train.json");
 
-        foreach (JsonElement item in coco.RootElement.GetProperty("annotations").EnumerateArray())
+        foreach (JsonElement item in coco.RootElement.GetProperty("annotations").EnumerateArray().Where(IsObject))
         {
             double[] box = Doubles(item.GetProperty("bbox"));
             double[][] polygons = [.. item.GetProperty("segmentation").EnumerateArray().Select(Doubles)];
@@ -87,6 +87,7 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : ExportTests
     [Fact]
     public void Without_masks_boxes_are_those_of_the_labels_and_there_is_no_segmentation()
     {
+        Session.DeterminePedestrians();
         Session.Lines.ForEach(line => line["mask"] = null);
         Folder.Export("coco", Session.Open());
         using JsonDocument coco = Read("out/annotations/instances_train.json");
@@ -97,6 +98,8 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : ExportTests
         Assert.Equal(0, pedestrian.GetProperty("iscrowd").GetInt32());
         Assert.Equal(0, pedestrian.GetProperty("segmentation").GetArrayLength());
     }
+
+    private static bool IsObject(JsonElement annotation) => annotation.GetProperty("iscrowd").GetInt32() == 0;
 
     private static double[] Doubles(JsonElement list) => [.. list.EnumerateArray().Select(number => number.GetDouble())];
 

@@ -18,6 +18,16 @@ public sealed class CsvDatasetWriterTests : ExportTests
     }
 
     [Fact]
+    public void Visible_fraction_is_the_session_s_own()
+    {
+        // (1 - 0)(1 - 0.25) would be 0.75.
+        Session.Car(0)["visibleFraction"] = 0.7501;
+        Folder.Export("csv", Session.Open());
+
+        Assert.Equal("0.7501", Read("out/objects.csv")[0]["visible_fraction"]);
+    }
+
+    [Fact]
     public void Frames_name_images_that_are_there()
     {
         Folder.Export("csv", Session.Open());

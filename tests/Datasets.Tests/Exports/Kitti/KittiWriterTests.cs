@@ -1,6 +1,7 @@
 using System.Text.Json.Nodes;
 using Harvester.Capture.Labels;
 using Harvester.Capture.Scenes;
+using Harvester.Datasets.Exports;
 using Harvester.Geometry;
 
 namespace Harvester.Datasets.Tests.Exports.Kitti;
@@ -14,13 +15,14 @@ public sealed class KittiWriterTests(SimulatedSession simulated) : ExportTests
     [Fact]
     public void Label_has_all_fifteen_columns_in_the_camera_frame()
     {
-        Folder.Export("kitti", Session.Open());
+        Session.DeterminePedestrians();
+        Folder.Export("kitti", Session.Open(), new ExportOptions { Boxes = BoxKind.Cuboid });
 
         // The car stands 11 m ahead and looks away from the camera, which looks north: centre (0, 0, 11) with y down, lower face 1 m below.
         // Looking along z is a turn of -90° from x. Boxes count from the centre of the first pixel: half a pixel less.
         Assert.Equal("Car 0 1 -1.5708 36.5 26.5 42.5 32.5 2 2 2 0 1 11 -1.5708", Folder.Lines("out/training/label_2/000000.txt")[0]);
         // The pedestrian, 6 m to the right and 5 m ahead, is cut at the last column: 79. alpha = -π/2 - atan(6 / 5) = -1.5708 - 0.8761.
-        Assert.Equal("Pedestrian 0.2 3 -2.4469 69.5 23.5 79 35.5 2 2 0 6 1 5 -1.5708", Folder.Lines("out/training/label_2/000000.txt")[1]);
+        Assert.Equal("Pedestrian 0.2 0 -2.4469 69.5 23.5 79 35.5 2 2 0 6 1 5 -1.5708", Folder.Lines("out/training/label_2/000000.txt")[1]);
     }
 
     [Theory]
@@ -56,13 +58,13 @@ public sealed class KittiWriterTests(SimulatedSession simulated) : ExportTests
     [Fact]
     public void Boxes_projected_with_the_calibration_fall_onto_the_boxes()
     {
-        Folder.Export("kitti", simulated.Open());
+        Folder.Export("kitti", simulated.Open(), new ExportOptions { Boxes = BoxKind.Cuboid });
         int compared = 0;
         int frame = 0;
         foreach (FrameLabel label in simulated.Open().ReadLabels())
         {
             double[] p2 = KittiObject.ReadMatrix(Folder.PathOf($"out/training/calib/{frame:D6}.txt"), "P2");
-            KittiObject[] written = KittiObject.ReadAll(Folder.PathOf($"out/training/label_2/{frame:D6}.txt"));
+            KittiObject[] written = [.. KittiObject.ReadAll(Folder.PathOf($"out/training/label_2/{frame:D6}.txt")).Where(item => item.Type != "DontCare")];
             ObjectLabel[] labels = [.. label.Objects.Where(item => item.Class is not (ObjectClass.Sign or ObjectClass.TrafficLight))];
             Assert.Equal(labels.Length, written.Length);
             foreach ((KittiObject item, ObjectLabel source) in written.Zip(labels))

@@ -1,4 +1,5 @@
 using System.Text.Json;
+using System.Text.Json.Nodes;
 using Harvester.Capture.Labels;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
@@ -32,7 +33,7 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
                 {
                     // The point in the middle of the row is within the pixel that starts at the column: half a pixel from its middle at most.
                     const double halfPixel = 0.5001;
-                    Assert.True(columns[i] == -2 || label.Lanes!.Markings.Any(view => Crosses(view, columns[i] + 0.5, rows[i] + 0.5, halfPixel)));
+                    Assert.True(columns[i] == -2 || label.Lanes!.Markings!.Any(view => Crosses(view, columns[i] + 0.5, rows[i] + 0.5, halfPixel)));
                 }
             }
         }
@@ -80,14 +81,114 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
         double[][] xyz = Matrix(line.GetProperty("xyz"));
         double[] inVehicle = [.. extrinsic.Take(3).Select(row => (row[0] * xyz[0][0]) + (row[1] * xyz[1][0]) + (row[2] * xyz[2][0]) + row[3])];
 
-        // Heading h is counter-clockwise from north: forward (-sin h, cos h), left (-cos h, -sin h).
-        Vector3D offset = label.Lanes!.Markings[0].Points[0].World - label.Ego.Position;
-        double h = label.Ego.HeadingDegrees * Math.PI / 180;
+        // The origin is the foot of the model's origin on the road, and the axes are the body's: forward, left, up.
+        EgoLabel ego = label.Ego;
+        Vector3D right = ego.Axes!.Value.Right, forward = ego.Axes.Value.Forward, up = ego.Axes.Value.Up;
+        Vector3D offset = label.Lanes!.Lines[0].Points[0].World - (ego.Position - (up * (ego.HeightAboveGroundMetres!.Value * up.Z)));
         const double roundingMetres = 0.001;
-        Assert.Equal((-Math.Sin(h) * offset.X) + (Math.Cos(h) * offset.Y), inVehicle[0], roundingMetres);
-        Assert.Equal((-Math.Cos(h) * offset.X) - (Math.Sin(h) * offset.Y), inVehicle[1], roundingMetres);
-        Assert.Equal(offset.Z, inVehicle[2], roundingMetres);
+        Assert.Equal(forward.Dot(offset), inVehicle[0], roundingMetres);
+        Assert.Equal(-right.Dot(offset), inVehicle[1], roundingMetres);
+        Assert.Equal(up.Dot(offset), inVehicle[2], roundingMetres);
     }
+
+    [Fact]
+    public void OpenLane_lines_near_the_car_lie_at_the_height_of_the_road()
+    {
+        Folder.Export("openlane", simulated.Open());
+        int points = 0;
+        foreach (string image in Folder.Lines("out/train.txt"))
+        {
+            using JsonDocument json = JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/lane3d/" + Path.ChangeExtension(image, ".json"))));
+            double[][] extrinsic = Matrix(json.RootElement.GetProperty("extrinsic"));
+            foreach (JsonElement line in json.RootElement.GetProperty("lane_lines").EnumerateArray())
+            {
+                double[][] xyz = Matrix(line.GetProperty("xyz"));
+                for (int i = 0; i < xyz[0].Length && xyz[0][i] < 10; i++, points++)
+                {
+                    // On a road that bends in height by a radius of 500 m, 10 m ahead is 10² / 1000 = 0.1 m off the tangent; the crown and the paint are as much.
+                    const double roadMetres = 0.2;
+                    double height = (extrinsic[2][0] * xyz[0][i]) + (extrinsic[2][1] * xyz[1][i]) + (extrinsic[2][2] * xyz[2][i]) + extrinsic[2][3];
+                    Assert.InRange(height, -roadMetres, roadMetres);
+                }
+            }
+        }
+
+        Assert.True(points > 20);
+    }
+
+    [Fact]
+    public void OpenLane_visibility_is_not_occlusion()
+    {
+        SetMarkings(new LaneLineView(1, true, [PointAt(20, 50, 5, true), PointAt(30, 40, 10, false), PointAt(35, 35, 20, true)]));
+        Folder.Export("openlane", Session.Open());
+
+        Assert.Equal("[1,1,1]", Assert.Single(LinesOf()).GetProperty("visibility").GetRawText());
+    }
+
+    [Fact]
+    public void OpenLane_line_that_leaves_the_image_and_comes_back_is_one()
+    {
+        SetMarkings(
+            new LaneLineView(1, true, [PointAt(20, 50, 5), PointAt(0, 45, 8)]),
+            new LaneLineView(1, true, [PointAt(0, 40, 14), PointAt(20, 35, 30)]));
+        Folder.Export("openlane", Session.Open());
+
+        Assert.Equal("[[20,0,0,20],[50,45,40,35]]", Assert.Single(LinesOf()).GetProperty("uv").GetRawText());
+    }
+
+    [Fact]
+    public void OpenLane_line_that_ends_and_begins_again_within_the_image_is_two()
+    {
+        SetMarkings(
+            new LaneLineView(1, true, [PointAt(20, 50, 5), PointAt(24, 45, 8)]),
+            new LaneLineView(1, true, [PointAt(28, 40, 14), PointAt(32, 35, 30)]));
+        Folder.Export("openlane", Session.Open());
+
+        Assert.Equal(2, LinesOf().Length);
+    }
+
+    [Theory]
+    [InlineData(MarkingColour.White, MarkingStyle.Dashed, 1)]
+    [InlineData(MarkingColour.White, MarkingStyle.Solid, 2)]
+    [InlineData(MarkingColour.White, MarkingStyle.DoubleSolid, 4)]
+    [InlineData(MarkingColour.Yellow, MarkingStyle.Dashed, 7)]
+    [InlineData(MarkingColour.Yellow, MarkingStyle.Solid, 8)]
+    [InlineData(MarkingColour.Yellow, MarkingStyle.DoubleSolid, 10)]
+    public void OpenLane_category_is_that_of_the_paint(MarkingColour colour, MarkingStyle style, int expected)
+    {
+        SetMarkings(new LaneLineView(1, true, [PointAt(20, 50, 5), PointAt(30, 40, 10)]) { Paint = new MarkingPaint(style, colour, 0.15) });
+        Folder.Export("openlane", Session.Open());
+
+        Assert.Equal(expected, Assert.Single(LinesOf()).GetProperty("category").GetInt32());
+    }
+
+    [Fact]
+    public void OpenLane_category_of_a_boundary_is_unknown()
+    {
+        string lanes = JsonLabelWriter.Lanes(new LanesLabel { Status = LaneStatus.Known, Source = "simulation", Boundaries = [new LaneLineView(1, true, [PointAt(20, 50, 5), PointAt(30, 40, 10)])] });
+        Session.Lines.ForEach(line => line["lanes"] = JsonNode.Parse(lanes));
+        Folder.Export("openlane", Session.Open());
+
+        Assert.Equal(0, Assert.Single(LinesOf()).GetProperty("category").GetInt32());
+    }
+
+    /// <summary>Gives all frames of the hand-written session these markings.</summary>
+    private void SetMarkings(params LaneLineView[] views)
+    {
+        LaneLineView[] painted = [.. views.Select(view => view with { Paint = view.Paint ?? new MarkingPaint(MarkingStyle.Solid, MarkingColour.White, 0.15) })];
+        string lanes = JsonLabelWriter.Lanes(new LanesLabel { Status = LaneStatus.Known, Source = "simulation", Markings = painted });
+        Session.Lines.ForEach(line => line["lanes"] = JsonNode.Parse(lanes));
+    }
+
+    /// <summary>A point that the hand-written session's camera, with a focal length of 30 pixels and its centre at (40, 30), sees at a pixel.</summary>
+    private static LaneLinePoint PointAt(double u, double v, double forward, bool? isHidden = null)
+    {
+        var inCamera = new Vector3D((u - 40) * forward / 30, forward, (30 - v) * forward / 30);
+        return new LaneLinePoint(inCamera, inCamera, new Vector2D(u, v), isHidden);
+    }
+
+    private JsonElement[] LinesOf() =>
+        [.. JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/lane3d/train/segment-0000/00000000.json"))).RootElement.GetProperty("lane_lines").EnumerateArray()];
 
     private static bool Crosses(LaneLineView view, double x, double y, double within) => view.Points.Zip(view.Points.Skip(1)).Any(piece =>
     {

@@ -1,3 +1,5 @@
+using System.Text.Json.Nodes;
+
 namespace Harvester.Datasets.Tests.Exports.Lanes;
 
 public sealed class OpenLaneCheckTests(SimulatedSession simulated) : CheckTests(simulated, "openlane")
@@ -15,9 +17,28 @@ public sealed class OpenLaneCheckTests(SimulatedSession simulated) : CheckTests(
     [InlineData("\"attribute\":\\d", "\"attribute\":7", "lane_lines[0]: its attribute, category or track_id")]
     [InlineData("\"uv\":\\[\\[[^,]*", "\"uv\":[[300", "lane_lines[0]: point 0 does not lie in the image of 200 x 150.")]
     [InlineData("\"xyz\":\\[\\[[^,]*", "\"xyz\":[[1000", "lane_lines[0]: point 0, projected with intrinsic, does not fall onto its pixel.")]
-    [InlineData("\"xyz\":\\[\\[", "\"xyz\":[[-", "lane_lines[0]: point 0, projected with intrinsic, does not fall onto its pixel.")]
+    [InlineData("\"xyz\":\\[\\[", "\"xyz\":[[-", "lane_lines[0]: point 0 lies behind the camera.")]
     public void Damaged_labels_are_found(string pattern, string replacement, string expected) =>
         AssertDamageIsFound(Labels, pattern, replacement, $"{Labels}: {expected}");
+
+    [Fact]
+    public void Negated_heights_are_found()
+    {
+        Export();
+        string text = File.ReadAllText(Folder.PathOf("out/" + Labels));
+        JsonNode frame = JsonNode.Parse(text)!;
+        foreach (JsonNode? line in frame["lane_lines"]!.AsArray())
+        {
+            JsonArray up = line!["xyz"]![2]!.AsArray();
+            for (int i = 0; i < up.Count; i++)
+            {
+                up[i] = -up[i]!.GetValue<double>();
+            }
+        }
+
+        File.WriteAllText(Folder.PathOf("out/" + Labels), frame.ToJsonString());
+        AssertFound($"{Labels}: lane_lines[0]: point 0, projected with intrinsic, does not fall onto its pixel.");
+    }
 
     [Theory]
     [InlineData(Labels, Labels + ": it is missing, but its image is there.")]

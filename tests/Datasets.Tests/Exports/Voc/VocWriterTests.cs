@@ -1,4 +1,7 @@
 using System.Xml.Linq;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+using Harvester.Datasets.Exports;
 
 namespace Harvester.Datasets.Tests.Exports.Voc;
 
@@ -7,6 +10,7 @@ public sealed class VocWriterTests : ExportTests
     [Fact]
     public void Annotation_has_the_fields_of_the_development_kit()
     {
+        Session.DeterminePedestrians();
         Folder.Export("voc", Session.Open());
 
         XElement annotation = XDocument.Load(Folder.PathOf("out/Annotations/00000001.xml")).Root!;
@@ -15,7 +19,7 @@ public sealed class VocWriterTests : ExportTests
         Assert.Equal(("80", "60", "3"), (Size("width"), Size("height"), Size("depth")));
         XElement pedestrian = annotation.Elements("object").ElementAt(1);
         Assert.Equal("pedestrian", pedestrian.Element("name")!.Value);
-        // 0.2 of it lie outside, which is more than 0.15; whether it is occluded is not known.
+        // 0.2 of it lie outside, which is more than 0.15; nothing hides it.
         Assert.Equal("1", pedestrian.Element("truncated")!.Value);
         Assert.Equal("0", pedestrian.Element("occluded")!.Value);
         Assert.Equal("0", pedestrian.Element("difficult")!.Value);
@@ -35,10 +39,22 @@ public sealed class VocWriterTests : ExportTests
     {
         Session.Car(0)["box2d"]![0] = xMin;
         Session.Car(0)["box2d"]![2] = xMax;
-        Folder.Export("voc", Session.Open());
+        Folder.Export("voc", Session.Open(), new ExportOptions { Boxes = BoxKind.Cuboid });
 
         XElement box = XDocument.Load(Folder.PathOf("out/Annotations/00000000.xml")).Descendants("bndbox").First();
         Assert.Equal((first, "28", last, "33"), (box.Element("xmin")!.Value, box.Element("ymin")!.Value, box.Element("xmax")!.Value, box.Element("ymax")!.Value));
+    }
+
+    [Fact]
+    public void Label_map_lists_the_classes_with_colours()
+    {
+        Folder.Export("voc", Session.Open(), new ExportOptions { Classes = [ObjectClass.Car, ObjectClass.Sign] });
+
+        string[] lines = Folder.Lines("out/labelmap.txt");
+        Assert.Equal(["# label:color_rgb:parts:actions", "background:0,0,0::"], lines[..2]);
+        Assert.Equal(2, lines[2..].Length);
+        Assert.Matches("^car:[0-9]+,[0-9]+,[0-9]+::$", lines[2]);
+        Assert.Matches("^sign:[0-9]+,[0-9]+,[0-9]+::$", lines[3]);
     }
 
     [Fact]

@@ -33,7 +33,7 @@ public sealed class WebDatasetWriterTests(SimulatedSession simulated) : ExportTe
 
         Assert.Equal(
             ["train-000000.tar", "train-000001.tar", "val-000000.tar", "val-000001.tar"],
-            writer.Aggregates(["train-000000", "train-000002", "val-000001", "val-000003"]).Select(file => file.Path));
+            writer.Aggregates(new Dictionary<string, int> { ["train-000000"] = 1, ["train-000002"] = 1, ["val-000001"] = 1, ["val-000003"] = 1 }).Select(file => file.Path));
     }
 
     /// <summary>Reads ustar as POSIX 1003.1 lays it out: name at 0, size in octal at 124, checksum at 148, type at 156, magic at 257.</summary>

@@ -3,6 +3,8 @@ using Harvester.Capture.Labels;
 using Harvester.Capture.Scenes;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Images;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Tests.Exports.Yolo;
@@ -13,7 +15,8 @@ public sealed class YoloWriterTests(SimulatedSession simulated) : ExportTests
     [Fact]
     public void Boxes_are_centre_and_size_in_shares_of_the_image()
     {
-        Folder.Export("yolo", Session.Open());
+        Session.DeterminePedestrians();
+        Folder.Export("yolo", Session.Open(), new ExportOptions { Boxes = BoxKind.Cuboid });
 
         // Car: centre (40, 30), size 6 x 6 of 80 x 60. Pedestrian: centre (75, 30), size 10 x 12; class 6 of all.
         Assert.Equal(["0 0.5 0.5 0.075 0.1", "6 0.9375 0.5 0.125 0.2"], Folder.Lines("out/labels/train/00000000.txt"));
@@ -23,6 +26,7 @@ public sealed class YoloWriterTests(SimulatedSession simulated) : ExportTests
     [Fact]
     public void Data_file_numbers_the_exported_classes_and_has_train_and_val()
     {
+        Session.DeterminePedestrians();
         Folder.Export("yolo", Session.Open(), new ExportOptions { Classes = [ObjectClass.Pedestrian, ObjectClass.Bus] });
 
         Assert.Equal(
@@ -31,7 +35,18 @@ public sealed class YoloWriterTests(SimulatedSession simulated) : ExportTests
     }
 
     [Fact]
-    public void Outlines_span_the_largest_piece_of_the_mask()
+    public void Outline_of_an_object_in_pieces_joins_them()
+    {
+        // Two bars and a frame with a hole, of one object.
+        Session.PaintMask(0, (1, 10, 10, 12, 30), (1, 20, 12, 23, 20), (1, 40, 5, 60, 25), (9, 45, 10, 55, 20));
+        Folder.Export("yolo-segment", Session.Open());
+
+        InstanceMap mask = PngDecoder.ReadInstanceMap(Session.PathOf("masks/00000000.png"));
+        Assert.Equal(mask.Ids.Select(id => id == 1), Covered(Corners(Folder.Lines("out/labels/train/00000000.txt")[0], mask.Image), mask.Image));
+    }
+
+    [Fact]
+    public void Outlines_cover_the_pixels_of_the_mask()
     {
         Folder.Export("yolo-segment", simulated.Open());
         int frame = 0;
@@ -40,26 +55,38 @@ public sealed class YoloWriterTests(SimulatedSession simulated) : ExportTests
             InstanceMap mask = PngDecoder.ReadInstanceMap(simulated.Open().PathOf(label.Mask!));
             ObjectLabel[] seen = [.. label.Objects.Where(item => mask.Ids.Contains((ushort)item.Id))];
             string[] lines = Folder.Lines($"out/labels/train/{frame:D8}.txt");
-            Assert.Equal(seen.Length, lines.Length);
+            Assert.Equal(seen.Select(item => (int)item.Class), lines.Select(line => int.Parse(line.Split(' ')[0], CultureInfo.InvariantCulture)));
             foreach ((string line, ObjectLabel item) in lines.Zip(seen))
             {
-                double[] numbers = [.. line.Split(' ').Select(word => double.Parse(word, CultureInfo.InvariantCulture))];
-                Assert.Equal((int)item.Class, numbers[0]);
-                Assert.True(numbers.Length >= 9 && numbers.Length % 2 == 1);
-                Assert.All(numbers.Skip(1), number => Assert.InRange(number, 0, 1));
-                for (int i = 1; i < numbers.Length; i += 2)
-                {
-                    // Six decimals of a share of 200 pixels are good to 0.0002 pixels: the corners are whole pixels, within the visible box.
-                    const double rounding = 0.001;
-                    double x = numbers[i] * mask.Image.Width;
-                    double y = numbers[i + 1] * mask.Image.Height;
-                    Assert.Equal(Math.Round(x), x, rounding);
-                    Assert.InRange(x, item.Box2DVisible!.Value.XMin - rounding, item.Box2DVisible.Value.XMax + rounding);
-                    Assert.InRange(y, item.Box2DVisible.Value.YMin - rounding, item.Box2DVisible.Value.YMax + rounding);
-                }
+                Assert.Equal(mask.Ids.Select(id => id == item.Id), Covered(Corners(line, mask.Image), mask.Image));
             }
 
             frame++;
+        }
+    }
+
+    private static Vector2D[] Corners(string line, ImageSize image) =>
+    [
+        .. line.Split(' ').Skip(1).Select(word => double.Parse(word, CultureInfo.InvariantCulture)).Chunk(2)
+            .Select(corner => new Vector2D(corner[0] * image.Width, corner[1] * image.Height)),
+    ];
+
+    /// <summary>For each pixel whether its centre has an odd number of the polygon's sides on its left.</summary>
+    private static IEnumerable<bool> Covered(Vector2D[] corners, ImageSize image)
+    {
+        (Vector2D From, Vector2D To)[] sides = [.. corners.Select((corner, i) => (corner, corners[(i + 1) % corners.Length]))];
+        for (int row = 0; row < image.Height; row++)
+        {
+            double y = row + 0.5;
+            double[] crossings =
+            [
+                .. sides.Where(side => side.From.Y < y != side.To.Y < y)
+                    .Select(side => side.From.X + ((side.To.X - side.From.X) * (y - side.From.Y) / (side.To.Y - side.From.Y))),
+            ];
+            for (int column = 0; column < image.Width; column++)
+            {
+                yield return crossings.Count(x => x < column + 0.5) % 2 == 1;
+            }
         }
     }
 }

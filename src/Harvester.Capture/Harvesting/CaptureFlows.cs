@@ -1,0 +1,39 @@
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Labelling;
+using Harvester.Capture.Ports;
+
+namespace Harvester.Capture.Harvesting;
+
+/// <summary>Makes the flow by which a harvest takes its frames: of a frozen game or of a live one.</summary>
+internal sealed class CaptureFlows(
+    HarvestOptions options, GamePorts game, SceneReader reader, PixelBufferPool pool, TickBudget budget, HarvestCounters counters, PhaseCalls calls)
+{
+    /// <summary>The flow for a sink.</summary>
+    /// <param name="sink">Where the frames go; it says which frames and objects come first.</param>
+    /// <param name="lag">By how much the picture is behind the state; null when it is not known.</param>
+    /// <exception cref="HarvestFaultException">The harvest is live, and the lag is not known.</exception>
+    public ICaptureFlow For(IFrameSink sink, PictureLag? lag)
+    {
+        FrameLabeller labeller = LabellerFrom(sink.FirstObjectId);
+        return options.Freeze
+            ? new FrozenFlow(options, game, reader, labeller, pool, budget, counters, calls)
+            {
+                TakesNext = () => options.Shard.Takes(sink.FirstFrame + counters.Captured),
+            }
+            : new LiveFlow(game, reader, labeller, pool, budget, counters, lag ?? throw LagUnknown());
+    }
+
+    private static HarvestFaultException LagUnknown() =>
+        new("The lag of the picture could not be measured: camera and traffic must move in view while a live harvest starts. Drive on and start again, or freeze the game for each frame.");
+
+    private FrameLabeller LabellerFrom(int firstObjectId)
+    {
+        var registry = new ObjectRegistry(firstObjectId);
+        var rays = new FrameRays(game.Rays, options.RayBudget);
+        return new FrameLabeller(options, rays, registry)
+        {
+            Lanes = game.Roads is { } roads ? new LaneLabeller(roads, game.Paint, rays, registry) : null,
+            Spaces = options.Spaces is { } spaces ? new SpaceLabeller(spaces, options, rays, game.Lights, registry) : null,
+        };
+    }
+}

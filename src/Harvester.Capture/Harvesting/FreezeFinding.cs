@@ -1,0 +1,39 @@
+using System;
+using Harvester.Capture.Ports;
+
+namespace Harvester.Capture.Harvesting;
+
+/// <summary>What one way of freezing did to the world when it was tried.</summary>
+/// <param name="Method">The way that was tried.</param>
+/// <param name="SawMovement">Whether camera or entities moved just before the freeze; where they did not, a world that stands still shows little.</param>
+/// <param name="SettleTicks">Game frames from the request until camera, ego vehicle and entities stood still; null when they never did.</param>
+public sealed record FreezeFinding(FreezeMethod Method, bool SawMovement, int? SettleTicks)
+{
+    /// <summary>Whether weather and hour stood still too; null when the world did not.</summary>
+    public bool? HoldsEnvironment { get; init; }
+
+    /// <summary>Whether the camera, moved on its mount, moved in the frozen world, as reported and in the picture; null when that was not tried.</summary>
+    public bool? MovesCamera { get; init; }
+
+    /// <summary>
+    /// The largest mean difference between successive pictures of the standing world, 0 to 255 per channel: rain, clouds, grain. Null
+    /// when the world did not stand still or the screen refused a picture.
+    /// </summary>
+    public double? PictureChange { get; init; }
+
+    /// <summary>Whether the world stood still.</summary>
+    public bool HoldsWorld => SettleTicks is not null;
+
+    /// <summary>The finding in words, for a log.</summary>
+    public override string ToString()
+    {
+        string movement = SawMovement ? string.Empty : " (nothing had moved before)";
+        string world = SettleTicks is { } ticks
+            ? FormattableString.Invariant($"the world stood still after {ticks} ticks")
+            : "the world never stood still";
+        string environment = HoldsEnvironment == false ? ", weather or hour went on" : string.Empty;
+        string camera = MovesCamera switch { true => ", the camera could be moved", false => ", the camera could not be moved", null => string.Empty };
+        string picture = PictureChange is { } change ? FormattableString.Invariant($", the picture changed by {change:0.00} of 255") : string.Empty;
+        return $"{Method}: {world}{movement}{environment}{camera}{picture}";
+    }
+}

@@ -1,0 +1,47 @@
+using System.Collections.Generic;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Ports;
+
+namespace Harvester.Capture.Harvesting;
+
+/// <summary>
+/// Finds out at the start of a harvest in which way the game is better frozen: each is tried once, and the better one is used from then on.
+/// </summary>
+internal sealed class FreezeProbe(HarvestOptions options, GamePorts game, SceneReader reader, PixelBufferPool pool)
+{
+    private static readonly FreezeMethod[] Methods = [FreezeMethod.Paused, FreezeMethod.TimeScale];
+
+    /// <summary>What was found, here or earlier in the same session; null when the way is given, and before the end.</summary>
+    public FreezeReport? Report { get; private set; } = options.FreezeBy is null ? options.KnownFreezing : null;
+
+    /// <summary>What to tell when neither way stops the world; null otherwise.</summary>
+    public string? Warning => Report is { Used.HoldsWorld: false }
+        ? "The world stood still neither while the game was paused nor at a time scale of 0: most frames will be discarded. Other mods may keep it moving."
+        : null;
+
+    /// <summary>Sets the pause to the way that the options name or, over some ticks, to the better one.</summary>
+    public IEnumerable<HarvestPhase> Choose()
+    {
+        if ((options.FreezeBy ?? Report?.Method) is { } known)
+        {
+            game.Pause.Method = known;
+            yield break;
+        }
+
+        var findings = new List<FreezeFinding>();
+        foreach (FreezeMethod method in Methods)
+        {
+            game.Pause.Method = method;
+            var trial = new FreezeTrial(options, game, reader, pool);
+            foreach (HarvestPhase phase in trial.Run())
+            {
+                yield return phase;
+            }
+
+            findings.Add(trial.Finding);
+        }
+
+        Report = FreezeReport.Of(findings);
+        game.Pause.Method = Report.Method;
+    }
+}

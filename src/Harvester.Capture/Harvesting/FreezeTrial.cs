@@ -1,0 +1,151 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Capture.Imaging;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Scenes;
+using Harvester.Geometry;
+
+namespace Harvester.Capture.Harvesting;
+
+/// <summary>Freezes a game once, in the way that its pause is set to, and watches what stands still and whether the camera can be moved.</summary>
+internal sealed class FreezeTrial(HarvestOptions options, GamePorts game, SceneReader reader, PixelBufferPool pool)
+{
+    /// <summary>Ticks of the running game before the freeze, in which movement is looked for.</summary>
+    private const int RunningTicks = 3;
+
+    /// <summary>Ticks that the world must stand still beyond the lag of the picture: long enough for a slow creep to add up to the tolerance.</summary>
+    private const int StillTicks = 20;
+
+    /// <summary>The last ticks of the still world, in which the change of the picture is measured.</summary>
+    private const int PictureTicks = 10;
+
+    /// <summary>Ticks beyond the lag of the picture in which a moved camera must have arrived.</summary>
+    private const int CameraTicks = 5;
+
+    /// <summary>How far the camera is moved: clearly more than a suspension moves a car that stands, and far less than a car's width.</summary>
+    private const double ShiftMetres = 0.25;
+
+    private readonly SceneComparison _comparison = new(options.StillToleranceMetres);
+    private bool _sawMovement;
+    private int? _settleTicks;
+    private bool? _holdsEnvironment;
+    private bool? _movesCamera;
+    private double _pictureChange = double.NaN;
+
+    /// <summary>What was found, after the run.</summary>
+    public FreezeFinding Finding => new(game.Pause.Method, _sawMovement, _settleTicks)
+    {
+        HoldsEnvironment = _holdsEnvironment,
+        MovesCamera = _movesCamera,
+        PictureChange = double.IsNaN(_pictureChange) ? null : _pictureChange,
+    };
+
+    public IEnumerable<HarvestPhase> Run()
+    {
+        SceneSnapshot first = reader.Read();
+        for (int tick = 0; tick < RunningTicks + options.MaxPictureLagTicks; tick++)
+        {
+            yield return HarvestPhase.MeasuringFreeze;
+        }
+
+        SceneSnapshot last = reader.Read();
+        _sawMovement = !_comparison.CameraStands(first, last) || _comparison.FirstDifference(first.Entities, last.Entities) is not null;
+        PixelBuffer reference = pool.Rent();
+        PixelBuffer current = pool.Rent();
+        game.Pause.Freeze();
+        try
+        {
+            foreach (HarvestPhase phase in Watch(last, reference, current))
+            {
+                yield return phase;
+            }
+
+            if (_settleTicks is not null && game.MountedCamera is { } camera)
+            {
+                foreach (HarvestPhase phase in TryCamera(camera, reference, current))
+                {
+                    yield return phase;
+                }
+            }
+        }
+        finally
+        {
+            game.Pause.Unfreeze();
+            pool.Return(reference);
+            pool.Return(current);
+        }
+    }
+
+    /// <summary>Waits until the world has stood still for long, and leaves the last picture of it in the reference.</summary>
+    private IEnumerable<HarvestPhase> Watch(SceneSnapshot asked, PixelBuffer reference, PixelBuffer current)
+    {
+        int stillTicks = options.MaxPictureLagTicks + StillTicks;
+        var gate = new StillnessGate(_comparison);
+        EnvironmentState environment = asked.Environment;
+        bool holdsEnvironment = true;
+        bool hasReference = false;
+        double change = 0;
+        long settled = 0;
+        gate.Observe(asked);
+        for (int tick = 0; gate.StillTicks < stillTicks; tick++)
+        {
+            if (tick == options.MaxSettleTicks + stillTicks)
+            {
+                yield break;
+            }
+
+            yield return HarvestPhase.MeasuringFreeze;
+            SceneSnapshot snapshot = reader.Read();
+            gate.Observe(snapshot);
+            if (gate.StillTicks == 0)
+            {
+                (environment, holdsEnvironment, hasReference, change) = (snapshot.Environment, true, false, 0);
+            }
+
+            holdsEnvironment &= snapshot.Environment == environment;
+            if (gate.StillTicks >= stillTicks - PictureTicks)
+            {
+                double grabbed = ChangeTo(current, hasReference ? reference : current);
+                (change, hasReference) = (Math.Max(change, grabbed), true);
+                Buffer.BlockCopy(current.Bytes, 0, reference.Bytes, 0, current.Bytes.Length);
+            }
+
+            settled = snapshot.GameFrame - gate.StillTicks - asked.GameFrame;
+        }
+
+        _settleTicks = (int)settled;
+        _holdsEnvironment = holdsEnvironment;
+        _pictureChange = change;
+    }
+
+    private IEnumerable<HarvestPhase> TryCamera(IMountedCamera camera, PixelBuffer reference, PixelBuffer current)
+    {
+        Vector3D start = game.World.ReadCamera().Pose.Position;
+        double noise = LagRecord.MovementOverNoise * _pictureChange;
+        bool isReported = false;
+        bool isSeen = false;
+        try
+        {
+            camera.Shift(new Vector3D(ShiftMetres, 0, 0));
+            for (int tick = 0; tick < options.MaxPictureLagTicks + CameraTicks && !(isReported && isSeen); tick++)
+            {
+                yield return HarvestPhase.MeasuringFreeze;
+                isReported |= (game.World.ReadCamera().Pose.Position - start).Length > ShiftMetres / 2;
+
+                // A picture that the screen refuses cannot contradict the report; nor can one that was never good before.
+                double change = ChangeTo(current, reference);
+                isSeen |= double.IsNaN(change) || double.IsNaN(noise) || change > noise;
+            }
+        }
+        finally
+        {
+            camera.Shift(Vector3D.Zero);
+        }
+
+        _movesCamera = isReported && isSeen;
+    }
+
+    /// <summary>Grabs a picture, and says how much it differs from another; not a number when the screen refuses it.</summary>
+    private double ChangeTo(PixelBuffer picture, PixelBuffer other) =>
+        game.Screen.Grab(picture).IsGood ? PictureDifference.MeanOf(other, picture) : double.NaN;
+}

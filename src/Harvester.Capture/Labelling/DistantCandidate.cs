@@ -1,0 +1,12 @@
+using Harvester.Capture.Scenes;
+using Harvester.Geometry;
+using Harvester.Geometry.Boxes;
+
+namespace Harvester.Capture.Labelling;
+
+/// <summary>An entity beyond the labelling range that is in the image, before it is known whether it is seen.</summary>
+/// <param name="Entity">The entity.</param>
+/// <param name="Cuboid">Its cuboid in the world.</param>
+/// <param name="Projection">The cuboid's image.</param>
+/// <param name="Box">The box around its part in the image.</param>
+internal sealed record DistantCandidate(EntityState Entity, Cuboid Cuboid, CuboidProjection Projection, Box2D Box);

@@ -1,0 +1,44 @@
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+using Harvester.Geometry.Boxes;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Visibility;
+
+namespace Harvester.Capture.Labelling;
+
+/// <summary>Marks the places of objects beyond the labelling range, so that nobody takes them for background.</summary>
+internal sealed class DistantLabeller(HarvestOptions options)
+{
+    /// <summary>Those of a scene's distant entities that are in the image and large enough to be labelled if they were nearer.</summary>
+    public IEnumerable<DistantCandidate> CandidatesOf(Camera camera, IEnumerable<EntityState> distant) =>
+        from entity in distant
+        where options.Classes?.Contains(entity.Class) ?? true
+        select CandidateOf(camera, entity) into candidate
+        where candidate is not null
+        select candidate;
+
+    /// <summary>Whether a candidate is seen, by few rays.</summary>
+    public Sight Look(Camera camera, DistantCandidate candidate, int egoHandle, IRayCaster rays) =>
+        options.IsWithinReach(camera, candidate.Cuboid)
+            ? SightFinder.Find(camera, candidate.Cuboid, candidate.Projection, candidate.Entity.Handle, egoHandle, rays)
+            : Sight.Undetermined;
+
+    /// <summary>The region of a candidate; null for one that is not seen.</summary>
+    public static IgnoreRegion? RegionOf(Camera camera, DistantCandidate candidate, Sight sight) => sight == Sight.Unseen
+        ? null
+        : new IgnoreRegion(
+            sight == Sight.Seen ? IgnoreReason.BeyondRange : IgnoreReason.Undetermined,
+            candidate.Entity.Class,
+            candidate.Box,
+            (candidate.Cuboid.Centre - camera.Pose.Position).Length);
+
+    private DistantCandidate? CandidateOf(Camera camera, EntityState entity)
+    {
+        Cuboid cuboid = Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose);
+        CuboidProjection projection = CuboidProjector.Project(camera, cuboid);
+        return projection.Box is { } box && options.IsLargeEnough(box) ? new DistantCandidate(entity, cuboid, projection, box) : null;
+    }
+}

@@ -1,0 +1,20 @@
+namespace Harvester.Capture.Labelling;
+
+/// <summary>What the rays of a frame are cast for.</summary>
+internal enum RayPhase
+{
+    /// <summary>The pixel map.</summary>
+    Map,
+
+    /// <summary>The visibility of objects.</summary>
+    Occlusion,
+
+    /// <summary>The visibility of faces.</summary>
+    Faces,
+
+    /// <summary>Objects beyond the labelling range.</summary>
+    IgnoreRegions,
+
+    /// <summary>Points of lane markings.</summary>
+    Lanes,
+}

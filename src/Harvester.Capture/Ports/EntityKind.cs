@@ -1,0 +1,14 @@
+namespace Harvester.Capture.Ports;
+
+/// <summary>The kinds of entities that a game lists.</summary>
+public enum EntityKind
+{
+    /// <summary>Cars, lorries, cycles and whatever else drives.</summary>
+    Vehicle,
+
+    /// <summary>People and animals.</summary>
+    Ped,
+
+    /// <summary>Objects.</summary>
+    Prop,
+}

@@ -1,0 +1,49 @@
+using System.Collections.Generic;
+using System.CommandLine;
+using System.Linq;
+using Harvester.Capture.Scenes;
+using Harvester.Datasets.Exports;
+using Harvester.Datasets.Json;
+
+namespace Harvester.Cli.Arguments;
+
+/// <summary>Names for classes on the command line, as bus=Car,truck=Car.</summary>
+internal static class ClassMap
+{
+    /// <summary>The option.</summary>
+    public static Option<string?> Option() => new("--map")
+    {
+        Description = "Names of classes in the dataset, as bus=Car,truck=Car; classes with one name become one class",
+        HelpName = "CLASS=NAME,...",
+    };
+
+    /// <summary>Reads the option; no names without it.</summary>
+    /// <exception cref="UsageException">It is not such a list, or the format does not have a name.</exception>
+    public static IReadOnlyDictionary<ObjectClass, string> Parse(string? text, DatasetFormat format)
+    {
+        var names = new Dictionary<ObjectClass, string>();
+        foreach (string entry in text?.Split(',') ?? [])
+        {
+            string[] words = [.. entry.Split('=').Select(word => word.Trim())];
+            if (words.Length != 2 || !JsonNames.TryRead(words[0], out ObjectClass kind) || !IsName(words[1]))
+            {
+                throw new UsageException($"--map takes classes with names, as bus=Car,truck=Car, not '{entry}'. Classes: {string.Join(", ", JsonNames.All<ObjectClass>())}. "
+                    + "Names are of letters, digits, blanks, - and _.");
+            }
+
+            if (format.Names is { } known && !known.Contains(words[1]))
+            {
+                throw new UsageException($"--map: {format.Name} has no class '{words[1]}'. It has {string.Join(", ", known)}.");
+            }
+
+            if (!names.TryAdd(kind, words[1]))
+            {
+                throw new UsageException($"--map names {words[0]} twice.");
+            }
+        }
+
+        return names;
+    }
+
+    private static bool IsName(string name) => name.Length > 0 && name.All(c => char.IsAsciiLetterOrDigit(c) || c is ' ' or '-' or '_');
+}

@@ -1,0 +1,54 @@
+using System.CommandLine;
+using System.Linq;
+using System.Threading.Tasks;
+using Harvester.Datasets.Diagnosis;
+
+namespace Harvester.Cli.Commands;
+
+/// <summary>harvester doctor: names the likely cause of a problem with the mod.</summary>
+internal static class DoctorCommand
+{
+    private const string Notes =
+        "LOG is GtaDataHarvester.log, ScriptHookVDotNet.log or ScriptHookV.log, under any name. FOLDER is the game's folder or its folder 'scripts',\n"
+        + "whose logs are read together, or a session. Of the mod's log only the last run counts, unless --all-runs is given.\n"
+        + "The likeliest cause comes first. The exit code is 1 if there is any problem.\n\n"
+        + "Examples:\n"
+        + "  harvester doctor \"C:\\Games\\Grand Theft Auto V\"\n"
+        + "  harvester doctor GtaDataHarvester.log --all-runs";
+
+    private static readonly Argument<string> Place = new("LOG|FOLDER") { Description = "A log, the folder of the game or of its scripts, or a session" };
+    private static readonly Option<bool> AllRuns = new("--all-runs") { Description = "Look at all runs in the mod's log, not at the last one only" };
+
+    public static Command Create(Terminal terminal)
+    {
+        var command = new Command("doctor", "Read the logs of the mod, or a session, and name the likely cause of a problem.") { Place, AllRuns };
+        HelpWithNotes.AddTo(command, Notes);
+        command.SetAction((parsed, _) => Task.FromResult(Run(terminal, parsed.GetRequiredValue(Place), parsed.GetValue(AllRuns))));
+        return command;
+    }
+
+    private static int Run(Terminal terminal, string place, bool allRuns)
+    {
+        Diagnosis diagnosis = Doctor.Examine(place, allRuns);
+        foreach (LogFile log in diagnosis.Logs)
+        {
+            string leftAside = log.RunsLeftAside > 0 ? $", {Counted.Of(log.RunsLeftAside, "earlier run")} left aside" : string.Empty;
+            terminal.Out.WriteLine($"Read {log.Path}: {Counted.Of(log.Runs.Sum(run => run.Count), "line")}{leftAside}");
+        }
+
+        int number = 0;
+        foreach (Finding finding in diagnosis.Findings)
+        {
+            string count = finding.Count > 1 ? $" ({finding.Count} times)" : string.Empty;
+            terminal.Out.WriteLine($"\n{++number}. {finding.Cause}{count}");
+            terminal.Out.WriteLine($"   What to do: {finding.Advice}");
+            if (finding.Evidence is { } evidence)
+            {
+                terminal.Out.WriteLine($"   Seen in {Terminal.OneLine(evidence.ToString())}");
+            }
+        }
+
+        terminal.Out.WriteLine(number == 0 ? $"No problem found in {place}" : $"\n{Counted.Of(number, "problem")} found in {place}");
+        return number == 0 ? ExitCode.Done : ExitCode.BadData;
+    }
+}

@@ -1,0 +1,38 @@
+using System.CommandLine;
+using System.Globalization;
+using Harvester.Datasets.Roads;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Cli.Commands.Roads;
+
+/// <summary>harvester roads compare: whether two sources of roads agree on the direction of traffic.</summary>
+internal static class RoadsCompareCommand
+{
+    private const int NameColumn = 40;
+
+    public static Command Create(Terminal terminal)
+    {
+        var first = new Argument<string>("A") { Description = "Road data: a file, folder or zip archive" };
+        var second = new Argument<string>("B") { Description = "Road data of another source" };
+        Option<LanesIn> lanesIn = RoadSourceArgument.LanesIn();
+        var command = new Command("compare", "Match two networks by position and count the one-way links that agree.") { first, second, lanesIn };
+        command.SetAction(parsed =>
+        {
+            RoadNetwork a = RoadSourceArgument.Import(parsed, first, lanesIn, terminal).Network;
+            RoadNetwork b = RoadSourceArgument.Import(parsed, second, lanesIn, terminal).Network;
+            NetworkComparison comparison = NetworkComparison.Of(a, b);
+            Write("links of A", comparison.Links);
+            Write("matched with a link of B", comparison.Matched, comparison.Links);
+            Write("same lanes", comparison.SameLanes, comparison.Matched);
+            Write("one-way in both", comparison.OneWayInBoth, comparison.Matched);
+            Write("  driven the same way", comparison.SameWay, comparison.OneWayInBoth);
+            Write("  driven opposite ways", comparison.OppositeWays, comparison.OneWayInBoth);
+            Write("one-way in one only", comparison.OneWayInOne, comparison.Matched);
+            return ExitCode.Done;
+        });
+        return command;
+
+        void Write(string name, int count, int? of = null) => terminal.Out.WriteLine(string.Create(
+            CultureInfo.InvariantCulture, $"{name.PadRight(NameColumn)}{count}{(of is > 0 ? $" ({100.0 * count / of:0.0} %)" : string.Empty)}"));
+    }
+}

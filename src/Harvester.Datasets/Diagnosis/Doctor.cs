@@ -1,0 +1,49 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Datasets.Diagnosis;
+
+/// <summary>Reads the logs of a game with the mod, or a session, and names the likely cause of a problem.</summary>
+public static class Doctor
+{
+    /// <summary>Reads what a path names: a log, the folder of the game or of its scripts, or a session.</summary>
+    /// <param name="path">The file or folder.</param>
+    /// <param name="allRuns">Whether earlier runs in the mod's log count too.</param>
+    /// <exception cref="IOException">A file is missing or cannot be read.</exception>
+    /// <exception cref="DatasetFormatException">The file is no log; the folder holds none and is no game's; session.json is malformed.</exception>
+    public static Diagnosis Examine(string path, bool allRuns = false)
+    {
+        if (!Directory.Exists(path))
+        {
+            LogFile log = LogFile.Read(path, allRuns);
+            return new Diagnosis([log], [.. FindingsOf(log)]);
+        }
+
+        return File.Exists(Path.Combine(path, SessionInfo.FileName))
+            ? new Diagnosis([], [.. SessionCheck.Of(new SessionReader(path).ReadInfo())])
+            : ExamineGame(path, allRuns);
+    }
+
+    private static Diagnosis ExamineGame(string folder, bool allRuns)
+    {
+        var search = new LogSearch(folder);
+        if (!search.IsGame && search.Logs.Count == 0)
+        {
+            throw new DatasetFormatException($"'{folder}' holds no log of the mod and is neither a game's folder nor a session.");
+        }
+
+        // From the bottom up: what is wrong below is the cause of what is wrong above.
+        LogFile[] logs = [.. search.Logs.OrderBy(log => log.Key).Select(log => LogFile.Read(log.Value, allRuns))];
+        IEnumerable<Finding> missing = search.IsGame ? MissingLogCheck.Of(logs) : [];
+        return new Diagnosis(logs, [.. logs.Where(log => log.Kind != LogKind.Mod).SelectMany(FindingsOf), .. missing, .. logs.Where(log => log.Kind == LogKind.Mod).SelectMany(FindingsOf)]);
+    }
+
+    private static IEnumerable<Finding> FindingsOf(LogFile log) => log.Runs.SelectMany(run => log.Kind switch
+    {
+        LogKind.ScriptHook => LineRule.Apply(ScriptHookRules.All, run),
+        LogKind.Loader => LineRule.Apply(LoaderRules.All, run),
+        _ => [.. VersionCheck.Of(run), .. LineRule.Apply(ModRules.All, run), .. DiscardCheck.Of(run), .. RunCheck.Of(run)],
+    });
+}

@@ -1,0 +1,101 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Text.RegularExpressions;
+
+namespace Harvester.Datasets.Diagnosis;
+
+/// <summary>A log. The mod's holds all runs since it was installed, of which as a rule only the last one matters; the others hold one.</summary>
+public sealed class LogFile
+{
+    private static readonly Regex RunBegins = new(@"^\S+ \S+ GtaDataHarvester \d+[.]\d+[^,]*, API ", RegexOptions.CultureInvariant);
+
+    private LogFile(LogKind kind, string path, IReadOnlyList<IReadOnlyList<LogLine>> runs, int runsLeftAside)
+    {
+        Kind = kind;
+        Path = path;
+        Runs = runs;
+        RunsLeftAside = runsLeftAside;
+    }
+
+    /// <summary>Who wrote it.</summary>
+    public LogKind Kind { get; }
+
+    /// <summary>Where it is.</summary>
+    public string Path { get; }
+
+    /// <summary>The lines of each run, the earliest first; at least one run.</summary>
+    public IReadOnlyList<IReadOnlyList<LogLine>> Runs { get; }
+
+    /// <summary>Earlier runs that were not kept.</summary>
+    public int RunsLeftAside { get; }
+
+    /// <summary>The usual name of a kind of log.</summary>
+    public static string NameOf(LogKind kind) => kind switch
+    {
+        LogKind.ScriptHook => "ScriptHookV.log",
+        LogKind.Loader => "ScriptHookVDotNet.log",
+        _ => "GtaDataHarvester.log",
+    };
+
+    /// <summary>Reads a log, also while the game still writes it. Its kind shows in its name, which may have additions, else in what it says.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="allRuns">Whether earlier runs are kept.</param>
+    /// <exception cref="IOException">It cannot be read.</exception>
+    /// <exception cref="DatasetFormatException">It is none of the three logs.</exception>
+    public static LogFile Read(string path, bool allRuns = false)
+    {
+        string name = System.IO.Path.GetFileName(path);
+        LogKind? kind = KindByName(name);
+        var runs = new List<List<LogLine>> { new() };
+        int begun = 0;
+        int number = 0;
+        using var file = new StreamReader(new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete));
+        while (file.ReadLine() is { } text)
+        {
+            number++;
+            if (RunBegins.IsMatch(text))
+            {
+                BeginRun(runs, keepEarlier: allRuns && begun > 0);
+                begun++;
+            }
+
+            kind ??= KindByText(text);
+            runs[^1].Add(new LogLine(name, number, text));
+        }
+
+        return new LogFile(
+            kind ?? (begun > 0 ? LogKind.Mod : throw new DatasetFormatException(
+                $"'{path}' is no log of the mod, of ScriptHookVDotNet or of ScriptHookV.")),
+            path,
+            runs,
+            Math.Max(0, begun - runs.Count));
+    }
+
+    private static void BeginRun(List<List<LogLine>> runs, bool keepEarlier)
+    {
+        if (keepEarlier)
+        {
+            runs.Add([]);
+        }
+        else
+        {
+            runs[^1].Clear();
+        }
+    }
+
+    private static LogKind? KindByName(string name)
+    {
+        return Has("ScriptHookVDotNet") ? LogKind.Loader
+            : Has("ScriptHookV") ? LogKind.ScriptHook
+            : Has("GtaDataHarvester") ? LogKind.Mod
+            : null;
+
+        bool Has(string part) => name.Contains(part, StringComparison.OrdinalIgnoreCase);
+    }
+
+    private static LogKind? KindByText(string text) =>
+        text.Contains("GTA V SCRIPT HOOK", StringComparison.Ordinal) ? LogKind.ScriptHook
+        : text.Contains("Loading API from", StringComparison.Ordinal) ? LogKind.Loader
+        : null;
+}

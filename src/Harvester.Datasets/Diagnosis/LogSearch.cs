@@ -1,0 +1,37 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+
+namespace Harvester.Datasets.Diagnosis;
+
+/// <summary>Finds the logs of a game: in its folder and in the folder of its scripts, whichever of the two is named.</summary>
+internal sealed class LogSearch
+{
+    private const string Scripts = "scripts";
+    private static readonly string[] Programs = ["GTA5.exe", "GTA5_Enhanced.exe"];
+    private static readonly EnumerationOptions AnyCase = new() { MatchCasing = MatchCasing.CaseInsensitive };
+    private readonly string[] _folders;
+
+    /// <summary>Looks at the folders.</summary>
+    public LogSearch(string folder)
+    {
+        string full = Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder));
+        bool isScripts = string.Equals(Path.GetFileName(full), Scripts, StringComparison.OrdinalIgnoreCase);
+        string game = isScripts && Path.GetDirectoryName(full) is { } parent ? parent : full;
+        _folders = [game, .. Directory.EnumerateDirectories(game, Scripts, AnyCase)];
+        Logs = Enum.GetValues<LogKind>()
+            .Select(kind => (Kind: kind, Path: Find(LogFile.NameOf(kind))))
+            .Where(found => found.Path is not null)
+            .ToDictionary(found => found.Kind, found => found.Path!);
+        IsGame = Programs.Any(program => Find(program) is not null) || Logs.ContainsKey(LogKind.ScriptHook) || Logs.ContainsKey(LogKind.Loader);
+    }
+
+    /// <summary>The logs that are there.</summary>
+    public IReadOnlyDictionary<LogKind, string> Logs { get; }
+
+    /// <summary>Whether this is the folder of a game, in which a log that is missing tells something.</summary>
+    public bool IsGame { get; }
+
+    private string? Find(string name) => _folders.SelectMany(folder => Directory.EnumerateFiles(folder, name, AnyCase)).FirstOrDefault();
+}

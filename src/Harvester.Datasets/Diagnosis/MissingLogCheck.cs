@@ -1,0 +1,48 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Harvester.Datasets.Diagnosis;
+
+/// <summary>What it means that a log is missing, or does not mention the one that it loads.</summary>
+internal static class MissingLogCheck
+{
+    private const string LoaderAsi = "ScriptHookVDotNet.asi";
+    private const string Mod = "GtaDataHarvester";
+
+    /// <summary>The lowest layer that is missing, if one is: those above it follow from it.</summary>
+    /// <param name="logs">The logs of a game's folder.</param>
+    public static IEnumerable<Finding> Of(IReadOnlyList<LogFile> logs)
+    {
+        LogFile? hook = logs.FirstOrDefault(log => log.Kind == LogKind.ScriptHook);
+        LogFile? loader = logs.FirstOrDefault(log => log.Kind == LogKind.Loader);
+        bool hasMod = logs.Any(log => log.Kind == LogKind.Mod);
+        if (hook is null && loader is null)
+        {
+            yield return new Finding(
+                "ScriptHookV was not loaded: the game runs with BattlEye, or ScriptHookV is not in the game's folder.",
+                "Switch BattlEye off in the launcher or start the game with -nobattleye; put ScriptHookV.dll and dinput8.dll beside the game's program.");
+        }
+        else if (loader is null || (hook is not null && !Mentions(hook, LoaderAsi)))
+        {
+            yield return new Finding(
+                "ScriptHookVDotNet was not loaded.",
+                "Put its .asi, .dll and .ini files into the game's folder; it needs .NET Framework 4.8 and the Visual C++ Redistributable.");
+        }
+        else if (!Mentions(loader, Mod))
+        {
+            yield return new Finding(
+                "ScriptHookVDotNet found no GtaDataHarvester.dll.",
+                "Copy the files of the mod's zip into the folder 'scripts' in the game's folder itself.");
+        }
+        else if (!hasMod)
+        {
+            yield return new Finding(
+                "The mod wrote no log: it failed when it was loaded, or may not write into its folder.",
+                "Read what ScriptHookVDotNet.log says of it; let the game write into the folder 'scripts'.");
+        }
+    }
+
+    private static bool Mentions(LogFile log, string name) =>
+        log.Runs.SelectMany(run => run).Any(line => line.Text.Contains(name, StringComparison.OrdinalIgnoreCase));
+}

@@ -1,0 +1,35 @@
+using System;
+using Harvester.Capture.Labels;
+
+namespace Harvester.Datasets.Exports;
+
+/// <summary>What a format needs of every frame.</summary>
+internal static class FrameRequirements
+{
+    /// <exception cref="DatasetFormatException">The frame lacks something that the format needs, or has something that it cannot represent.</exception>
+    public static void Check(DatasetFormat format, ExportFrame frame)
+    {
+        if (format.NeedsMasks && frame.Label.Mask is null)
+        {
+            throw frame.Problem($"it has no mask, and {format.Name} needs one. Harvest with masks, or choose another format.");
+        }
+
+        if (format.NeedsLanes && frame.Label.Lanes is null)
+        {
+            throw frame.Problem($"it has no lanes, and {format.Name} is about nothing else. Harvest with roads, or choose another format.");
+        }
+
+        if (format.KeepsSessions && IntrinsicsOf(frame.Label.Camera) != IntrinsicsOf(frame.SessionCamera))
+        {
+            throw frame.Problem($"its camera has another calibration than the session's first frame, and {format.Name} has one a sequence. Choose another format.");
+        }
+
+        if (format.NeedsRectilinear && LensBend.PixelsOf(frame.Label.Camera) is var bend and > LensBend.MostPixels)
+        {
+            throw frame.Problem(FormattableString.Invariant(
+                $"its lens bends straight lines by {bend:0.0} pixels, and {format.Name} cannot represent lens distortion. Choose another format."));
+        }
+    }
+
+    private static (double Fx, double Fy, double Cx, double Cy) IntrinsicsOf(CameraLabel camera) => (camera.Fx, camera.Fy, camera.Cx, camera.Cy);
+}

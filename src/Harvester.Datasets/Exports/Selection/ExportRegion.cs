@@ -1,0 +1,15 @@
+using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+using Harvester.Geometry;
+
+namespace Harvester.Datasets.Exports.Selection;
+
+/// <summary>
+/// A region that shows something which is no object of the dataset: an object that a filter left out or whose visibility was not determined, or one that
+/// the session did not label. A detector is neither to find it nor to be penalised for finding it.
+/// </summary>
+/// <param name="Kind">What it shows.</param>
+/// <param name="Class">That as a class of the dataset; null when it is not one of them.</param>
+/// <param name="Box">The region, pixels.</param>
+/// <param name="Label">The label of what it shows; null without one.</param>
+internal sealed record ExportRegion(ObjectClass Kind, DatasetClass? Class, Box2D Box, ObjectLabel? Label);

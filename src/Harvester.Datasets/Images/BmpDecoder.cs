@@ -1,0 +1,54 @@
+using System;
+using System.Buffers.Binary;
+using System.IO;
+using Harvester.Capture.Imaging;
+
+namespace Harvester.Datasets.Images;
+
+/// <summary>Reads Windows bitmaps of the kind that sessions have: 24 bits a pixel, not compressed, rows from the bottom or from the top.</summary>
+public static class BmpDecoder
+{
+    private const int PixelsStartAt = 10;
+    private const int HeightAt = 22;
+    private const int BitsAt = 28;
+    private const int CompressionAt = 30;
+    private const int HeaderLength = 34;
+
+    /// <summary>Reads a picture.</summary>
+    /// <exception cref="DatasetFormatException">It is not such a picture, or damaged; the message speaks of the file as "it".</exception>
+    /// <exception cref="IOException">It cannot be read.</exception>
+    public static PixelBuffer ReadRgb(string path)
+    {
+        var picture = new PixelBuffer(ImageHeader.Read(path).Size);
+        byte[] file = File.ReadAllBytes(path);
+        if (file.Length < HeaderLength
+            || BinaryPrimitives.ReadUInt16LittleEndian(file.AsSpan(BitsAt)) != 24
+            || BinaryPrimitives.ReadInt32LittleEndian(file.AsSpan(CompressionAt)) != 0)
+        {
+            throw new DatasetFormatException("it is not a BMP of 24 bits without compression.");
+        }
+
+        int width = picture.Size.Width;
+        int height = picture.Size.Height;
+        long start = BinaryPrimitives.ReadUInt32LittleEndian(file.AsSpan(PixelsStartAt));
+        long stride = ((width * PixelBuffer.BytesPerPixel) + 3) / 4 * 4;
+        if (start + (stride * height) > file.Length)
+        {
+            throw new DatasetFormatException("its pixels are cut off.");
+        }
+
+        bool isFromTop = BinaryPrimitives.ReadInt32LittleEndian(file.AsSpan(HeightAt)) < 0;
+        for (int row = 0, to = 0; row < height; row++)
+        {
+            int from = (int)(start + (stride * (isFromTop ? row : height - 1 - row)));
+            for (int column = 0; column < width; column++, from += PixelBuffer.BytesPerPixel, to += PixelBuffer.BytesPerPixel)
+            {
+                picture.Bytes[to] = file[from + 2];
+                picture.Bytes[to + 1] = file[from + 1];
+                picture.Bytes[to + 2] = file[from];
+            }
+        }
+
+        return picture;
+    }
+}

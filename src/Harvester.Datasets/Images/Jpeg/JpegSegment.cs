@@ -1,0 +1,88 @@
+using System;
+using System.Buffers.Binary;
+using System.Collections.Generic;
+using System.IO;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Datasets.Images.Jpeg;
+
+/// <summary>A marker of a JPEG file with what belongs to it: ITU-T T.81, annex B.</summary>
+/// <param name="Marker">The marker's second byte.</param>
+/// <param name="Content">The bytes after the length.</param>
+internal sealed record JpegSegment(byte Marker, byte[] Content)
+{
+    public const byte BaselineFrame = 0xC0;
+    public const byte ExtendedFrame = 0xC1;
+    public const byte ProgressiveFrame = 0xC2;
+    public const byte DefineHuffman = 0xC4;
+    public const byte FirstRestart = 0xD0;
+    public const byte LastRestart = 0xD7;
+    public const byte StartOfImage = 0xD8;
+    public const byte EndOfImage = 0xD9;
+    public const byte StartOfScan = 0xDA;
+    public const byte DefineQuantisation = 0xDB;
+    public const byte DefineRestart = 0xDD;
+    public const byte AdobeData = 0xEE;
+
+    private const byte FillByte = 0xFF;
+    private const byte LastFrame = 0xCF;
+    private const byte ReservedForExtensions = 0xC8;
+    private const byte DefineArithmetic = 0xCC;
+    private const int ShortestFrame = 6;
+
+    /// <summary>Whether it describes the picture: size and components.</summary>
+    public bool IsFrame => Marker is >= BaselineFrame and <= LastFrame and not (DefineHuffman or ReservedForExtensions or DefineArithmetic);
+
+    /// <summary>Width and height that a frame's segment gives, pixels.</summary>
+    public ImageSize Size => ImageHeader.SizeOf(BinaryPrimitives.ReadUInt16BigEndian(Content.AsSpan(3)), BinaryPrimitives.ReadUInt16BigEndian(Content.AsSpan(1)));
+
+    /// <summary>Bits of each sample, from a frame's segment.</summary>
+    public int BitsPerSample => Content[0];
+
+    /// <summary>How many components a frame's segment describes.</summary>
+    public int Components => Content[5];
+
+    /// <summary>The segments from the start of a file to the scan, which is the last.</summary>
+    /// <exception cref="DatasetFormatException">They are damaged or cut off; the message speaks of the file as "it".</exception>
+    public static IEnumerable<JpegSegment> ReadHeader(Stream file)
+    {
+        if (file.ReadByte() != FillByte || file.ReadByte() != StartOfImage)
+        {
+            throw Damaged();
+        }
+
+        JpegSegment segment;
+        do
+        {
+            segment = Read(file);
+            yield return segment;
+        }
+        while (segment.Marker != StartOfScan);
+    }
+
+    private static JpegSegment Read(Stream file)
+    {
+        int marker = file.ReadByte() == FillByte ? FillByte : throw Damaged();
+        while (marker == FillByte)
+        {
+            marker = file.ReadByte();
+        }
+
+        int length = (file.ReadByte() << 8) | file.ReadByte();
+        if (length < 2)
+        {
+            throw Damaged();
+        }
+
+        byte[] content = new byte[length - 2];
+        if (file.ReadAtLeast(content, content.Length, throwOnEndOfStream: false) < content.Length)
+        {
+            throw Damaged();
+        }
+
+        var segment = new JpegSegment((byte)marker, content);
+        return segment.IsFrame && content.Length < ShortestFrame ? throw Damaged() : segment;
+    }
+
+    private static DatasetFormatException Damaged() => new("its JPEG header is damaged or cut off.");
+}

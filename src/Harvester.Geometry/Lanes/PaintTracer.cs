@@ -1,0 +1,110 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Harvester.Geometry.Lanes;
+
+/// <summary>Finds the painted lines that mark the boundaries of a road's lanes, and numbers them as these.</summary>
+public static class PaintTracer
+{
+    /// <summary>Paint further from every boundary marks something else, metres: lines at the edge are painted a little inside of it.</summary>
+    private const double FurthestFromBoundary = 1;
+
+    /// <summary>Cosine of the angle by which paint along a boundary may differ from it, 30 degrees; what crosses it is another road's.</summary>
+    private const double LeastAlong = 0.87;
+
+    /// <summary>A carriageway is no wider than this, metres: room beyond the reach along the road.</summary>
+    private const double FurthestBeside = 50;
+
+    /// <summary>Steps between points are sums of smaller ones, metres.</summary>
+    private const double Rounding = 1e-6;
+
+    /// <summary>Traces the paint. Each line goes as far as the paint goes, and keeps to the points that the paint is told by.</summary>
+    /// <param name="stretch">The road.</param>
+    /// <param name="carOffset">The car's place, metres to the right of the centre line.</param>
+    /// <param name="from">First station, metres along the road from the car.</param>
+    /// <param name="to">Last station.</param>
+    /// <param name="paint">What is painted around.</param>
+    public static IReadOnlyList<LaneLine> Trace(
+        RoadStretch stretch, double carOffset, double from, double to, IEnumerable<PaintedLine> paint)
+    {
+        Guard.NotNull(stretch, nameof(stretch));
+        var lines = new List<LaneLine>();
+        foreach (PaintedLine painted in Guard.NotNull(paint, nameof(paint)))
+        {
+            lines.AddRange(Along(stretch, carOffset, from, to, painted).Select(line => line with { Paint = painted.Paint }));
+        }
+
+        return [.. lines.OrderBy(line => line.Index)];
+    }
+
+    private static IReadOnlyList<LaneLine> Along(RoadStretch stretch, double carOffset, double from, double to, PaintedLine painted)
+    {
+        var runs = new LineRuns();
+        List<(LinePoint Point, StretchPlace? Place)> located = [.. Thinned(painted.Points, stretch.PointAt(0), to).Select(point => (point, stretch.Locate(point.World)))];
+        for (int i = 0; i < located.Count; i++)
+        {
+            (LinePoint point, StretchPlace? place) = located[i];
+            Vector3D along = located[Math.Min(i + 1, located.Count - 1)].Point.World - located[Math.Max(i - 1, 0)].Point.World;
+            if (place is { } there && there.Station >= from && there.Station <= to && BoundaryAt(there, along) is { } index)
+            {
+                runs.EndAllBut([index]);
+                runs.Add(index, there.Offset < carOffset, point);
+            }
+            else
+            {
+                runs.EndAllBut([]);
+            }
+        }
+
+        return [.. runs.Lines().Select(line => NearestFirst(stretch, line))];
+    }
+
+    /// <summary>The points within reach of a place, as close together as the points of boundaries are, the ends always.</summary>
+    private static IEnumerable<LinePoint> Thinned(IReadOnlyList<LinePoint> points, Vector3D place, double reach)
+    {
+        double since = double.PositiveInfinity;
+        for (int i = 0; i < points.Count; i++)
+        {
+            double distance = (points[i].World - place).Length;
+            since += i > 0 ? (points[i].World - points[i - 1].World).Length : 0;
+            bool isEnd = i == points.Count - 1;
+            if (distance <= reach + FurthestBeside && (isEnd || since >= LaneLineTracer.StepAt(distance) - Rounding))
+            {
+                since = 0;
+                yield return points[i];
+            }
+        }
+    }
+
+    private static int? BoundaryAt(StretchPlace place, Vector3D along)
+    {
+        Vector2D road = place.Piece.DirectionAt(place.Piece.ParameterAt(place.Station));
+        var paint = new Vector2D(along.X, along.Y);
+        if (Math.Abs(road.Dot(paint)) < LeastAlong * paint.Length)
+        {
+            return null;
+        }
+
+        int? nearest = null;
+        double least = FurthestFromBoundary;
+        foreach (KeyValuePair<int, double> boundary in place.Piece.Boundaries())
+        {
+            double apart = Math.Abs(boundary.Value - place.Offset);
+            if (apart <= least)
+            {
+                least = apart;
+                nearest = boundary.Key;
+            }
+        }
+
+        return nearest;
+    }
+
+    private static LaneLine NearestFirst(RoadStretch stretch, LaneLine line)
+    {
+        double first = stretch.Locate(line.Points[0].World)!.Value.Station;
+        double last = stretch.Locate(line.Points[line.Points.Count - 1].World)!.Value.Station;
+        return first <= last ? line : line with { Points = [.. line.Points.Reverse()] };
+    }
+}

@@ -1,0 +1,8 @@
+using System.Collections.Generic;
+
+namespace Harvester.Geometry.Lanes;
+
+/// <summary>A line painted on the ground, from where the paint begins to where it ends; the gaps of a dashed line are part of it.</summary>
+/// <param name="Paint">What it looks like.</param>
+/// <param name="Points">Points along its middle, in either direction; at least two.</param>
+public sealed record PaintedLine(MarkingPaint Paint, IReadOnlyList<LinePoint> Points);

@@ -1,0 +1,37 @@
+using System.Collections.Generic;
+
+namespace Harvester.Geometry.PixelMaps;
+
+/// <summary>
+/// Takes back what is drawn without evidence: pixels of objects that no ray has met, which are guessed from their cuboids, and pixels between
+/// rays where an object cannot be, since an outline drawn across a cell may reach beyond the box of the object's cuboid.
+/// </summary>
+internal static class Evidence
+{
+    /// <summary>Empties the pixels without evidence.</summary>
+    /// <param name="map">The map, with numbers of the targets only.</param>
+    /// <param name="samples">What rays have told.</param>
+    /// <param name="targets">All targets.</param>
+    public static void Demand(InstanceMap map, PixelSamples samples, IReadOnlyList<MapTarget> targets)
+    {
+        var boxes = new Dictionary<ushort, Box2D?>();
+        foreach (MapTarget target in targets)
+        {
+            boxes[target.Number] = samples.HasMet(target.Number) ? target.Projection.Box : null;
+        }
+
+        for (int row = 0; row < map.Image.Height; row++)
+        {
+            for (int column = 0; column < map.Image.Width; column++)
+            {
+                if (map[column, row] is not 0 and var number && !samples.IsCast(column, row) && !Meets(boxes[number], column, row))
+                {
+                    map[column, row] = 0;
+                }
+            }
+        }
+    }
+
+    private static bool Meets(Box2D? box, int column, int row) =>
+        box is { } some && column + 1 > some.XMin && column < some.XMax && row + 1 > some.YMin && row < some.YMax;
+}

@@ -1,0 +1,92 @@
+using System.Collections.Generic;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Visibility;
+
+namespace Harvester.Geometry.PixelMaps;
+
+/// <summary>
+/// Tells the objects that a map shows nothing of apart: those that are hidden, or out of the image, from those that rays do not meet. Where
+/// rays through the silhouette were all stopped before the cuboid the object is hidden; otherwise rays that start at the cuboid decide.
+/// </summary>
+internal sealed class UnseenTargets
+{
+    private readonly Queue<(ushort Number, CuboidProbe Probe, Queue<Ray> Rays)> _open = new();
+    private readonly Dictionary<ushort, Sight> _sights = [];
+
+    public UnseenTargets(
+        Camera camera, IReadOnlyList<TargetView> views, PixelSamples samples, InstanceMap map, int ignoredEntity, IRayCaster rays)
+    {
+        var shown = new HashSet<ushort>(map.Ids);
+        foreach (TargetView view in views)
+        {
+            ushort number = view.Target.Number;
+            if (shown.Contains(number))
+            {
+                continue;
+            }
+
+            if (samples.HasMet(number) || AreAllStopped(camera, view, samples))
+            {
+                _sights[number] = Sight.Unseen;
+                continue;
+            }
+
+            var probe = new CuboidProbe(camera.Pose.Position, view.Target.Cuboid, view.Target.Entity, ignoredEntity, rays);
+            _open.Enqueue((number, probe, new Queue<Ray>(probe.Through(SightFinder.Probes))));
+        }
+    }
+
+    public int RaysCast { get; private set; }
+
+    /// <summary>What is known of an object that the map shows nothing of; not asked while rays for it are left to cast.</summary>
+    public Sight SightOf(ushort number) => _sights.TryGetValue(number, out Sight sight) ? sight : Sight.NotAsked;
+
+    /// <summary>Casts one ray.</summary>
+    /// <returns>False when none is left.</returns>
+    public bool Step()
+    {
+        while (_open.Count > 0)
+        {
+            (ushort number, CuboidProbe probe, Queue<Ray> towards) = _open.Peek();
+            if (towards.Count == 0)
+            {
+                _sights[number] = Sight.Undetermined;
+                _open.Dequeue();
+                continue;
+            }
+
+            RaysCast++;
+            if (probe.Meets(towards.Dequeue()))
+            {
+                _sights[number] = Sight.Unseen;
+                _open.Dequeue();
+            }
+
+            return true;
+        }
+
+        return false;
+    }
+
+    private static bool AreAllStopped(Camera camera, TargetView view, PixelSamples samples)
+    {
+        bool isAsked = false;
+        for (int row = view.Spans.FirstRow; row <= view.Spans.LastRow; row++)
+        {
+            (int first, int last) = view.Spans.Row(row);
+            for (int column = first; column <= last; column++)
+            {
+                if (samples.IsCast(column, row) && view.Target.Cuboid.Intersect(camera.RayThrough(column + 0.5, row + 0.5)) is { } span)
+                {
+                    isAsked = true;
+                    if (samples.Distance(column, row) >= span.Entry)
+                    {
+                        return false;
+                    }
+                }
+            }
+        }
+
+        return isAsked;
+    }
+}

@@ -1,0 +1,51 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Geometry.Boxes;
+
+namespace Harvester.Geometry.Visibility;
+
+/// <summary>
+/// Rays that start at an entity's cuboid, so that nothing in front of it counts. They tell whether there is anything of the entity along
+/// a line of sight, hidden or not.
+/// </summary>
+/// <param name="eye">The camera's position, metres.</param>
+/// <param name="cuboid">The entity's cuboid.</param>
+/// <param name="entity">The entity's handle.</param>
+/// <param name="ignoredEntity">Handle of an entity that rays pass through; <see cref="RayHit.World"/> for none.</param>
+/// <param name="rays">What rays meet.</param>
+internal sealed class CuboidProbe(Vector3D eye, Cuboid cuboid, int entity, int ignoredEntity, IRayCaster rays)
+{
+    /// <summary>How far outside the cuboid a ray starts and ends, metres, so that a surface on the cuboid's face is met.</summary>
+    public const double Margin = 0.01;
+
+    /// <summary>Steps of the R3 sequence, the inverse powers of 1.2207..., the root of x^4 = x + 1.</summary>
+    private const double StepX = 0.8191725133961645;
+    private const double StepY = 0.6710436067037893;
+    private const double StepZ = 0.5497004779019703;
+
+    /// <summary>Whether a ray from the camera would meet the entity if nothing lay in front of its cuboid.</summary>
+    public bool Meets(Ray ray)
+    {
+        if (cuboid.Intersect(ray) is not { } span)
+        {
+            return false;
+        }
+
+        double start = Math.Max(0, span.Entry - Margin);
+        RayHit? hit = rays.Cast(new Ray(ray.At(start), ray.Direction), span.Exit - start + Margin, ignoredEntity);
+        return hit is { } met && met.Entity == entity;
+    }
+
+    /// <summary>Rays from the camera to points spread evenly in the cuboid, in the image or not.</summary>
+    public IEnumerable<Ray> Through(int count)
+    {
+        Vector3D half = cuboid.HalfExtents;
+        for (int i = 0; i < count; i++)
+        {
+            var within = new Vector3D(half.X * Signed(i * StepX), half.Y * Signed(i * StepY), half.Z * Signed(i * StepZ));
+            yield return new Ray(eye, cuboid.Centre + cuboid.Axes.ToWorld(within) - eye);
+        }
+
+        static double Signed(double value) => (2 * (0.5 + value - Math.Floor(0.5 + value))) - 1;
+    }
+}

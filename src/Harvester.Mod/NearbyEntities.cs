@@ -1,0 +1,91 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using GTA;
+using GTA.Math;
+using Harvester.Capture.Playing;
+using Harvester.Capture.Ports;
+using Harvester.Geometry;
+
+namespace Harvester.Mod;
+
+/// <summary>
+/// The entities near a point, from the API's lists as long as these work. The API reads them from the game's memory: updates of the game
+/// have broken single lists, which then throw or stay empty. From then on natives take the place of that list.
+/// </summary>
+/// <param name="build">Whether the installed API can read this game's memory at all.</param>
+/// <param name="natives">What takes the place of a list that fails.</param>
+/// <param name="reading">Keeps which lists have failed.</param>
+/// <param name="messages">The player is told once for each list.</param>
+internal sealed class NearbyEntities(GameBuild build, NativeLists natives, ReadingRecord reading, PlayerMessages messages)
+{
+    private int _doubted;
+
+    /// <summary>The models of props that are looked for, by hash.</summary>
+    public IReadOnlyList<int> PropModels { get; set; } = [];
+
+    /// <summary>The vehicles within a radius of a point.</summary>
+    public IReadOnlyList<int> Vehicles(Vector3D centre, double radius) =>
+        List(EntityKind.Vehicle, centre, radius, static (place, within) => World.GetNearbyVehicles(place, within));
+
+    /// <summary>The people and animals within a radius of a point, the player among them.</summary>
+    public IReadOnlyList<int> Peds(Vector3D centre, double radius) =>
+        List(EntityKind.Ped, centre, radius, static (place, within) => World.GetNearbyPeds(place, within));
+
+    /// <summary>The props within a radius of a point that have one of <see cref="PropModels"/>.</summary>
+    public IReadOnlyList<int> Props(Vector3D centre, double radius)
+    {
+        Model[] models = [.. PropModels.Select(hash => new Model(hash))];
+        return models.Length == 0
+            ? []
+            : List(EntityKind.Prop, centre, radius, (place, within) => World.GetNearbyProps(place, within, models));
+    }
+
+    /// <summary>The props of any model within a radius of a point. Natives know those only that rays meet.</summary>
+    public IReadOnlyList<int> AllProps(Vector3D centre, double radius) =>
+        List(EntityKind.Prop, centre, radius, static (place, within) => World.GetNearbyProps(place, within));
+
+    private IReadOnlyList<int> List(EntityKind kind, Vector3D centre, double radius, Func<Vector3, float, IEnumerable<Entity>> byApi)
+    {
+        if (build.ListProblem is { } problem && reading.SourceOf(kind) == ListSource.Api)
+        {
+            FallBack(problem, EntityKind.Vehicle, EntityKind.Ped, EntityKind.Prop);
+        }
+
+        if (reading.SourceOf(kind) == ListSource.Api)
+        {
+            string failure = $"ScriptHookVDotNet lists no {kind}s though there are some.";
+            try
+            {
+                int[] listed = [.. byApi(new Vector3((float)centre.X, (float)centre.Y, (float)centre.Z), (float)radius).Select(entity => entity.Handle)];
+                if (listed.Length > 0 || !NativeLists.HasAny(kind, centre, radius, NextModel()))
+                {
+                    return listed;
+                }
+            }
+            catch (Exception exception) when (exception is not (ThreadAbortException or InvalidOperationException))
+            {
+                // An invalid operation is a full pool of handles, of which natives need as many.
+                failure = $"ScriptHookVDotNet cannot list {kind}s ({exception.Message}).";
+            }
+
+            FallBack(failure, kind);
+        }
+
+        return natives.Near(kind, centre, radius, PropModels);
+    }
+
+    /// <summary>An empty list of props is doubted by one model a time, which costs one native.</summary>
+    private int NextModel() => PropModels.Count == 0 ? 0 : PropModels[_doubted++ % PropModels.Count];
+
+    private void FallBack(string why, params EntityKind[] kinds)
+    {
+        foreach (EntityKind kind in kinds)
+        {
+            reading.ListByNatives(kind);
+        }
+
+        messages.Tell($"{why} The game's natives are asked instead; they know fewer, so distant objects may lack labels. Look for an update of ScriptHookVDotNet.");
+    }
+}

@@ -1,0 +1,74 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Geometry.Lanes;
+
+namespace Harvester.Simulation.World;
+
+/// <summary>A line along a road from where its paint begins to where it ends.</summary>
+/// <param name="Road">The road.</param>
+/// <param name="Marking">What is painted.</param>
+/// <param name="Pieces">The painted pieces, metres along the road; those of an unbroken line meet.</param>
+internal sealed record PaintRun(Road Road, Marking Marking, IReadOnlyList<(double From, double To)> Pieces)
+{
+    /// <summary>Paint lies this far above the asphalt, metres: enough to be drawn, too little to be seen as height.</summary>
+    public const double Height = 0.01;
+
+    /// <summary>Between points, metres. They lie off the ends of dashes by half of it, where it is plain whether there is paint.</summary>
+    private const double Step = 0.5;
+
+    private const double DashLength = 3;
+    private const double DashPeriod = 9;
+    private const double PieceLength = 3;
+
+    /// <summary>The lines of a road: none in the junctions at its ends, and none where it crosses another carriageway.</summary>
+    public static IEnumerable<PaintRun> Of(Road road, RoadIndex index)
+    {
+        foreach (Marking marking in road.Layout.Markings())
+        {
+            double end = road.Length - road.EndTrim;
+            double period = marking.IsDashed ? DashPeriod : PieceLength;
+            List<(double From, double To)> pieces = [];
+            for (double from = road.StartTrim; from < end; from += period)
+            {
+                double to = Math.Min(from + (marking.IsDashed ? DashLength : PieceLength), end);
+                if (!index.IsOnAnother(road, road.Curve.OffsetAt((from + to) / 2, marking.Offset), 0))
+                {
+                    pieces.Add((from, to));
+                }
+                else if (pieces.Count > 0)
+                {
+                    yield return new PaintRun(road, marking, pieces);
+                    pieces = [];
+                }
+            }
+
+            if (pieces.Count > 0)
+            {
+                yield return new PaintRun(road, marking, pieces);
+            }
+        }
+    }
+
+    /// <summary>Its middle in the world.</summary>
+    public PaintedLine Line()
+    {
+        List<LinePoint> points = [PointAt(Pieces[0].From, isPainted: true)];
+        double end = Pieces[^1].To;
+        int piece = 0;
+        for (double distance = Pieces[0].From + (Step / 2); distance < end; distance += Step)
+        {
+            while (distance > Pieces[piece].To)
+            {
+                piece++;
+            }
+
+            points.Add(PointAt(distance, isPainted: distance >= Pieces[piece].From));
+        }
+
+        points.Add(PointAt(end, isPainted: true));
+        return new PaintedLine(Marking.Paint, points);
+    }
+
+    private LinePoint PointAt(double distance, bool isPainted) =>
+        new(Road.Curve.OffsetAt(distance, Marking.Offset) + (Horizontal.Up * Height), isPainted);
+}

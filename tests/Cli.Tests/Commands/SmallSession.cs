@@ -1,0 +1,14 @@
+namespace Harvester.Cli.Tests.Commands;
+
+/// <summary>Two small frames with masks and lanes.</summary>
+public sealed class SmallSession : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    public SmallSession() => Assert.Equal(ExitCode.Done, CliRun.Of(
+        "harvest", "--out", Folder, "--frames", "2", "--seed", "5", "--size", "80x60", "--masks", "--no-report").ExitCode);
+
+    public string Folder => _folder.PathOf("session");
+
+    public void Dispose() => _folder.Dispose();
+}

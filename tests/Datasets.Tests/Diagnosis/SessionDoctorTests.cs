@@ -1,0 +1,54 @@
+using System.Text.Json.Nodes;
+using Harvester.Datasets.Diagnosis;
+
+namespace Harvester.Datasets.Tests.Diagnosis;
+
+public sealed class SessionDoctorTests : IDisposable
+{
+    private readonly TestSession _session = new();
+
+    public void Dispose() => _session.Dispose();
+
+    [Fact]
+    public void Good_session_has_no_finding() => Assert.Empty(Examine());
+
+    [Theory]
+    [InlineData("black", "exclusive full screen", "windowed borderless")]
+    [InlineData("neverStill", "went on moving", "Freeze = Auto")]
+    public void Session_that_lost_most_of_its_frames_says_why(string reason, string cause, string advice)
+    {
+        _session.Info["options"] = JsonNode.Parse("""{ "freezeBy": "paused" }""");
+        _session.Info["counters"] = JsonNode.Parse($$"""{ "captured": 3, "discarded": 52, "discards": { "{{reason}}": 50, "objectMoved": 2 } }""");
+
+        Finding finding = Assert.Single(Examine());
+        Assert.Contains(cause, finding.Cause, StringComparison.Ordinal);
+        Assert.Contains(advice, finding.Advice, StringComparison.Ordinal);
+        Assert.Equal($"session.json: 3 captured, discarded: 50 {reason}, 2 objectMoved", finding.Evidence!.ToString());
+    }
+
+    [Theory]
+    [InlineData("The camera model is off by 3.1 px, more than the 1.0 px allowed: calibrate the camera first.", "does not fit the camera model")]
+    [InlineData("The sky fell.", "ended by a failure")]
+    public void Session_with_a_fault_says_what_it_means(string fault, string cause)
+    {
+        _session.Info["state"] = "faulted";
+        _session.Info["fault"] = fault;
+
+        Assert.Contains(cause, Assert.Single(Examine()).Cause, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Session_that_was_cut_off_is_named()
+    {
+        _session.Info["state"] = "recording";
+        _session.Info.Remove("counters");
+
+        Assert.Contains("cut off", Assert.Single(Examine()).Cause, StringComparison.Ordinal);
+    }
+
+    private IReadOnlyList<Finding> Examine()
+    {
+        _session.Open();
+        return Doctor.Examine(_session.Folder).Findings;
+    }
+}

@@ -1,0 +1,80 @@
+using Harvester.Datasets.Exports;
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Datasets.Tests.Exports;
+
+/// <summary>Sessions and plans of which no dataset can be made are refused before anything is written.</summary>
+public sealed class UnusableSessionTests : ExportTests
+{
+    private static readonly SplitPlan LargeBlocks = new([new("train", 0.5), new("val", 0.5)], 1, 100);
+
+    private readonly TestSession _other = new();
+
+    [Fact]
+    public void Empty_split_is_refused_with_a_block_that_works()
+    {
+        string message = Refusal("yolo", [Session.Open()], new ExportOptions { Splits = LargeBlocks });
+
+        Assert.StartsWith("The split 'train' would be empty: 3 frames, drawn in blocks of 100. Use --split-block ", message, StringComparison.Ordinal);
+        int block = int.Parse(message.Split(' ')[^4], System.Globalization.CultureInfo.InvariantCulture);
+        ExportResult result = Folder.Export("yolo", Session.Open(), new ExportOptions { Splits = new SplitPlan(LargeBlocks.Splits, LargeBlocks.Seed, block) });
+        Assert.All(result.FramesOfSplits.Values, frames => Assert.True(frames > 0));
+    }
+
+    [Fact]
+    public void Empty_split_of_whole_sessions_is_refused() => Assert.Equal(
+        "The split 'train' would be empty: kitti-tracking keeps sessions whole, and there is 1. Add sessions, or use another --seed.",
+        Refusal("kitti-tracking", [Session.Open()], new ExportOptions { Splits = LargeBlocks }));
+
+    [Fact]
+    public void Session_without_frames_is_refused() => Assert.Equal($"'{Session.Folder}' has no frames.", Refusal("csv", [Session.OpenWithLabels("")]));
+
+    [Fact]
+    public void Shard_of_a_session_is_refused()
+    {
+        Session.Info["settings"] = new System.Text.Json.Nodes.JsonObject { ["shard"] = "2/8" };
+
+        Assert.Equal($"'{Session.Folder}' is shard 2/8 of a session. Merge the shards first: harvester merge.", Refusal("csv", [Session.Open()]));
+    }
+
+    [Theory]
+    [InlineData("coco")]
+    [InlineData("webdataset")]
+    public void Sessions_with_and_without_masks_are_not_mixed(string format)
+    {
+        _other.Lines.ForEach(line => line["mask"] = null);
+
+        Assert.Equal(
+            $"Labels would mean different things: '{_other.Folder}' has no masks, and '{Session.Folder}' has. Export sessions with and without masks separately.",
+            Refusal(format, [Session.Open(), _other.Open()]));
+    }
+
+    [Fact]
+    public void Session_of_which_some_frames_have_no_mask_is_refused()
+    {
+        Session.Lines[2]["mask"] = null;
+
+        Assert.Contains($"only 2 of the 3 frames of '{Session.Folder}' have masks", Refusal("coco", [Session.Open()]), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Later_frame_that_the_format_cannot_represent_is_refused_before_anything_is_written()
+    {
+        _other.Lines[2]["camera"]!["distortion"]!["k1"] = 0.05;
+
+        Assert.Contains("frame 2: its lens bends straight lines", Refusal("kitti", [Session.Open(), _other.Open()]), StringComparison.Ordinal);
+    }
+
+    protected override void Dispose(bool disposing)
+    {
+        _other.Dispose();
+        base.Dispose(disposing);
+    }
+
+    private string Refusal(string format, SessionReader[] sessions, ExportOptions? options = null)
+    {
+        DatasetFormatException refused = Assert.Throws<DatasetFormatException>(() => Folder.Export(format, sessions, options));
+        Assert.False(Directory.Exists(Folder.PathOf("out")));
+        return refused.Message;
+    }
+}

@@ -1,0 +1,117 @@
+using Harvester.Capture.Imaging;
+using Harvester.Datasets.Images;
+using Harvester.Datasets.Images.Jpeg;
+using Harvester.Geometry.Cameras;
+using Harvester.Tests;
+
+namespace Harvester.Datasets.Tests.Images;
+
+public sealed class JpegDecoderTests : IDisposable
+{
+    private readonly string _path = Path.GetTempFileName();
+
+    public void Dispose() => File.Delete(_path);
+
+    [Theory]
+    [InlineData("quality-50")]
+    [InlineData("quality-95")]
+    [InlineData("quality-100")]
+    [InlineData("optimised")]
+    [InlineData("grey")]
+    [InlineData("restarts")]
+    public void ReadRgb_gives_the_pixels_that_libjpeg_gives(string name)
+    {
+        PixelBuffer expected = PngDecoder.ReadRgb(LibjpegPictures.PathOf(name + ".png"));
+
+        PixelBuffer read = JpegDecoder.ReadRgb(LibjpegPictures.PathOf(name + ".jpg"));
+
+        Assert.Equal(expected.Size, read.Size);
+        Assert.Equal(expected.Bytes, read.Bytes);
+    }
+
+    [Fact]
+    public void ReadRgb_of_subsampled_colours_differs_from_libjpeg_only_where_colours_meet()
+    {
+        // libjpeg interpolates between the samples of colour, of which each stands for two pixels: only the two at a border differ.
+        const int tile = 16;
+        const int interpolated = 1;
+        PixelBuffer expected = PngDecoder.ReadRgb(LibjpegPictures.PathOf("subsampled.png"));
+
+        PixelBuffer read = JpegDecoder.ReadRgb(LibjpegPictures.PathOf("subsampled.jpg"));
+
+        for (int i = 0; i < read.Bytes.Length; i++)
+        {
+            int x = i / PixelBuffer.BytesPerPixel % read.Size.Width;
+            int y = i / PixelBuffer.BytesPerPixel / read.Size.Width;
+            bool isAtBorder = Math.Abs(x + 0.5 - tile) < interpolated || Math.Abs(y + 0.5 - tile) < interpolated;
+            Assert.True(isAtBorder || read.Bytes[i] == expected.Bytes[i], $"({x}, {y}): {read.Bytes[i]} instead of {expected.Bytes[i]}");
+        }
+    }
+
+    [Theory]
+    [InlineData("progressive", "a progressive JPEG")]
+    [InlineData("cmyk", "a JPEG of 4 components")]
+    public void ReadRgb_of_another_kind_says_what_it_is(string name, string kind)
+    {
+        string message = Assert.Throws<DatasetFormatException>(() => JpegDecoder.ReadRgb(LibjpegPictures.PathOf(name + ".jpg"))).Message;
+
+        Assert.Contains($"it is {kind}. Only baseline JPEG", message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void ReadRgb_of_a_picture_that_Adobe_marks_as_RGB_is_refused()
+    {
+        byte[] file = File.ReadAllBytes(LibjpegPictures.PathOf("quality-95.jpg"));
+        byte[] adobe = [0xFF, 0xEE, 0, 14, (byte)'A', (byte)'d', (byte)'o', (byte)'b', (byte)'e', 0, 100, 0, 0, 0, 0, 0];
+        File.WriteAllBytes(_path, [.. file[..2], .. adobe, .. file[2..]]);
+
+        Assert.Contains("not in YCbCr", Assert.Throws<DatasetFormatException>(() => JpegDecoder.ReadRgb(_path)).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void ReadRgb_of_a_picture_without_its_last_pixels_says_so()
+    {
+        byte[] file = File.ReadAllBytes(LibjpegPictures.PathOf("quality-95.jpg"));
+        File.WriteAllBytes(_path, [.. file[..^40], 0xFF, 0xD9]);
+
+        Assert.Contains("cut off", Assert.Throws<DatasetFormatException>(() => JpegDecoder.ReadRgb(_path)).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void ReadRgb_of_damaged_bytes_gives_a_picture_or_says_that_it_is_damaged()
+    {
+        byte[] good = File.ReadAllBytes(LibjpegPictures.PathOf("restarts.jpg"));
+        var random = new Random(8);
+        int refused = 0;
+        for (int attempt = 0; attempt < 400; attempt++)
+        {
+            byte[] bad = [.. good];
+            for (int i = 0; i < 3; i++)
+            {
+                bad[random.Next(bad.Length)] = (byte)random.Next(256);
+            }
+
+            File.WriteAllBytes(_path, bad);
+            refused += Record.Exception(() => JpegDecoder.ReadRgb(_path)) switch
+            {
+                null => 0,
+                DatasetFormatException => 1,
+                Exception other => throw other,
+            };
+        }
+
+        Assert.InRange(refused, 1, 400);
+    }
+
+    [Fact]
+    public void ImageHeader_of_a_jpeg_gives_size_and_depth() =>
+        Assert.Equal(new ImageHeader("image/jpeg", new ImageSize(45, 29), 24), ImageHeader.Read(LibjpegPictures.PathOf("quality-95.jpg")));
+
+    [Fact]
+    public void ImageHeader_of_a_jpeg_that_is_cut_off_says_so()
+    {
+        File.WriteAllBytes(_path, File.ReadAllBytes(LibjpegPictures.PathOf("quality-95.jpg"))[..^3]);
+
+        Assert.Contains("cut off", Assert.Throws<DatasetFormatException>(() => ImageHeader.Read(_path)).Message, StringComparison.Ordinal);
+    }
+}

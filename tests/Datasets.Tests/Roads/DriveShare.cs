@@ -1,0 +1,13 @@
+using System.Globalization;
+
+namespace Harvester.Datasets.Tests.Roads;
+
+/// <summary>How many of some samples of a drive were told rightly.</summary>
+internal readonly record struct DriveShare(int Samples, int Right)
+{
+    public double RightFraction => (double)Right / Samples;
+
+    public DriveShare With(bool isRight) => new(Samples + 1, Right + (isRight ? 1 : 0));
+
+    public override string ToString() => string.Create(CultureInfo.InvariantCulture, $"{100 * RightFraction:0.000} % of {Samples} right");
+}

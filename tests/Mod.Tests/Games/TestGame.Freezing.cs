@@ -1,0 +1,45 @@
+using GTA.Native;
+using Harvester.Capture.Ports;
+
+namespace Harvester.Mod.Tests.Games;
+
+/// <summary>The natives that stop the world.</summary>
+internal sealed partial class TestGame
+{
+    public bool IsPaused { get; private set; }
+
+    public float TimeScale { get; private set; } = 1;
+
+    /// <summary>Whether the world stands still, in one way or the other.</summary>
+    public bool IsFrozen => IsPaused || TimeScale == 0;
+
+    /// <summary>The way of freezing in which a camera stays where it is, however it is attached; null for none.</summary>
+    public FreezeMethod? HoldsCamera { get; set; }
+
+    /// <summary>The way of freezing in which traffic goes on; null for none.</summary>
+    public FreezeMethod? LetsTrafficGoOn { get; set; }
+
+    /// <summary>Whether this frame moves what drives.</summary>
+    public bool DoesTrafficMove => !IsFrozen || FrozenBy == LetsTrafficGoOn;
+
+    /// <summary>Told when the world is stopped or goes on, and in which way.</summary>
+    public Action<FreezeMethod, bool> FreezeChanged { get; set; } = (_, _) => { };
+
+    private FreezeMethod? FrozenBy => IsPaused ? FreezeMethod.Paused : TimeScale == 0 ? FreezeMethod.TimeScale : null;
+
+    private bool IsCameraHeld => FrozenBy is { } method && method == HoldsCamera;
+
+    private void AddFreezeNatives()
+    {
+        Do(Hash.SET_GAME_PAUSED, a =>
+        {
+            IsPaused = (bool)a[0];
+            FreezeChanged(FreezeMethod.Paused, IsPaused);
+        });
+        Do(Hash.SET_TIME_SCALE, a =>
+        {
+            TimeScale = (float)a[0];
+            FreezeChanged(FreezeMethod.TimeScale, TimeScale == 0);
+        });
+    }
+}

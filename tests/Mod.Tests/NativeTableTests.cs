@@ -1,0 +1,22 @@
+using GTA.Native;
+using Harvester.Mod.Tests.Games.Natives;
+
+namespace Harvester.Mod.Tests;
+
+/// <summary>Every native that the mod can call, and every call that it makes, is as the table of natives says.</summary>
+public sealed class NativeTableTests
+{
+    [Fact]
+    public void Hashes_of_the_stand_in_are_those_of_the_table() => Assert.All(
+        Enum.GetValues<Hash>(), native => Assert.Equal(native.ToString(), NativeTable.ByHash[(ulong)native].Name));
+
+    [Fact]
+    public void Every_call_of_a_play_has_the_tables_arguments_and_result()
+    {
+        using var driver = new ScriptDriver(Playthrough.Ini, spaces: LightTests.TableOfOne);
+        Playthrough.Of(driver);
+
+        Assert.Empty(Enum.GetValues<Hash>().Except(driver.Game.Calls));
+        Assert.Empty(driver.Game.Misuses);
+    }
+}

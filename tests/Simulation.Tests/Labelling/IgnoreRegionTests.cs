@@ -1,0 +1,59 @@
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Labels;
+using Harvester.Capture.Scenes;
+using Harvester.Geometry.Cameras;
+using Xunit.Abstractions;
+
+namespace Harvester.Simulation.Tests.Labelling;
+
+/// <summary>Ignore regions against what the pictures truly show beyond the labelling range.</summary>
+public sealed class IgnoreRegionTests(ITestOutputHelper output)
+{
+    private const double Range = 150;
+    private const double IgnoreRange = 300;
+
+    /// <summary>An object of so many pixels is clearly visible: a car at 200 m, unhidden, has about 300 at 1920 x 1080.</summary>
+    private const int ClearlyVisiblePixels = 60;
+
+    /// <summary>Objects hardly reach out of their cuboids.</summary>
+    private const double LeastShareWithin = 0.95;
+
+    /// <summary>Rays and the renderer may differ along an outline: an object of a few pixels may be met by a ray and have no pixel.</summary>
+    private const double MostEmptyRegions = 0.02;
+
+    [Theory]
+    [InlineData(15, "snow")]
+    [InlineData(17, "clouds")]
+    public void Every_object_clearly_visible_beyond_the_range_has_an_ignore_region(int seed, string weather)
+    {
+        int expected = 0, regions = 0, empty = 0;
+        var missed = new List<string>();
+        var options = new HarvestOptions { Image = new ImageSize(1920, 1080), MaxFrames = 5, RateHz = 0.25, RangeMetres = Range, IgnoreRangeMetres = IgnoreRange };
+        LabelledTown.Harvest(new SimulationOptions { Seed = seed, Weather = weather, WindowAspect = 16 / 9.0 }, options, (frame, truth) =>
+        {
+            EntityState[] distant =
+            [
+                .. truth.Scene.Entities.Where(entity =>
+                    (entity.Pose.Position - truth.Scene.Camera.Pose.Position).Length is >= Range and < IgnoreRange && truth.PixelsOf(entity.Handle).Count > 0),
+            ];
+            IgnoreRegion[] seen = [.. frame.Label.IgnoreRegions.Where(region => region.Reason == IgnoreReason.BeyondRange)];
+            foreach (EntityState entity in distant.Where(entity => truth.PixelsOf(entity.Handle).Count >= ClearlyVisiblePixels))
+            {
+                expected++;
+                if (!seen.Any(region => region.Class == entity.Class
+                    && truth.PixelsWithin(entity.Handle, region.Box2D) >= LeastShareWithin * truth.PixelsOf(entity.Handle).Count))
+                {
+                    missed.Add($"frame {frame.Label.Frame}: {entity.Class} {entity.Model}, {truth.PixelsOf(entity.Handle).Count} pixels, at {(entity.Pose.Position - truth.Scene.Camera.Pose.Position).Length:F0} m");
+                }
+            }
+
+            regions += seen.Length;
+            empty += seen.Count(region => !distant.Any(entity => entity.Class == region.Class && truth.PixelsWithin(entity.Handle, region.Box2D) > 0));
+        });
+
+        output.WriteLine($"{expected} objects of {ClearlyVisiblePixels} pixels or more, {regions} regions, {empty} of them empty");
+        Assert.True(expected > 10, $"Only {expected} objects.");
+        Assert.Empty(missed);
+        Assert.True(empty <= MostEmptyRegions * regions, $"{empty} of {regions} regions show nothing.");
+    }
+}

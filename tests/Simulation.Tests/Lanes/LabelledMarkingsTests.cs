@@ -1,0 +1,77 @@
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Ports;
+using Harvester.Datasets.Roads;
+using Harvester.Geometry;
+using Harvester.Geometry.Roads;
+using Harvester.TestSupport;
+using Xunit.Abstractions;
+
+namespace Harvester.Simulation.Tests.Lanes;
+
+/// <summary>
+/// Painted markings as a harvest writes them against the paint in the picture. The text of each label is read as it is, and its points
+/// are looked for in a finer picture of the same moment, in which the middle of a stripe two pixels wide can be told.
+/// </summary>
+public sealed class LabelledMarkingsTests(ITestOutputHelper output)
+{
+    /// <summary>What the project asks of markings from 5 to 50 m, pixels of the labels' image.</summary>
+    private const double LargestErrorPixels = 1.5;
+
+    /// <summary>Of the other points the paint is too thin to be measured, as that of the far lanes of wide roads, or something stands before it.</summary>
+    private const double LeastJudged = 1.0 / 3;
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    public void Labelled_markings_lie_on_the_paint_in_generated_towns(int seed) =>
+        Assert.InRange(Judge(new SimulationOptions { Seed = seed, IsTimeOfDayFixed = true }, frames: 8, everySeconds: 7), 150, int.MaxValue);
+
+    [Fact]
+    public void Labelled_markings_lie_on_the_paint_of_a_winding_road()
+    {
+        var road = new SimulationOptions { Roads = Loop.Network(), RadiusMetres = 600, TrafficDensity = 0.2, PedestrianDensity = 0, IsTimeOfDayFixed = true };
+        Assert.InRange(Judge(road, frames: 8, everySeconds: 3), 150, int.MaxValue);
+    }
+
+    [Theory]
+    [Trait("Category", "Heavy")]
+    [InlineData(3)]
+    [InlineData(15)]
+    [InlineData(17)]
+    public void Labelled_markings_lie_on_the_paint_all_over_generated_towns(int seed) =>
+        Assert.InRange(Judge(new SimulationOptions { Seed = seed, IsTimeOfDayFixed = true }, frames: 60, everySeconds: 7), 500, int.MaxValue);
+
+    [RealWorldFact("nodes.zip")]
+    [Trait("Category", "Heavy")]
+    public void Labelled_markings_lie_on_the_paint_on_the_games_own_network()
+    {
+        RoadNetwork network = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network;
+        Vector2D[] places = [new(0, -1000), new(-700, 1000), new(500, 5500), new(2000, 3000)];
+        int judged = places.Sum(near => Judge(new SimulationOptions { Seed = 3, Roads = network, Near = near, IsTimeOfDayFixed = true }, frames: 30, everySeconds: 7));
+        Assert.InRange(judged, 1000, int.MaxValue);
+    }
+
+    private int Judge(SimulationOptions options, int frames, double everySeconds)
+    {
+        var game = new SimulatedGame(options);
+        var judge = new MarkingJudge(game);
+        using var session = new HarvestSession(
+            new HarvestOptions { Image = MarkingJudge.Image, MaxFrames = frames, RateHz = 1 / everySeconds, RangeMetres = 10, MaxCalibrationErrorPixels = null },
+            game.Ports with { Roads = new FixedRoads(game.Roads, "simulation") },
+            judge);
+        do
+        {
+            game.Tick(0.05);
+            session.Step();
+        }
+        while (!session.Status.IsOver);
+
+        output.WriteLine(judge.ToString());
+        judge.Faults.ForEach(output.WriteLine);
+        Assert.Null(session.Fault);
+        Assert.Empty(judge.Faults);
+        Assert.True(judge.Judged >= LeastJudged * judge.Points, judge.ToString());
+        Assert.InRange(judge.LargestError, 0, LargestErrorPixels);
+        return judge.Judged;
+    }
+}
