@@ -171,7 +171,7 @@ public sealed class SpaceSurveyTests
         driver.UntilTold("models are surveyed: 3 faces");
         driver.WaitForDisk();
         Assert.Contains("in use from now on", driver.Game.Notifications[^1], StringComparison.Ordinal);
-        driver.Game.Add(new GameEntity { Pool = PoolKind.Props, Name = Light, Pose = new Pose(new Vector3D(101, 215, 0), Axes.Identity) });
+        driver.Game.Add(TestGame.Standing(Light, KnownProps.All[Light], new Pose(new Vector3D(101, 215, 0), Axes.Identity)));
         driver.Press(Keys.K);
         driver.Tick(20);
         driver.WaitForDisk();

@@ -26,6 +26,18 @@ internal sealed partial class TestGame
     /// <summary>Told of each light that a script drives, and of the number that it is to show.</summary>
     public Action<int, int> LightDriven { get; set; } = (_, _) => { };
 
+    /// <summary>A prop in the shape of its model: rays and the survey meet the same.</summary>
+    public static GameEntity Standing(string name, Prop model, Pose pose) => new()
+    {
+        Pool = PoolKind.Props,
+        Name = name,
+        Pose = pose,
+        Shape = model.Shape,
+        ModelMin = model.Shape.Min,
+        ModelMax = model.Shape.Max,
+        Bones = model.Bones,
+    };
+
     private void AddObjectNatives()
     {
         Do(Hash.SET_ENTITY_TRAFFICLIGHT_OVERRIDE, a =>
@@ -73,15 +85,6 @@ internal sealed partial class TestGame
         (string name, Prop prop) = HasLoaded(model) && PropOf(model) is { } found
             ? found
             : throw new InvalidOperationException("An object was made of a model that is not loaded.");
-        return Make(new GameEntity
-        {
-            Pool = PoolKind.Props,
-            Name = name,
-            Pose = new Pose(place, Axes.Identity),
-            Shape = prop.Shape,
-            ModelMin = prop.Shape.Min,
-            ModelMax = prop.Shape.Max,
-            Bones = prop.Bones,
-        });
+        return Make(Standing(name, prop, new Pose(place, Axes.Identity)));
     }
 }
