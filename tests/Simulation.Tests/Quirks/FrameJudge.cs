@@ -2,10 +2,14 @@ using Harvester.Capture.Labels;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
+using Harvester.Simulation.Tests.Labelling;
 
 namespace Harvester.Simulation.Tests.Quirks;
 
-/// <summary>Holds a label against what its picture truly shows: the camera, the ego, and all that is labelled or seen.</summary>
+/// <summary>
+/// Holds a label against what its picture truly shows: the camera, the ego, and all that is labelled or seen. What is seen has a label. Only
+/// where rays may fail to meet it, which is what the quirk says, may it have an ignore region instead, over all of its pixels.
+/// </summary>
 internal static class FrameJudge
 {
     /// <summary>Two readings of a standing scene may each be 1 mm from the first of the run (HarvestOptions.StillToleranceMetres).</summary>
@@ -14,9 +18,13 @@ internal static class FrameJudge
     /// <summary>Twice the protocol's tolerance for axes.</summary>
     private const double AxisTolerance = 2e-4;
 
+    /// <summary>Rays meet every entity up to here, metres (GameQuirks.RayMissFraction), less what the camera moves while the game is read.</summary>
+    private const double MetUpTo = 29;
+
     /// <summary>What the label says wrongly of the picture; empty when they agree.</summary>
-    public static IEnumerable<string> Disagreements(FrameLabel label, SceneSnapshot truth, IReadOnlySet<int> seen, double range)
+    public static IEnumerable<string> Disagreements(FrameLabel label, TruePicture picture, double range)
     {
+        SceneSnapshot truth = picture.Scene;
         if (!AreSame(label.Camera.Pose, truth.Camera.Pose))
         {
             yield return $"camera at {label.Camera.Pose.Position}, in truth at {truth.Camera.Pose.Position}";
@@ -33,15 +41,21 @@ internal static class FrameJudge
         }
 
         // An entity at the very border of the range may count as within it for one camera and not for the other.
-        foreach (EntityState entity in truth.Entities.Where(entity => seen.Contains(entity.Handle)))
+        foreach (EntityState entity in truth.Entities.Where(entity => picture.PixelsOf(entity.Handle).Count > 0))
         {
-            bool isInRange = (entity.Pose.Position - truth.Camera.Pose.Position).Length < range - 1;
-            if (isInRange && !label.Objects.Any(item => IsOf(item, entity)))
+            double distance = (entity.Pose.Position - truth.Camera.Pose.Position).Length;
+            bool isMarked = distance > MetUpTo && label.IgnoreRegions.Any(region => IsOf(region, entity, picture));
+            if (distance < range - 1 && !isMarked && !label.Objects.Any(item => IsOf(item, entity)))
             {
-                yield return $"{entity.Model} at {entity.Pose.Position} is seen but not labelled";
+                yield return $"{entity.Model} at {entity.Pose.Position} is seen but neither labelled nor marked";
             }
         }
     }
+
+    private static bool IsOf(IgnoreRegion region, EntityState entity, TruePicture picture) =>
+        region.Reason == IgnoreReason.Undetermined
+        && region.Class == entity.Class
+        && picture.PixelsWithin(entity.Handle, region.Box2D) == picture.PixelsOf(entity.Handle).Count;
 
     private static bool IsOf(ObjectLabel item, EntityState entity)
     {

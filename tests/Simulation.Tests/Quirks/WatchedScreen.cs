@@ -1,22 +1,19 @@
 using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
+using Harvester.Simulation.Tests.Labelling;
 
 namespace Harvester.Simulation.Tests.Quirks;
 
 /// <summary>The game's screen, with note taken of what the last picture that was grabbed truly shows.</summary>
 internal sealed class WatchedScreen(SimulatedGame game) : IScreen
 {
-    public SceneSnapshot Truth { get; private set; } = game.Shown;
-
-    /// <summary>The handles that have a pixel in the picture.</summary>
-    public HashSet<int> Seen { get; private set; } = [];
+    /// <summary>What the last picture that was grabbed truly shows; null before the first.</summary>
+    public TruePicture? Truth { get; private set; }
 
     public GrabResult Grab(PixelBuffer target)
     {
         GrabResult result = game.Ports.Screen.Grab(target);
-        Truth = game.Shown;
-        Seen = [.. game.Render(target.Size).Handles];
+        Truth = new TruePicture(game.Shown, game.Render(target.Size));
         return result;
     }
 }
