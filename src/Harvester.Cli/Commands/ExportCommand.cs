@@ -10,6 +10,7 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.Imaging;
 using Harvester.Capture.Labels;
 using Harvester.Cli.Arguments;
+using Harvester.Cli.Harvesting;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Json;
 
@@ -120,6 +121,11 @@ internal static class ExportCommand
     {
         ExportPlan plan = PlanOf(terminal, parsed);
         string folder = parsed.GetRequiredValue(Out);
+        if (OutputFolder.FileInTheWayOf(folder) is { } file)
+        {
+            throw new IOException($"'{file}' is a file. Name a folder.");
+        }
+
         Shard shard = parsed.GetValue(ShardOf);
         int frames = plan.Sessions.Sum(session => session.CountLines()) / shard.Count;
         var exporter = new DatasetExporter(plan, folder, shard);

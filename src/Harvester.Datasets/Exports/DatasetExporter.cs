@@ -39,6 +39,8 @@ public sealed class DatasetExporter
     /// <exception cref="IOException">Something cannot be read or written.</exception>
     public ExportResult Run(Action<int> report, CancellationToken cancellation = default)
     {
+        // Reading all labels takes long: a folder that can never be written to is refused before.
+        _folder.CheckUsable();
         SessionSurvey survey = SessionSurvey.Of(_asked, cancellation);
         ExportPlan plan = survey.Decide();
         string identity = plan.Identity;
@@ -48,10 +50,7 @@ public sealed class DatasetExporter
             return DatasetAssembly.ResultOf(_folder);
         }
 
-        if (_folder.IsFinished)
-        {
-            throw new OccupiedFolderException($"'{_folder.Path}' holds a finished dataset already. Name another folder.");
-        }
+        _folder.CheckUnfinished();
 
         // Whatever the sessions lack is refused before there is anything to go on with.
         survey.Check();

@@ -27,10 +27,7 @@ public static class DatasetMerger
             return DatasetAssembly.ResultOf(target);
         }
 
-        if (target.IsFinished)
-        {
-            throw new OccupiedFolderException($"'{folder}' holds a finished dataset already. Name another folder.");
-        }
+        target.CheckUnfinished();
 
         string plan = sources[0].ReadPlan();
         if (sources.FirstOrDefault(source => source.ReadPlan() != plan) is { } other)

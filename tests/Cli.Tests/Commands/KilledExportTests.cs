@@ -8,6 +8,7 @@ namespace Harvester.Cli.Tests.Commands;
 public sealed class KilledExportTests : IClassFixture<LongSession>, IDisposable
 {
     private const int KilledAfterFrames = 20;
+    private const int SeedThatDealsOutBothSessions = 10;
 
     private readonly LongSession _session;
     private readonly TemporaryFolder _folder = new();
@@ -61,7 +62,7 @@ public sealed class KilledExportTests : IClassFixture<LongSession>, IDisposable
 
         export.Kill();
         export.WaitForExit();
-        return FramesDone() < LongSession.Frames && !File.Exists(_folder.PathOf("killed/export.json"));
+        return FramesDone() < LongSession.Frames + LongSession.HarvestedFrames && !File.Exists(_folder.PathOf("killed/export.json"));
     }
 
     /// <summary>Frames that the export which is killed has noted as done; 0 before it has begun, and when it is over and has taken its notes away.</summary>
@@ -82,8 +83,8 @@ public sealed class KilledExportTests : IClassFixture<LongSession>, IDisposable
         var start = new ProcessStartInfo("dotnet") { RedirectStandardOutput = true, RedirectStandardError = true };
         string[] arguments =
         [
-            Path.Combine(AppContext.BaseDirectory, "harvester.dll"), "export", _session.Folder, "--format", format, "--out", _folder.PathOf(to),
-            "--split", "train:0.7,val:0.3",
+            Path.Combine(AppContext.BaseDirectory, "harvester.dll"), "export", _session.Folder, _session.ShortFolder, "--format", format, "--out", _folder.PathOf(to),
+            "--split", "train:0.7,val:0.3", "--seed", $"{SeedThatDealsOutBothSessions}",
         ];
         Array.ForEach(arguments, start.ArgumentList.Add);
         return Process.Start(start)!;

@@ -2,11 +2,14 @@ using System.Text.Json.Nodes;
 
 namespace Harvester.Cli.Tests.Commands;
 
-/// <summary>A session with more frames than an export can do before it is killed: a few harvested ones over and over.</summary>
+/// <summary>
+/// A session with more frames than an export can do before it is killed: a few harvested ones over and over. A second, short one is for formats
+/// that keep sessions whole, so that there is one for each of two splits.
+/// </summary>
 public sealed class LongSession : IDisposable
 {
     public const int Frames = 600;
-    private const int HarvestedFrames = 8;
+    public const int HarvestedFrames = 8;
 
     private readonly TemporaryFolder _folder = new();
 
@@ -14,6 +17,7 @@ public sealed class LongSession : IDisposable
     {
         Assert.Equal(ExitCode.Done, CliRun.Of(
             "harvest", "--out", Folder, "--frames", $"{HarvestedFrames}", "--seed", "5", "--size", "80x60", "--masks", "--no-report").ExitCode);
+        Copy(Folder, ShortFolder);
         string[] lines = File.ReadAllLines(Path.Combine(Folder, "labels.jsonl"));
         for (int frame = HarvestedFrames; frame < Frames; frame++)
         {
@@ -23,7 +27,19 @@ public sealed class LongSession : IDisposable
 
     public string Folder => _folder.PathOf("session");
 
+    public string ShortFolder => _folder.PathOf("short");
+
     public void Dispose() => _folder.Dispose();
+
+    private static void Copy(string from, string to)
+    {
+        foreach (string file in Directory.EnumerateFiles(from, "*", SearchOption.AllDirectories))
+        {
+            string copy = Path.Combine(to, Path.GetRelativePath(from, file));
+            Directory.CreateDirectory(Path.GetDirectoryName(copy)!);
+            File.Copy(file, copy);
+        }
+    }
 
     private string Again(string line, int frame)
     {

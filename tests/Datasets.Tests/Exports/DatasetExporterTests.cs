@@ -54,6 +54,17 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Assert.Throws<OccupiedFolderException>(() => Folder.Export("csv", simulated.Open()));
     }
 
+    /// <summary>Reading the labels of long sessions takes minutes.</summary>
+    [Fact]
+    public void Export_into_an_occupied_folder_is_refused_before_the_labels_are_read()
+    {
+        Directory.CreateDirectory(Folder.PathOf("out"));
+        File.WriteAllText(Folder.PathOf("out/thesis.tex"), "mine");
+        Session.Car(1).Remove("box3d");
+
+        Assert.Throws<OccupiedFolderException>(() => Folder.Export("csv", Session.Open()));
+    }
+
     [Fact]
     public void Export_into_a_finished_dataset_is_refused()
     {

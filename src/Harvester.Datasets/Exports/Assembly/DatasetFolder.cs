@@ -40,14 +40,31 @@ internal sealed class DatasetFolder(string path)
         IsBegun ? File.ReadAllText(PathOf(PlanFile))
         : throw new DatasetFormatException(IsFinished ? $"'{path}' is a whole dataset, no shard of one." : $"'{path}' is not a shard of an export: it has no {PlanFile}.");
 
+    /// <summary>Refuses a folder to which an export can write nothing, whatever its plan.</summary>
+    /// <exception cref="OccupiedFolderException">The folder holds a finished dataset or something else.</exception>
+    public void CheckUsable()
+    {
+        if (!HasLeftovers)
+        {
+            CheckUnfinished();
+            CheckUnoccupied();
+        }
+    }
+
+    /// <summary>Refuses a folder with a finished dataset.</summary>
+    /// <exception cref="OccupiedFolderException">The folder holds one.</exception>
+    public void CheckUnfinished()
+    {
+        if (IsFinished)
+        {
+            throw new OccupiedFolderException($"'{path}' holds a finished dataset already. Name another folder.");
+        }
+    }
+
     /// <summary>Begins a dataset, or goes on with one that has the same plan.</summary>
     public void Begin(string plan)
     {
-        if (!IsEmpty && !IsBegun)
-        {
-            throw new OccupiedFolderException($"'{path}' is not empty and holds no export that could be continued. Name another folder.");
-        }
-
+        CheckUnoccupied();
         if (!IsBegun)
         {
             WritePlan(plan);
@@ -91,6 +108,14 @@ internal sealed class DatasetFolder(string path)
         catch (IOException) when (IsBegun)
         {
             File.Delete(own);
+        }
+    }
+
+    private void CheckUnoccupied()
+    {
+        if (!IsEmpty && !IsBegun)
+        {
+            throw new OccupiedFolderException($"'{path}' is not empty and holds no export that could be continued. Name another folder.");
         }
     }
 
