@@ -63,6 +63,7 @@ public sealed class SimulatedGame
             Car = new CarPort(this),
             MountedCamera = new MountedCameraPort(this),
             Paint = new PaintPort(_world.Paint),
+            Lights = new LightsPort(this),
         };
     }
 
@@ -218,7 +219,7 @@ public sealed class SimulatedGame
         }
         else
         {
-            _world.DrivenLights[light] = state switch { LightState.Red => SignalState.Red, LightState.Amber => SignalState.Amber, _ => SignalState.Green };
+            _world.DrivenLights[light] = state.Value.AsSignal();
         }
 
         _state++;

@@ -22,6 +22,9 @@ internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, Fr
     /// <summary>An estimated cuboid may lie before or behind the plate by so much; with less, all of its faces would count as hidden by their own plates.</summary>
     private const double EstimatedMarginMetres = 0.15;
 
+    /// <summary>The plate behind the head of a light reaches beyond it by so much: 5 inches is the usual size, and a corner may be rounded.</summary>
+    private const double BackplateMetres = 0.15;
+
     private readonly OcclusionEstimator _occlusion = new(options.OcclusionSamples);
 
     /// <summary>Labels the spaces of entities, a slice each.</summary>
@@ -70,7 +73,10 @@ internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, Fr
         }
     }
 
-    /// <summary>The spaces of entities, numbered; null for one that is not in the image.</summary>
+    /// <summary>
+    /// The spaces of entities, numbered; null for one that is not in the image, and for a sign's face that is seen from behind: there is
+    /// nothing of it to see. The head of a light is a housing, and seen from all sides.
+    /// </summary>
     public IEnumerable<SpaceCandidate?> CandidatesOf(Camera camera, SceneSnapshot snapshot) =>
         from entity in snapshot.Entities
         from space in table.Of(entity.Model)
@@ -80,6 +86,11 @@ internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, Fr
     private SpaceCandidate? CandidateOf(Camera camera, EntityState entity, SpaceOfInterest space)
     {
         Cuboid cuboid = space.CuboidAt(entity.Pose);
+        if (space.Class == ObjectClass.Sign && !SpaceLabel.IsBefore(FacingAngleDegrees(space, cuboid, entity.Pose, camera.Pose.Position)))
+        {
+            return null;
+        }
+
         CuboidProjection projection = CuboidProjector.Project(camera, cuboid, SpaceOutline.EdgesOf(space, entity.Pose));
         return projection is { Box: { } box, AmodalBox: { } amodal } && options.IsLargeEnough(box)
             ? new SpaceCandidate(space, new LabelCandidate(entity, registry.IdOf(entity, space.Face), cuboid, projection, box, amodal), registry.IdOf(entity))
@@ -125,8 +136,15 @@ internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, Fr
     {
         LabelCandidate face = candidate.Face;
         int parent = face.Entity.Handle;
-        double margin = candidate.Space.Provenance == Provenance.Estimated ? EstimatedMarginMetres : MeasuredMarginMetres;
-        return _occlusion.Estimate(camera, face.Cuboid, face.Projection, parent, egoHandle, new SpaceRays(caster, parent, face.Cuboid, margin));
+        SpaceRays rays = new(caster, parent, face.Cuboid, MarginOf(candidate.Space));
+        return _occlusion.Estimate(camera, face.Cuboid, face.Projection, parent, egoHandle, rays);
+    }
+
+    private static Vector3D MarginOf(SpaceOfInterest space)
+    {
+        double depth = space.Provenance == Provenance.Estimated ? EstimatedMarginMetres : MeasuredMarginMetres;
+        double side = space.Class == ObjectClass.TrafficLight ? Math.Max(depth, BackplateMetres) : depth;
+        return space.Facing is Facing.Left or Facing.Right ? new Vector3D(depth, side, side) : new Vector3D(side, depth, side);
     }
 
     private LightLabel LightOf(EntityState entity, long gameFrame) =>

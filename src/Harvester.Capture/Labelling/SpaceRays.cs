@@ -6,16 +6,15 @@ namespace Harvester.Capture.Labelling;
 
 /// <summary>
 /// Rays as a face sees them: what is hit of its own model elsewhere than in the face's cuboid is a thing of the world like any other,
-/// so a post before the face or the plate's own back hides it.
+/// so a post before the face or the plate's own back hides it. The plate around the head of a light belongs to the head.
 /// </summary>
 /// <param name="rays">What rays meet.</param>
 /// <param name="parent">Handle of the entity that bears the face.</param>
 /// <param name="cuboid">The face's cuboid.</param>
-/// <param name="marginMetres">How far outside the cuboid a hit is still on the face, metres.</param>
-internal sealed class SpaceRays(IRayCaster rays, int parent, Cuboid cuboid, double marginMetres) : IRayCaster
+/// <param name="margin">How far outside the cuboid a hit is still on the face, along right, forward and up of the model, metres.</param>
+internal sealed class SpaceRays(IRayCaster rays, int parent, Cuboid cuboid, Vector3D margin) : IRayCaster
 {
-    private readonly Cuboid _face = new(
-        cuboid.Centre, cuboid.HalfExtents + new Vector3D(marginMetres, marginMetres, marginMetres), cuboid.Axes);
+    private readonly Cuboid _face = new(cuboid.Centre, cuboid.HalfExtents + margin, cuboid.Axes);
 
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
     {

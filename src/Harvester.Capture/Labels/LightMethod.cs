@@ -6,7 +6,7 @@ public enum LightMethod
     /// <summary>It is not.</summary>
     Unknown,
 
-    /// <summary>The harvester itself has set it.</summary>
+    /// <summary>Who drives the light told: the harvester itself in the real game, the simulation in a simulated one.</summary>
     Set,
 
     /// <summary>It was read from the picture.</summary>

@@ -11,5 +11,8 @@ namespace Harvester.Capture.Labels;
 public sealed record SpaceLabel(int Face, string? MutcdCode, double FacingAngleDegrees, Provenance Provenance, LightLabel? Light)
 {
     /// <summary>Whether the camera is on the side towards which the face looks.</summary>
-    public bool FacesCamera => FacingAngleDegrees < 90;
+    public bool FacesCamera => IsBefore(FacingAngleDegrees);
+
+    /// <summary>Whether a camera at an angle from the direction in which a face looks, degrees, is on the side towards which it looks.</summary>
+    public static bool IsBefore(double facingAngleDegrees) => facingAngleDegrees < 90;
 }

@@ -10,7 +10,7 @@ namespace Harvester.Capture.Scenes;
 /// <param name="Sight">Whether anything of it was seen.</param>
 /// <param name="Method">How the occlusion was determined.</param>
 /// <param name="OccludedFraction">Share of its silhouette in the image that is hidden, 0 to 1; 0 when it was not determined.</param>
-/// <param name="SetLight">The state to which the harvester itself had set this traffic light; null for all else.</param>
+/// <param name="SetLight">The state to which this traffic light was known to be set; null for all else.</param>
 public sealed record RecordedOcclusion(
     int Handle, int? Face, int Id, Sight Sight, OcclusionMethod Method, double OccludedFraction, LightState? SetLight)
 {

@@ -48,14 +48,19 @@ internal sealed class SignalProps(Signals signals, HandleCounter handles)
 
     /// <summary>The lights as they show at a time.</summary>
     public IEnumerable<MeshInstance> Instances(double timeSeconds) => _lights.Select(light =>
-    {
-        if (!Driven.TryGetValue(light.Prop.Handle, out SignalState state))
-        {
-            state = light.Junction is null ? SignalState.Green : signals.ColourFor(light.Junction, light.Arm, timeSeconds);
-        }
+        new MeshInstance(light.Prop.Model.Variant((int)StateAt(light, timeSeconds)), light.Prop.Pose, light.Prop.Handle));
 
-        return new MeshInstance(light.Prop.Model.Variant((int)state), light.Prop.Pose, light.Prop.Handle);
-    });
+    /// <summary>What a light shows at a time; null where the handle is no light's.</summary>
+    public SignalState? StateAt(int handle, double timeSeconds)
+    {
+        int index = _lights.FindIndex(light => light.Prop.Handle == handle);
+        return index < 0 ? null : StateAt(_lights[index], timeSeconds);
+    }
+
+    private SignalState StateAt((Prop Prop, Junction? Junction, RoadArm Arm) light, double timeSeconds) =>
+        Driven.TryGetValue(light.Prop.Handle, out SignalState driven) ? driven
+        : light.Junction is null ? SignalState.Green
+        : signals.ColourFor(light.Junction, light.Arm, timeSeconds);
 
     private void AddAtStopLine(Junction junction, RoadArm arm, RoadIndex index, ModelCatalogue catalogue)
     {

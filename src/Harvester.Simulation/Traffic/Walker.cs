@@ -53,7 +53,11 @@ internal sealed class Walker
 
     public Footprint Footprint => Footprint.Of(Pose, Model.Min, Model.Max);
 
-    public Vector3D Velocity => IsMoving ? Pose.Axes.Forward * WalkingSpeed : Vector3D.Zero;
+    /// <summary>Along the pavement, up and down its slope and longer on the outside of a bend; level where the street is crossed.</summary>
+    public Vector3D Velocity =>
+        !IsMoving ? Vector3D.Zero
+        : _opposite is null ? _walkway.TangentBeyondKerb(_distance, _beyondKerb) * (_direction * WalkingSpeed)
+        : Pose.Axes.Forward * WalkingSpeed;
 
     /// <summary>Walks on, given how to find the pavement across a street at a place, and whether no vehicle comes near a place.</summary>
     public void Tick(double seconds, Func<Walkway, double, Walkway?> oppositeOf, Func<Vector3D, bool> isSafe)

@@ -58,6 +58,16 @@ internal sealed class RoadCurve
         return position + (Horizontal.RightOf(derivative) * rightOffset);
     }
 
+    /// <summary>By how much, and where to, a point beside the road moves for each metre along the road's line: longer on the outside of a bend.</summary>
+    public Vector3D OffsetTangentAt(double distance, double rightOffset)
+    {
+        int chord = ChordAt(distance);
+        (_, Vector3D derivative, _) = At(Parameter(distance));
+        Vector3D along = derivative / (ChordsPerPiece * (_distances[chord + 1] - _distances[chord]));
+        double outside = 1 + (CurvatureAt(distance) * rightOffset);
+        return new Vector3D(along.X * outside, along.Y * outside, along.Z);
+    }
+
     /// <summary>The place whose perpendicular on the ground runs through a point, searched from a place near it; clamped to the ends.</summary>
     public double Project(Vector3D point, double nearDistance)
     {
@@ -108,15 +118,15 @@ internal sealed class RoadCurve
 
     private double Parameter(double distance)
     {
-        int index = Array.BinarySearch(_distances, distance);
-        if (index >= 0)
-        {
-            return index;
-        }
+        int chord = ChordAt(distance);
+        double fraction = (distance - _distances[chord]) / (_distances[chord + 1] - _distances[chord]);
+        return chord + Math.Clamp(fraction, 0, 1);
+    }
 
-        int upper = Math.Clamp(~index, 1, _distances.Length - 1);
-        double fraction = (distance - _distances[upper - 1]) / (_distances[upper] - _distances[upper - 1]);
-        return upper - 1 + Math.Clamp(fraction, 0, 1);
+    private int ChordAt(double distance)
+    {
+        int index = Array.BinarySearch(_distances, distance);
+        return Math.Clamp(index >= 0 ? index : ~index - 1, 0, _distances.Length - 2);
     }
 
     /// <summary>Position and derivatives by the chord number, whole or between.</summary>

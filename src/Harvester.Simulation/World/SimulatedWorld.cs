@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Harvester.Capture.Labels;
 using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
@@ -123,6 +124,9 @@ internal sealed class SimulatedWorld
 
     /// <summary>The traffic lights that are driven from outside.</summary>
     public Dictionary<int, SignalState> DrivenLights => _signalProps.Driven;
+
+    /// <summary>What a traffic light shows at a time; null for another entity.</summary>
+    public LightState? LightAt(int handle, double timeSeconds) => _signalProps.StateAt(handle, timeSeconds)?.AsLight();
 
     public void Advance(double seconds)
     {

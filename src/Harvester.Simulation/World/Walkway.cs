@@ -31,6 +31,9 @@ internal sealed record Walkway(Road Road, bool OnRight, double From, double To)
     public Vector3D PlaceBeyondKerb(double distance, double metres) =>
         Road.Curve.OffsetAt(distance, OffsetBeyondKerb(metres)) + (Horizontal.Up * KerbHeight);
 
+    /// <summary>By how much, and where to, that place moves for each metre along the street's line.</summary>
+    public Vector3D TangentBeyondKerb(double distance, double metres) => Road.Curve.OffsetTangentAt(distance, OffsetBeyondKerb(metres));
+
     /// <summary>Finds the stretches along all streets.</summary>
     public static List<Walkway> Find(RoadPlan plan, RoadIndex index)
     {

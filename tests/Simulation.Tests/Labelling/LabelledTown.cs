@@ -1,4 +1,5 @@
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Ports;
 using Harvester.Capture.Tests.Doubles;
 using Harvester.Simulation.Models;
 
@@ -16,9 +17,15 @@ internal static class LabelledTown
     public static void Harvest(SimulationOptions simulation, HarvestOptions options, Action<CapturedFrame, TruePicture> judge)
     {
         var game = new SimulatedGame(simulation);
+        Harvest(game, game.Ports, options, judge);
+    }
+
+    /// <summary>Harvests a game through other ports than its own.</summary>
+    public static void Harvest(SimulatedGame game, GamePorts ports, HarvestOptions options, Action<CapturedFrame, TruePicture> judge)
+    {
         MemorySink sink = new();
         HarvestOptions asked = options with { ProbeLag = false, MaxCalibrationErrorPixels = null, Spaces = ModelSpaces.Table };
-        using HarvestSession session = new(asked, game.Ports, sink);
+        using HarvestSession session = new(asked, ports, sink);
         bool isOver = false;
         while (!isOver)
         {

@@ -25,6 +25,9 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
     private static readonly Mesh Ground = new MeshBuilder()
         .AddQuad(new(-300, -300, 0), new(300, -300, 0), new(300, 300, 0), new(-300, 300, 0), new Rgb(96, 98, 92), Surface.Ground).Build();
 
+    private static readonly RenderCamera Eye =
+        new(Camera.Pose, Camera.VerticalFovDegrees, Camera.WindowAspect, Camera.NearClip, Size.Width, Size.Height);
+
     private readonly Renderer _renderer = new();
     private readonly RenderTarget _picture = new(Size.Width, Size.Height);
     private readonly RenderScene _drawn = Scene();
@@ -72,7 +75,8 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
             space.CuboidAt(pose).Centre,
             pose.Axes.Forward.Dot(pose.ToWorld(space.BackLowerRight) - Camera.Pose.Position) > 0,
             _picture.Handles.Count(handle => handle == FaceHandle(entity.State.Handle, face)),
-            entity.Model.Class == ObjectClass.TrafficLight ? (LightState)(1 + entity.Variant) : null);
+            entity.Model.Class == ObjectClass.TrafficLight ? (LightState)(1 + entity.Variant) : null,
+            new Lazy<int>(() => PixelsAlone(entity.State, entity.Model, entity.Variant, face)));
 
     /// <summary>Harvests streets and gives each label with its truth.</summary>
     public static IEnumerable<(FrameLabel Label, IReadOnlyList<TrueFace> Faces)> Harvest(int frames, int firstSeed, bool setsLights = false)
@@ -113,10 +117,7 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
 
     public GrabResult Grab(PixelBuffer target)
     {
-        _renderer.Render(
-            _drawn,
-            new RenderCamera(Camera.Pose, Camera.VerticalFovDegrees, Camera.WindowAspect, Camera.NearClip, Size.Width, Size.Height),
-            _picture);
+        _renderer.Render(_drawn, Eye, _picture);
         Buffer.BlockCopy(_picture.Colour, 0, target.Bytes, 0, target.Bytes.Length);
         return GrabResult.Good;
     }
@@ -125,6 +126,16 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
     {
         _seed++;
         Build();
+    }
+
+    /// <summary>Pixels of a face where nothing but its own model is in the picture.</summary>
+    private static int PixelsAlone(EntityState state, Model model, int variant, int face)
+    {
+        RenderScene alone = Scene();
+        alone.SetDynamic(Drawn(state, model, variant));
+        var picture = new RenderTarget(Size.Width, Size.Height);
+        new Renderer().Render(alone, Eye, picture);
+        return picture.Handles.Count(handle => handle == FaceHandle(state.Handle, face));
     }
 
     private static int FaceHandle(int entity, int face) => FirstFaceHandle + (entity * FacesOfEntity) + face;

@@ -8,4 +8,5 @@ namespace Harvester.Simulation.Tests.Spaces;
 /// <param name="FacesCamera">Whether the camera is before its plane.</param>
 /// <param name="VisiblePixels">Pixels of the picture that show it.</param>
 /// <param name="State">The lamp that burns; null for a sign.</param>
-internal sealed record TrueFace(Vector3D Centre, bool FacesCamera, int VisiblePixels, LightState? State);
+/// <param name="PixelsAlone">Pixels that would show it if there were nothing but its own model.</param>
+internal sealed record TrueFace(Vector3D Centre, bool FacesCamera, int VisiblePixels, LightState? State, Lazy<int> PixelsAlone);
