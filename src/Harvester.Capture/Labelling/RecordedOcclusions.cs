@@ -27,9 +27,7 @@ internal sealed class RecordedOcclusions(RecordedScene scene, FrameLabel recorde
     public OcclusionEstimate Of(LabelCandidate candidate)
     {
         ObjectLabel? label = LabelOf(candidate.Id);
-        return isLensSame && label is { OcclusionMethod: OcclusionMethod.Imported, OccludedFraction: { } imported }
-            ? new OcclusionEstimate(imported, 0, 0, OcclusionMethod.Imported) { Sight = imported < 1 ? Sight.Seen : Sight.Unseen }
-            : Found(candidate, null, label);
+        return ImportedIn(label) ?? Found(candidate, null, label);
     }
 
     /// <summary>The occlusion of a face in the image.</summary>
@@ -40,8 +38,14 @@ internal sealed class RecordedOcclusions(RecordedScene scene, FrameLabel recorde
         bool isPlaceSame = before is not null
             && (before.FrontUpperLeft, before.BackLowerRight, before.Facing, before.Provenance)
                 == (space.FrontUpperLeft, space.BackLowerRight, space.Facing, space.Provenance);
-        return isPlaceSame ? Found(candidate.Face, space.Face, LabelOf(candidate.Face.Id)) : default;
+        ObjectLabel? label = LabelOf(candidate.Face.Id);
+        return isPlaceSame ? ImportedIn(label) ?? Found(candidate.Face, space.Face, label) : default;
     }
+
+    private OcclusionEstimate? ImportedIn(ObjectLabel? label) =>
+        isLensSame && label is { OcclusionMethod: OcclusionMethod.Imported, OccludedFraction: { } imported }
+            ? new OcclusionEstimate(imported, 0, 0, OcclusionMethod.Imported) { Sight = imported < 1 ? Sight.Seen : Sight.Unseen }
+            : null;
 
     private OcclusionEstimate Found(LabelCandidate candidate, int? face, ObjectLabel? label)
     {

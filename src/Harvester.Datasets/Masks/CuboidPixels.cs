@@ -1,15 +1,23 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Harvester.Capture.Labels;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Masks;
 
 /// <summary>The pixels of an image at whose centres the cuboid of a labelled object is, and how far away it is there.</summary>
 internal sealed class CuboidPixels
 {
+    /// <summary>Shares of fewer samples would be coarse, and a face a few pixels wide may hold no pixel's centre at all.</summary>
+    private const int FewestSamples = 16;
+
+    /// <summary>Samples along each side of the box of a cuboid that is so small.</summary>
+    private const int SamplesAlongSide = 16;
+
     private readonly Camera _camera;
     private readonly Cuboid _cuboid;
 
@@ -23,13 +31,14 @@ internal sealed class CuboidPixels
         {
             for (int column = Math.Max(0, (int)label.Box2D.XMin); column < Math.Min(image.Width, label.Box2D.XMax); column++)
             {
-                int index = (row * image.Width) + column;
-                if (DistanceAt(index) is { } distance)
+                if (DistanceAt(column + 0.5, row + 0.5) is { } distance)
                 {
-                    Distances.Add(index, distance);
+                    Distances.Add((row * image.Width) + column, distance);
                 }
             }
         }
+
+        Samples = Distances.Count >= FewestSamples ? [.. Distances.Select(pixel => (pixel.Key, pixel.Value))] : [.. FineSamples(label.Box2D)];
     }
 
     /// <summary>The object's number.</summary>
@@ -38,10 +47,28 @@ internal sealed class CuboidPixels
     /// <summary>For each pixel, by its place in the image, the distance to the cuboid's front, metres.</summary>
     public Dictionary<int, double> Distances { get; } = [];
 
-    private double? DistanceAt(int index)
+    /// <summary>
+    /// Places spread evenly over the silhouette: the pixel that each lies in, by its place in the image, and the distance to the cuboid's front, metres. Empty only
+    /// for a silhouette that is next to nothing.
+    /// </summary>
+    public IReadOnlyList<(int Pixel, double Distance)> Samples { get; }
+
+    /// <summary>Whether a map shows a number anywhere in the silhouette.</summary>
+    public bool Shows(InstanceMap map, int number) => Samples.Any(sample => map.Ids[sample.Pixel] == number);
+
+    private IEnumerable<(int Pixel, double Distance)> FineSamples(Box2D box)
     {
-        int width = _camera.Image.Width;
-        Ray ray = _camera.RayThrough((index % width) + 0.5, (index / width) + 0.5);
-        return _cuboid.Intersect(ray)?.Entry;
+        ImageSize image = _camera.Image;
+        for (int i = 0; i < SamplesAlongSide * SamplesAlongSide; i++)
+        {
+            double x = box.XMin + ((i % SamplesAlongSide) + 0.5) / SamplesAlongSide * box.Width;
+            double y = box.YMin + ((i / SamplesAlongSide) + 0.5) / SamplesAlongSide * box.Height;
+            if (x >= 0 && x < image.Width && y >= 0 && y < image.Height && DistanceAt(x, y) is { } distance)
+            {
+                yield return (((int)y * image.Width) + (int)x, distance);
+            }
+        }
     }
+
+    private double? DistanceAt(double x, double y) => _cuboid.Intersect(_camera.RayThrough(x, y))?.Entry;
 }

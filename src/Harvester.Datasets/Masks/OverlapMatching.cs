@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Geometry.PixelMaps;
@@ -6,7 +7,8 @@ namespace Harvester.Datasets.Masks;
 
 /// <summary>
 /// Finds out which object is meant by each number of another tool's map: the pair of number and object whose pixels agree best (the
-/// intersection over union of the number's pixels and the cuboid's silhouette) is taken first, each number and each object once.
+/// intersection over union of the number's pixels and the cuboid's silhouette) is taken first, each number and each object once. An object
+/// with parts agrees as well as the best of its own cuboid and theirs: little more than a sign's face may be seen of it.
 /// </summary>
 internal static class OverlapMatching
 {
@@ -14,17 +16,20 @@ internal static class OverlapMatching
     private const double LeastFractionWithin = 0.5;
 
     /// <summary>The objects' ids by the map's numbers; numbers that are no object's are missing.</summary>
-    public static Dictionary<ushort, ushort> Match(InstanceMap map, IReadOnlyList<CuboidPixels> objects)
+    /// <param name="map">The map.</param>
+    /// <param name="objects">The objects and their parts.</param>
+    /// <param name="ownerOf">The id that the pixels of an object or a part have; 0 for none.</param>
+    public static Dictionary<ushort, ushort> Match(InstanceMap map, IReadOnlyList<CuboidPixels> objects, Func<ushort, ushort> ownerOf)
     {
         Dictionary<ushort, int> areas = map.Ids.CountBy(number => number).ToDictionary();
         var pairs = new List<(double Agreement, ushort Id, ushort Number)>();
-        foreach (CuboidPixels item in objects)
+        foreach (CuboidPixels item in objects.Where(item => ownerOf(item.Id) != 0))
         {
             foreach ((ushort number, int shared) in item.Distances.Keys.CountBy(index => map.Ids[index]))
             {
                 if (number != 0 && shared >= LeastFractionWithin * areas[number])
                 {
-                    pairs.Add(((double)shared / (areas[number] + item.Distances.Count - shared), item.Id, number));
+                    pairs.Add(((double)shared / (areas[number] + item.Distances.Count - shared), ownerOf(item.Id), number));
                 }
             }
         }

@@ -3,8 +3,11 @@ using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Labels;
 using Harvester.Datasets.Exports.Masks;
+using Harvester.Datasets.Masks;
+using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Geometry.Visibility;
 
 namespace Harvester.Datasets.Validation;
 
@@ -22,6 +25,15 @@ internal static class MaskCheck
             yield return $"mask '{label.Mask}' has {Text(strays)}, no object's id in this line.";
         }
 
+        HashSet<int> listed = [.. label.Objects.Select(item => item.Id)];
+        foreach (ObjectLabel part in label.Objects.Where(item => item.Parent is { } parent && listed.Contains(parent)))
+        {
+            foreach (string problem in PartProblems(part, label, map, seen))
+            {
+                yield return $"object {part.Id}: {problem}";
+            }
+        }
+
         foreach (ObjectLabel item in label.Objects)
         {
             Box2D? bounds = seen.TryGetValue(item.Id, out InstancePixels? pixels) ? pixels.Box : null;
@@ -33,6 +45,26 @@ internal static class MaskCheck
             {
                 yield return FormattableString.Invariant($"object {item.Id}: visibleFraction is {item.VisibleFraction:0.####}, but it has no pixel in the mask.");
             }
+        }
+    }
+
+    private static IEnumerable<string> PartProblems(ObjectLabel part, FrameLabel label, InstanceMap map, IReadOnlyDictionary<int, InstancePixels> seen)
+    {
+        int parent = part.Parent!.Value;
+        if (seen.ContainsKey(part.Id))
+        {
+            yield return $"the mask has its number, but it is a part, and pixels of parts have the number of the whole, {parent}.";
+        }
+
+        if (part.VisibleFraction > 0 && !seen.ContainsKey(parent))
+        {
+            yield return FormattableString.Invariant($"visibleFraction is {part.VisibleFraction:0.####}, but its object, {parent}, has no pixel in the mask.");
+        }
+
+        // Rays know when a part is hidden by the rest of its object; a map does not, so there the object's pixels are the part's.
+        if (part is { OcclusionMethod: OcclusionMethod.Imported, OccludedFraction: 1 } && new CuboidPixels(LabelCamera.Of(label.Camera), part).Shows(map, parent))
+        {
+            yield return $"occludedFraction is 1, but the mask shows its object, {parent}, where it is.";
         }
     }
 

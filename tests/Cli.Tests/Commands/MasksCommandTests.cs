@@ -4,14 +4,17 @@ namespace Harvester.Cli.Tests.Commands;
 
 public sealed class MasksCommandTests
 {
+    /// <summary>The harvest asks about 60 rays what hides a face a few pixels wide, of which the mask has one of two or three columns.</summary>
+    private const double RaysAndPixels = 0.1;
+
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public void Import_of_a_sessions_own_masks_keeps_its_visible_boxes(bool match)
+    public void Import_of_a_sessions_own_masks_keeps_its_visible_boxes_and_faces(bool match)
     {
         using var folder = new TemporaryFolder();
         string session = folder.PathOf("session");
-        Assert.Equal(ExitCode.Done, CliRun.Of("harvest", "--out", session, "--frames", "2", "--masks", "--no-report", "--size", "400x300").ExitCode);
+        Assert.Equal(ExitCode.Done, CliRun.Of("harvest", "--out", session, "--frames", "2", "--seed", "1", "--masks", "--no-report", "--size", "640x480").ExitCode);
         string maps = folder.PathOf("maps");
         Directory.CreateDirectory(maps);
         foreach (string mask in Directory.GetFiles(Path.Combine(session, "masks")))
@@ -20,6 +23,7 @@ public sealed class MasksCommandTests
         }
 
         List<string?> before = VisibleBoxes(session);
+        List<double> faces = VisibleFaces(session);
 
         CliRun run = CliRun.Of(["masks", "import", session, maps, .. match ? (string[])["--match"] : []]);
 
@@ -28,6 +32,8 @@ public sealed class MasksCommandTests
         Assert.Equal(ExitCode.Done, CliRun.Of("validate", session).ExitCode);
         Assert.NotEmpty(before.OfType<string>());
         Assert.Equal(before, VisibleBoxes(session));
+        Assert.NotEmpty(faces);
+        Assert.All(faces.Zip(VisibleFaces(session)), face => Assert.Equal(face.First, face.Second, RaysAndPixels));
         Assert.False(File.Exists(Path.Combine(session, "report.html")));
     }
 
@@ -53,6 +59,14 @@ public sealed class MasksCommandTests
 
         CliRun.Of("masks", "import", folder.Path, folder.PathOf("none")).AssertFailed(ExitCode.InputOutput, "There is no folder");
     }
+
+    private static List<double> VisibleFaces(string session) =>
+    [
+        .. File.ReadLines(Path.Combine(session, "labels.jsonl"))
+            .SelectMany(line => JsonNode.Parse(line)!["objects"]!.AsArray())
+            .Where(item => item!["parent"] is not null)
+            .Select(item => item!["visibleFraction"]!.GetValue<double>()),
+    ];
 
     private static List<string?> VisibleBoxes(string session) =>
     [

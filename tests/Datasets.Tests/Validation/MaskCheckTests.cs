@@ -58,6 +58,39 @@ public sealed class MaskCheckTests : IDisposable
     }
 
     [Fact]
+    public void Validate_finds_a_face_that_has_the_pixels_of_its_sign()
+    {
+        _session.AddSign(0);
+        _session.PaintMask(0, (1, 38, 28, 43, 33), (4, 15, 15, 25, 25), (3, 19, 25, 21, 40));
+        _session.Lines[0]["objects"]![2]!["box2dVisible"] = JsonNode.Parse("[19, 25, 21, 40]");
+        _session.Lines[0]["objects"]![3]!["box2dVisible"] = JsonNode.Parse("[15, 15, 25, 25]");
+
+        _session.AssertProblem(1, "object 4: the mask has its number, but it is a part, and pixels of parts have the number of the whole, 3.");
+    }
+
+    [Fact]
+    public void Validate_finds_a_face_that_says_it_is_seen_on_a_sign_that_is_not()
+    {
+        _session.AddSign(0);
+        _session.PaintMask(0, 1, 38, 28, 43, 33);
+        JsonNode sign = _session.Lines[0]["objects"]![2]!;
+        (sign["box2dVisible"], sign["occludedFraction"], sign["visibleFraction"]) = (null, 1, 0);
+
+        _session.AssertProblem(1, "object 4: visibleFraction is 1, but its object, 3, has no pixel in the mask.");
+    }
+
+    /// <summary>As earlier versions imported the masks of other tools.</summary>
+    [Fact]
+    public void Validate_finds_a_face_that_an_import_hid_on_a_sign_that_is_seen()
+    {
+        _session.AddSign(0);
+        JsonNode face = _session.Lines[0]["objects"]![3]!;
+        (face["occludedFraction"], face["visibleFraction"], face["occlusionMethod"]) = (1, 0, "imported");
+
+        _session.AssertProblem(1, "object 4: occludedFraction is 1, but the mask shows its object, 3, where it is.");
+    }
+
+    [Fact]
     public void Validate_finds_a_mask_of_damaged_pixels()
     {
         File.WriteAllBytes(_session.PathOf("masks/00000000.png"), TestImages.Png(80, 60, bitDepth: 16, colourType: 0));
