@@ -11,6 +11,17 @@ public sealed class NativeTableTests
         Enum.GetValues<Hash>(), native => Assert.Equal(native.ToString(), NativeTable.ByHash[(ulong)native].Name));
 
     [Fact]
+    public void Every_call_that_is_written_in_the_mod_has_the_tables_arguments_and_result()
+    {
+        IReadOnlyList<WrittenCall> calls = WrittenCalls.Read(BuiltMod.Path);
+
+        Assert.Empty(Enum.GetValues<Hash>().Except(calls.Select(call => call.Native)));
+        Assert.Empty(calls.SelectMany(call => NativeTable.ByHash[(ulong)call.Native]
+            .MistakesIn(call.Passed, call.Expected)
+            .Select(mistake => $"{call.Place}: {mistake}")));
+    }
+
+    [Fact]
     public void Every_call_of_a_play_has_the_tables_arguments_and_result()
     {
         using var driver = new ScriptDriver(Playthrough.Ini, spaces: LightTests.TableOfOne);

@@ -137,7 +137,7 @@ internal sealed partial class TestGame : IGameHost
             throw new NotSupportedException($"The test game has no native {call.Native}.");
         }
 
-        Misuses.UnionWith(native.MistakesIn(call));
+        Misuses.UnionWith(native.MistakesIn(call.Passed, call.Expected));
         _convention.WriteResult(native, call, answer(_convention.ReadArguments(native, call)!));
     }
 

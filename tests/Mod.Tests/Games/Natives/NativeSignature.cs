@@ -1,4 +1,3 @@
-using GTA.Hosting;
 using GTA.Math;
 using GTA.Native;
 
@@ -8,22 +7,24 @@ namespace Harvester.Mod.Tests.Games.Natives;
 internal sealed record NativeSignature(string Name, ulong Hash, NativeType Result, IReadOnlyList<NativeType> Parameters)
 {
     /// <summary>What is wrong with a call: too few or too many arguments, or types that the native reads otherwise.</summary>
-    public IEnumerable<string> MistakesIn(NativeCall call)
+    /// <param name="passed">What was passed, by position.</param>
+    /// <param name="expected">The type that the result is read as; null when it is ignored.</param>
+    public IEnumerable<string> MistakesIn(IReadOnlyList<ArgumentKind> passed, Type? expected)
     {
-        if (call.Passed.Count != Parameters.Count)
+        if (passed.Count != Parameters.Count)
         {
-            yield return $"{Name} takes {Parameters.Count} arguments and got {call.Passed.Count}.";
+            yield return $"{Name} takes {Parameters.Count} arguments and got {passed.Count}.";
         }
 
-        for (int i = 0; i < Math.Min(Parameters.Count, call.Passed.Count); i++)
+        for (int i = 0; i < Math.Min(Parameters.Count, passed.Count); i++)
         {
-            if (!Takes(Parameters[i], call.Passed[i]))
+            if (!Takes(Parameters[i], passed[i]))
             {
-                yield return $"{Name} takes {Parameters[i]} as argument {i} and got {call.Passed[i]}.";
+                yield return $"{Name} takes {Parameters[i]} as argument {i} and got {passed[i]}.";
             }
         }
 
-        if (call.Expected is { } expected && !Returns(expected))
+        if (expected is not null && !Returns(expected))
         {
             yield return $"{Name} returns {Result} and was read as {expected.Name}.";
         }
