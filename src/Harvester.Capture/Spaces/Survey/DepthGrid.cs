@@ -46,6 +46,9 @@ internal sealed class DepthGrid
 
     public double ZOf(double row) => _bottom + (row * Step);
 
+    /// <summary>The column at a place, which may lie outside the grid.</summary>
+    public int ColumnOf(double x) => (int)Math.Floor((x - _left) / Step);
+
     /// <summary>Casts the rays, one an element.</summary>
     public IEnumerable<bool> Fill(StageProbe probe)
     {
@@ -88,13 +91,13 @@ internal sealed class DepthGrid
         return width;
     }
 
-    /// <summary>The middle one of a row's depths; null for an empty row.</summary>
-    public double? MedianDepth(int row)
+    /// <summary>The middle one of a row's depths in some of its columns; null where there is none.</summary>
+    public double? MedianDepth(int row, Func<int, bool> isCounted)
     {
         var depths = new List<double>();
         for (int column = 0; column < Columns; column++)
         {
-            if (_depths[column, row] is { } depth)
+            if (isCounted(column) && _depths[column, row] is { } depth)
             {
                 depths.Add(depth);
             }
@@ -102,23 +105,6 @@ internal sealed class DepthGrid
 
         depths.Sort();
         return depths.Count == 0 ? null : depths[depths.Count / 2];
-    }
-
-    /// <summary>The first and last column of a row whose depth is near a plane; null when none is.</summary>
-    public (int First, int Last)? Near(int row, double plane, double tolerance)
-    {
-        int? first = null;
-        int last = 0;
-        for (int column = 0; column < Columns; column++)
-        {
-            if (_depths[column, row] is { } depth && Math.Abs(depth - plane) <= tolerance)
-            {
-                first ??= column;
-                last = column;
-            }
-        }
-
-        return first is { } found ? (found, last) : null;
     }
 
     private static bool IsSame(double? one, double? other) =>
