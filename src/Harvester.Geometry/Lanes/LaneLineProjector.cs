@@ -9,7 +9,7 @@ namespace Harvester.Geometry.Lanes;
 public static class LaneLineProjector
 {
     /// <summary>A ray to so much above the paint does not graze the road before it, metres.</summary>
-    private const double AboveRoad = 0.05;
+    private const double AboveRoad = 0.005;
 
     /// <summary>A ray to a point of the road meets the road about there; what it meets this much before hides the point, metres.</summary>
     private const double SurfaceTolerance = 0.3;

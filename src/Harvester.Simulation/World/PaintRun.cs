@@ -5,15 +5,15 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Simulation.World;
 
 /// <summary>A line along a road from where its paint begins to where it ends.</summary>
-/// <param name="Road">The road.</param>
+/// <param name="Facets">The asphalt of the road.</param>
 /// <param name="Marking">What is painted.</param>
 /// <param name="Pieces">The painted pieces, metres along the road; those of an unbroken line meet.</param>
-internal sealed record PaintRun(Road Road, Marking Marking, IReadOnlyList<(double From, double To)> Pieces)
+internal sealed record PaintRun(RoadFacets Facets, Marking Marking, IReadOnlyList<(double From, double To)> Pieces)
 {
     /// <summary>Paint lies this far above the asphalt, metres: enough to be drawn, too little to be seen as height.</summary>
     public const double Height = 0.01;
 
-    /// <summary>Between points, metres. They lie off the ends of dashes by half of it, where it is plain whether there is paint.</summary>
+    /// <summary>Between points, metres. They lie off the ends of dashes by half of it, and off the end of the line by a quarter, where it is plain whether there is paint.</summary>
     private const double Step = 0.5;
 
     private const double DashLength = 3;
@@ -23,6 +23,7 @@ internal sealed record PaintRun(Road Road, Marking Marking, IReadOnlyList<(doubl
     /// <summary>The lines of a road: none in the junctions at its ends, and none where it crosses another carriageway.</summary>
     public static IEnumerable<PaintRun> Of(Road road, RoadIndex index)
     {
+        RoadFacets facets = new(road);
         foreach (Marking marking in road.Layout.Markings())
         {
             double end = road.Length - road.EndTrim;
@@ -37,14 +38,14 @@ internal sealed record PaintRun(Road Road, Marking Marking, IReadOnlyList<(doubl
                 }
                 else if (pieces.Count > 0)
                 {
-                    yield return new PaintRun(road, marking, pieces);
+                    yield return new PaintRun(facets, marking, pieces);
                     pieces = [];
                 }
             }
 
             if (pieces.Count > 0)
             {
-                yield return new PaintRun(road, marking, pieces);
+                yield return new PaintRun(facets, marking, pieces);
             }
         }
     }
@@ -55,7 +56,7 @@ internal sealed record PaintRun(Road Road, Marking Marking, IReadOnlyList<(doubl
         List<LinePoint> points = [PointAt(Pieces[0].From, isPainted: true)];
         double end = Pieces[^1].To;
         int piece = 0;
-        for (double distance = Pieces[0].From + (Step / 2); distance < end; distance += Step)
+        for (double distance = Pieces[0].From + (Step / 2); distance < end - (Step / 4); distance += Step)
         {
             while (distance > Pieces[piece].To)
             {
@@ -70,5 +71,5 @@ internal sealed record PaintRun(Road Road, Marking Marking, IReadOnlyList<(doubl
     }
 
     private LinePoint PointAt(double distance, bool isPainted) =>
-        new(Road.Curve.OffsetAt(distance, Marking.Offset) + (Horizontal.Up * Height), isPainted);
+        new(Facets.At(distance, Marking.Offset) + (Horizontal.Up * Height), isPainted);
 }

@@ -15,12 +15,11 @@ internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintRun> runs, R
     {
         foreach (PaintRun run in runs)
         {
-            RoadRibbon ribbon = new(run.Road, mesh);
             foreach ((double from, double to) in run.Pieces)
             {
                 foreach ((double left, double right) in run.Marking.Stripes())
                 {
-                    Stripe(ribbon, from, to, left, right, run.Marking.IsYellow ? Palette.Yellow : Palette.White);
+                    Stripe(run.Facets, from, to, left, right, run.Marking.IsYellow ? Palette.Yellow : Palette.White);
                 }
             }
         }
@@ -47,7 +46,7 @@ internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintRun> runs, R
             double b = layout.LaneCentre(towards, lanes - 1);
             double half = layout.LaneWidth / 2;
             (double from, double to) = Ordered(arm.DistanceAt(arm.Trim), arm.DistanceAt(arm.Trim + thickness));
-            Stripe(new RoadRibbon(arm.Road, mesh), from, to, Math.Min(a, b) - half + 0.3, Math.Max(a, b) + half - 0.3, Palette.White);
+            Stripe(new RoadFacets(arm.Road), from, to, Math.Min(a, b) - half + 0.3, Math.Max(a, b) + half - 0.3, Palette.White);
         }
     }
 
@@ -56,20 +55,26 @@ internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintRun> runs, R
         const double barWidth = 0.5;
         const double barPeriod = 1.1;
         (double from, double to) = Ordered(arm.DistanceAt(arm.Trim - 0.6), arm.DistanceAt(arm.Trim - CrossingDepth));
-        RoadRibbon ribbon = new(arm.Road, mesh);
+        RoadFacets facets = new(arm.Road);
         LaneLayout layout = arm.Road.Layout;
         for (double offset = layout.LeftEdge + barWidth; offset < layout.RightEdge - barWidth; offset += barPeriod)
         {
             Vector3D middle = arm.Road.Curve.OffsetAt((from + to) / 2, offset);
             if (!index.IsOnAnother(arm.Road, middle, 0))
             {
-                Stripe(ribbon, from, to, offset, offset + barWidth, Palette.White);
+                Stripe(facets, from, to, offset, offset + barWidth, Palette.White);
             }
         }
     }
 
     private static (double From, double To) Ordered(double a, double b) => (Math.Min(a, b), Math.Max(a, b));
 
-    private static void Stripe(RoadRibbon ribbon, double from, double to, double left, double right, Rgb colour) =>
-        ribbon.LayBetween(from, to, new Rail(left, PaintRun.Height), new Rail(right, PaintRun.Height), colour, Surface.Matte);
+    private void Stripe(RoadFacets facets, double from, double to, double left, double right, Rgb colour)
+    {
+        Vector3D up = Horizontal.Up * PaintRun.Height;
+        foreach (Vector3D[] face in facets.Cover(from, to, left, right))
+        {
+            mesh.AddQuad(face[0] + up, face[1] + up, face[2] + up, face[3] + up, colour, Surface.Matte);
+        }
+    }
 }

@@ -43,7 +43,11 @@ internal sealed class RoadSurfaces(RoadPlan plan, RoadIndex index, Terrain terra
     {
         RoadRibbon ribbon = new(road, mesh);
         Rgb colour = road.IsUnpaved ? Palette.Dirt : Palette.Asphalt;
-        ribbon.Lay(new Rail(road.LeftKerb, 0), new Rail(road.RightKerb, 0), colour, Surface.Ground);
+        foreach (RoadFacet facet in new RoadFacets(road).All())
+        {
+            mesh.AddQuad(facet.NearLeft, facet.NearRight, facet.FarRight, facet.FarLeft, colour, Surface.Ground);
+        }
+
         double median = road.Layout.MedianWidth;
         const double narrowestIsland = 1.5;
         if (median >= narrowestIsland && !road.Layout.IsOneWay)

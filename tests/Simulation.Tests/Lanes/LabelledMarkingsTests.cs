@@ -46,7 +46,7 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
     public void Labelled_markings_lie_on_the_paint_on_the_games_own_network()
     {
         RoadNetwork network = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network;
-        Vector2D[] places = [new(0, -1000), new(-700, 1000), new(500, 5500), new(2000, 3000)];
+        Vector2D[] places = [new(0, -1000), new(-700, 1000), new(-300, 6200), new(2000, 3000)];
         int judged = places.Sum(near => Judge(new SimulationOptions { Seed = 3, Roads = network, Near = near, IsTimeOfDayFixed = true }, frames: 30, everySeconds: 7));
         Assert.InRange(judged, 1000, int.MaxValue);
     }
@@ -70,6 +70,7 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
         judge.Faults.ForEach(output.WriteLine);
         Assert.Null(session.Fault);
         Assert.Empty(judge.Faults);
+        Assert.NotEqual(0, judge.Points);
         Assert.True(judge.Judged >= LeastJudged * judge.Points, judge.ToString());
         Assert.InRange(judge.LargestError, 0, LargestErrorPixels);
         return judge.Judged;

@@ -6,15 +6,21 @@ namespace Harvester.Simulation.Tests.Lanes;
 
 /// <summary>
 /// Finds the stripe of a marking in a picture at noon in clear weather, where paint is far brighter than asphalt and yellow has little
-/// blue. It is looked for across the line, where it crosses the labelled pixel.
+/// blue. It is looked for across the line as it lies on the ground, where it crosses the labelled pixel: the ends of dashes run that way, too.
 /// </summary>
 internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
 {
-    /// <summary>How far to either side paint is looked for, pixels of the picture.</summary>
-    private const int Reach = 48;
+    /// <summary>How far to either side of a line's width paint is looked for, pixels of the picture.</summary>
+    private const int Beside = 48;
 
     /// <summary>A stripe that is thinner in the picture fades into the asphalt, pixels.</summary>
     private const double Thinnest = 2;
+
+    /// <summary>A line that is seen at a smaller angle to the cut is cut at a slant: its sine, of 15 degrees.</summary>
+    private const double LeastSine = 0.26;
+
+    /// <summary>At noon asphalt is darker than this, of 255; what is brighter all along a cut is paint that runs along the cut, as a stop line's.</summary>
+    private const double BrightestAsphalt = 140;
 
     /// <summary>Paint differs from the asphalt around by at least this, of 255.</summary>
     private const double LeastContrast = 25;
@@ -36,27 +42,30 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
 
     public PaintFinding Find(WrittenMarking line, int i, int fineness)
     {
-        // Across the line on the ground, as the picture has it.
         Vector3D along = line.Along(i);
         Vector3D across = new Vector3D(along.Y, -along.X, 0) * (line.WidthMetres / 2);
         Vector2D width = Pixel(line.Point(i) + across) - Pixel(line.Point(i) - across);
         Vector2D direction = Pixel(line.Point(i) + (along * 0.05)) - Pixel(line.Point(i) - (along * 0.05));
-        var square = new Vector2D(-direction.Y / direction.Length, direction.X / direction.Length);
-        double expected = Math.Abs(width.Dot(square));
-        return (line.IsDouble ? expected / 3 : expected) < Thinnest || Cut(line.Pixel(i) * fineness, square, expected + WidthPixels, line.Point(i), along, line.IsYellow) is not { } cut
-            ? new PaintFinding(PaintFindingKind.NotMeasurable)
-            : Nearest(cut, line.IsDouble, expected);
+        double expected = width.Length;
+        double squareToLine = Math.Abs(width.Cross(direction)) / (width.Length * direction.Length);
+        double thickness = expected * squareToLine;
+        return (line.IsDouble ? thickness / 3 : thickness) < Thinnest || squareToLine < LeastSine
+            || Cut(line.Pixel(i) * fineness, width * (1 / expected), expected, line.Point(i), along, line.IsYellow) is not { } cut
+                ? new PaintFinding(PaintFindingKind.NotMeasurable)
+                : Nearest(cut, line.IsDouble, expected, squareToLine);
     }
 
-    /// <summary>How much brighter or yellower than the ground around the pixels of a cut are; null where something stands before its middle, or its middle is not in the picture.</summary>
-    private double[]? Cut(Vector2D at, Vector2D square, double middle, Vector3D ground, Vector3D along, bool isYellow)
+    /// <summary>How much brighter or yellower than the ground around the pixels of a cut are; null where something stands before its middle, its middle is not in the picture, or it lies in other paint.</summary>
+    private double[]? Cut(Vector2D at, Vector2D direction, double width, Vector3D ground, Vector3D along, bool isYellow)
     {
-        double[] cut = new double[(2 * Reach) + 1];
+        double middle = width + WidthPixels;
+        int reach = (int)width + Beside;
+        double[] cut = new double[(2 * reach) + 1];
         bool[] isBeside = new bool[cut.Length];
         List<double> grounds = [];
-        for (int t = -Reach; t <= Reach; t++)
+        for (int t = -reach; t <= reach; t++)
         {
-            Vector2D place = at + (square * t);
+            Vector2D place = at + (direction * t);
             (int column, int row) = ((int)Math.Floor(place.X), (int)Math.Floor(place.Y));
             bool isInside = column >= 0 && row >= 0 && column < picture.Width && row < picture.Height;
             Vector3D? seen = isInside ? Seen(column, row) : null;
@@ -64,9 +73,9 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
             {
                 int index = ((row * picture.Width) + column) * 3;
                 (byte red, byte green, byte blue) = (picture.Colour[index], picture.Colour[index + 1], picture.Colour[index + 2]);
-                cut[t + Reach] = isYellow ? Math.Min(red, green) - blue : Math.Min(red, Math.Min(green, blue));
-                grounds.Add(cut[t + Reach]);
-                isBeside[t + Reach] = Math.Abs(((there.X - ground.X) * along.Y) - ((there.Y - ground.Y) * along.X)) <= FurthestBeside;
+                cut[t + reach] = isYellow ? Math.Min(red, green) - blue : Math.Min(red, Math.Min(green, blue));
+                grounds.Add(cut[t + reach]);
+                isBeside[t + reach] = Math.Abs(((there.X - ground.X) * along.Y) - ((there.Y - ground.Y) * along.X)) <= FurthestBeside;
             }
             else if (Math.Abs(t) <= middle)
             {
@@ -74,17 +83,17 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
             }
             else
             {
-                cut[t + Reach] = double.NegativeInfinity;
+                cut[t + reach] = double.NegativeInfinity;
             }
         }
 
         // Most of a cut may be paint where the line turns, and most of it may be brighter ground.
         double asphalt = grounds.Order().ElementAt(grounds.Count / 4);
-        return [.. cut.Select((value, t) => isBeside[t] ? Math.Max(0, value - asphalt) : 0)];
+        return asphalt > BrightestAsphalt ? null : [.. cut.Select((value, t) => isBeside[t] ? Math.Max(0, value - asphalt) : 0)];
     }
 
     /// <summary>The stripe, or the pair of stripes, that is nearest to the middle of a cut.</summary>
-    private static PaintFinding Nearest(double[] cut, bool isDouble, double expected)
+    private static PaintFinding Nearest(double[] cut, bool isDouble, double expected, double squareToLine)
     {
         List<(int From, int To)> runs = Runs(cut);
         if (runs.Count == 0)
@@ -94,9 +103,9 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
 
         // From afar two stripes are one.
         IEnumerable<(int From, int To)> stripes = isDouble ? runs.Concat(runs.Zip(runs.Skip(1), (left, right) => (left.From, right.To))) : runs;
-        (int From, int To) nearest = stripes.MinBy(run => Math.Abs(Middle(run)));
+        (int From, int To) nearest = stripes.MinBy(run => Math.Abs(Middle(run, cut)));
         return Math.Abs(nearest.To - nearest.From - expected) <= (WidthFraction * expected) + WidthPixels
-            ? new PaintFinding(PaintFindingKind.Paint, Middle(nearest))
+            ? new PaintFinding(PaintFindingKind.Paint, Middle(nearest, cut) * squareToLine)
             : new PaintFinding(PaintFindingKind.NotMeasurable);
     }
 
@@ -120,7 +129,8 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
         return runs;
     }
 
-    private static double Middle((int From, int To) run) => ((run.From + run.To - 1) / 2.0) - Reach;
+    /// <summary>From the middle of a cut to that of a run.</summary>
+    private static double Middle((int From, int To) run, double[] cut) => (run.From + run.To - cut.Length) / 2.0;
 
     private static bool IsGround(Vector3D seen, Vector3D near)
     {
