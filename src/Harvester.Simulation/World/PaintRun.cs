@@ -7,7 +7,7 @@ namespace Harvester.Simulation.World;
 /// <summary>A line along a road from where its paint begins to where it ends.</summary>
 /// <param name="Facets">The asphalt of the road.</param>
 /// <param name="Marking">What is painted.</param>
-/// <param name="Pieces">The painted pieces, metres along the road; those of an unbroken line meet.</param>
+/// <param name="Pieces">The painted pieces, metres along the road; an unbroken line is one.</param>
 internal sealed record PaintRun(RoadFacets Facets, Marking Marking, IReadOnlyList<(double From, double To)> Pieces)
 {
     /// <summary>Paint lies this far above the asphalt, metres: enough to be drawn, too little to be seen as height.</summary>
@@ -18,23 +18,25 @@ internal sealed record PaintRun(RoadFacets Facets, Marking Marking, IReadOnlyLis
 
     private const double DashLength = 3;
     private const double DashPeriod = 9;
-    private const double PieceLength = 3;
 
-    /// <summary>The lines of a road: none in the junctions at its ends, and none where it crosses another carriageway.</summary>
-    public static IEnumerable<PaintRun> Of(Road road, RoadIndex index)
+    /// <summary>An unbroken line is painted, or left out, metre by metre.</summary>
+    private const double Metre = 1;
+
+    /// <summary>The lines of a road: none in the junctions at its ends, and none where another road's asphalt takes their place.</summary>
+    public static IEnumerable<PaintRun> Of(Road road, Asphalt asphalt)
     {
-        RoadFacets facets = new(road);
+        RoadFacets facets = asphalt.Of(road);
         foreach (Marking marking in road.Layout.Markings())
         {
             double end = road.Length - road.EndTrim;
-            double period = marking.IsDashed ? DashPeriod : PieceLength;
+            double period = marking.IsDashed ? DashPeriod : Metre;
             List<(double From, double To)> pieces = [];
             for (double from = road.StartTrim; from < end; from += period)
             {
-                double to = Math.Min(from + (marking.IsDashed ? DashLength : PieceLength), end);
-                if (!index.IsOnAnother(road, road.Curve.OffsetAt((from + to) / 2, marking.Offset), 0))
+                double to = Math.Min(from + (marking.IsDashed ? DashLength : Metre), end);
+                if (IsFree(road, asphalt, marking, from, to))
                 {
-                    pieces.Add((from, to));
+                    Add(pieces, from, to);
                 }
                 else if (pieces.Count > 0)
                 {
@@ -68,6 +70,34 @@ internal sealed record PaintRun(RoadFacets Facets, Marking Marking, IReadOnlyLis
 
         points.Add(PointAt(end, isPainted: true));
         return new PaintedLine(Marking.Paint, points);
+    }
+
+    /// <summary>Whether nothing takes a piece's place, from its one end to its other.</summary>
+    private static bool IsFree(Road road, Asphalt asphalt, Marking marking, double from, double to)
+    {
+        int steps = Math.Max(1, (int)Math.Ceiling((to - from) / Metre));
+        for (int i = 0; i <= steps; i++)
+        {
+            if (asphalt.IsAnothers(road, from + ((to - from) * i / steps), marking.Offset, Height))
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
+
+    /// <summary>Pieces that meet become one.</summary>
+    private static void Add(List<(double From, double To)> pieces, double from, double to)
+    {
+        if (pieces.Count > 0 && pieces[^1].To >= from)
+        {
+            pieces[^1] = (pieces[^1].From, to);
+        }
+        else
+        {
+            pieces.Add((from, to));
+        }
     }
 
     private LinePoint PointAt(double distance, bool isPainted) =>

@@ -76,7 +76,8 @@ internal sealed class SimulatedWorld
         GroundMesh ground = new();
         terrain.Build(ground);
         new RoadSurfaces(plan, index, terrain, ground).Build();
-        List<PaintRun> paint = [.. plan.Roads.Where(road => !road.IsInner && !road.IsUnpaved).SelectMany(road => PaintRun.Of(road, index))];
+        Asphalt asphalt = new(index);
+        List<PaintRun> paint = [.. plan.Roads.Where(road => !road.IsInner && !road.IsUnpaved).SelectMany(road => PaintRun.Of(road, asphalt))];
         new RoadPainter(plan, paint, index, ground).Paint();
         Paint = [.. paint.Select(run => run.Line())];
         Scene = new RenderScene([

@@ -16,8 +16,8 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
     /// <summary>A stripe that is thinner in the picture fades into the asphalt, pixels.</summary>
     private const double Thinnest = 2;
 
-    /// <summary>A line that is seen at a smaller angle to the cut is cut at a slant: its sine, of 15 degrees.</summary>
-    private const double LeastSine = 0.26;
+    /// <summary>A line that is seen at a smaller angle to the cut is cut at a slant: its sine, of 6 degrees.</summary>
+    private const double LeastSine = 0.1;
 
     /// <summary>At noon asphalt is darker than this, of 255; what is brighter all along a cut is paint that runs along the cut, as a stop line's.</summary>
     private const double BrightestAsphalt = 140;
