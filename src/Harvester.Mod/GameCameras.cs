@@ -1,3 +1,4 @@
+using System;
 using GTA.Native;
 using Harvester.Capture.Playing;
 using Harvester.Geometry;
@@ -18,7 +19,9 @@ internal sealed class GameCameras(GameBuild build) : ICameras
         int camera = Natives.Call<int>(
             Hash.CREATE_CAM_WITH_PARAMS, "DEFAULT_SCRIPTED_CAMERA", (float)place.X, (float)place.Y, (float)place.Z,
             (float)angles.PitchDegrees, (float)angles.RollDegrees, (float)angles.YawDegrees, (float)verticalFovDegrees, true, Natives.RotationOrder);
-        return Exists(camera) ? camera : 0;
+
+        // Not asked whether it exists: where that failed, nobody would know of the camera and take it away. There is none at -1.
+        return Math.Max(camera, 0);
     }
 
     /// <inheritdoc/>

@@ -19,8 +19,9 @@ internal sealed class GameVehicles : IVehicles
         int player = Natives.PlayerPed();
         Vector3 place = Natives.Call<Vector3>(Hash.GET_OFFSET_FROM_ENTITY_IN_WORLD_COORDS, player, (float)metresBeside, 0f, 0f);
         float heading = Natives.Call<float>(Hash.GET_ENTITY_HEADING, player);
-        int vehicle = Natives.Call<int>(Hash.CREATE_VEHICLE, model, place.X, place.Y, place.Z, heading, false, false, false);
-        return vehicle != 0 && Exists(vehicle) ? vehicle : 0;
+
+        // Not asked whether it exists: where that failed, nobody would know of the vehicle and take it away.
+        return Natives.Call<int>(Hash.CREATE_VEHICLE, model, place.X, place.Y, place.Z, heading, false, false, false);
     }
 
     /// <inheritdoc/>

@@ -90,7 +90,8 @@ public sealed class HarvesterScript : Script
         var marking = new SpaceMarking(game, world, SignName.Choices(player.SignNames, _folder.ShippedSpaces), _folder.ShippedSpaces, measured, display, _messages) { IsPictureNear = IsPictureNear, IsHarvesting = () => _harvest.IsOn };
         var unknown = new UnknownModelsList(world, world, () => measured.InUse, player.SpacesFolder, _messages) { Problem = Problem };
         var line = new HarvestLine(_harvest, player.Folder, clock, display) { IsPictureNear = IsPictureNear, SurveyLines = [() => survey.Line, () => _signs.Line, () => marking.Line] };
-        _features = new FeatureSet(_messages, calls, clock, car, mount, _harvest, lights, _calibration, markers, survey, _signs, marking, unknown, _drive, line, overlay);
+        var frozen = new FrozenWorld(time, () => _harvest.IsOn || _calibration.IsOn || _drive.IsOn);
+        _features = new FeatureSet(_messages, calls, clock, frozen, car, mount, _harvest, lights, _calibration, markers, survey, _signs, marking, unknown, _drive, line, overlay);
         if (player.RoadFile is { } file)
         {
             roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");

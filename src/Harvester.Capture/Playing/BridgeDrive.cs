@@ -100,6 +100,7 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
     {
         if (!IsOn)
         {
+            _car.GiveBack();
             return;
         }
 
@@ -152,15 +153,15 @@ public sealed class BridgeDrive : ILastingFeature, IDisposable
     /// <inheritdoc/>
     public void Stop()
     {
-        if (!IsOn)
+        if (IsOn)
         {
-            return;
+            DrivingSession? session = _session;
+            _session = null;
+            _bridge.Close();
+            session?.Stop();
         }
 
-        DrivingSession? session = _session;
-        _session = null;
-        _bridge.Close();
-        session?.Stop();
+        // Where the game has refused it, the next tick tries again.
         _car.GiveBack();
     }
 

@@ -101,6 +101,7 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
     {
         if (Vehicle == 0)
         {
+            Stop();
             return;
         }
 
@@ -119,12 +120,12 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
     /// <summary>Gives the view back to the game.</summary>
     public void Stop()
     {
-        int camera = _camera;
-        _camera = 0;
         Vehicle = 0;
-        if (camera != 0)
+        if (_camera != 0)
         {
-            _cameras.Remove(camera);
+            // Known until it is gone: where the game refuses, the next tick tries again.
+            _cameras.Remove(_camera);
+            _camera = 0;
         }
     }
 

@@ -72,8 +72,8 @@ public sealed class DrivenCar : IDrivenCar
     {
         if (_keepsWeather)
         {
-            _keepsWeather = false;
             _controls.KeepWeather(null);
+            _keepsWeather = false;
         }
     }
 }

@@ -19,6 +19,7 @@ public sealed class SpaceSurveying : ILastingFeature
     private readonly PlayerMessages _messages;
     private readonly IClock _clock;
     private readonly double _budgetMilliseconds;
+    private readonly List<SpaceSurvey> _leaving = [];
     private SpaceSurvey? _survey;
     private bool _isOn;
 
@@ -99,6 +100,7 @@ public sealed class SpaceSurveying : ILastingFeature
     /// <inheritdoc/>
     public void Tick()
     {
+        GiveBack();
         if (!_isOn || (_survey is null && _measured.Open() is null))
         {
             return;
@@ -128,8 +130,13 @@ public sealed class SpaceSurveying : ILastingFeature
     public void Stop()
     {
         _isOn = false;
-        _survey?.Dispose();
-        _survey = null;
+        if (_survey is { } survey)
+        {
+            _leaving.Add(survey);
+            _survey = null;
+        }
+
+        GiveBack();
     }
 
     /// <inheritdoc/>
@@ -137,6 +144,13 @@ public sealed class SpaceSurveying : ILastingFeature
     {
         Stop();
         _measured.Wait();
+    }
+
+    /// <summary>Ends surveys; what the game does not take back now, it is given again in the next tick.</summary>
+    private void GiveBack()
+    {
+        _leaving.ForEach(survey => survey.Dispose());
+        _leaving.RemoveAll(survey => !survey.HasLeftSomething);
     }
 
     private void End(SpaceSurvey survey)

@@ -21,16 +21,15 @@ public sealed class SurveyCamera(ICameras cameras, IScreen screen, Func<double> 
     /// <inheritdoc/>
     public bool LookFrom(Pose eye, double verticalFovDegrees)
     {
-        int camera = cameras.Make(eye, verticalFovDegrees);
-        if (camera == 0)
+        // The old one first: of two that are active it is the game's choice which one is shown.
+        LookAway();
+        _camera = cameras.Make(eye, verticalFovDegrees);
+        if (_camera == 0)
         {
             return false;
         }
 
-        // The old one first: of two that are active it is the game's choice which one is shown.
-        LookAway();
-        _camera = camera;
-        cameras.Show(camera);
+        cameras.Show(_camera);
         return true;
     }
 
@@ -45,11 +44,10 @@ public sealed class SurveyCamera(ICameras cameras, IScreen screen, Func<double> 
     /// <inheritdoc/>
     public void LookAway()
     {
-        int camera = _camera;
-        _camera = 0;
-        if (camera != 0)
+        if (_camera != 0)
         {
-            cameras.Remove(camera);
+            cameras.Remove(_camera);
+            _camera = 0;
         }
     }
 

@@ -69,9 +69,14 @@ public sealed class TestCar : ILastingFeature
         if (_models.Load(_requestedModel))
         {
             int model = _requestedModel;
-            _requestedModel = 0;
-            Replace(model);
-            _models.Release(model);
+            try
+            {
+                Replace(model);
+            }
+            finally
+            {
+                Stop();
+            }
         }
         else if (_clock.Milliseconds - _requestedAt > LoadMilliseconds)
         {
@@ -81,23 +86,43 @@ public sealed class TestCar : ILastingFeature
     }
 
     /// <inheritdoc/>
-    public void Stop() => _requestedModel = 0;
+    public void Stop()
+    {
+        int model = _requestedModel;
+        _requestedModel = 0;
+        if (model != 0)
+        {
+            _models.Release(model);
+        }
+    }
 
     /// <summary>Takes the car out of the game.</summary>
     public void Finish()
     {
-        Stop();
-        int car = _car;
-        _car = 0;
-        if (car != 0 && _vehicles.Exists(car))
+        try
         {
-            _vehicles.Remove(car);
+            Stop();
         }
+        finally
+        {
+            Remove();
+        }
+    }
+
+    /// <summary>The car is known until it is gone: where the game refuses, it is tried again with the next car and at the script's end.</summary>
+    private void Remove()
+    {
+        if (_car != 0 && _vehicles.Exists(_car))
+        {
+            _vehicles.Remove(_car);
+        }
+
+        _car = 0;
     }
 
     private void Replace(int model)
     {
-        Finish();
+        Remove();
         int car = _vehicles.MakeBesidePlayer(model, MetresBesidePlayer);
         if (car == 0)
         {

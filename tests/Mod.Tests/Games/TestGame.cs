@@ -64,6 +64,9 @@ internal sealed partial class TestGame : IGameHost
     /// <summary>What to throw instead of answering a native; null to answer.</summary>
     public Func<Hash, Exception?> Fault { get; set; } = _ => null;
 
+    /// <summary>What the natives give that answer with random bits; null where all answer rightly. They do nothing else.</summary>
+    public Func<NativeSignature, Random?> Lies { get; set; } = _ => null;
+
     /// <summary>What happens after the handles of what is near were listed, before they are read.</summary>
     public Action AfterListing { get; set; } = () => { };
 
@@ -87,6 +90,9 @@ internal sealed partial class TestGame : IGameHost
         .. Cameras.Select(camera => $"camera {camera.Key}"),
         .. RenderingCamera != NoCamera ? ["the view"] : Array.Empty<string>(),
         .. IsPaused ? ["the pause"] : Array.Empty<string>(),
+        .. TimeScale != 1 ? ["the time scale"] : Array.Empty<string>(),
+        .. KeptWeather is not null ? ["the weather"] : Array.Empty<string>(),
+        .. _ticksUntilLoaded.Select(model => $"model {model.Key}"),
         .. LightOverrides.Select(light => $"traffic light {light.Key}"),
     ];
 
@@ -138,6 +144,12 @@ internal sealed partial class TestGame : IGameHost
         }
 
         Misuses.UnionWith(native.MistakesIn(call.Passed, call.Expected));
+        if (Lies(native) is { } random)
+        {
+            _convention.WriteGarbage(native, call, random);
+            return;
+        }
+
         _convention.WriteResult(native, call, answer(_convention.ReadArguments(native, call)!));
     }
 

@@ -67,6 +67,9 @@ public sealed class SpaceSurvey : IDisposable
     /// <summary>One line that says why the survey ended before its time; null without a fault.</summary>
     public string? Fault { get; private set; }
 
+    /// <summary>Whether the game has refused to take something back at the end. <see cref="Dispose"/> tries it again.</summary>
+    public bool HasLeftSomething { get; private set; }
+
     /// <summary>Does one tick's share. After the end it does nothing.</summary>
     public void Step()
     {
@@ -225,6 +228,7 @@ public sealed class SpaceSurvey : IDisposable
     private void End()
     {
         IsOver = true;
+        HasLeftSomething = false;
         Try(TakeAway);
         Try(() => _photographer?.LookAway());
         foreach (string model in _asked.ToArray())
@@ -243,6 +247,7 @@ public sealed class SpaceSurvey : IDisposable
         catch (Exception exception)
 #pragma warning restore CA1031
         {
+            HasLeftSomething = true;
             Fault ??= $"The survey stopped: {exception.Message}";
         }
     }

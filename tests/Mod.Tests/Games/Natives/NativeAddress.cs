@@ -10,6 +10,7 @@ namespace Harvester.Mod.Tests.Games.Natives;
 internal sealed class NativeAddress(IntPtr place, NativeType type, int boolBytes)
 {
     private const int SlotBytes = sizeof(ulong);
+    private const int VectorSlots = 3;
 
     public int Integer => Marshal.ReadInt32(place);
 
@@ -34,6 +35,22 @@ internal sealed class NativeAddress(IntPtr place, NativeType type, int boolBytes
                 break;
             default:
                 throw new InvalidCastException($"The test game writes {value.GetType()} where the native has {type}.");
+        }
+    }
+
+    /// <summary>Writes any bits of the type that is there: numbers that are none, and numbers out of every range.</summary>
+    public void WriteGarbage(Random random)
+    {
+        if (type.IsBoolean)
+        {
+            WriteBoolean(random.Next(2) == 0);
+            return;
+        }
+
+        for (int slot = 0; slot < (type.IsVector ? VectorSlots : 1); slot++)
+        {
+            int bits = random.Next(4) == 0 ? random.Next(-2, 3) : random.Next(int.MinValue, int.MaxValue);
+            Marshal.WriteInt32(place, slot * SlotBytes, bits);
         }
     }
 

@@ -42,6 +42,27 @@ internal sealed class NativeConvention(int boolBytes)
         }
     }
 
+    /// <summary>Writes random bits as the result and to every address; a text is none or two random letters.</summary>
+    public void WriteGarbage(NativeSignature native, NativeCall call, Random random)
+    {
+        for (int i = 0; i < native.Parameters.Count; i++)
+        {
+            if (native.Parameters[i].IsAddress && random.Next(2) == 0)
+            {
+                new NativeAddress(Marshal.ReadIntPtr(call.Arguments + (i * SlotBytes)), native.Parameters[i].Pointee, boolBytes).WriteGarbage(random);
+            }
+        }
+
+        if (native.Result.IsText)
+        {
+            Marshal.WriteIntPtr(call.Result, random.Next(2) == 0 ? IntPtr.Zero : TextOf($"{(char)random.Next('A', 'Z')}{(char)random.Next('A', 'Z')}"));
+        }
+        else if (!native.Result.IsVoid)
+        {
+            new NativeAddress(call.Result, native.Result, boolBytes).WriteGarbage(random);
+        }
+    }
+
     private object? Read(NativeType type, IntPtr slot) =>
         type.IsBoolean ? Marshal.ReadInt32(slot) != 0
         : type.IsSingle ? BitConverter.Int32BitsToSingle(Marshal.ReadInt32(slot))

@@ -1,0 +1,162 @@
+using System.Windows.Forms;
+using GTA.Hosting;
+using Harvester.Capture.Tests.Roads;
+using Harvester.Geometry;
+using Harvester.Mod.Tests.Games;
+using Harvester.Simulation.Tests.Spaces.Survey;
+
+namespace Harvester.Mod.Tests.Soak;
+
+/// <summary>One game of a soak, made by its seed.</summary>
+internal sealed class SoakPlay
+{
+    /// <summary>Small pictures and few rays, so that a tick costs little; all features are on their keys.</summary>
+    public const string Ini =
+        "[Bridge]\nKind = Folder\nFolder = out/bridge\nWidth = 40\nHeight = 30\n"
+        + "[Harvest]\nWidth = 160\nHeight = 120\nRate = 2\nOcclusionRays = 4\nRays = 200\nDriveLights = On\nFreeze = Auto\nImageFormat = Bmp\n";
+
+    private const double MillisecondsOfATick = 16;
+
+    /// <summary>Longer than any time that the mod waits for something.</summary>
+    private const double LongWaitMilliseconds = 20_000;
+    private const int TicksOfMemory = 1000;
+    private const string Prop = "prop_sign_road_03g";
+
+    /// <summary>Every key; those that need another to be of use come after it too.</summary>
+    private static readonly Keys[][] Presses =
+    [
+        [Keys.NumPad0], [Keys.I], [Keys.O], [Keys.J], [Keys.J], [Keys.K], [Keys.L], [Keys.NumPad1], [Keys.U], [Keys.N], [Keys.W], [Keys.NumPad2],
+        [Keys.NumPad3], [Keys.Y], [Keys.Divide], [Keys.Multiply], [Keys.O, Keys.J], [Keys.O, Keys.N], [Keys.O, Keys.I, Keys.NumPad1], [Keys.O, Keys.Multiply],
+        [Keys.NumPad2, Keys.NumPad2, Keys.Y],
+    ];
+
+    private readonly ScriptDriver _driver;
+    private readonly TestGame _game;
+    private readonly Random _random;
+    private readonly FaultTally _tally;
+    private readonly SoakFaults _faults;
+    private int _grabs;
+
+    public SoakPlay(ScriptDriver driver, int seed, FaultTally tally)
+    {
+        _driver = driver;
+        _game = driver.Game;
+        _random = new Random(seed);
+        _tally = tally;
+        _faults = new SoakFaults(driver, _random, tally);
+        _game.Props[Prop] = KnownProps.All["octagon"];
+        _game.Roads = new FakeRoadSource(RoadTests.Road());
+        MakeWorld();
+    }
+
+    public void Tick()
+    {
+        _driver.Clock.Milliseconds += Happens(2000) ? LongWaitMilliseconds : MillisecondsOfATick;
+        _faults.Tick();
+        ChangeWorld();
+        try
+        {
+            if (Happens(60))
+            {
+                Press(Presses[_random.Next(Presses.Length)]);
+            }
+
+            _driver.Tick();
+        }
+        catch (ThreadAbortException) when (_faults.HasAbortedTheTick)
+        {
+            // The loader's own: it has stopped the script's thread in the middle of the tick.
+        }
+
+        // In the game that exception comes again out of every handler that takes it; here one that takes any exception ends it.
+        bool isAborted = _faults.HasAbortedTheTick;
+        Count();
+        if (isAborted || Happens(3000))
+        {
+            _tally.Add(isAborted ? "aborted within a tick" : "aborted between ticks");
+            AssertNothingIsLeft();
+            _faults.ForgetTheTick();
+            _driver.Reload();
+        }
+
+        if (_game.Frame % TicksOfMemory == 0)
+        {
+            _driver.WaitForDisk();
+            _game.Calls.Clear();
+            _game.Notifications.Clear();
+        }
+    }
+
+    /// <summary>Ends the script for good and looks what it has left.</summary>
+    public void End() => AssertNothingIsLeft();
+
+    private void AssertNothingIsLeft()
+    {
+        // Whoever cannot be given anything gets nothing back: a game that refuses everything is another test's.
+        _faults.Stop();
+        OtherThread.Do(_driver.Script.RaiseAborted);
+        _driver.Script.RaiseAborted();
+        Assert.True(!_game.LeftBehind.Any(), $"Left behind: {string.Join(", ", _game.LeftBehind)}\n{string.Join('\n', _game.Notifications.TakeLast(20))}");
+        _driver.Tick();
+        Assert.Empty(_game.Balls);
+        Assert.Empty(_game.Rectangles);
+        Assert.Empty(_game.Texts);
+        Assert.Empty(_game.Misuses);
+    }
+
+    private void Press(Keys[] keys)
+    {
+        foreach (Keys key in keys)
+        {
+            _driver.Script.RaiseKeyDown(key);
+            _driver.Script.RaiseKeyUp(key);
+        }
+    }
+
+    private void ChangeWorld()
+    {
+        if (Happens(2000))
+        {
+            _tally.Add("world was swept");
+            _game.Entities.Clear();
+            _game.LightOverrides.Clear();
+            MakeWorld();
+        }
+
+        if (Happens(800))
+        {
+            _tally.Add("car was left");
+            _game.PlayersVehicle = 0;
+        }
+        else if (_game.PlayersVehicle == 0 && Happens(20))
+        {
+            _game.PlayersVehicle = _game.Vehicles.Any() ? _game.HandleOf(_game.Vehicles.First()) : 0;
+        }
+    }
+
+    private void MakeWorld()
+    {
+        _game.Entities[TestGame.Player] = new GameEntity { Pool = PoolKind.Peds, Name = "player_zero", Pose = new Pose(new Vector3D(100, 200, 1), Axes.Identity) };
+        HarvestTests.Street(_game);
+        _game.Add(LightTests.LightAt(new Vector3D(104, 230, 0), Axes.Identity));
+    }
+
+    private void Count()
+    {
+        CountIf(_game.Balls.Count > 0, "ball was drawn");
+        CountIf(_game.IsFrozen, "game stood still");
+        CountIf(_game.Objects.Any(prop => prop.Name == Prop), "model was put up");
+        CountIf(_driver.Screen.Grabs > _grabs, "frame was harvested");
+        _grabs = _driver.Screen.Grabs;
+    }
+
+    private void CountIf(bool happens, string kind)
+    {
+        if (happens)
+        {
+            _tally.Add(kind);
+        }
+    }
+
+    private bool Happens(int onceIn) => _random.Next(onceIn) == 0;
+}
