@@ -40,10 +40,13 @@ public static class Doctor
         return new Diagnosis(logs, [.. logs.Where(log => log.Kind != LogKind.Mod).SelectMany(FindingsOf), .. missing, .. logs.Where(log => log.Kind == LogKind.Mod).SelectMany(FindingsOf)]);
     }
 
-    private static IEnumerable<Finding> FindingsOf(LogFile log) => log.Runs.SelectMany(run => log.Kind switch
+    private static IEnumerable<Finding> FindingsOf(LogFile log) =>
+        [.. log.Kind == LogKind.Mod ? EntryCheck.Of(log) : [], .. log.Runs.SelectMany(run => FindingsOf(log.Kind, run))];
+
+    private static IEnumerable<Finding> FindingsOf(LogKind kind, IReadOnlyList<LogLine> run) => kind switch
     {
         LogKind.ScriptHook => LineRule.Apply(ScriptHookRules.All, run),
         LogKind.Loader => LineRule.Apply(LoaderRules.All, run),
         _ => [.. VersionCheck.Of(run), .. LineRule.Apply(ModRules.All, run), .. DiscardCheck.Of(run), .. RunCheck.Of(run)],
-    });
+    };
 }

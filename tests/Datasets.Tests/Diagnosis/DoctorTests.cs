@@ -213,6 +213,17 @@ public sealed class DoctorTests : IDisposable
         Assert.Single(Examine(LogKind.Mod));
     }
 
+    [Theory]
+    [InlineData("")]
+    [InlineData("\0\u0001\uFFFD\n\n")]
+    [InlineData("milk\n")]
+    public void Log_without_a_line_of_the_mod_is_not_called_good(string text)
+    {
+        Write(LogKind.Mod, text);
+
+        Assert.Contains("no line that the mod wrote", Assert.Single(Examine(LogKind.Mod)).Cause, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Log_under_another_name_is_known_by_what_it_says()
     {
