@@ -13,11 +13,11 @@ namespace Harvester.Geometry.PixelMaps;
 /// </summary>
 public sealed class AdaptivePixelMapper
 {
-    /// <summary>Of a cell that is not understood, about this share of the pixels would be painted wrong.</summary>
-    private const double WrongShare = 0.25;
-
     /// <summary>How often parts are searched that the map misses; what one search finds tells the next where to look closer.</summary>
-    private const int MostSearches = 2;
+    private const int FragmentSearches = 2;
+
+    /// <summary>How often the cells at the ends of objects are divided: from a first cell down to the pixel.</summary>
+    private const int MostSearches = FragmentSearches + 1 + 5;
 
     private readonly Camera _camera;
     private readonly PixelMapOptions _options;
@@ -29,8 +29,9 @@ public sealed class AdaptivePixelMapper
     private readonly PixelSamples _samples;
     private readonly CellExaminer _examiner;
     private readonly CellQueue _queue = new();
-    private readonly List<MapCell> _settled = [];
+    private readonly SettledCells _settled;
     private readonly FragmentSearch _search;
+    private readonly ExtentSearch _extents;
     private IEnumerator<Place> _places;
     private int _openPixels;
     private MapCell? _current;
@@ -68,8 +69,11 @@ public sealed class AdaptivePixelMapper
 
         _samples = new PixelSamples(camera, _views.ConvertAll(view => view.Target), ignoredEntity, rays);
         _views.ForEach(view => _openPixels += _samples.Open(view.Spans));
-        _search = new FragmentSearch(camera, _views, _samples, _options.UnsearchedFraction);
+        var hidden = new HiddenPlaces(camera, _samples);
+        _search = new FragmentSearch(camera.Image, _views, _samples, hidden, _options.UnsearchedFraction);
+        _extents = new ExtentSearch(_views, _samples, hidden);
         _examiner = new CellExaminer(_samples, _views, _options);
+        _settled = new SettledCells(_examiner, _queue, _options.CellErrorFraction);
         var grid = new CellGrid(camera.Image, _options.CellSize, _views);
         grid.Cells.ForEach(cell => _queue.Add(double.PositiveInfinity, cell));
         _places = new FirstPlaces(camera, _views, _samples, grid).InTurn().GetEnumerator();
@@ -157,8 +161,6 @@ public sealed class AdaptivePixelMapper
         return sights;
     }
 
-    private static double PriorityOf(MapCell cell, double weight) => WrongShare * cell.Width * cell.Height * weight;
-
     private Place? NextPlace()
     {
         do
@@ -188,7 +190,7 @@ public sealed class AdaptivePixelMapper
 
     private Place? NextPlaceOfCells()
     {
-        while (_current is not null || _queue.Count > 0 || Review())
+        while (_current is not null || _queue.Count > 0 || _settled.Review())
         {
             if (_current is not { } cell)
             {
@@ -218,34 +220,12 @@ public sealed class AdaptivePixelMapper
                 _examiner.Border.AssumeMiddles();
                 foreach (MapCell part in cell.Quarters())
                 {
-                    _queue.Add(PriorityOf(part, verdict.Weight), part);
+                    _queue.Add(CellQueue.PriorityOf(part, verdict.Weight), part);
                 }
             }
         }
 
         return null;
-    }
-
-    // What was settled may not fit what its neighbours or a search have learnt since.
-    private bool Review()
-    {
-        List<MapCell> settled = [.. _settled];
-        _settled.Clear();
-        foreach (MapCell cell in settled)
-        {
-            CellVerdict verdict = _examiner.Examine(cell);
-            double priority = PriorityOf(cell, verdict.Weight);
-            if (verdict.IsUnderstood || priority < _options.CellErrorFraction)
-            {
-                _settled.Add(cell);
-            }
-            else
-            {
-                _queue.Add(priority, cell);
-            }
-        }
-
-        return _queue.Count > 0;
     }
 
     // A search that finds nothing is followed by a review all the same, since the visible pixels have been counted anew.
@@ -258,11 +238,22 @@ public sealed class AdaptivePixelMapper
 
         _searches++;
         InstanceMap map = Paint();
-        int[] counts = map.PixelCounts();
-        _views.ForEach(view => view.SetVisible(counts[view.Target.Number]));
-        List<Place> places = [.. _search.Places(map)];
-        _places = places.GetEnumerator();
-        return true;
+        if (_searches <= FragmentSearches)
+        {
+            int[] counts = map.PixelCounts();
+            _views.ForEach(view => view.SetVisible(counts[view.Target.Number]));
+            List<Place> places = [.. _search.Places(map)];
+            _places = places.GetEnumerator();
+            return true;
+        }
+
+        if (_searches == FragmentSearches + 1)
+        {
+            _places = _extents.Places(map).GetEnumerator();
+            return true;
+        }
+
+        return _settled.Reopen(_extents.UncertainPixels(map));
     }
 
     private InstanceMap Paint()
@@ -270,7 +261,7 @@ public sealed class AdaptivePixelMapper
         var shown = _views.ConvertAll(view => view.Target);
         var painter = new MapPainter(_camera.Image, _samples, _examiner, SilhouettePainter.Paint(_camera, shown));
         var untouched = new List<MapCell>();
-        var touched = new List<MapCell>(_settled);
+        var touched = new List<MapCell>(_settled.Cells);
         foreach ((double priority, MapCell cell) in Pending())
         {
             (double.IsInfinity(priority) ? untouched : touched).Add(cell);

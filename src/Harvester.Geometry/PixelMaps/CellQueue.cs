@@ -5,6 +5,9 @@ namespace Harvester.Geometry.PixelMaps;
 /// <summary>Cells in the order of what their error counts, greatest first; equal ones by their place, so that the order is always the same.</summary>
 internal sealed class CellQueue
 {
+    /// <summary>Of a cell that is not understood, about this share of the pixels would be painted wrong.</summary>
+    private const double WrongShare = 0.25;
+
     private readonly SortedSet<(double Priority, MapCell Cell)> _cells = new(Comparer<(double Priority, MapCell Cell)>.Create(Compare));
 
     public int Count => _cells.Count;
@@ -32,4 +35,9 @@ internal sealed class CellQueue
         int byColumn = a.Cell.Left.CompareTo(b.Cell.Left);
         return byRow != 0 ? byRow : byColumn != 0 ? byColumn : b.Cell.BorderLength.CompareTo(a.Cell.BorderLength);
     }
+
+    /// <summary>How much a cell counts that is not understood.</summary>
+    /// <param name="cell">The cell.</param>
+    /// <param name="weight">What one wrong pixel in it counts.</param>
+    public static double PriorityOf(MapCell cell, double weight) => WrongShare * cell.Width * cell.Height * weight;
 }

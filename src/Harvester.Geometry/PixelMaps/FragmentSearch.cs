@@ -9,7 +9,7 @@ namespace Harvester.Geometry.PixelMaps;
 /// so that an arm of one pixel is met as soon as a compact part of its size. A sparser set is a part of a denser one, and all objects
 /// share them.
 /// </summary>
-internal sealed class FragmentSearch(Camera camera, IReadOnlyList<TargetView> views, PixelSamples samples, double unsearchedFraction)
+internal sealed class FragmentSearch(ImageSize image, IReadOnlyList<TargetView> views, PixelSamples samples, HiddenPlaces hiddenPlaces, double unsearchedFraction)
 {
     /// <summary>At least this share of a silhouette counts as visible while looking for more of it in the open.</summary>
     private const double OpenShare = 0.07;
@@ -28,10 +28,7 @@ internal sealed class FragmentSearch(Camera camera, IReadOnlyList<TargetView> vi
     /// <summary>Gaps in what is seen are narrower than fragments: so many times as many places are asked.</summary>
     private const double GapDensity = 1.4;
 
-    /// <summary>What was asked so many rows and columns away at most, half a first cell, tells how far away a place is.</summary>
-    private const int Reach = 16;
-
-    private readonly ScatteredRank _rank = new(camera.Image);
+    private readonly ScatteredRank _rank = new(image);
 
     /// <summary>The places that have not been asked yet, in the order of the objects.</summary>
     /// <param name="map">What is shown so far.</param>
@@ -60,7 +57,7 @@ internal sealed class FragmentSearch(Camera camera, IReadOnlyList<TargetView> vi
 
             double Density(int column, int row) =>
                 map[column, row] == view.Target.Number ? inside
-                : !IsHidden(view, map, column, row) ? open
+                : !hiddenPlaces.IsHidden(view.Target, map, column, row) ? open
                 : IsNearOutline(map, column, row) ? outline
                 : hidden;
         }
@@ -73,33 +70,5 @@ internal sealed class FragmentSearch(Camera camera, IReadOnlyList<TargetView> vi
             || map[Math.Min(map.Image.Width - 1, column + OutlineReach), row] != number
             || map[column, Math.Max(0, row - OutlineReach)] != number
             || map[column, Math.Min(map.Image.Height - 1, row + OutlineReach)] != number;
-    }
-
-    // Whether all that was asked nearby of what the pixel shows lies before the object's cuboid.
-    private bool IsHidden(TargetView view, InstanceMap map, int column, int row)
-    {
-        if (view.Target.Cuboid.Intersect(camera.RayThrough(column + 0.5, row + 0.5)) is not { } span)
-        {
-            return true;
-        }
-
-        bool anyNearer = false;
-        for (int r = Math.Max(0, row - Reach); r <= Math.Min(camera.Image.Height - 1, row + Reach); r++)
-        {
-            for (int c = Math.Max(0, column - Reach); c <= Math.Min(camera.Image.Width - 1, column + Reach); c++)
-            {
-                if (samples.HasDistance(c, r) && samples.Number(c, r) == map[column, row])
-                {
-                    if (samples.Distance(c, r) > span.Entry)
-                    {
-                        return false;
-                    }
-
-                    anyNearer = true;
-                }
-            }
-        }
-
-        return anyNearer;
     }
 }

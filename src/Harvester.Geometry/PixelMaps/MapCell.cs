@@ -16,6 +16,9 @@ internal readonly record struct MapCell(int Left, int Top, int Right, int Bottom
     /// <summary>The number of pixels on its border when walked around once; a cell of one pixel has that.</summary>
     public int BorderLength => Math.Max(1, 2 * (Width + Height));
 
+    /// <summary>Whether a pixel is inside it or on its border.</summary>
+    public bool Contains(int column, int row) => column >= Left && column <= Right && row >= Top && row <= Bottom;
+
     /// <summary>The cell's four parts, which share its middle column and row.</summary>
     public IEnumerable<MapCell> Quarters()
     {

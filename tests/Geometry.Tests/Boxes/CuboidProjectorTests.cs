@@ -54,6 +54,20 @@ public sealed class CuboidProjectorTests
         Assert.InRange(projection.TruncatedFraction, 0.9, 1);
     }
 
+    [Theory]
+    [InlineData(0, 2.4e4, 2.5e4)]
+    [InlineData(0.01, 1.1e10, 1.2e10)]
+    public void Project_beside_the_camera_has_an_amodal_box_of_any_size_that_is_finite(double k2, double least, double most)
+    {
+        // 8 m to the side and 2 m up at the near plane, 0.1 m ahead, is 80 and 20 focal lengths of 300 px; the lens multiplies that by 1 + k2 82.5^4.
+        var wall = new Cuboid(new(8, 0, 0), new(0.01, 20, 2), Axes.Identity);
+
+        CuboidProjection projection = CuboidProjector.Project(Looking(new Lens(1, 0, 0, 0, k2)), wall);
+
+        Assert.InRange(projection.AmodalBox!.Value.XMax, least, most);
+        Assert.InRange(projection.TruncatedFraction, 0.9, 1);
+    }
+
     [Fact]
     public void Project_around_the_camera_is_the_whole_image()
     {

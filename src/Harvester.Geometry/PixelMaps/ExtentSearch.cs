@@ -1,0 +1,182 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Harvester.Geometry.PixelMaps;
+
+/// <summary>
+/// Makes sure of the box around an object's visible pixels, side by side. Beyond each side the object is looked for where it would go on as
+/// a strip, and farther out where nothing nearer hides it; a side that no ray has confirmed is uncertain.
+/// </summary>
+internal sealed class ExtentSearch(IReadOnlyList<TargetView> views, PixelSamples samples, HiddenPlaces hiddenPlaces)
+{
+    /// <summary>Objects of fewer pixels are found, not outlined.</summary>
+    private const int FewestPixels = 64;
+
+    /// <summary>By how much a box may be off, pixels.</summary>
+    private const int Tolerance = 2;
+
+    /// <summary>A farther place is asked when it is so many times as far away as the last.</summary>
+    private const int Spread = 2;
+
+    /// <summary>Of a side of so many pixels the object may go on beside its ends; so far a sloping arm moves aside over its head.</summary>
+    private const int ShortSide = 3;
+
+    private static readonly (int Column, int Row)[] Outwards = [(0, -1), (1, 0), (0, 1), (-1, 0)];
+
+    /// <summary>The places to ask. What has been found at those before decides about each, so they are not to be listed in advance.</summary>
+    /// <param name="map">What is shown so far.</param>
+    public IEnumerable<Place> Places(InstanceMap map)
+    {
+        foreach (TargetView view in views)
+        {
+            if (ExtentOf(map, view) is not { } extent)
+            {
+                continue;
+            }
+
+            foreach ((int Column, int Row) outwards in Outwards)
+            {
+                foreach (Place place in Beyond(map, view, extent, outwards))
+                {
+                    yield return place;
+                }
+            }
+        }
+    }
+
+    /// <summary>Pixels drawn at the sides of objects' boxes where no ray has met the object on that side.</summary>
+    public HashSet<(int Column, int Row)> UncertainPixels(InstanceMap map)
+    {
+        var uncertain = new HashSet<(int, int)>();
+        foreach (TargetView view in views)
+        {
+            if (ExtentOf(map, view) is not { } extent)
+            {
+                continue;
+            }
+
+            foreach ((int Column, int Row) outwards in Outwards)
+            {
+                List<(int Column, int Row)> side = extent.Side(map, view.Target.Number, outwards);
+                if (!side.Exists(pixel => samples.IsCast(pixel.Column, pixel.Row)))
+                {
+                    uncertain.UnionWith(side);
+                }
+            }
+        }
+
+        return uncertain;
+    }
+
+    private static PixelExtent? ExtentOf(InstanceMap map, TargetView view) =>
+        PixelExtent.Of(map, view.Target.Number, view.Spans) is { Pixels: >= FewestPixels } extent ? extent : null;
+
+    private IEnumerable<Place> Beyond(InstanceMap map, TargetView view, PixelExtent extent, (int Column, int Row) outwards)
+    {
+        List<(int Column, int Row)> side = extent.Side(map, view.Target.Number, outwards);
+        (int Column, int Row) deepest = Deepest(map, side, outwards);
+        int room = PixelExtent.Room(view.Spans, deepest, outwards);
+        while (room > Tolerance)
+        {
+            (int Column, int Row)? found = null;
+            foreach ((int Column, int Row) pixel in Near(side, deepest, outwards).Concat(Far(map, view, side, deepest, outwards, room)))
+            {
+                if (view.Spans.Contains(pixel.Column, pixel.Row))
+                {
+                    yield return Place.OfPixel(pixel.Column, pixel.Row);
+                    if (Shows(view, pixel))
+                    {
+                        found = pixel;
+                        break;
+                    }
+                }
+            }
+
+            if (found is not { } farther)
+            {
+                yield break;
+            }
+
+            (side, deepest) = ([farther], farther);
+            room = PixelExtent.Room(view.Spans, deepest, outwards);
+        }
+    }
+
+    // A strip goes on straight outwards or aslant: beside the ends of a short side, and of a long one where the object reaches farthest inwards.
+    private static IEnumerable<(int Column, int Row)> Near(List<(int Column, int Row)> side, (int Column, int Row) deepest, (int Column, int Row) outwards)
+    {
+        yield return Moved(deepest, outwards, Tolerance, 0);
+        if (side.Count <= ShortSide)
+        {
+            yield return Moved(side[0], outwards, Tolerance, -1);
+            yield return Moved(side[side.Count - 1], outwards, Tolerance, 1);
+            yield break;
+        }
+
+        for (int aside = 1; aside <= ShortSide; aside++)
+        {
+            yield return Moved(deepest, outwards, Tolerance, -aside);
+            yield return Moved(deepest, outwards, Tolerance, aside);
+        }
+    }
+
+    private IEnumerable<(int Column, int Row)> Far(
+        InstanceMap map, TargetView view, List<(int Column, int Row)> side, (int Column, int Row) deepest, (int Column, int Row) outwards, int room)
+    {
+        foreach ((int Column, int Row) from in new[] { deepest, side[side.Count / 2] }.Distinct())
+        {
+            for (int away = Spread * Tolerance; away <= room; away++)
+            {
+                (int Column, int Row) pixel = Moved(from, outwards, away, 0);
+                if (!IsHiddenByObject(view, map, pixel.Column, pixel.Row))
+                {
+                    yield return pixel;
+                    away = (away < room && Spread * away > room ? room : Spread * away) - 1;
+                }
+            }
+        }
+    }
+
+    private static (int Column, int Row) Moved((int Column, int Row) from, (int Column, int Row) outwards, int away, int aside) => (
+        from.Column + (away * outwards.Column) + (aside * Math.Abs(outwards.Row)),
+        from.Row + (away * outwards.Row) + (aside * Math.Abs(outwards.Column)));
+
+    // Of the world there is nearer and farther everywhere, on the ground around a foot above all.
+    private bool IsHiddenByObject(TargetView view, InstanceMap map, int column, int row) =>
+        map[column, row] != 0 && hiddenPlaces.IsHidden(view.Target, map, column, row);
+
+    // An arm goes on where the object reaches farthest inwards, and not where its head is wide.
+    private static (int Column, int Row) Deepest(InstanceMap map, List<(int Column, int Row)> side, (int Column, int Row) outwards)
+    {
+        (int Column, int Row) deepest = side[side.Count / 2];
+        int depth = DepthOf(map, deepest, outwards);
+        foreach ((int Column, int Row) pixel in side)
+        {
+            int other = DepthOf(map, pixel, outwards);
+            if (other > depth)
+            {
+                (deepest, depth) = (pixel, other);
+            }
+        }
+
+        return deepest;
+    }
+
+    private static int DepthOf(InstanceMap map, (int Column, int Row) from, (int Column, int Row) outwards)
+    {
+        ushort number = map[from.Column, from.Row];
+        int depth = 0;
+        (int column, int row) = from;
+        while (column >= 0 && row >= 0 && column < map.Image.Width && row < map.Image.Height && map[column, row] == number)
+        {
+            depth++;
+            (column, row) = (column - outwards.Column, row - outwards.Row);
+        }
+
+        return depth;
+    }
+
+    private bool Shows(TargetView view, (int Column, int Row) pixel) =>
+        samples.IsCast(pixel.Column, pixel.Row) && samples.Number(pixel.Column, pixel.Row) == view.Target.Number;
+}

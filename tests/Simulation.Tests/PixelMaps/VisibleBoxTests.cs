@@ -1,0 +1,89 @@
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Labels;
+using Harvester.Geometry;
+using Harvester.Geometry.Boxes;
+using Harvester.Geometry.Cameras;
+using Harvester.Simulation.Tests.Labelling;
+using Xunit.Abstractions;
+
+namespace Harvester.Simulation.Tests.PixelMaps;
+
+/// <summary>Masks and boxes of visible pixels of labelled frames against what the pictures truly show.</summary>
+public sealed class VisibleBoxTests(ITestOutputHelper output)
+{
+    /// <summary>Objects of fewer pixels are found, not outlined.</summary>
+    private const int SmallestPixels = 64;
+
+    /// <summary>From so many pixels on an object is outlined exactly.</summary>
+    private const int LargePixels = 256;
+
+    private const double TolerancePixels = 2;
+    private const double LeastIou = 0.95;
+
+    /// <summary>What an object shows through a slit in what hides it, a few pixels of one column or row, is met by chance only.</summary>
+    private const double MostOff = 0.01;
+
+    [Fact]
+    public void Box_is_around_the_visible_pixels() => Judge(800, 600, [17], greatestRayShare: 0.0125);
+
+    [Theory]
+    [Trait("Category", "Heavy")]
+    [InlineData(800, 600, 0.0105)]
+    [InlineData(1920, 1080, 0.005)]
+    public void Box_is_around_the_visible_pixels_in_20_frames(int width, int height, double greatestRayShare) =>
+        Judge(width, height, [15, 17, 3, 5], greatestRayShare);
+
+    private void Judge(int width, int height, int[] seeds, double greatestRayShare)
+    {
+        List<double> errors = [], ious = [], rays = [];
+        var options = new HarvestOptions { Image = new ImageSize(width, height), MaxFrames = 5, RateHz = 0.25, Masks = true };
+        foreach (int seed in seeds)
+        {
+            LabelledTown.Harvest(new SimulationOptions { Seed = seed, WindowAspect = options.Image.Aspect }, options, (frame, truth) =>
+            {
+                rays.Add((double)frame.Label.PixelMap!.RaysCast / options.Image.PixelCount);
+                Dictionary<(string, Vector3D), int> handles = truth.Scene.Entities.ToDictionary(
+                    entity => (entity.Model, Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose).Centre), entity => entity.Handle);
+                foreach (ObjectLabel item in frame.Label.Objects.Where(item => item.Parent is null))
+                {
+                    IReadOnlyList<int> pixels = truth.PixelsOf(handles[(item.Model, item.Box3D.Centre)]);
+                    if (pixels.Count < SmallestPixels)
+                    {
+                        continue;
+                    }
+
+                    double error = Error(item.Box2DVisible!.Value, BoxAround(pixels, width));
+                    double iou = Iou(pixels, frame.Mask!.Ids, item.Id);
+                    errors.Add(error);
+                    if (pixels.Count >= LargePixels)
+                    {
+                        ious.Add(iou);
+                    }
+
+                    if (error > TolerancePixels || iou < LeastIou)
+                    {
+                        output.WriteLine($"seed {seed}, frame {frame.Label.Frame}: {item.Model}, {pixels.Count} pixels, box off by {error} px, IoU {iou:F3}");
+                    }
+                }
+            });
+        }
+
+        int off = errors.Count(error => error > TolerancePixels);
+        string figures = $"{errors.Count} objects, {off} of them off by more than {TolerancePixels} px; {ious.Count} large ones, IoU {ious.Average():F4}, {ious.Min():F3} at least; rays {rays.Average():P3}, {rays.Max():P3} at most";
+        output.WriteLine(figures);
+        Assert.True(errors.Count > 50 && off <= MostOff * errors.Count, figures);
+        Assert.True(ious.Min() >= LeastIou, figures);
+        Assert.True(rays.Average() <= greatestRayShare, figures);
+    }
+
+    private static Box2D BoxAround(IReadOnlyList<int> pixels, int width) => new(
+        pixels.Min(pixel => pixel % width), pixels.Min(pixel => pixel / width), pixels.Max(pixel => pixel % width) + 1, pixels.Max(pixel => pixel / width) + 1);
+
+    private static double Error(Box2D a, Box2D b) => new[] { a.XMin - b.XMin, a.YMin - b.YMin, a.XMax - b.XMax, a.YMax - b.YMax }.Max(Math.Abs);
+
+    private static double Iou(IReadOnlyList<int> truth, ushort[] mask, int id)
+    {
+        int shared = truth.Count(pixel => mask[pixel] == id);
+        return (double)shared / (truth.Count + mask.Count(number => number == id) - shared);
+    }
+}
