@@ -22,6 +22,9 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
     /// <summary>At noon asphalt is darker than this, of 255; what is brighter all along a cut is paint that runs along the cut, as a stop line's.</summary>
     private const double BrightestAsphalt = 140;
 
+    /// <summary>A picture tells where paint begins or ends to this, pixels: where a cut so far beyond meets paint, it may end at the place.</summary>
+    private const double EndPixels = 1;
+
     /// <summary>Paint differs from the asphalt around by at least this, of 255.</summary>
     private const double LeastContrast = 25;
 
@@ -49,10 +52,20 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
         double expected = width.Length;
         double squareToLine = Math.Abs(width.Cross(direction)) / (width.Length * direction.Length);
         double thickness = expected * squareToLine;
-        return (line.IsDouble ? thickness / 3 : thickness) < Thinnest || squareToLine < LeastSine
-            || Cut(line.Pixel(i) * fineness, width * (1 / expected), expected, line.Point(i), along, line.IsYellow) is not { } cut
-                ? new PaintFinding(PaintFindingKind.NotMeasurable)
-                : Nearest(cut, line.IsDouble, expected, squareToLine);
+        if ((line.IsDouble ? thickness / 3 : thickness) < Thinnest || squareToLine < LeastSine)
+        {
+            return new PaintFinding(PaintFindingKind.NotMeasurable);
+        }
+
+        PaintFinding At(double pixelsBeyond) =>
+            Cut((line.Pixel(i) * fineness) + (direction * (pixelsBeyond / (squareToLine * direction.Length))), width * (1 / expected), expected, line.Point(i), along, line.IsYellow) is { } cut
+                ? Nearest(cut, line.IsDouble, expected, squareToLine)
+                : new PaintFinding(PaintFindingKind.NotMeasurable);
+
+        PaintFinding found = At(0);
+        return found.Kind == PaintFindingKind.NoPaint && (At(EndPixels).Kind != PaintFindingKind.NoPaint || At(-EndPixels).Kind != PaintFindingKind.NoPaint)
+            ? new PaintFinding(PaintFindingKind.NotMeasurable)
+            : found;
     }
 
     /// <summary>How much brighter or yellower than the ground around the pixels of a cut are; null where something stands before its middle, its middle is not in the picture, or it lies in other paint.</summary>
