@@ -1,4 +1,7 @@
 using System.Text.Json.Nodes;
+using Harvester.Capture.Imaging;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Cli.Tests.Commands;
 
@@ -35,6 +38,27 @@ public sealed class MasksCommandTests
         Assert.NotEmpty(faces);
         Assert.All(faces.Zip(VisibleFaces(session)), face => Assert.Equal(face.First, face.Second, RaysAndPixels));
         Assert.False(File.Exists(Path.Combine(session, "report.html")));
+    }
+
+    /// <summary>The harvest recorded what rays found of objects and faces; what was imported since counts.</summary>
+    [Fact]
+    public void Relabelling_keeps_faces_hidden_of_which_the_imported_maps_show_nothing()
+    {
+        using var folder = new TemporaryFolder();
+        string session = folder.PathOf("session");
+        Assert.Equal(ExitCode.Done, CliRun.Of("harvest", "--out", session, "--frames", "1", "--seed", "1", "--masks", "--no-report", "--size", "640x480").ExitCode);
+        Assert.NotEmpty(VisibleFaces(session));
+        string maps = folder.PathOf("maps");
+        Directory.CreateDirectory(maps);
+        using (FileStream map = File.Create(Path.Combine(maps, "0.png")))
+        {
+            new PngEncoder().Write(new InstanceMap(new ImageSize(640, 480)), map);
+        }
+
+        Assert.Equal(ExitCode.Done, CliRun.Of("masks", "import", session, maps).ExitCode);
+        Assert.Equal(ExitCode.Done, CliRun.Of("relabel", session, "--out", folder.PathOf("relabelled"), "--no-report").ExitCode);
+
+        Assert.Empty(VisibleFaces(folder.PathOf("relabelled")));
     }
 
     [Fact]
