@@ -50,6 +50,22 @@ public sealed class GivingBackTests
         Assert.Empty(driver.Game.LeftBehind);
     }
 
+    [Fact]
+    public void Model_of_the_test_car_goes_as_soon_as_the_game_lets_it()
+    {
+        using var driver = new ScriptDriver();
+        const int enoughTicksToLoad = 8;
+        Break(driver.Game, Hash.SET_MODEL_AS_NO_LONGER_NEEDED);
+        driver.Press(Keys.NumPad0);
+        driver.Tick(enoughTicksToLoad);
+        Assert.Single(driver.Game.Vehicles);
+        Assert.Equal(1, driver.Game.RequestedModels);
+        driver.Game.Fault = _ => null;
+        driver.Tick();
+
+        Assert.Equal(0, driver.Game.RequestedModels);
+    }
+
     [Theory]
     [InlineData("Paused", Hash.SET_GAME_PAUSED)]
     [InlineData("TimeScale", Hash.SET_TIME_SCALE)]

@@ -18,6 +18,7 @@ public sealed class TestCar : ILastingFeature
     private readonly IClock _clock;
     private double _requestedAt;
     private int _requestedModel;
+    private int _heldModel;
     private int _car;
 
     /// <summary>Makes ready.</summary>
@@ -63,15 +64,16 @@ public sealed class TestCar : ILastingFeature
     {
         if (_requestedModel == 0)
         {
+            Release();
             return;
         }
 
+        _heldModel = _requestedModel;
         if (_models.Load(_requestedModel))
         {
-            int model = _requestedModel;
             try
             {
-                Replace(model);
+                Replace(_requestedModel);
             }
             finally
             {
@@ -88,12 +90,8 @@ public sealed class TestCar : ILastingFeature
     /// <inheritdoc/>
     public void Stop()
     {
-        int model = _requestedModel;
         _requestedModel = 0;
-        if (model != 0)
-        {
-            _models.Release(model);
-        }
+        Release();
     }
 
     /// <summary>Takes the car out of the game.</summary>
@@ -106,6 +104,16 @@ public sealed class TestCar : ILastingFeature
         finally
         {
             Remove();
+        }
+    }
+
+    /// <summary>Lets the game unload the model; where the game refuses, the next tick tries again.</summary>
+    private void Release()
+    {
+        if (_heldModel != 0)
+        {
+            _models.Release(_heldModel);
+            _heldModel = 0;
         }
     }
 
