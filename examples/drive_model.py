@@ -1,8 +1,8 @@
-"""Lets a model drive in the place of the truth: drive_model.py MODEL.py [--host H] [--port N] [--seconds S] [--token WORD]
+"""Drives the car by a model instead of the ground truth: drive_model.py MODEL.py [--host H] [--port N] [--seconds S] [--token WORD]
 
-MODEL.py has a function predict(image): it gets the picture and gives the thirteen indicators of DeepDriving, as a road of TORCS would
-give them, in the order of docs/bridge.md; the game's side drives by them. The picture is an array of height x width x 3 bytes where
-numpy is installed, else a list of rows of bytes, red, green and blue in turn.
+MODEL.py defines predict(image), which returns DeepDriving's 13 indicators, scaled to a TORCS road, in the order of docs/bridge.md.
+The controller on the game's side drives by them. The image is a numpy array of height x width x 3 bytes. Without numpy it is a list of
+rows, each of them bytes in the order red, green, blue.
 """
 import argparse
 import importlib.util
@@ -22,7 +22,7 @@ def load(path):
 
 
 def decode(png):
-    """The picture of a PNG of 8-bit colours without interlace, as the bridge sends it."""
+    """Decodes a PNG as the bridge sends it: 8-bit RGB, not interlaced, every line filtered with Up."""
     at, compressed = 8, b""
     while at < len(png):
         length, kind = struct.unpack(">I4s", png[at:at + 8])
@@ -35,7 +35,7 @@ def decode(png):
     data, stride = zlib.decompress(compressed), width * 3
     lines = [data[row * (stride + 1):(row + 1) * (stride + 1)] for row in range(height)]
     if any(line[0] != 2 for line in lines):
-        raise ValueError("a line of the picture is not filtered with Up, as the bridge's are")
+        raise ValueError("the image has a line that is not filtered with Up; images of the bridge are")
     try:
         import numpy
     except ImportError:
@@ -49,12 +49,12 @@ def decode(png):
 
 
 def look(stream):
-    """The next frame. One that is cut off is the bridge's failure; what the model does with a whole one is its own."""
+    """Returns the next frame. A malformed frame is a failure of the bridge; errors of the model are left to the model."""
     try:
         state, png = receive(stream)
         return state, decode(png)
     except (ValueError, struct.error, zlib.error) as problem:
-        raise ConnectionError(f"a frame is cut off or none of the bridge's: {problem}") from problem
+        raise ConnectionError(f"malformed frame: {problem}") from problem
 
 
 def drive(predict, host, port, seconds, token):
@@ -68,12 +68,12 @@ def drive(predict, host, port, seconds, token):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description="Lets a model drive in the place of the truth, over the live bridge.")
-    parser.add_argument("model", help="a file with a function predict(image) that gives thirteen indicators")
-    parser.add_argument("--host", default="127.0.0.1", help="the machine that the game runs on")
+    parser = argparse.ArgumentParser(description="Drives the car by a model over the live bridge.")
+    parser.add_argument("model", help="a file with a function predict(image) that returns 13 indicators")
+    parser.add_argument("--host", default="127.0.0.1", help="the machine on which the game runs")
     parser.add_argument("--port", type=int, default=4567)
     parser.add_argument("--seconds", type=float, default=60)
-    parser.add_argument("--token", help="what the game asks peers to show")
+    parser.add_argument("--token", help="the token of the bridge")
     options = parser.parse_args()
     predict = load(options.model)
     try:
