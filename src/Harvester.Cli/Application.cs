@@ -1,5 +1,6 @@
 using System;
 using System.CommandLine;
+using System.CommandLine.Completions;
 using System.CommandLine.Parsing;
 using System.IO;
 using System.Linq;
@@ -16,6 +17,9 @@ namespace Harvester.Cli;
 /// <summary>The harvester command: parses a command line, runs it, and turns every failure into one line and an exit code.</summary>
 internal static class Application
 {
+    /// <summary>What the runtime puts in the place of bytes in an argument that are no UTF-8; which file they name can no longer be told.</summary>
+    private const string ReplacementCharacter = "\uFFFD";
+
     private const string Description =
         "Harvests labelled driving images from a simulated game, checks and shows what was harvested, and exports it to dataset formats.";
 
@@ -26,7 +30,9 @@ internal static class Application
         + "  2    the command line is at fault, or names a folder for output that holds something else\n"
         + "  3    a file cannot be read or written, or a bridge to another program failed\n"
         + "  4    the game failed; what was written is whole\n"
-        + "  130  stopped by Ctrl+C; what was written is whole";
+        + "  130  stopped by Ctrl+C (SIGINT); what was written is whole\n"
+        + "  143  stopped by SIGTERM; what was written is whole\n\n"
+        + "Tab completion for bash, zsh and PowerShell: docs/command-line.md";
 
     /// <summary>Runs one command line.</summary>
     /// <param name="arguments">The words after the command's name.</param>
@@ -35,19 +41,29 @@ internal static class Application
     /// <returns>The exit code.</returns>
     public static async Task<int> RunAsync(string[] arguments, Terminal terminal, CancellationToken cancellation)
     {
-        ParseResult parsed = CreateRoot(terminal).Parse(arguments);
+        Option<bool> quiet = QuietOption.Create();
+        ParseResult parsed = CreateRoot(terminal, quiet).Parse(arguments);
         if (Array.IndexOf(arguments, "") >= 0)
         {
             return Fail(terminal, ExitCode.Usage, $"A value on the command line is empty. See '{HelpOf(parsed.CommandResult)}'.");
         }
 
-        if (parsed.Errors.Count > 0)
+        if (Array.Find(arguments, argument => argument.Contains(ReplacementCharacter, StringComparison.Ordinal)) is { } unreadable)
         {
-            string message = parsed.UnmatchedTokens.Count > 0
-                ? $"'{parsed.UnmatchedTokens[0]}' is no command, option or value here."
-                : parsed.Errors[0].Message;
-            return Fail(terminal, ExitCode.Usage, $"{message} See '{HelpOf(parsed.CommandResult)}'.");
+            return Fail(terminal, ExitCode.Usage, $"'{unreadable}' is not valid UTF-8. Rename the file or folder so that its name is.");
         }
+
+        if (parsed.Errors.Count > 0 && !IsCompletion(parsed))
+        {
+            return Fail(terminal, ExitCode.Usage, $"{MessageOf(parsed)} See '{HelpOf(parsed.CommandResult)}'.");
+        }
+
+        Terminal told = QuietOption.TerminalFor(parsed, quiet, terminal);
+        return await RunAsync(told == terminal ? parsed : CreateRoot(told, quiet).Parse(arguments), told, cancellation).ConfigureAwait(false);
+    }
+
+    private static async Task<int> RunAsync(ParseResult parsed, Terminal terminal, CancellationToken cancellation)
+    {
 
         var configuration = new InvocationConfiguration
         {
@@ -85,9 +101,10 @@ internal static class Application
         }
     }
 
-    private static RootCommand CreateRoot(Terminal terminal)
+    private static RootCommand CreateRoot(Terminal terminal, Option<bool> quiet)
     {
         var root = new RootCommand(Description);
+        root.Options.Add(quiet);
         root.Subcommands.Add(HarvestCommand.Create(terminal));
         root.Subcommands.Add(DriveCommand.Create(terminal));
         root.Subcommands.Add(ServeCommand.Create(terminal));
@@ -107,6 +124,21 @@ internal static class Application
         root.Subcommands.Add(SpacesCommand.Create(terminal));
         HelpWithNotes.AddTo(root, ExitCodes);
         return root;
+    }
+
+    /// <summary>Whether the command line asks how another one goes on.</summary>
+    private static bool IsCompletion(ParseResult parsed) => parsed.RootCommandResult.Children.OfType<DirectiveResult>().Any(directive => directive.Directive is SuggestDirective);
+
+    private static string MessageOf(ParseResult parsed)
+    {
+        if (parsed.UnmatchedTokens.Count == 0)
+        {
+            return parsed.Errors[0].Message;
+        }
+
+        string word = parsed.UnmatchedTokens[0];
+        string suggestion = Suggestion.For(word, parsed.CommandResult) is { } meant ? $" Did you mean '{meant}'?" : "";
+        return $"Unrecognised argument '{word}'.{suggestion}";
     }
 
     private static int Fail(Terminal terminal, int code, string message)

@@ -18,6 +18,9 @@ internal static class ExitCode
     /// <summary>The game failed; what was written until then is whole.</summary>
     public const int HarvestFault = 4;
 
-    /// <summary>Stopped by Ctrl+C; what was written until then is whole.</summary>
+    /// <summary>Stopped by Ctrl+C (SIGINT: 128 + 2); what was written until then is whole.</summary>
     public const int Cancelled = 130;
+
+    /// <summary>Stopped by SIGTERM (128 + 15); what was written until then is whole.</summary>
+    public const int Terminated = 143;
 }

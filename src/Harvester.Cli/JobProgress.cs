@@ -14,6 +14,7 @@ internal sealed class JobProgress
     private readonly int _all;
     private readonly string _unit;
     private readonly Stopwatch _clock = new();
+    private readonly JobRate _rate = new();
     private TimeSpan _lastLine;
 
     /// <param name="terminal">Where it is shown.</param>
@@ -33,20 +34,21 @@ internal sealed class JobProgress
         return _terminal.IsInteractive ? RunInteractive(job) : job(WriteLine);
     }
 
-    /// <summary>How far the job is: what is done, rate, time left.</summary>
-    internal static string Describe(int done, int all, TimeSpan elapsed, string unit = "frames")
-    {
-        double rate = done / Math.Max(elapsed.TotalSeconds, 1e-3);
-        double left = (all - done) / Math.Max(rate, 1e-3);
-        return string.Create(CultureInfo.InvariantCulture, $"{done} of {all} {unit}, {rate:0.0} a second, {Duration(left)} left");
-    }
+    /// <summary>How far the job is: what is done, and rate and time left where the rate is known.</summary>
+    /// <param name="done">What is done.</param>
+    /// <param name="all">What there is to do.</param>
+    /// <param name="perSecond">The rate, greater than 0; null where it is not known.</param>
+    /// <param name="unit">What is counted.</param>
+    internal static string Describe(int done, int all, double? perSecond, string unit = "frames") => perSecond is { } rate
+        ? string.Create(CultureInfo.InvariantCulture, $"{done} of {all} {unit}, {rate:0.0} a second, {Duration((all - done) / rate)} left")
+        : string.Create(CultureInfo.InvariantCulture, $"{done} of {all} {unit}");
 
     private static string Duration(double seconds)
     {
         TimeSpan time = TimeSpan.FromSeconds(Math.Ceiling(Math.Min(seconds, TimeSpan.MaxValue.TotalSeconds / 2)));
-        return time < TimeSpan.FromMinutes(1)
-            ? string.Create(CultureInfo.InvariantCulture, $"{time.TotalSeconds:0} s")
-            : string.Create(CultureInfo.InvariantCulture, $"{Math.Floor(time.TotalMinutes):0} min {time.Seconds} s");
+        return time < TimeSpan.FromMinutes(1) ? string.Create(CultureInfo.InvariantCulture, $"{time.TotalSeconds:0} s")
+            : time < TimeSpan.FromHours(1) ? string.Create(CultureInfo.InvariantCulture, $"{time.Minutes} min {time.Seconds} s")
+            : string.Create(CultureInfo.InvariantCulture, $"{Math.Floor(time.TotalHours):0} h {time.Minutes} min");
     }
 
     private T RunInteractive<T>(Func<Action<int>, T> job) =>
@@ -59,17 +61,18 @@ internal sealed class JobProgress
                 return job(done =>
                 {
                     task.Value = done;
-                    task.Description = Describe(done, _all, _clock.Elapsed, _unit);
+                    task.Description = Describe(done, _all, _rate.Report(done, _clock.Elapsed), _unit);
                 });
             });
 
     private void WriteLine(int done)
     {
         TimeSpan now = _clock.Elapsed;
+        double? rate = _rate.Report(done, now);
         if (now - _lastLine >= BetweenPlainLines && done < _all)
         {
             _lastLine = now;
-            _terminal.Out.WriteLine(Describe(done, _all, now, _unit));
+            _terminal.Out.WriteLine(Describe(done, _all, rate, _unit));
             _terminal.Out.Flush();
         }
     }

@@ -149,7 +149,6 @@ public sealed class BridgeDriveTests : BridgedGame
         using ScriptDriver driver = Driven();
         using (SocketClient peer = Connect())
         {
-            peer.Send("""{"type":"environment","weather":"fog"}""");
             Say(driver, peer, """{"type":"environment","weather":"foggy"}""", () => driver.Game.KeptWeather is not null);
             Say(driver, peer, """{"type":"pause","paused":true}""", () => driver.Game.IsPaused);
         }

@@ -16,9 +16,6 @@ namespace Harvester.Capture.Harvesting;
 /// </summary>
 internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
 {
-    /// <summary>How to harvest without the check.</summary>
-    public const string WayWithout = "MaxError = 0 in [Lens] of the ini harvests without this check.";
-
     private const int Columns = 5;
     private const int Rows = 4;
 
@@ -77,14 +74,14 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
     {
         if (sightings.Count == 0)
         {
-            Warning = $"The camera model was not checked, as none of {Columns * Rows} markers was seen in {HarvestOptions.GreatestPictureLagTicks} ticks: look whether the boxes sit on the things. {WayWithout}";
+            Warning = $"The camera model was not checked, as none of {Columns * Rows} markers was seen in {HarvestOptions.GreatestPictureLagTicks} ticks: look whether the boxes sit on the things. {HarvestOptions.WayWithoutCameraCheck}";
             return;
         }
 
         if (2 * sightings.Count < Columns * Rows)
         {
             throw new HarvestFaultException(
-                $"The camera model cannot be checked, as only {sightings.Count} of {Columns * Rows} markers are seen: give the camera a free view. {WayWithout}");
+                $"The camera model cannot be checked, as only {sightings.Count} of {Columns * Rows} markers are seen: give the camera a free view, or a smaller field of view. {HarvestOptions.WayWithoutCameraCheck}");
         }
 
         double[] errors = [.. sightings.Select(sighting => ReprojectionError.Of(camera, [sighting]).MaxPixels).OrderBy(error => error)];
@@ -92,7 +89,7 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
         if (error > allowed)
         {
             throw new HarvestFaultException(FormattableString.Invariant(
-                $"The camera model is off by {error:0.0} px, more than the {allowed:0.0} px allowed: calibrate the camera first. {WayWithout}"));
+                $"The camera model is off by {error:0.0} px, more than the {allowed:0.0} px allowed: calibrate the camera first. {HarvestOptions.WayWithoutCameraCheck}"));
         }
 
         ErrorPixels = error;

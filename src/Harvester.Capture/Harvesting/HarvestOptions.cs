@@ -22,6 +22,9 @@ public sealed record HarvestOptions
     /// <summary>The greatest lag of a picture that is looked for and that <see cref="MaxPictureLagTicks"/> may allow, ticks: a second at 60 frames a second.</summary>
     public const int GreatestPictureLagTicks = 60;
 
+    /// <summary>Ends messages about the check of the camera model: how to harvest without it, as the mod's ini file names it.</summary>
+    public const string WayWithoutCameraCheck = "MaxError = 0 in [Lens] of the ini harvests without this check.";
+
     /// <summary>Size of the saved images, pixels; 800 x 600 as in the thesis.</summary>
     public ImageSize Image { get; init; } = new(800, 600);
 

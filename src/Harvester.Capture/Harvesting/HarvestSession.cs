@@ -231,7 +231,7 @@ public sealed class HarvestSession : IDisposable
         Fault = exception switch
         {
             HarvestFaultException => exception.Message,
-            CalibrationException => $"{exception.Message} {CalibrationCheck.WayWithout}",
+            CalibrationException => $"{exception.Message} {HarvestOptions.WayWithoutCameraCheck}",
             _ => $"The harvest stopped: {OneLine(exception.Message)}",
         };
         try

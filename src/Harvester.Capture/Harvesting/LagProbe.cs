@@ -6,14 +6,20 @@ using Harvester.Capture.Ports;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// Measures by how many ticks the picture is behind the state: it freezes a moving game and watches both. When the state has come to
-/// stand at tick s and the picture changes for the last time at tick c, the picture of c is the first of the standing state, and the
-/// lag is c - s. A movement too small to be seen makes a single measurement too small, so the greatest must be found several times.
+/// Measures by how many ticks the picture is behind the state: it freezes a moving game, watches both, and finds the shift by which the
+/// changes of the picture follow the movement (<see cref="LagRecord"/>). What a single freeze shows may deceive, as where the world creeps on
+/// by less than a picture shows, so the same lag must be found several times, and more often than all others.
 /// </summary>
 internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneReader reader, PixelBufferPool pool)
 {
-    /// <summary>Ticks watched before the freeze, so that the movement itself is on record.</summary>
-    private const int TicksBefore = 2;
+    /// <summary>Changes of the picture that are watched before the freeze, so that the movement itself is on record.</summary>
+    private const int RunningTicks = 4;
+
+    private const int Agreement = 3;
+    private const int MostAttempts = 20;
+
+    /// <summary>After so many attempts in vain a harvest that does not rest on the lag goes on without it.</summary>
+    private const int VainAttemptsOfCheck = 2;
 
     private readonly SceneComparison _comparison = new(options.StillToleranceMetres);
 
@@ -28,55 +34,67 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
     /// <summary>The lag; null when it could not be measured.</summary>
     public PictureLag? Lag { get; private set; }
 
-    /// <summary>Measures until the greatest lag has been found often enough, or too often in vain.</summary>
-    /// <param name="isCheckOnly">Whether one measurement will do, as for a harvest that does not rest on it.</param>
+    /// <summary>Measures until one lag has been found often enough, or too often in vain.</summary>
+    /// <param name="isCheckOnly">Whether one measurement within the limit will do, as for a harvest that does not rest on it.</param>
     /// <exception cref="HarvestFaultException">The lag is greater than the options allow for.</exception>
     public IEnumerable<HarvestPhase> Measure(bool isCheckOnly)
     {
-        int agreement = isCheckOnly ? 1 : 3;
-        int attempts = isCheckOnly ? 2 : 20;
-        PictureLag? greatest = null;
-        int found = 0;
-        for (int attempt = 0; attempt < attempts && found < agreement; attempt++)
+        var votes = new Dictionary<PictureLag, int>();
+        int measured = 0;
+        for (int attempt = 0; attempt < MostAttempts && Lag is null; attempt++)
         {
-            var record = new LagRecord(_comparison);
+            if (isCheckOnly && measured == 0 && attempt == VainAttemptsOfCheck)
+            {
+                break;
+            }
+
+            var record = new LagRecord();
             foreach (HarvestPhase phase in Watch(record))
             {
                 yield return phase;
             }
 
-            if (record.Lag is { } lag)
+            if (record.LagOf(RunningTicks, GreatestTicks) is { } lag)
             {
-                bool isGreater = greatest is not { } known || lag.EntityTicks > known.EntityTicks || lag.CameraTicks > known.CameraTicks;
-                found = isGreater ? 1 : found + (lag == greatest ? 1 : 0);
-                greatest = isGreater ? lag : greatest;
-            }
-
-            // The pipeline fills with moving pictures again before the next freeze.
-            for (int tick = 0; tick < GreatestTicks + TicksBefore; tick++)
-            {
-                yield return HarvestPhase.Probing;
+                measured++;
+                votes[lag] = votes.TryGetValue(lag, out int before) ? before + 1 : 1;
+                bool isFound = (isCheckOnly && IsAllowed(lag)) || (votes[lag] >= Agreement && 2 * votes[lag] > measured);
+                Lag = isFound ? lag : null;
             }
         }
 
-        Lag = found >= agreement ? greatest : null;
-        if (Lag is { } measured && Math.Max(measured.CameraTicks, measured.EntityTicks) > options.MaxPictureLagTicks)
+        // The pipeline fills with moving pictures again before the first frame.
+        for (int tick = 0; tick < GreatestTicks + RunningTicks; tick++)
         {
-            string atLeast = FormattableString.Invariant($"{Math.Max(measured.CameraTicks, measured.EntityTicks)} ticks or more");
+            yield return HarvestPhase.Probing;
+        }
+
+        if (Lag is { } found && !IsAllowed(found))
+        {
+            string atLeast = FormattableString.Invariant($"{Math.Max(found.CameraTicks, found.EntityTicks)} ticks or more");
             throw new HarvestFaultException(PictureLag.Refusal(atLeast, "harvest", options.MaxPictureLagTicks));
         }
     }
 
+    private bool IsAllowed(PictureLag lag) => Math.Max(lag.CameraTicks, lag.EntityTicks) <= options.MaxPictureLagTicks;
+
     private IEnumerable<HarvestPhase> Watch(LagRecord record)
     {
+        // The first pictures of the record may show any of these states; only since a tick or two does the game run again after the last freeze.
+        for (int tick = 0; tick < GreatestTicks + RunningTicks; tick++)
+        {
+            record.Add(reader.Read());
+            yield return HarvestPhase.Probing;
+        }
+
         PixelBuffer current = pool.Rent();
         PixelBuffer before = pool.Rent();
         var gate = new StillnessGate(_comparison);
         try
         {
-            for (int tick = 0; tick < TicksBefore + options.MaxSettleTicks + StillTicksToWatch && gate.StillTicks < StillTicksToWatch; tick++)
+            for (int tick = 0; tick < RunningTicks + options.MaxSettleTicks + StillTicksToWatch && gate.StillTicks < StillTicksToWatch; tick++)
             {
-                if (tick == TicksBefore)
+                if (tick == RunningTicks)
                 {
                     game.Pause.Freeze();
                 }

@@ -20,8 +20,20 @@ internal static class ValueParsers
         Optional<Vector2D>(name, form, description, text => Numbers(text, 2) is { } n ? new Vector2D(n[0], n[1]) : null, "two numbers");
 
     /// <summary>An option of an image's size, as 800x600.</summary>
-    public static Option<ImageSize> Size(string name, string description) =>
-        Parsed(name, "WxH", description, ParseSize, "width and height in pixels, 1 to 65535 each, as 800x600");
+    /// <param name="name">The option.</param>
+    /// <param name="description">What it is.</param>
+    /// <param name="least">The smallest width and height.</param>
+    /// <param name="most">The largest width and height.</param>
+    public static Option<ImageSize> Size(string name, string description, ImageSize least, int most)
+    {
+        string allowed = least.Width == least.Height
+            ? FormattableString.Invariant($"width and height in pixels, {least.Width} to {most} each, as 800x600")
+            : FormattableString.Invariant($"width and height in pixels, {least.Width}x{least.Height} to {most}x{most}, as 800x600");
+        return Parsed(name, "WxH", description, Parse, allowed);
+
+        ImageSize? Parse(string text) =>
+            ParseSize(text) is { } size && size.Width >= least.Width && size.Height >= least.Height && Math.Max(size.Width, size.Height) <= most ? size : null;
+    }
 
     /// <summary>An option of a number within a range.</summary>
     public static Option<double> Number(string name, string form, string description, Func<double, bool> isAllowed, string allowed) =>

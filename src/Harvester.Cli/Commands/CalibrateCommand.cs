@@ -3,7 +3,6 @@ using System.CommandLine;
 using System.IO;
 using Harvester.Capture.Calibration;
 using Harvester.Cli.Arguments;
-using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Simulation;
 using Harvester.Simulation.Rendering;
@@ -19,8 +18,7 @@ internal static class CalibrateCommand
     // A calibration's markers, fifteen in a row and eleven rows three radii apart and from the edges, do not fit into less.
     private const int SmallestWidth = 288;
     private const int SmallestHeight = 216;
-
-    private const string LensForm = "a number from -1 to 1";
+    private const int GreatestSide = 8192;
 
     private const string Notes =
         "The simulated game's camera gets the lens that the options describe; the calibration sees nothing but its pictures, in which it\n"
@@ -33,35 +31,27 @@ internal static class CalibrateCommand
         Option<int> seed = ValueParsers.Integer("--seed", "N", "Decides the simulated town", 0, int.MaxValue);
         Option<double> fov = CameraOptions.Fov();
         fov.DefaultValueFactory = _ => new SimulationOptions().VerticalFovDegrees;
-        Option<ImageSize> size = CameraOptions.Size();
+        Option<ImageSize> size = ValueParsers.Size("--size", "The images' width and height, pixels", new ImageSize(SmallestWidth, SmallestHeight), GreatestSide);
         size.DefaultValueFactory = _ => new CalibrationOptions().Image;
-        Option<double> focalScale = Coefficient("--focal-scale", "Factor on the game's focal length", value => value > 0, "a number greater than 0");
-        focalScale.DefaultValueFactory = _ => 1;
-        Option<Vector2D?> centre = ValueParsers.Point("--centre-offset", "X,Y", "Shift of the game's principal point, fractions of width and height");
-        Option<double> k1 = Coefficient("--k1", "Coefficient of the squared radius in the game's lens", IsLensCoefficient, LensForm);
-        Option<double> k2 = Coefficient("--k2", "Coefficient of its fourth power", IsLensCoefficient, LensForm);
-        Option<double> threshold = Coefficient("--threshold", "Largest error allowed, pixels", value => value > 0, "a number greater than 0");
+        var lens = new LensOptions();
+        Option<double> threshold = ValueParsers.Number("--threshold", "PX", "Largest error allowed, pixels", value => value > 0, "a number greater than 0");
         threshold.DefaultValueFactory = _ => new CalibrationOptions().ThresholdPixels;
         var command = new Command("calibrate", "Calibrate the camera of a simulated game by markers in its pictures.")
         {
-            seed, fov, size, focalScale, centre, k1, k2, threshold,
+            seed, fov, size, threshold,
         };
+        lens.AddNumbersTo(command);
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(parsed =>
         {
             ImageSize image = parsed.GetValue(size);
-            if (image.Width < SmallestWidth || image.Height < SmallestHeight)
-            {
-                throw new UsageException($"--size: the images of a calibration are {SmallestWidth}x{SmallestHeight} pixels at least.");
-            }
-
-            Vector2D shift = parsed.GetValue(centre) ?? default;
+            Lens injected = lens.Parse(parsed);
             var game = new SimulatedGame(new SimulationOptions
             {
                 Seed = parsed.GetValue(seed),
                 VerticalFovDegrees = parsed.GetValue(fov),
                 WindowAspect = image.Aspect,
-                Lens = new RenderLens(parsed.GetValue(focalScale), shift.X, shift.Y, parsed.GetValue(k1), parsed.GetValue(k2)),
+                Lens = new RenderLens(injected.FocalScale, injected.CentreOffsetX, injected.CentreOffsetY, injected.K1, injected.K2),
             });
             return Run(game, new CalibrationOptions { Image = image, ThresholdPixels = parsed.GetValue(threshold) }, terminal);
         });
@@ -99,10 +89,5 @@ internal static class CalibrateCommand
         output.WriteLine(FormattableString.Invariant($"K2 = {WithoutMinusZero(lens.K2):0.000000}"));
     }
 
-    private static bool IsLensCoefficient(double value) => value is >= -1 and <= 1;
-
     private static double WithoutMinusZero(double value) => Math.Round(value, 6) + 0.0;
-
-    private static Option<double> Coefficient(string name, string description, Predicate<double> isAllowed, string allowed) =>
-        ValueParsers.Number(name, "N", description, value => isAllowed(value), allowed);
 }

@@ -4,6 +4,7 @@ using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using System.Runtime.ExceptionServices;
 using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Capture.Driving.Controllers;
@@ -106,11 +107,12 @@ internal static class DriveCommand
 
         DriveFolder.Prepare(folder, parsed.GetValue(Overwrite));
         int metres = (int)Math.Ceiling(plan.Metres * Math.Max(1, plan.Starts.Count));
-        IReadOnlyList<DriveSample> samples = new JobProgress(terminal, metres, "m").Run(report => new SimulatedDrives(plan, terminal.Out).Run(report, cancellation));
-        DriveRecord record = DriveRecord.Of(SettingsOf(parsed, plan), samples, isWhole: !cancellation.IsCancellationRequested);
+        var drives = new SimulatedDrives(plan, terminal.Out);
+        ExceptionDispatchInfo? fault = new JobProgress(terminal, metres, "m").Run(report => FaultOf(drives, report, cancellation));
+        DriveRecord record = DriveRecord.Of(SettingsOf(parsed, plan), drives.Samples, isWhole: fault is null && !cancellation.IsCancellationRequested);
         string report = Path.Combine(folder, DriveReport.FileName);
         record.Write(Path.Combine(folder, DriveRecord.FileName));
-        DriveReport.Write(report, record, samples);
+        DriveReport.Write(report, record, drives.Samples);
         foreach ((string name, string value) in record.Figures.Rows())
         {
             terminal.Out.WriteLine($"{name + ":",-19}{value}");
@@ -122,7 +124,22 @@ internal static class DriveCommand
         }
 
         terminal.Out.WriteLine($"report  {report}");
+        fault?.Throw();
         return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;
+    }
+
+    /// <summary>Drives, and says what ended it before its time; a drive that came nowhere leaves nothing.</summary>
+    private static ExceptionDispatchInfo? FaultOf(SimulatedDrives drives, Action<int> report, CancellationToken cancellation)
+    {
+        try
+        {
+            drives.Run(report, cancellation);
+            return null;
+        }
+        catch (Exception e) when (e is IOException or GameFaultException && drives.Samples.Count > 0)
+        {
+            return ExceptionDispatchInfo.Capture(e);
+        }
     }
 
     private static int RunPeer(Terminal terminal, DrivePlan plan, BridgePlan bridge, CancellationToken cancellation)

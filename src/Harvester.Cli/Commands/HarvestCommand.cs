@@ -23,10 +23,6 @@ namespace Harvester.Cli.Commands;
 internal static class HarvestCommand
 {
     private const int MostFrames = 1_000_000;
-    private const int SmallestSide = 32;
-    private const int GreatestSide = 8192;
-    private const double SmallestFovDegrees = 1;
-    private const double GreatestFovDegrees = 170;
     private const double GreatestRange = 100_000;
     private const string DistanceForm = "a number greater than 0, 100000 at most";
     private static readonly TimeSpan Noon = TimeSpan.FromHours(12);
@@ -38,6 +34,7 @@ internal static class HarvestCommand
         + "Examples:\n"
         + "  harvester harvest --out out\n"
         + "  harvester harvest --out rain --frames 500 --seed 7 --weather rain --time 18:30 --masks\n"
+        + "  harvester harvest --out bent --k1 -0.05 --focal-scale 1.01\n"
         + "  harvester harvest --out streets --roads nodes.zip --near 0,-1000\n"
         + "  harvester harvest --out part-2 --frames 5000 --shard 2/8";
 
@@ -47,10 +44,10 @@ internal static class HarvestCommand
     private static readonly Option<int> Seed = WithDefault(
         ValueParsers.Integer("--seed", "N", "Decides everything that is left to chance", 0, int.MaxValue), 1);
 
-    private static readonly Option<ImageSize> Size = WithDefault(CameraOptions.Size(), new ImageSize(800, 600));
+    private static readonly Option<ImageSize> Size = WithDefault(CameraOptions.SizeOfHarvest(), new ImageSize(800, 600));
     private static readonly Option<ImageFormat?> Format = ImageFormatOption.Format("Format of the images: png, bmp or jpg; jpg loses a little [default: png]");
     private static readonly Option<int?> Quality = ImageFormatOption.Quality();
-    private static readonly Option<double> Fov = WithDefault(CameraOptions.Fov(), 50);
+    private static readonly Option<double> Fov = WithDefault(CameraOptions.FovOfHarvest(), 50);
     private static readonly Option<double> Hz = WithDefault(
         ValueParsers.Number(
             "--hz",
@@ -122,6 +119,17 @@ internal static class HarvestCommand
         ValueParsers.Integer("--max-picture-lag", "TICKS", "How late the game's picture may be, of 60 ticks a second", 0, HarvestOptions.GreatestPictureLagTicks),
         new HarvestOptions().MaxPictureLagTicks);
 
+    private static readonly Option<double> MaxCameraError = WithDefault(
+        ValueParsers.Number(
+            "--max-camera-error",
+            "PX",
+            "How far the camera model may be off before the harvest refuses to start, pixels; 0 leaves the check out",
+            value => value >= 0,
+            "a number of at least 0"),
+        1);
+
+    private static readonly LensOptions LensOf = new();
+
     private static readonly Option<Shard> ShardOf = ShardOption.Create();
 
     private static readonly Option<bool> NoReport = ReportOption.Create();
@@ -130,8 +138,9 @@ internal static class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, Rays, RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, Quirks, FreezeBy, MaxPictureLag, ShardOf, NoReport,
+            Out, Overwrite, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, Rays, RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, Quirks, FreezeBy, MaxPictureLag, MaxCameraError, ShardOf, NoReport,
         };
+        LensOf.AddTo(command);
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
             Task.FromResult(Run(terminal, PlanOf(parsed), !parsed.GetValue(NoReport), cancellation)));
@@ -148,14 +157,13 @@ internal static class HarvestCommand
         HarvestOutcome outcome = new JobProgress(terminal, plan.Frames).Run(report => harvest.Run(report, cancellation));
         if (outcome.Warning is { } warning)
         {
-            terminal.WriteError(warning);
+            terminal.WriteError(InOptions(warning));
         }
 
         if (outcome.Fault is { } fault)
         {
             OutputFolder.DiscardUnopened(plan.Folder);
-            // The harvest names its limits as the mod's ini file does.
-            terminal.WriteError(fault.Replace(nameof(HarvestOptions.MaxPictureLagTicks), MaxPictureLag.Name, StringComparison.Ordinal));
+            terminal.WriteError(InOptions(fault));
             return outcome.ExitCode;
         }
 
@@ -175,20 +183,14 @@ internal static class HarvestCommand
         return outcome.ExitCode;
     }
 
+    /// <summary>A message of the harvest, which names its limits as the mod's ini file does, with the options of the command in their place.</summary>
+    private static string InOptions(string message) => message
+        .Replace(nameof(HarvestOptions.MaxPictureLagTicks), MaxPictureLag.Name, StringComparison.Ordinal)
+        .Replace(HarvestOptions.WayWithoutCameraCheck, $"{MaxCameraError.Name} 0 harvests without this check.", StringComparison.Ordinal)
+        .Replace("a smaller field of view.", $"a smaller field of view ({Fov.Name}).", StringComparison.Ordinal);
+
     private static HarvestPlan PlanOf(ParseResult parsed)
     {
-        ImageSize image = parsed.GetValue(Size);
-        if (Math.Min(image.Width, image.Height) < SmallestSide || Math.Max(image.Width, image.Height) > GreatestSide)
-        {
-            throw new UsageException($"--size: the images of a harvest are {SmallestSide} to {GreatestSide} pixels a side.");
-        }
-
-        double fov = parsed.GetValue(Fov);
-        if (fov is < SmallestFovDegrees or > GreatestFovDegrees)
-        {
-            throw new UsageException($"--fov: the images of a harvest have a field of view of {SmallestFovDegrees} to {GreatestFovDegrees} degrees.");
-        }
-
         ImageFormat format = parsed.GetValue(Format) ?? ImageFormat.Png;
         string weather = parsed.GetRequiredValue(WeatherName);
         return new HarvestPlan
@@ -197,10 +199,12 @@ internal static class HarvestCommand
             Overwrite = parsed.GetValue(Overwrite),
             Frames = parsed.GetValue(Frames),
             Seed = parsed.GetValue(Seed),
-            Image = image,
+            Image = parsed.GetValue(Size),
             Format = format,
             JpegQuality = ImageFormatOption.QualityOf(parsed, Quality, format),
-            FovDegrees = fov,
+            FovDegrees = parsed.GetValue(Fov),
+            Lens = LensOf.Parse(parsed),
+            MaxCameraErrorPixels = parsed.GetValue(MaxCameraError) is > 0 and var error ? error : null,
             RateHz = parsed.GetValue(Hz),
             Roads = parsed.GetValue(Roads)?.FullName,
             Props = [.. parsed.GetRequiredValue(Props).Select(file => file.FullName)],

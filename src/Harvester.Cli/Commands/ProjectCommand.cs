@@ -40,6 +40,8 @@ internal static class ProjectCommand
         {
             position, rotation, fov, size, aspect, near, points,
         };
+        var lens = new LensOptions();
+        lens.AddTo(command);
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(parsed =>
         {
@@ -47,7 +49,7 @@ internal static class ProjectCommand
             Vector3D angles = parsed.GetValue(rotation);
             var pose = new Pose(parsed.GetValue(position), Axes.FromEuler(new EulerAngles(angles.X, angles.Y, angles.Z)));
             var camera = new Camera(pose, new CameraIntrinsics(
-                parsed.GetValue(fov), image, parsed.GetValue(aspect) ?? image.Aspect, parsed.GetValue(near), Lens.Ideal));
+                parsed.GetValue(fov), image, parsed.GetValue(aspect) ?? image.Aspect, parsed.GetValue(near), lens.Parse(parsed)));
 
             FileInfo? file = parsed.GetValue(points);
             using StreamReader? reader = file?.OpenText();

@@ -51,7 +51,7 @@ internal static class ServeCommand
         DefaultValueFactory = _ => "clear",
     };
 
-    private static readonly Option<ImageSize> Size = WithDefault(CameraOptions.Size(), new DrivingOptions().Picture);
+    private static readonly Option<ImageSize> Size = WithDefault(CameraOptions.SizeOfHarvest(), new DrivingOptions().Picture);
     private static readonly Option<double> Hz = WithDefault(
         ValueParsers.Number(
             "--hz", "N", "Pictures per second", value => value is > 0 and <= SimulatedHarvest.TicksPerSecond, "a number greater than 0, 60 at most"), 10);
@@ -90,7 +90,7 @@ internal static class ServeCommand
         terminal.Out.WriteLine($"Serving at {place}");
         terminal.Out.Flush();
         using var game = new BridgedGame(simulated, roads, options, bridge, controller.New, !parsed.GetValue(Unassisted));
-        DrivingStatus status = new ServedGame(simulated, game).Run(parsed.GetValue(Duration) ?? double.PositiveInfinity, cancellation);
+        DrivingStatus status = new ServedGame(simulated, game) { Visits = new VisitLog(bridge, terminal) }.Run(parsed.GetValue(Duration) ?? double.PositiveInfinity, cancellation);
         terminal.Out.WriteLine(string.Create(
             CultureInfo.InvariantCulture, $"{Counted.Of(status.Frames, "frame")}, {game.Metres:0} m driven in {simulated.Ports.World.TimeSeconds:0.0} s"));
         if (status.Ending is { } fault)

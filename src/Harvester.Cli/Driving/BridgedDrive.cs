@@ -31,6 +31,9 @@ internal sealed class BridgedDrive(SimulatedGame game, IRoads roads, IDrivingBri
     private readonly Stopwatch _silence = new();
     private double _heardSeconds;
 
+    /// <summary>What was driven until now.</summary>
+    public IReadOnlyList<DriveSample> Samples => _sampler.Samples;
+
     /// <summary>Drives so far or so long. The world begins to move when a peer has spoken.</summary>
     /// <param name="metres">Way.</param>
     /// <param name="seconds">The game's time.</param>
@@ -38,7 +41,7 @@ internal sealed class BridgedDrive(SimulatedGame game, IRoads roads, IDrivingBri
     /// <param name="cancellation">Ends it.</param>
     /// <exception cref="GameFaultException">The game failed.</exception>
     /// <exception cref="IOException">No peer has driven for too long.</exception>
-    public IReadOnlyList<DriveSample> Run(double metres, double seconds, bool isRealTime, CancellationToken cancellation)
+    public void Run(double metres, double seconds, bool isRealTime, CancellationToken cancellation)
     {
         using BridgedGame bridged = new(game, roads, new DrivingOptions(), bridge, newController, isAssisted: true);
         _silence.Restart();
@@ -55,8 +58,6 @@ internal sealed class BridgedDrive(SimulatedGame game, IRoads roads, IDrivingBri
 
             Check(bridged.Tick(TickSeconds));
         }
-
-        return _sampler.Samples;
     }
 
     private void WaitForPeer(BridgedGame bridged, CancellationToken cancellation)

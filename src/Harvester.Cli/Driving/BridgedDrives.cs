@@ -29,41 +29,24 @@ internal sealed class BridgedDrives(BridgePlan plan, TextWriter messages)
     /// <param name="newController">Drives as the peer, or here by the indicators that a peer sends.</param>
     /// <param name="metres">How far.</param>
     /// <param name="seconds">How long at most.</param>
+    /// <param name="samples">Gets what was driven, also when a fault ends it.</param>
     /// <param name="cancellation">Ends it.</param>
     /// <exception cref="IOException">The bridge cannot be opened or has failed, or the other side is silent.</exception>
     /// <exception cref="GameFaultException">The game failed.</exception>
-    public IReadOnlyList<DriveSample> Run(
-        SimulatedGame game, IRoads roads, Func<IController> newController, double metres, double seconds, CancellationToken cancellation)
+    public void Run(
+        SimulatedGame game, IRoads roads, Func<IController> newController, double metres, double seconds, List<DriveSample> samples, CancellationToken cancellation)
     {
         bool isAlone = plan.Role == DriveRole.Both;
         using IDrivingBridge bridge = Open(isAlone);
         BridgedDrive drive = new(game, roads, bridge, newController, plan.Patience);
-        if (!isAlone)
-        {
-            messages.WriteLine(FormattableString.Invariant($"Waiting for a peer at {plan.Place}, {plan.Patience.TotalSeconds} s at most"));
-            messages.Flush();
-            return drive.Run(metres, seconds, isRealTime: true, cancellation);
-        }
-
-        using IPeerLink link = Connect((bridge as SocketBridge)?.EndPoint);
-        using var ending = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
-        Task peer = Task.Run(() => RunPeerToItsEnd(new PeerDriver(link, newController, plan.Patience, TimeProvider.System), ending), CancellationToken.None);
-        IReadOnlyList<DriveSample> samples;
         try
         {
-            samples = drive.Run(metres, seconds, isRealTime: false, ending.Token);
+            Run(drive, bridge, newController, metres, seconds, cancellation);
         }
-        catch
+        finally
         {
-            // The game's fault is the one to tell; what it does to the peer follows from it.
-            ending.Cancel();
-            ((IAsyncResult)peer).AsyncWaitHandle.WaitOne();
-            throw;
+            samples.AddRange(drive.Samples);
         }
-
-        ending.Cancel();
-        peer.GetAwaiter().GetResult();
-        return samples;
     }
 
     /// <summary>Drives a game elsewhere, which goes its own way.</summary>
@@ -75,6 +58,35 @@ internal sealed class BridgedDrives(BridgePlan plan, TextWriter messages)
         PeerDriver driver = new(link, newController, plan.Patience, TimeProvider.System);
         driver.Run(null, seconds, cancellation);
         return driver;
+    }
+
+    private void Run(BridgedDrive drive, IDrivingBridge bridge, Func<IController> newController, double metres, double seconds, CancellationToken cancellation)
+    {
+        if (plan.Role != DriveRole.Both)
+        {
+            messages.WriteLine(FormattableString.Invariant($"Waiting for a peer at {plan.Place}, {plan.Patience.TotalSeconds} s at most"));
+            messages.Flush();
+            drive.Run(metres, seconds, isRealTime: true, cancellation);
+            return;
+        }
+
+        using IPeerLink link = Connect((bridge as SocketBridge)?.EndPoint);
+        using var ending = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
+        Task peer = Task.Run(() => RunPeerToItsEnd(new PeerDriver(link, newController, plan.Patience, TimeProvider.System), ending), CancellationToken.None);
+        try
+        {
+            drive.Run(metres, seconds, isRealTime: false, ending.Token);
+        }
+        catch
+        {
+            // The game's fault is the one to tell; what it does to the peer follows from it.
+            ending.Cancel();
+            ((IAsyncResult)peer).AsyncWaitHandle.WaitOne();
+            throw;
+        }
+
+        ending.Cancel();
+        peer.GetAwaiter().GetResult();
     }
 
     /// <summary>A peer that has come to its end, in whatever way, ends the drive: nobody would step the world.</summary>

@@ -39,6 +39,9 @@ internal sealed class BridgedGame : IDisposable
     /// <summary>How the drive stands.</summary>
     public DrivingStatus Status => _session.Status;
 
+    /// <summary>The last thing that went wrong without ending the drive, as one line; null when nothing has.</summary>
+    public string? Problem => _session.Problem;
+
     /// <summary>Whether the world goes on only to the end of a step that the peer asked for.</summary>
     public bool IsStepping => _session.IsStepping;
 

@@ -18,27 +18,35 @@ namespace Harvester.Cli.Driving;
 /// <param name="messages">Is told where a peer is waited for.</param>
 internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
 {
+    private readonly List<DriveSample> _samples = [];
     private FixedRoads? _roads;
 
-    /// <summary>Drives from each start in turn.</summary>
+    /// <summary>What was driven until now, also when a fault has ended it.</summary>
+    public IReadOnlyList<DriveSample> Samples => _samples;
+
+    /// <summary>Drives from each start in turn; what was driven is in <see cref="Samples"/>.</summary>
     /// <param name="report">Is told the metres that are driven in all.</param>
     /// <param name="cancellation">Ends the drive with what it has.</param>
     /// <exception cref="UsageException">There is no road at a start.</exception>
-    public IReadOnlyList<DriveSample> Run(Action<int> report, CancellationToken cancellation)
+    /// <exception cref="IOException">A bridge cannot be opened or has failed, or the other side is silent.</exception>
+    /// <exception cref="GameFaultException">The game failed.</exception>
+    public void Run(Action<int> report, CancellationToken cancellation)
     {
-        List<DriveSample> samples = [];
         int starts = Math.Max(1, plan.Starts.Count);
         for (int i = 0; i < starts && !cancellation.IsCancellationRequested; i++)
         {
             int seed = plan.Seed + i;
             double before = i * plan.Metres;
             SimulatedGame game = Build(plan.Starts.Count > 0 ? plan.Starts[i] : null, seed);
-            samples.AddRange(plan.Bridge is { } bridge
-                ? new BridgedDrives(bridge, messages).Run(game, RoadsOf(game), () => ControllerOf(seed), plan.Metres, plan.Seconds, cancellation)
-                : new DirectDrive(game, RoadsOf(game), () => ControllerOf(seed)).Run(plan.Metres, plan.Seconds, metres => report((int)(before + metres)), cancellation));
+            if (plan.Bridge is { } bridge)
+            {
+                new BridgedDrives(bridge, messages).Run(game, RoadsOf(game), () => ControllerOf(seed), plan.Metres, plan.Seconds, _samples, cancellation);
+            }
+            else
+            {
+                _samples.AddRange(new DirectDrive(game, RoadsOf(game), () => ControllerOf(seed)).Run(plan.Metres, plan.Seconds, metres => report((int)(before + metres)), cancellation));
+            }
         }
-
-        return samples;
     }
 
     /// <summary>Large roads of a file are made ready once for all starts; each made-up town has its own.</summary>

@@ -40,8 +40,8 @@ internal static class HarvestSummary
         }
 
         terminal.Out.WriteLine(plan.Shard.Count > 1
-            ? $"next     {Command()} merge {plan.Folder} OTHER SHARDS... --out DIR"
-            : $"next     {Command()} validate {plan.Folder}");
+            ? $"next     {Command()} merge {ShellWord.Of(plan.Folder)} OTHER SHARDS... --out DIR"
+            : $"next     {Command()} validate {ShellWord.Of(plan.Folder)}");
     }
 
     private static string[] Row(KeyValuePair<ObjectClass, ClassStatistics> kind) =>

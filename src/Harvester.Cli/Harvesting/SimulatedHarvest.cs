@@ -19,6 +19,7 @@ using Harvester.Datasets.Roads;
 using Harvester.Geometry.Roads;
 using Harvester.Simulation;
 using Harvester.Simulation.Models;
+using Harvester.Simulation.Rendering;
 
 namespace Harvester.Cli.Harvesting;
 
@@ -59,6 +60,7 @@ internal sealed class SimulatedHarvest
                 TimeOfDay = plan.TimeOfDay,
                 VerticalFovDegrees = plan.FovDegrees,
                 WindowAspect = plan.Image.Aspect,
+                Lens = new RenderLens(plan.Lens.FocalScale, plan.Lens.CentreOffsetX, plan.Lens.CentreOffsetY, plan.Lens.K1, plan.Lens.K2),
                 Quirks = plan.Quirks,
             }), spaces);
         }
@@ -139,6 +141,8 @@ internal sealed class SimulatedHarvest
         Masks = _plan.Masks,
         RayBudget = _plan.RayBudget,
         RayReachMetres = _plan.RayReachMetres,
+        Lens = _plan.Lens,
+        MaxCalibrationErrorPixels = _plan.MaxCameraErrorPixels,
         MaxPictureLagTicks = _plan.MaxPictureLagTicks,
         FreezeBy = _plan.FreezeBy,
         Scenes = _plan.Scenes,

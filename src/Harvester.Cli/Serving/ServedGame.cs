@@ -12,6 +12,9 @@ internal sealed class ServedGame(SimulatedGame game, BridgedGame bridged)
 {
     private const double TickSeconds = 1 / SimulatedHarvest.TicksPerSecond;
 
+    /// <summary>Looks at the bridge in each tick; null for nobody.</summary>
+    public VisitLog? Visits { get; init; }
+
     /// <summary>Serves for so many seconds of the game's time, to a fault, or until it is cancelled.</summary>
     public DrivingStatus Run(double seconds, CancellationToken cancellation)
     {
@@ -21,6 +24,7 @@ internal sealed class ServedGame(SimulatedGame game, BridgedGame bridged)
         {
             pace.Wait(game.IsFrozen, isHurried: bridged.IsStepping, cancellation);
             status = bridged.Tick(TickSeconds);
+            Visits?.Look(bridged.Problem);
         }
 
         return status;

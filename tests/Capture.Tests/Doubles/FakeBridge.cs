@@ -13,6 +13,8 @@ internal sealed class FakeBridge : IDrivingBridge
 
     public string? Problem { get; set; }
 
+    public string? Peer => null;
+
     /// <summary>What was published, and the number of the state that the picture shows.</summary>
     public List<(BridgeState State, long Shown)> Frames { get; } = [];
 

@@ -283,6 +283,8 @@ public sealed class DrivingSessionTests : DrivenGame
 
         public string? Problem => null;
 
+        public string? Peer => null;
+
         public void Publish(BridgeState state, PixelBuffer picture)
         {
         }

@@ -87,6 +87,30 @@ public sealed class DriveOverBridgeTests : IDisposable
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
+    public async Task Game_that_loses_its_peer_leaves_what_was_driven()
+    {
+        string shared = _folder.PathOf("shared");
+        Task<CliRun> game = Start(
+            "drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--role", "game", "--folder", shared, "--patience", "5", "--traffic", "0");
+        while (!File.Exists(Path.Combine(shared, "state.txt")) && !game.IsCompleted)
+        {
+            await Task.Delay(10);
+        }
+
+        // One word, and never another.
+        File.WriteAllText(_folder.PathOf("new"), "0 0.3 0\n");
+        File.Move(_folder.PathOf("new"), Path.Combine(shared, "controls.txt"));
+        CliRun run = await game;
+
+        Assert.Equal((ExitCode.InputOutput, "harvester: No peer has driven for 5 s.\n"), (run.ExitCode, run.Error));
+        using JsonDocument record = JsonDocument.Parse(File.ReadAllText(_folder.PathOf("out/drive.json")));
+        Assert.True(record.RootElement.GetProperty("figures").GetProperty("metres").GetDouble() > 0);
+        Assert.True(File.Exists(_folder.PathOf("out/report.html")));
+        Assert.Contains("Stopped after ", run.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Peer_without_frames_gives_up()
     {
         CliRun run = CliRun.Of("drive", "--bridge", "folder", "--role", "peer", "--folder", _folder.Path, "--patience", "0.2");

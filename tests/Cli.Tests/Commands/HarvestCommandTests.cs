@@ -246,6 +246,51 @@ public sealed class HarvestCommandTests : IDisposable
     }
 
     [Theory]
+    [InlineData("harvest", "800", "32 to 8192 each, as 800x600, not '800'")]
+    [InlineData("serve", "8x8", "32 to 8192 each")]
+    [InlineData("calibrate", "800", "288x216 to 8192x8192, as 800x600, not '800'")]
+    [InlineData("project", "800", "1 to 65535 each")]
+    public void Size_that_cannot_be_is_refused_with_the_limits_of_its_command(string command, string size, string limits) =>
+        CliRun.Of([command, "--size", size, .. Required(command)]).AssertFailed(ExitCode.Usage, limits);
+
+    [Fact]
+    public void Harvest_of_a_view_too_wide_to_check_names_the_options_of_the_command()
+    {
+        CliRun run = CliRun.Of("harvest", "--out", Session, "--frames", "1", "--size", "320x240", "--seed", "4", "--fov", "170", "--no-report");
+
+        Assert.Equal(ExitCode.HarvestFault, run.ExitCode);
+        Assert.Contains("a smaller field of view (--fov). --max-camera-error 0 harvests without this check.", run.Error, StringComparison.Ordinal);
+        Assert.DoesNotContain("ini", run.Error, StringComparison.Ordinal);
+        Assert.Equal(
+            ExitCode.Done,
+            CliRun.Of("harvest", "--out", Session, "--frames", "1", "--size", "320x240", "--seed", "4", "--fov", "170", "--no-report", "--max-camera-error", "0").ExitCode);
+    }
+
+    [Fact]
+    public void Harvest_through_a_lens_labels_what_its_pictures_show()
+    {
+        // A shift by 0.1 of 160 pixels; the check of the camera model holds the labels' camera against the pictures.
+        CliRun run = CliRun.Of(
+            "harvest", "--out", Session, "--frames", "1", "--size", "160x120", "--no-report", "--centre-offset", "0.1,0", "--focal-scale", "1.05", "--k1", "-0.05");
+
+        Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
+        using var label = System.Text.Json.JsonDocument.Parse(File.ReadLines(Path.Combine(Session, "labels.jsonl")).First());
+        System.Text.Json.JsonElement camera = label.RootElement.GetProperty("camera");
+
+        // Half of 160 and a tenth of it.
+        Assert.Equal(96, camera.GetProperty("cx").GetDouble(), 1e-6);
+        Assert.Equal(-0.05, camera.GetProperty("distortion").GetProperty("k1").GetDouble(), 1e-9);
+    }
+
+    [Fact]
+    public void Next_command_of_a_folder_with_a_space_can_be_pasted()
+    {
+        CliRun run = CliRun.Of("harvest", "--out", Session + " 2", "--frames", "1", "--size", "64x48", "--no-report");
+
+        Assert.Contains($"validate {ShellWord.Of(Session + " 2")}\n", run.Out, StringComparison.Ordinal);
+    }
+
+    [Theory]
     [InlineData("--frames", "0")]
     [InlineData("--frames", "many")]
     [InlineData("--seed", "-1")]
@@ -255,6 +300,9 @@ public sealed class HarvestCommandTests : IDisposable
     [InlineData("--size", "65535x65535")]
     [InlineData("--size", "0x600")]
     [InlineData("--fov", "180")]
+    [InlineData("--k1", "2")]
+    [InlineData("--centre-offset", "2,0")]
+    [InlineData("--max-camera-error", "-1")]
     [InlineData("--fov", "0.5")]
     [InlineData("--range", "1e300")]
     [InlineData("--hz", "0")]
@@ -322,4 +370,12 @@ public sealed class HarvestCommandTests : IDisposable
             .Select(path => Path.GetRelativePath(session, path))
             .Where(name => name != "report.html")
             .Order(StringComparer.Ordinal)];
+
+    /// <summary>What a command asks for besides the size.</summary>
+    private string[] Required(string command) => command switch
+    {
+        "harvest" => ["--out", Session],
+        "project" => ["--position", "0,0,0", "--rotation", "0,0,0", "--fov", "50"],
+        _ => [],
+    };
 }

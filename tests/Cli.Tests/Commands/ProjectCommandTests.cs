@@ -22,6 +22,25 @@ public sealed class ProjectCommandTests
     }
 
     [Fact]
+    public void Project_through_a_lens_gives_pixels_worked_out_by_hand()
+    {
+        // (5, 10, 0): x = 0.5, q = 0.25, 1 + 0.2 q = 1.05; u = 400 + 0.1 * 800 + 2 * 300 * 0.5 * 1.05 = 795, v = 300 - 0.05 * 600 = 270.
+        CliRun run = CliRun.WithInput("5,10,0\n", [.. Camera, "--focal-scale", "2", "--centre-offset", "0.1,-0.05", "--k1", "0.2"]);
+
+        AssertRow(run.Out.Split('\n')[1], 795, 270, 10, "inImage");
+    }
+
+    [Fact]
+    public void Project_takes_the_lens_of_a_calibration_or_numbers_but_not_both()
+    {
+        using var folder = new TemporaryFolder();
+        string file = folder.File("lens.ini", "FocalScale = 2\nCentreOffsetX = 0.1\nCentreOffsetY = -0.05\nK1 = 0.2\nK2 = 0\n");
+
+        AssertRow(CliRun.WithInput("5,10,0\n", [.. Camera, "--calibration", file]).Out.Split('\n')[1], 795, 270, 10, "inImage");
+        CliRun.Of([.. Camera, "--calibration", file, "--k1", "0.2"]).AssertFailed(ExitCode.Usage, "--calibration and --k1");
+    }
+
+    [Fact]
     public void Project_of_points_without_pixel_leaves_the_pixel_empty()
     {
         CliRun run = CliRun.WithInput("0,-3,0\n0,0.1,0\n100,10,0\n", Camera);

@@ -1,3 +1,9 @@
+using System.Globalization;
+using System.Net;
+using System.Net.Sockets;
+using System.Text;
+using Harvester.TestSupport;
+
 namespace Harvester.Cli.Tests.Commands;
 
 public sealed class ServeCommandTests
@@ -10,6 +16,19 @@ public sealed class ServeCommandTests
         Assert.Equal(ExitCode.Done, run.ExitCode);
         // Pictures at 0.0, 0.1 and so on to 0.5 s.
         Assert.Matches(@"^Serving at 127\.0\.0\.1:\d+\n6 frames, \d+ m driven in 0\.5 s\n$", run.Out);
+    }
+
+    [Fact]
+    public async Task Served_game_says_who_connects_and_what_a_peer_did_wrong()
+    {
+        string port = FreePort.Find().ToString(CultureInfo.InvariantCulture);
+        Task<CliRun> serve = Task.Run(() => CliRun.Of("serve", "--port", port, "--duration", "3", "--traffic", "0", "--size", "80x60"));
+        int peer = await HailAsync(int.Parse(port, CultureInfo.InvariantCulture), serve);
+        CliRun run = await serve;
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.Contains($"\nConnected: 127.0.0.1:{peer}\nDisconnected: 127.0.0.1:{peer}\n", run.Out, StringComparison.Ordinal);
+        Assert.Contains("'hail', which is none of clear, ", run.Error, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -68,4 +87,34 @@ public sealed class ServeCommandTests
     [InlineData("--duration", "0", "greater than 0")]
     public void Option_that_cannot_be_is_refused(string option, string value, string message) =>
         CliRun.Of("serve", option, value).AssertFailed(ExitCode.Usage, message);
+
+    /// <summary>Connects, asks for a weather that the game does not have, and waits for the end of the connection; returns its own port.</summary>
+    private static async Task<int> HailAsync(int port, Task serve)
+    {
+        while (true)
+        {
+            using var client = new TcpClient();
+            try
+            {
+                await client.ConnectAsync(IPAddress.Loopback, port);
+            }
+            catch (SocketException) when (!serve.IsCompleted)
+            {
+                await Task.Delay(20);
+                continue;
+            }
+
+            // Long enough for a tick of the game to see the connection.
+            await Task.Delay(300);
+            byte[] header = Encoding.UTF8.GetBytes("""{"type":"environment","weather":"hail"}""");
+            NetworkStream stream = client.GetStream();
+            await stream.WriteAsync((byte[])[0, 0, 0, (byte)header.Length, 0, 0, 0, 0, .. header]);
+            byte[] answer = new byte[65_536];
+            while (await stream.ReadAsync(answer) > 0)
+            {
+            }
+
+            return ((IPEndPoint)client.Client.LocalEndPoint!).Port;
+        }
+    }
 }

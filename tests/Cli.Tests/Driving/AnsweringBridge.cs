@@ -13,6 +13,8 @@ internal sealed class AnsweringBridge(Func<BridgeState, IEnumerable<PeerMessage>
 
     public string? Problem => null;
 
+    public string? Peer => null;
+
     public void Publish(BridgeState state, PixelBuffer picture)
     {
         foreach (PeerMessage message in answer(state))

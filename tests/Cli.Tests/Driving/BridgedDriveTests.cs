@@ -118,7 +118,8 @@ public sealed class BridgedDriveTests
         SimulatedGame game = new(new SimulationOptions { Seed = 1, TrafficDensity = 0, PedestrianDensity = 0, WindowAspect = 4.0 / 3 });
         BridgedDrive drive = new(
             game, new FixedRoads(game.Roads, "simulation"), bridge, static () => new StanleyController(new StanleyOptions()), patience);
-        return drive.Run(metres, 60, isRealTime, stopping);
+        drive.Run(metres, 60, isRealTime, stopping);
+        return drive.Samples;
     }
 
     /// <summary>To a peer that answers each frame, and after the third one stops the world for a while.</summary>
@@ -132,6 +133,8 @@ public sealed class BridgedDriveTests
         private int _frames;
 
         public string? Problem => null;
+
+        public string? Peer => null;
 
         public Action<int> AfterPause { get; set; } = static _ => { };
 

@@ -62,7 +62,12 @@ public sealed class TenKilometresTests
         Noise = noise,
     });
 
-    private static DriveFigures Drive(DrivePlan plan) => DriveFigures.Of(new SimulatedDrives(plan, TextWriter.Null).Run(static _ => { }, CancellationToken.None));
+    private static DriveFigures Drive(DrivePlan plan)
+    {
+        var drives = new SimulatedDrives(plan, TextWriter.Null);
+        drives.Run(static _ => { }, CancellationToken.None);
+        return DriveFigures.Of(drives.Samples);
+    }
 
     private static void AssertClean(DriveFigures figures)
     {

@@ -71,6 +71,9 @@ public sealed class FolderBridge : IDrivingBridge
     public string? Problem => _problem;
 
     /// <inheritdoc/>
+    public string? Peer => _inbox.Peer is null ? null : _folder;
+
+    /// <inheritdoc/>
     public void Publish(BridgeState state, PixelBuffer picture) => _outbox.Put(state, picture);
 
     /// <inheritdoc/>

@@ -13,6 +13,9 @@ public interface IDrivingBridge : IDisposable
     /// <summary>The last thing that went wrong, as one line; null when nothing has.</summary>
     string? Problem { get; }
 
+    /// <summary>Who is connected, for people: the address of a socket or the folder; null for nobody.</summary>
+    string? Peer { get; }
+
     /// <summary>Offers a frame. The newest wins: one that the peer has not been given yet is dropped for it.</summary>
     /// <param name="state">What is known.</param>
     /// <param name="picture">The picture; it is copied and free again at once.</param>

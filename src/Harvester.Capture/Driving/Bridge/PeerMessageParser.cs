@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 
 namespace Harvester.Capture.Driving.Bridge;
@@ -27,7 +28,7 @@ public static class PeerMessageParser
             "indicators" => new IndicatorsMessage(fields.Numbers("values", IndicatorCount), FrameOf(fields)),
             "reset" => new ResetMessage(PositionOf(fields), HeadingOf(fields)),
             "environment" => new EnvironmentMessage(
-                fields.Has("weather") ? fields.Text("weather") : null, fields.Has("timeOfDay") ? TimeOf(fields) : null),
+                fields.Has("weather") ? WeatherOf(fields) : null, fields.Has("timeOfDay") ? TimeOf(fields) : null),
             "pause" => new PauseMessage(fields.Truth("paused")),
             "step" => new StepMessage(SecondsOf(fields)),
             "requestFrame" => new RequestFrameMessage(),
@@ -61,6 +62,14 @@ public static class PeerMessageParser
         return Math.Abs(degrees) <= LargestHeadingDegrees
             ? degrees
             : throw new BridgeException("field headingDegrees must be from -360 to 360.");
+    }
+
+    private static string WeatherOf(JsonFields fields)
+    {
+        string weather = fields.Text("weather");
+        return WeatherNames.IsKnown(weather)
+            ? weather
+            : throw new BridgeException($"field weather is {PeerText.Quoted(weather)}, which is none of {string.Join(", ", WeatherNames.All)}.");
     }
 
     private static TimeSpan TimeOf(JsonFields fields) =>

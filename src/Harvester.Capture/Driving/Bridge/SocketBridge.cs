@@ -54,6 +54,9 @@ public sealed class SocketBridge : IDrivingBridge
     /// <inheritdoc/>
     public string? Problem => _problem;
 
+    /// <inheritdoc/>
+    public string? Peer => _reception.Inbox.Peer?.Place;
+
     /// <summary>How many connections have yet to show the token.</summary>
     internal int Strangers => _reception.Strangers.Count;
 

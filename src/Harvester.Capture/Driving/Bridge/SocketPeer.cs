@@ -1,4 +1,5 @@
 using System;
+using System.Net;
 using System.Net.Sockets;
 using System.Threading;
 
@@ -26,9 +27,13 @@ internal sealed class SocketPeer : IDisposable
         _client.SendBufferSize = SendBufferBytes;
         KeepAlive.Ask(client.Client);
         _stream = client.GetStream();
+        Place = PlaceOf(client.Client.RemoteEndPoint);
         _reception = reception;
         _isStranger = !string.IsNullOrEmpty(reception.Options.Token);
     }
+
+    /// <summary>Address and port of the other side.</summary>
+    public string Place { get; }
 
     /// <summary>Serves a connection on a thread of its own until it ends. Of connections without a token the one served last counts.</summary>
     public static void Serve(TcpClient client, SocketReception reception)
@@ -86,6 +91,14 @@ internal sealed class SocketPeer : IDisposable
             throw;
         }
     }
+
+    /// <summary>A dual-mode socket has the addresses of version 4 in their form of version 6, which nobody would recognise.</summary>
+    private static string PlaceOf(EndPoint? end) => end switch
+    {
+        IPEndPoint { Address.IsIPv4MappedToIPv6: true } mapped => new IPEndPoint(mapped.Address.MapToIPv4(), mapped.Port).ToString(),
+        null => "unknown",
+        _ => end.ToString() ?? "unknown",
+    };
 
     private void Receive()
     {

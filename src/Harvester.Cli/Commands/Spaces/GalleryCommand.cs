@@ -14,13 +14,14 @@ internal static class GalleryCommand
     public static Command Create(Terminal terminal)
     {
         var source = new Argument<string>("DIR|FILE") { Description = "A survey's folder, or a table" };
-        var output = new Option<string?>("--out") { Description = $"File to write [default: {FileName} in the folder]", HelpName = "FILE" };
+        var output = new Option<string?>("--out") { Description = $"File to write [default: {FileName} in the survey's folder, or where you are for a table]", HelpName = "FILE" };
         var command = new Command("gallery", "Show the spaces of a survey or table as one self-contained HTML page.") { source, output };
         command.SetAction(parsed =>
         {
-            string table = SpaceFile.TableOf(parsed.GetRequiredValue(source));
+            string given = parsed.GetRequiredValue(source);
+            string table = SpaceFile.TableOf(given);
             string folder = Path.GetDirectoryName(Path.GetFullPath(table))!;
-            string page = parsed.GetValue(output) ?? Path.Combine(folder, FileName);
+            string page = parsed.GetValue(output) ?? (Directory.Exists(given) ? Path.Combine(folder, FileName) : FileName);
             var text = new StringWriter();
             int models = new SpaceGallery(SpaceFile.ReadGood(table, terminal.WriteError), folder).Write(text);
             WholeFile.Write(page, stream => stream.Write(new UTF8Encoding(false).GetBytes(text.ToString())));

@@ -62,6 +62,8 @@ public sealed class FrameToControlTests : IDisposable
 
         public string? Problem => bridge.Problem;
 
+        public string? Peer => bridge.Peer;
+
         public void AwaitMessage() => _there.Enqueue(Frames.AwaitMessage(bridge));
 
         public void Publish(BridgeState state, PixelBuffer picture) => bridge.Publish(state, picture);

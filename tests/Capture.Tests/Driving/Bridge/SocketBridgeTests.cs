@@ -102,6 +102,7 @@ public sealed class SocketBridgeTests
     [InlineData("""{"type":"reset","position":[1,2,3],"headingDegrees":-360.5}""")]
     [InlineData("""{"type":"reset","position":[1e39,2,3],"headingDegrees":0}""")]
     [InlineData("""{"type":"environment","timeOfDay":"25:00"}""")]
+    [InlineData("""{"type":"environment","weather":"hail"}""")]
     public void Peer_that_sends_nonsense_is_told_and_cut_off_and_the_next_is_served(string nonsense)
     {
         using var bridge = new SocketBridge(AnyPort, Frames.Size);

@@ -1,0 +1,80 @@
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+using Harvester.Cli.Relabelling;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Cli.Arguments;
+
+/// <summary>The options that describe a lens, the same wherever a command has them.</summary>
+internal sealed class LensOptions
+{
+    private const string CoefficientForm = "a number from -1 to 1";
+
+    private readonly Option<double> _focalScale = ValueParsers.Number(
+        "--focal-scale", "N", "Factor on the camera's focal length", value => value is > 0 and <= 100, "a number greater than 0, 100 at most");
+
+    private readonly Option<Vector2D?> _centre = ValueParsers.Optional<Vector2D>(
+        "--centre-offset",
+        "X,Y",
+        "Shift of the principal point to the right and downward, fractions of width and height [default: 0,0]",
+        text => ValueParsers.Numbers(text, 2) is [>= -1 and <= 1, >= -1 and <= 1] n ? new Vector2D(n[0], n[1]) : null,
+        "two numbers from -1 to 1, as 0.01,-0.005");
+
+    private readonly Option<double> _k1 = Coefficient("--k1", "Radial distortion: coefficient of the squared radius");
+    private readonly Option<double> _k2 = Coefficient("--k2", "Radial distortion: coefficient of the radius to the fourth power");
+    private readonly Option<FileInfo?> _file = new("--calibration")
+    {
+        Description = "The lens of this calibration: the lines that harvester calibrate prints, or an ini file of the mod",
+        HelpName = "FILE",
+    };
+
+    public LensOptions()
+    {
+        _focalScale.DefaultValueFactory = _ => 1;
+    }
+
+    /// <summary>Gives the options of a lens in numbers to a command.</summary>
+    public void AddNumbersTo(Command command)
+    {
+        foreach (Option option in Numbers)
+        {
+            command.Options.Add(option);
+        }
+    }
+
+    /// <summary>Gives all options to a command.</summary>
+    public void AddTo(Command command)
+    {
+        command.Options.Add(_file);
+        AddNumbersTo(command);
+    }
+
+    /// <summary>The lens of a command line; ideal where none is described.</summary>
+    /// <exception cref="UsageException">A file and numbers are given together.</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    /// <exception cref="Datasets.DatasetFormatException">The file describes no lens.</exception>
+    public Lens Parse(ParseResult parsed)
+    {
+        FileInfo? file = parsed.CommandResult.Command.Options.Contains(_file) ? parsed.GetValue(_file) : null;
+        if (file is null)
+        {
+            Vector2D shift = parsed.GetValue(_centre) ?? default;
+            return new Lens(parsed.GetValue(_focalScale), shift.X, shift.Y, parsed.GetValue(_k1), parsed.GetValue(_k2));
+        }
+
+        return Numbers.FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false }) is { } number
+            ? throw new UsageException($"{_file.Name} and {number.Name} both describe the lens. Give one of them.")
+            : LensFile.Read(file.FullName);
+    }
+
+    private Option[] Numbers => [_focalScale, _centre, _k1, _k2];
+
+    private static Option<double> Coefficient(string name, string description)
+    {
+        Option<double> option = ValueParsers.Number(name, "N", description, value => value is >= -1 and <= 1, CoefficientForm);
+        option.DefaultValueFactory = _ => 0;
+        return option;
+    }
+}

@@ -1,0 +1,60 @@
+using System.Diagnostics;
+using System.Globalization;
+
+namespace Harvester.Cli.Tests;
+
+/// <summary>What only shows in a process of its own: signals, the bytes of arguments, the current folder.</summary>
+public sealed class ProcessTests : IDisposable
+{
+    private static readonly string Program = Path.Combine(AppContext.BaseDirectory, "harvester.dll");
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [PosixTheory]
+    [InlineData("TERM", 143)]
+    [InlineData("INT", 130)]
+    public void Signal_ends_a_command_with_its_exit_code(string signal, int code)
+    {
+        using Process serve = Start("exec dotnet \"$0\" serve --port 0 --traffic 0 --size 80x60", Program);
+        Assert.StartsWith("Serving at ", serve.StandardOutput.ReadLine(), StringComparison.Ordinal);
+        using Process kill = Start("kill -\"$0\" \"$1\"", signal, serve.Id.ToString(CultureInfo.InvariantCulture));
+
+        serve.WaitForExit();
+
+        Assert.Equal(code, serve.ExitCode);
+    }
+
+    [PosixFact]
+    public void Folder_name_that_is_not_utf_8_is_refused_and_nothing_is_made()
+    {
+        using Process harvest = Start("exec dotnet \"$0\" harvest --frames 1 --out \"$(printf 'caf\\351')\"", Program);
+        string error = harvest.StandardError.ReadToEnd();
+        harvest.WaitForExit();
+
+        Assert.Equal(ExitCode.Usage, harvest.ExitCode);
+        Assert.Contains("is not valid UTF-8", error, StringComparison.Ordinal);
+        Assert.Empty(Directory.EnumerateFileSystemEntries(_folder.Path));
+    }
+
+    [PosixFact]
+    public void Gallery_of_a_table_goes_to_the_current_folder_and_not_to_the_tables()
+    {
+        string data = Directory.CreateDirectory(_folder.PathOf("data")).FullName;
+        File.WriteAllText(
+            Path.Combine(data, "spaces.csv"), "prop_sign_road_01a,-949234773,sign,STOP,R1-1,0,-0.5,-0.04,3,0.5,-0.06,1.5,-y,measured,a test\n");
+        using Process gallery = Start("exec dotnet \"$0\" spaces gallery data/spaces.csv", Program);
+        gallery.WaitForExit();
+
+        Assert.Equal(ExitCode.Done, gallery.ExitCode);
+        Assert.Equal(["spaces.csv"], Directory.EnumerateFileSystemEntries(data).Select(Path.GetFileName));
+        Assert.True(File.Exists(_folder.PathOf("gallery.html")));
+    }
+
+    private Process Start(string script, params string[] arguments)
+    {
+        var start = new ProcessStartInfo("/bin/sh") { RedirectStandardOutput = true, RedirectStandardError = true, WorkingDirectory = _folder.Path };
+        Array.ForEach(["-c", script, .. arguments], start.ArgumentList.Add);
+        return Process.Start(start)!;
+    }
+}
