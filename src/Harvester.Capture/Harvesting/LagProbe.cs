@@ -63,8 +63,8 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
             }
         }
 
-        // The pipeline fills with moving pictures again before the first frame.
-        for (int tick = 0; tick < GreatestTicks + RunningTicks; tick++)
+        // What is reported late must be moving again before the first frame.
+        for (int tick = 0; tick < RunningTicks; tick++)
         {
             yield return HarvestPhase.Probing;
         }
