@@ -9,8 +9,8 @@ namespace Harvester.Capture.Calibration;
 
 /// <summary>
 /// Calibrates the game's camera: call <see cref="Step"/> once in every tick, from the game's own thread, until it is over. A coarse
-/// grid of markers first, as a lens may show them far from where a pinhole would; then a fine one that reaches into the corners of
-/// the picture as the coarse result has it. Nothing is thrown to the caller after construction; the game is left running and no
+/// grid of markers first, each known by the pictures that show it, as a lens may show them far from where a pinhole would; then a fine one
+/// that reaches into the corners of the picture as the coarse result has it; then another that the result is checked by. Nothing is thrown to the caller after construction; the game is left running and no
 /// marker is left standing, whatever happens.
 /// </summary>
 public sealed class CalibrationSession : IDisposable
@@ -19,6 +19,10 @@ public sealed class CalibrationSession : IDisposable
     private const int CoarseRows = 5;
     private const int FineColumns = 15;
     private const int FineRows = 11;
+
+    // Other numbers than the fine grid's, so that a grid taken for itself shifted by a place does not fit this one too.
+    private const int CheckColumns = 12;
+    private const int CheckRows = 8;
     private readonly CalibrationOptions _options;
     private readonly GamePorts _game;
     private readonly IMarkers _markers;
@@ -91,44 +95,56 @@ public sealed class CalibrationSession : IDisposable
             yield return phase;
         }
 
-        IReadOnlyList<Sighting> coarse = _survey.Sightings;
-        Lens about = Fit(coarse, _survey.Shown).Lens;
-        int shown = _survey.Shown;
-        foreach (CalibrationPhase phase in _survey.Take(FineColumns, FineRows, about))
+        ThrowIfLate();
+        foreach (CalibrationPhase phase in _survey.Identify(CoarseColumns, CoarseRows, Lens.Ideal))
         {
             yield return phase;
         }
 
-        shown += _survey.Shown;
-        Result = ResultOf([.. coarse, .. _survey.Sightings], shown);
-    }
-
-    private CalibrationResult ResultOf(IReadOnlyList<Sighting> sightings, int shown)
-    {
-        LensFit fit = Fit(sightings, shown);
-        double worst = Math.Max(fit.Error.RmsPixels, fit.CornerUncertaintyPixels);
-        if (worst > _options.ThresholdPixels)
+        IReadOnlyList<Sighting> coarse = _survey.Sightings;
+        int shown = _survey.Shown;
+        LensFit fit = Fit(coarse, shown);
+        foreach (CalibrationPhase phase in _survey.Take(FineColumns, FineRows, fit.Lens))
         {
-            throw new CalibrationException(FormattableString.Invariant(
-                $"The markers leave {worst:0.###} px open, more than the {_options.ThresholdPixels:0.###} px allowed: calibrate in clear weather, standing still."));
+            yield return phase;
         }
 
-        return new CalibrationResult(fit.Lens, fit.ErrorWithout, fit.Error, fit.CornerUncertaintyPixels, shown, fit.OutlierCount);
+        ThrowIfLate();
+        shown += _survey.Shown;
+        IReadOnlyList<Sighting> fitted = [.. coarse, .. _survey.Sightings];
+        fit = Fit(fitted, shown);
+        foreach (CalibrationPhase phase in _survey.Take(CheckColumns, CheckRows, fit.Lens))
+        {
+            yield return phase;
+        }
+
+        ThrowIfLate();
+        ReprojectionError validation = CalibrationJudge.Validate(
+            fit, _survey.CameraWith(fit.Lens), fitted, _survey.Sightings, _survey.Shown, _options.ThresholdPixels);
+        Result = new CalibrationResult(fit.Lens, fit.ErrorWithout, fit.Error, validation, fit.UncertaintyPixels, shown, fit.OutlierCount);
     }
 
-    private LensFit Fit(IReadOnlyList<Sighting> sightings, int shown)
+    private void ThrowIfLate()
     {
         if (_survey.ExcessiveLagTicks is { } lag)
         {
             throw new CalibrationException(PictureLag.Refusal(FormattableString.Invariant($"{lag} ticks"), "calibration", _options.MaxPictureLagTicks));
         }
+    }
 
+    private LensFit Fit(IReadOnlyList<Sighting> sightings, int shown)
+    {
         LensFit fit = LensFitter.Fit(_survey.CameraWith(Lens.Ideal), sightings);
         return fit.Outcome == LensFitOutcome.Fitted
             ? fit
             : throw new CalibrationException(
-                $"Of {shown} markers {sightings.Count} were seen, which does not determine the lens: give the camera a free view and calibrate again.");
+                $"Of {shown} markers {sightings.Count} were seen, which does not determine the lens: {CauseOf(sightings)} Calibrate again.");
     }
+
+    private string CauseOf(IReadOnlyList<Sighting> sightings) =>
+        _survey.UnknownSpots > sightings.Count ? "much else changes in the picture. Choose clear weather and a place where nothing moves."
+        : sightings.Count >= LensFitter.FewestSightings ? "they disagree. Check that no other mod moves the camera."
+        : "something hides them or the lens shows them outside the image. Give the camera a free view.";
 
     private void End(CalibrationPhase phase)
     {

@@ -31,7 +31,7 @@ internal static class MarkerMatcher
 
             if (seen is { } pixel)
             {
-                sightings.Add(new Sighting(camera, marker.Centre, pixel));
+                sightings.Add(new Sighting(camera, marker.CentreOfImage(camera), pixel));
             }
         }
 

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
@@ -33,6 +34,9 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
 
     /// <summary>By how many ticks the picture is behind the state when that is more than the options allow, as the markers that came late show; null otherwise.</summary>
     public int? ExcessiveLagTicks { get; private set; }
+
+    /// <summary>Spots of the last identification that are no marker.</summary>
+    public int UnknownSpots { get; private set; }
 
     /// <summary>Whether at least half of the markers were seen, and in time.</summary>
     public bool IsSeen => IsMost(Sightings);
@@ -77,10 +81,52 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
             markers.Clear();
         }
 
-        if (!Stands(state, game.World.ReadCamera()))
+        ThrowIfMoved(state);
+    }
+
+    /// <summary>
+    /// Takes a survey that tells by their pictures which marker is which, so that they may be seen anywhere; the world must be frozen, and stays so.
+    /// </summary>
+    /// <param name="columns">Markers in a row.</param>
+    /// <param name="rows">Rows.</param>
+    /// <param name="lens">The lens as it is known.</param>
+    /// <exception cref="CalibrationException">Nothing stands still, or no picture can be grabbed.</exception>
+    public IEnumerable<CalibrationPhase> Identify(int columns, int rows, Lens lens)
+    {
+        Sightings = [];
+        markers.Clear();
+        foreach (CalibrationPhase phase in Picture(_without))
         {
-            throw new CalibrationException("The camera moved while the markers were shown: stop the car and try again.");
+            yield return phase;
         }
+
+        CameraState state = game.World.ReadCamera();
+        _camera = state;
+        var camera = new Camera(state.Pose, CameraWith(lens));
+        MarkerPlan plan = MarkerPlan.Across(camera, columns, rows, options.MarkerRadiusPixels, options.MarkerDepths);
+        Shown = plan.Markers.Count;
+        var identification = new MarkerIdentification(options.MarkerRadiusPixels);
+        try
+        {
+            for (int picture = 0; picture < MarkerCode.Pictures; picture++)
+            {
+                markers.Show([.. plan.Markers.Where((_, marker) => MarkerCode.IsShown(marker, picture))]);
+                foreach (CalibrationPhase phase in Picture(_with))
+                {
+                    yield return phase;
+                }
+
+                identification.Add(picture, MarkerDetector.Find(_without, _with, options.MarkerRadiusPixels));
+            }
+        }
+        finally
+        {
+            markers.Clear();
+        }
+
+        ThrowIfMoved(state);
+        Sightings = identification.SightingsOf(plan, camera.Pose);
+        UnknownSpots = identification.UnknownCount;
     }
 
     /// <summary>The camera of the last survey with a lens.</summary>
@@ -92,6 +138,14 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
         && (a.Pose.Axes.Right - b.Pose.Axes.Right).Length <= StillToleranceOfAxes
         && (a.Pose.Axes.Forward - b.Pose.Axes.Forward).Length <= StillToleranceOfAxes
         && a with { Pose = b.Pose } == b;
+
+    private void ThrowIfMoved(CameraState before)
+    {
+        if (!Stands(before, game.World.ReadCamera()))
+        {
+            throw new CalibrationException("The camera moved while the markers were shown: stop the car and try again.");
+        }
+    }
 
     private bool IsMost(IReadOnlyList<Sighting> sightings) => 2 * sightings.Count >= Shown;
 

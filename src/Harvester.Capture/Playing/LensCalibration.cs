@@ -128,7 +128,7 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
         IReadOnlyList<KeyValuePair<string, double>> values = HarvestSettings.ValuesOf(result.Lens);
         _disk.Add(() => IniEditor.Set(_iniPath, HarvestSettings.LensSection, values));
         _messages.Tell(FormattableString.Invariant(
-            $"Calibrated: the error was {result.Before.RmsPixels:0.00} px and is {result.After.RmsPixels:0.00} px. The lens is in {Path.GetFileName(_iniPath)}."));
+            $"Calibrated: the error was {result.Before.RmsPixels:0.00} px and is {result.Validation.RmsPixels:0.00} px. The lens is in {Path.GetFileName(_iniPath)}."));
     }
 
     private void ThrowIfNotWritten()

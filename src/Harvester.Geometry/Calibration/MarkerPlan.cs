@@ -6,12 +6,16 @@ namespace Harvester.Geometry.Calibration;
 
 /// <summary>
 /// Balls at known places of the world that a camera sees in a grid over its whole image, at depths that change from ball to ball:
-/// an error of the camera's position, unlike one of its lens, then shows as different errors at neighbours. A ball's image is an
-/// ellipse whose centre lies beside the image of the ball's centre, by about r² tan(θ) cos²(θ) / f pixels for a radius of r pixels at the
-/// angle θ from the axis: 0.03 pixels at most for 6 pixels and f = 640.
+/// an error of the camera's position, unlike one of its lens, then shows as different errors at neighbours. Each lies up to half a radius
+/// beside its place in the grid along either axis, so that the balls' fractions of pixels differ: in an even grid what locating a ball gets
+/// wrong by its fraction would repeat from ball to ball and be taken for a lens. And an uneven grid shifted by a place does not fit itself.
 /// </summary>
 public sealed class MarkerPlan
 {
+    // The powers of the inverse of the plastic number, whose multiples spread evenly over the square (Roberts, the R2 sequence).
+    private const double SpreadX = 0.7548776662466927;
+    private const double SpreadY = 0.5698402909980532;
+
     private MarkerPlan(IReadOnlyList<PlannedMarker> markers, double spacingPixels)
     {
         Markers = markers;
@@ -21,10 +25,10 @@ public sealed class MarkerPlan
     /// <summary>The balls, row by row from the image's upper left corner.</summary>
     public IReadOnlyList<PlannedMarker> Markers { get; }
 
-    /// <summary>The distance between neighbours of the grid, pixels; the smaller one of the two directions.</summary>
+    /// <summary>The smallest distance that neighbours may have, pixels, in the smaller one of the two directions.</summary>
     public double SpacingPixels { get; }
 
-    /// <summary>Plans a grid of balls whose outermost ones lie wholly within the image, three radii from its edges.</summary>
+    /// <summary>Plans a grid of balls whose outermost ones lie wholly within the image, at least two and a half radii from its edges.</summary>
     /// <param name="camera">The camera as it is known; where its lens is not known, balls may be seen elsewhere or not at all.</param>
     /// <param name="columns">Balls in a row, at least 2.</param>
     /// <param name="rows">Rows, at least 2.</param>
@@ -54,13 +58,18 @@ public sealed class MarkerPlan
         {
             for (int column = 0; column < columns; column++)
             {
-                var pixel = new Vector2D(margin + (column * stepX), margin + (row * stepY));
+                Vector2D pixel = new Vector2D(margin + (column * stepX), margin + (row * stepY)) + (BesideGrid(markers.Count) * radiusPixels);
                 markers.Add(Marker(camera, pixel, radiusPixels, depths[(column + row) % depths.Count]));
             }
         }
 
-        return new MarkerPlan(markers, spacing);
+        return new MarkerPlan(markers, spacing - radiusPixels);
     }
+
+    /// <summary>How far a ball lies beside its place in the grid, radii, -0.5 to 0.5 along either axis.</summary>
+    private static Vector2D BesideGrid(int index) => new(Fraction((index + 1) * SpreadX) - 0.5, Fraction((index + 1) * SpreadY) - 0.5);
+
+    private static double Fraction(double value) => value - Math.Floor(value);
 
     private static PlannedMarker Marker(Camera camera, Vector2D pixel, double radiusPixels, double depth)
     {

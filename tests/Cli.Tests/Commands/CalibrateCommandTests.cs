@@ -19,6 +19,30 @@ public sealed class CalibrateCommandTests
     }
 
     [Fact]
+    public void Calibrate_finds_a_lens_that_shows_markers_at_the_places_of_others()
+    {
+        CliRun run = CliRun.Of("calibrate", "--seed", "5", "--size", "400x300", "--centre-offset", "0.1,0");
+
+        Assert.Equal((0, ""), (run.ExitCode, run.Error));
+
+        // A tenth of 400 pixels; 0.0005 of them are 0.2 px.
+        Assert.Equal(0.1, Value(run, "CentreOffsetX"), 0.0005);
+        Assert.Equal(0, Value(run, "CentreOffsetY"), 0.0005);
+        Assert.Contains("markers that the lens was not fitted to", run.Out, StringComparison.Ordinal);
+        Assert.Contains("; uncertainty: 0.", run.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    [Trait("Category", "Heavy")]
+    public void Calibrate_finds_a_shifted_lens_in_800_x_600_pixels()
+    {
+        CliRun run = CliRun.Of("calibrate", "--seed", "5", "--centre-offset", "0.1,0");
+
+        Assert.Equal((0, ""), (run.ExitCode, run.Error));
+        Assert.Equal(0.1, Value(run, "CentreOffsetX"), 0.0005);
+    }
+
+    [Fact]
     public void Calibrate_that_cannot_hold_the_threshold_fails_with_a_message()
     {
         CliRun run = CliRun.Of("calibrate", "--size", "400x300", "--threshold", "0.001");

@@ -8,15 +8,50 @@ public sealed class MarkerPlanTests
     private const double Radius = 6;
 
     [Fact]
-    public void Across_puts_the_markers_in_a_grid_three_radii_from_the_edges()
+    public void Across_puts_the_markers_within_half_a_radius_of_a_grid_three_radii_from_the_edges()
     {
         MarkerPlan plan = MarkerPlan.Across(Camera(50, Lens.Ideal), 3, 2, Radius, [1]);
 
-        // Columns at 18, 400, 782; rows at 18 and 582. Spacing: min(382, 564).
-        Assert.Equal(
-            [new(18, 18), new(400, 18), new(782, 18), new(18, 582), new(400, 582), new(782, 582)],
-            plan.Markers.Select(marker => marker.ExpectedPixel));
-        Assert.Equal(382, plan.SpacingPixels);
+        // Columns at 18, 400, 782; rows at 18 and 582. Neighbours are min(382, 564) apart, and may each lie 3 pixels towards the other.
+        Vector2D[] grid = [new(18, 18), new(400, 18), new(782, 18), new(18, 582), new(400, 582), new(782, 582)];
+        Assert.Equal(grid.Length, plan.Markers.Count);
+        Assert.All(plan.Markers.Zip(grid), pair =>
+        {
+            Assert.InRange(pair.First.ExpectedPixel.X - pair.Second.X, -Radius / 2, Radius / 2);
+            Assert.InRange(pair.First.ExpectedPixel.Y - pair.Second.Y, -Radius / 2, Radius / 2);
+        });
+        Assert.Equal(376, plan.SpacingPixels);
+    }
+
+    [Fact]
+    public void Across_spreads_the_markers_evenly_over_the_fractions_of_a_pixel()
+    {
+        MarkerPlan plan = MarkerPlan.Across(Camera(50, Lens.Ideal), 15, 11, Radius, [1]);
+
+        // 165 markers over four quarters of a pixel: 41 each, give or take a dozen.
+        int[] quarters = [.. plan.Markers
+            .GroupBy(marker => (int)(4 * (marker.ExpectedPixel.X - Math.Floor(marker.ExpectedPixel.X)))).OrderBy(group => group.Key).Select(group => group.Count())];
+        Assert.Equal(4, quarters.Length);
+        Assert.All(quarters, count => Assert.InRange(count, 29, 53));
+    }
+
+    [Theory]
+    [InlineData(50)]
+    [InlineData(90)]
+    public void CentreOfImage_is_seen_in_the_middle_of_the_outline(double fov)
+    {
+        Camera camera = Camera(fov, Lens.Ideal);
+
+        foreach (PlannedMarker marker in MarkerPlan.Across(camera, 5, 4, 30, [1, 2]).Markers)
+        {
+            // The ellipse is symmetrical about the line from the image's middle; its ends there are seen at θ ± asin(radius / distance).
+            Vector3D local = camera.Pose.ToLocal(marker.Centre);
+            double theta = Math.Atan2(Math.Sqrt((local.X * local.X) + (local.Z * local.Z)), local.Y);
+            double half = Math.Asin(marker.RadiusMetres / local.Length);
+            double middle = camera.Intrinsics.Fy * (Math.Tan(theta + half) + Math.Tan(theta - half)) / 2;
+            Vector2D seen = camera.Project(marker.CentreOfImage(camera.Pose)).Pixel;
+            Assert.Equal(middle, (seen - new Vector2D(400, 300)).Length, 1e-9);
+        }
     }
 
     [Fact]

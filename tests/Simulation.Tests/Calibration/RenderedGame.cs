@@ -18,6 +18,7 @@ internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock
     private readonly RenderScene _scene;
     private readonly List<IReadOnlyList<PlannedMarker>> _history = [[]];
     private IReadOnlyList<PlannedMarker> _markers = [];
+    private int _shows;
 
     /// <summary>Makes a game.</summary>
     /// <param name="nearThings">Posts close to the camera, which hide some markers.</param>
@@ -46,6 +47,15 @@ internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock
     public double VerticalFovDegrees { get; init; } = 50;
 
     public double WindowAspect { get; init; } = 4.0 / 3;
+
+    /// <summary>The aspect ratio that the picture is rendered with; null for the one that is reported.</summary>
+    public double? RenderedAspect { get; init; }
+
+    /// <summary>How far the markers stand from where they are asked for, metres, world, from a call on.</summary>
+    public Vector3D MarkerShift { get; init; }
+
+    /// <summary>The call from which on markers are shifted, from 1.</summary>
+    public int MarkerShiftFromShow { get; init; }
 
     public RenderLens Lens { get; init; } = RenderLens.None;
 
@@ -102,7 +112,12 @@ internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock
 
     public void Unfreeze() => IsFrozen = false;
 
-    public void Show(IReadOnlyList<PlannedMarker> markers) => _markers = markers;
+    public void Show(IReadOnlyList<PlannedMarker> markers)
+    {
+        _shows++;
+        Vector3D shift = MarkerShiftFromShow > 0 && _shows >= MarkerShiftFromShow ? MarkerShift : Vector3D.Zero;
+        _markers = [.. markers.Select(marker => marker with { Centre = marker.Centre + shift })];
+    }
 
     public void Clear() => _markers = [];
 
@@ -114,7 +129,7 @@ internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock
         }
 
         _scene.SetDynamic(_history[Math.Max(0, _history.Count - 1 - PictureLag)].Skip(HiddenMarkers).Select(MarkerModel.Of));
-        var camera = new RenderCamera(ReadCamera().Pose, VerticalFovDegrees, WindowAspect, 0.1, target.Size.Width, target.Size.Height) { Lens = Lens };
+        var camera = new RenderCamera(ReadCamera().Pose, VerticalFovDegrees, RenderedAspect ?? WindowAspect, 0.1, target.Size.Width, target.Size.Height) { Lens = Lens };
         var picture = new RenderTarget(target.Size.Width, target.Size.Height);
         _renderer.Render(_scene, camera, picture);
         picture.Colour.CopyTo(target.Bytes, 0);

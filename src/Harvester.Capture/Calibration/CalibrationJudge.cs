@@ -1,0 +1,70 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry.Calibration;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Capture.Calibration;
+
+/// <summary>Judges a fitted lens by markers that it was not fitted to, and names the likely cause when it refuses.</summary>
+internal static class CalibrationJudge
+{
+    // Some markers may be partly hidden; more than these that disagree are no accident.
+    private const double JudgedFraction = 0.8;
+
+    // As in the fit: noise does not reach so far.
+    private const double NoiseBound = 6;
+
+    // Markers cannot be located better than this, pixels.
+    private const double SmallestNoise = 0.02;
+
+    /// <summary>The error over those markers, without the few that are partly hidden.</summary>
+    /// <param name="fit">The fit, with a result.</param>
+    /// <param name="camera">The camera with the fitted lens.</param>
+    /// <param name="fitted">The sightings that it was fitted to.</param>
+    /// <param name="others">Sightings of other markers.</param>
+    /// <param name="shown">How many of those were shown.</param>
+    /// <param name="thresholdPixels">The largest error allowed.</param>
+    /// <exception cref="CalibrationException">The lens is not to be trusted.</exception>
+    public static ReprojectionError Validate(
+        LensFit fit, CameraIntrinsics camera, IReadOnlyList<Sighting> fitted, IReadOnlyList<Sighting> others, int shown, double thresholdPixels)
+    {
+        double worst = Math.Max(fit.Error.RmsPixels, fit.UncertaintyPixels);
+        if (worst > thresholdPixels)
+        {
+            throw new CalibrationException(FormattableString.Invariant(
+                $"The lens is uncertain by {worst:0.###} px, more than the {thresholdPixels:0.###} px allowed: {CauseOf(camera, [.. fitted, .. others])}"));
+        }
+
+        if (2 * others.Count < shown)
+        {
+            throw new CalibrationException(
+                $"Of {shown} markers that would check the fit {others.Count} were seen: give the camera a free view, or a smaller field of view, and calibrate again.");
+        }
+
+        double noise = Math.Max(SmallestNoise, fit.Error.RmsPixels / Math.Sqrt(2));
+        Sighting[] agreeing = [.. others.Where(sighting => ErrorOf(camera, sighting) <= NoiseBound * noise + fit.UncertaintyPixels)];
+        if (agreeing.Length < JudgedFraction * others.Count)
+        {
+            throw new CalibrationException(
+                $"Of {others.Count} markers that the lens was not fitted to {others.Count - agreeing.Length} are seen elsewhere than it puts them, as when markers are taken for one another: {CauseOf(camera, others)}");
+        }
+
+        var error = ReprojectionError.Of(camera, agreeing);
+        return error.RmsPixels <= thresholdPixels
+            ? error
+            : throw new CalibrationException(FormattableString.Invariant(
+                $"Markers that the lens was not fitted to are {error.RmsPixels:0.###} px off, more than the {thresholdPixels:0.###} px allowed: {CauseOf(camera, others)}"));
+    }
+
+    private static double ErrorOf(CameraIntrinsics camera, Sighting sighting) => ReprojectionError.Of(camera, [sighting]).MaxPixels;
+
+    private static string CauseOf(CameraIntrinsics camera, IReadOnlyList<Sighting> sightings) => MisfitFinder.Of(camera, sightings) switch
+    {
+        Misfit.Stretch => "the picture is stretched along one axis. Check that the game's window has the aspect ratio that the game reports.",
+        Misfit.CameraPosition => "the camera stands elsewhere than the game reports. Check that no other mod moves it.",
+        Misfit.CameraRoll => "the camera is rolled otherwise than the game reports. Check that no other mod moves it.",
+        Misfit.LensShape => "the lens bends the picture in a way that k1 and k2 cannot describe. Turn off lens effects of the game or of other mods.",
+        _ => "the markers are located with noise. Calibrate in clear weather with nothing moving in view, or in larger images.",
+    };
+}

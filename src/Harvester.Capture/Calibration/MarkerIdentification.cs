@@ -1,0 +1,55 @@
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry;
+using Harvester.Geometry.Calibration;
+
+namespace Harvester.Capture.Calibration;
+
+/// <summary>Tells which spot is which marker by the pictures that show it, wherever it lies.</summary>
+/// <param name="reachPixels">Spots of different pictures that lie nearer to each other are one; less than markers are apart.</param>
+internal sealed class MarkerIdentification(double reachPixels)
+{
+    private readonly List<SeenSpot> _spots = [];
+
+    /// <summary>Spots that are no marker, by the pictures that show them.</summary>
+    public int UnknownCount => _spots.Count(spot => spot.Marker < 0);
+
+    /// <summary>Adds the spots of a picture.</summary>
+    public void Add(int picture, IReadOnlyList<MarkerSpot> spots)
+    {
+        foreach (MarkerSpot spot in spots)
+        {
+            if (_spots.Find(seen => (seen.Centre - spot.Centre).Length < reachPixels) is { } known)
+            {
+                known.Add(picture, spot.Centre);
+            }
+            else
+            {
+                _spots.Add(new SeenSpot(picture, spot.Centre));
+            }
+        }
+    }
+
+    /// <summary>The markers that are seen; none that two spots could be.</summary>
+    public IReadOnlyList<Sighting> SightingsOf(MarkerPlan plan, Pose camera) =>
+        [.. _spots.GroupBy(spot => spot.Marker)
+            .Where(group => group.Key >= 0 && group.Key < plan.Markers.Count && group.Count() == 1)
+            .Select(group => new Sighting(camera, plan.Markers[group.Key].CentreOfImage(camera), group.First().Centre))];
+
+    /// <summary>A spot, and the pictures that show it.</summary>
+    private sealed class SeenSpot(int picture, Vector2D centre)
+    {
+        private readonly List<int> _pictures = [picture];
+        private Vector2D _sum = centre;
+
+        public Vector2D Centre => _sum * (1.0 / _pictures.Count);
+
+        public int Marker => MarkerCode.MarkerIn(_pictures);
+
+        public void Add(int picture, Vector2D centre)
+        {
+            _pictures.Add(picture);
+            _sum += centre;
+        }
+    }
+}
