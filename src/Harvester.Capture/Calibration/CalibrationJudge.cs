@@ -9,8 +9,11 @@ namespace Harvester.Capture.Calibration;
 /// <summary>Judges a fitted lens by markers that it was not fitted to, and names the likely cause when it refuses.</summary>
 internal static class CalibrationJudge
 {
-    // Some markers may be partly hidden; more than these that disagree are no accident.
-    private const double JudgedFraction = 0.8;
+    // A marker that is partly hidden seems to lie beside its place by less than its radius. As in the fit, most must be whole.
+    private const double LeastAgreeing = 0.5;
+
+    // What lies farther off is taken for another marker or is none: what changes by chance where a marker is expected.
+    private const double MostElsewhere = 0.1;
 
     // As in the fit: noise does not reach so far.
     private const double NoiseBound = 6;
@@ -24,11 +27,12 @@ internal static class CalibrationJudge
     /// <param name="fitted">The sightings that it was fitted to.</param>
     /// <param name="others">Sightings of other markers.</param>
     /// <param name="shown">How many of those were shown.</param>
-    /// <param name="thresholdPixels">The largest error allowed.</param>
+    /// <param name="options">The largest error allowed, and how large markers are.</param>
     /// <exception cref="CalibrationException">The lens is not to be trusted.</exception>
     public static ReprojectionError Validate(
-        LensFit fit, CameraIntrinsics camera, IReadOnlyList<Sighting> fitted, IReadOnlyList<Sighting> others, int shown, double thresholdPixels)
+        LensFit fit, CameraIntrinsics camera, IReadOnlyList<Sighting> fitted, IReadOnlyList<Sighting> others, int shown, CalibrationOptions options)
     {
+        double thresholdPixels = options.ThresholdPixels;
         double worst = Math.Max(fit.Error.RmsPixels, fit.UncertaintyPixels);
         if (worst > thresholdPixels)
         {
@@ -44,10 +48,11 @@ internal static class CalibrationJudge
 
         double noise = Math.Max(SmallestNoise, fit.Error.RmsPixels / Math.Sqrt(2));
         Sighting[] agreeing = [.. others.Where(sighting => ErrorOf(camera, sighting) <= NoiseBound * noise + fit.UncertaintyPixels)];
-        if (agreeing.Length < JudgedFraction * others.Count)
+        int elsewhere = others.Count(sighting => ErrorOf(camera, sighting) > options.MarkerRadiusPixels);
+        if (agreeing.Length < LeastAgreeing * others.Count || elsewhere > MostElsewhere * others.Count)
         {
             throw new CalibrationException(
-                $"Of {others.Count} markers that the lens was not fitted to {others.Count - agreeing.Length} are seen elsewhere than it puts them, as when markers are taken for one another: {CauseOf(camera, others)}");
+                $"Of {others.Count} markers that the lens was not fitted to {Math.Max(others.Count - agreeing.Length, elsewhere)} are seen elsewhere than it puts them, as when markers are taken for one another: {CauseOf(camera, others)}");
         }
 
         var error = ReprojectionError.Of(camera, agreeing);

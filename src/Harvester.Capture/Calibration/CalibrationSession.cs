@@ -120,7 +120,7 @@ public sealed class CalibrationSession : IDisposable
 
         ThrowIfLate();
         ReprojectionError validation = CalibrationJudge.Validate(
-            fit, _survey.CameraWith(fit.Lens), fitted, _survey.Sightings, _survey.Shown, _options.ThresholdPixels);
+            fit, _survey.CameraWith(fit.Lens), fitted, _survey.Sightings, _survey.Shown, _options);
         Result = new CalibrationResult(fit.Lens, fit.ErrorWithout, fit.Error, validation, fit.UncertaintyPixels, shown, fit.OutlierCount);
     }
 
