@@ -13,9 +13,9 @@ def send(stream, **message):
     stream.flush()
 
 def keep_lane(state):
-    angle, L, M, R, _, _, _, ML, MR, _, _, ahead, _ = state["torcsEquivalent"]
+    _, L, M, R, _, _, _, ML, MR, _, _, ahead, _ = state["torcsEquivalent"]
     centre = (ML + MR) / 2 if MR - ML < 5.5 else (R + M) / 2 if R < 7 else (L + M) / 2
-    steering, too_fast = (angle - centre / 8) / 0.8, state["speedMetresPerSecond"] - min(8, max(0, ahead - 10))
+    steering, too_fast = (state["indicators"][0] - centre / 8) / 0.8, state["speedMetresPerSecond"] - min(8, max(0, ahead - 10))
     return {"steering": steering * state["lanesKnown"], "throttle": max(0, -0.3 * too_fast), "brake": max(0, 0.2 * too_fast)}
 
 if __name__ == "__main__":

@@ -13,8 +13,9 @@ internal static class Playthrough
     /// <summary>The settings that it needs.</summary>
     public const string Ini = "[Bridge]\nKind = Folder\nFolder = out/bridge\n[Harvest]\nDriveLights = On\nFreeze = Auto\n";
 
-    /// <summary>More than a calibration takes that looks for markers in vain: 60 ticks after the usual 20.</summary>
-    private const int TicksOfCalibration = 100;
+    /// <summary>More than a calibration takes that looks for markers in vain.</summary>
+    private const int TicksOfCalibration = 400;
+
     /// <summary>More than both trials take in a world that stands still at once and whose camera moves at once: 34 ticks each.</summary>
     private const int TicksOfFreezeTrials = 80;
     private const string Failed = " failed: ";

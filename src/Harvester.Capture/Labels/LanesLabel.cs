@@ -47,7 +47,7 @@ public sealed record LanesLabel
     /// <summary>The thirteen indicators at the look-ahead point, metres and radians.</summary>
     public LaneIndicators Indicators { get; init; } = LaneIndicators.Unknown;
 
-    /// <summary>The same as a road of TORCS would give them.</summary>
+    /// <summary>The same as a road of TORCS would give them, with the angle at the car.</summary>
     public LaneIndicators TorcsEquivalent { get; init; } = LaneIndicators.Unknown;
 
     /// <summary>The thirteen indicators at the car itself, metres and radians.</summary>
@@ -94,7 +94,7 @@ public sealed record LanesLabel
             CurvaturePerMetre = seen.CurvaturePerMetre,
             IsFast = seen.IsFast,
             Indicators = seen.Indicators,
-            TorcsEquivalent = seen.Section is { } section ? Geometry.Lanes.TorcsEquivalent.Of(seen.Indicators, section) : LaneIndicators.Unknown,
+            TorcsEquivalent = seen.Section is { } section ? Geometry.Lanes.TorcsEquivalent.Of(seen.Indicators, section, seen.IndicatorsAtCar.Angle) : LaneIndicators.Unknown,
             IndicatorsAtCar = seen.IndicatorsAtCar,
             Vehicles = seen.Vehicles,
             Boundaries = boundaries,

@@ -70,6 +70,7 @@ public sealed record BridgeSettings
                 token.Length > 0 ? token : null),
             Controller = new ControllerPlan
             {
+                LookAheadMetres = 0,
                 Kind = ini.Choice(Bridge, "Controller", ControllerKind.DeepDriving, "DeepDriving or Stanley"),
                 BrakesInEmergency = ini.Choice(Bridge, "EmergencyBrake", Switch.Off, "On or Off") == Switch.On,
             },

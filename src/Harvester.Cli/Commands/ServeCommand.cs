@@ -82,7 +82,7 @@ internal static class ServeCommand
 
     private static int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
     {
-        ControllerPlan controller = Controller.Parse(parsed);
+        ControllerPlan controller = Controller.Parse(parsed) with { LookAheadMetres = 0 };
         SimulatedGame simulated = Build(parsed);
         var roads = new FixedRoads(simulated.Roads, "simulation");
         var options = new DrivingOptions { Picture = parsed.GetValue(Size), RateHz = parsed.GetValue(Hz) };

@@ -26,7 +26,8 @@ internal sealed class BridgedDrives(BridgePlan plan, TextWriter messages)
     /// <summary>Lets a simulated game be driven over the bridge.</summary>
     /// <param name="game">The game.</param>
     /// <param name="roads">Its roads.</param>
-    /// <param name="newController">Drives as the peer, or here by the indicators that a peer sends.</param>
+    /// <param name="newController">Makes what drives as the peer.</param>
+    /// <param name="newControllerAtCar">Makes what drives here by the indicators that a peer sends, with the angle at the car.</param>
     /// <param name="metres">How far.</param>
     /// <param name="seconds">How long at most.</param>
     /// <param name="samples">Gets what was driven, also when a fault ends it.</param>
@@ -34,11 +35,18 @@ internal sealed class BridgedDrives(BridgePlan plan, TextWriter messages)
     /// <exception cref="IOException">The bridge cannot be opened or has failed, or the other side is silent.</exception>
     /// <exception cref="GameFaultException">The game failed.</exception>
     public void Run(
-        SimulatedGame game, IRoads roads, Func<IController> newController, double metres, double seconds, List<DriveSample> samples, CancellationToken cancellation)
+        SimulatedGame game,
+        IRoads roads,
+        Func<IController> newController,
+        Func<IController> newControllerAtCar,
+        double metres,
+        double seconds,
+        List<DriveSample> samples,
+        CancellationToken cancellation)
     {
         bool isAlone = plan.Role == DriveRole.Both;
         using IDrivingBridge bridge = Open(isAlone);
-        BridgedDrive drive = new(game, roads, bridge, newController, plan.Patience);
+        BridgedDrive drive = new(game, roads, bridge, newControllerAtCar, plan.Patience);
         try
         {
             Run(drive, bridge, newController, metres, seconds, cancellation);

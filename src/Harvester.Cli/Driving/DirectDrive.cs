@@ -76,7 +76,7 @@ internal sealed class DirectDrive(SimulatedGame game, IRoads roads, Func<IContro
         LaneIndicators indicators = seen?.Indicators ?? LaneIndicators.Unknown;
         return new DrivingState(
             indicators,
-            seen?.Section is { } section ? TorcsEquivalent.Of(indicators, section) : indicators,
+            seen?.Section is { } section ? TorcsEquivalent.Of(indicators, section, seen.IndicatorsAtCar.Angle) : indicators,
             seen?.IsFast ?? false,
             ego.Velocity.Length)
         {

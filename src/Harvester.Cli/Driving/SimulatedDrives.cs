@@ -40,7 +40,8 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
             SimulatedGame game = Build(plan.Starts.Count > 0 ? plan.Starts[i] : null, seed);
             if (plan.Bridge is { } bridge)
             {
-                new BridgedDrives(bridge, messages).Run(game, RoadsOf(game), () => ControllerOf(seed), plan.Metres, plan.Seconds, _samples, cancellation);
+                new BridgedDrives(bridge, messages).Run(
+                    game, RoadsOf(game), () => ControllerOf(seed), () => ControllerAtCar(seed), plan.Metres, plan.Seconds, _samples, cancellation);
             }
             else
             {
@@ -55,11 +56,13 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
         : _roads ??= new FixedRoads(game.Roads, "roadFile", LookAhead.OfMetres(plan.Controller.LookAheadMetres));
 
     /// <summary>The controller of the plan, behind its noise.</summary>
-    public IController ControllerOf(int seed)
-    {
-        IController controller = plan.Controller.New();
-        return plan.Noise is { } noise ? new NoisyIndicators(controller, noise, seed) : controller;
-    }
+    public IController ControllerOf(int seed) => Noisy(plan.Controller.New(), seed);
+
+    /// <summary>The same for indicators with the angle at the car.</summary>
+    private IController ControllerAtCar(int seed) => Noisy((plan.Controller with { LookAheadMetres = 0 }).New(), seed);
+
+    private IController Noisy(IController controller, int seed) =>
+        plan.Noise is { } noise ? new NoisyIndicators(controller, noise, seed) : controller;
 
     /// <summary>
     /// A game without people on foot: the indicators do not show them.

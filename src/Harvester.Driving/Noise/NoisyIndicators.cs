@@ -41,9 +41,14 @@ public sealed class NoisyIndicators : IController
         return _controller.Drive(state with
         {
             Indicators = metres,
-            TorcsEquivalent = TorcsEquivalent.Of(metres, new LaneSection(1, LaneSection.TorcsLaneWidth * scale)),
+            TorcsEquivalent = TorcsEquivalent.Of(
+                metres, new LaneSection(1, LaneSection.TorcsLaneWidth * scale), WithErrorOf(state.TorcsEquivalent.Angle, truth.Angle, metres.Angle)),
         });
     }
+
+    /// <summary>An angle with the error that another has: a network that reads a picture errs alike in both.</summary>
+    private static Indicator WithErrorOf(Indicator angle, Indicator truth, Indicator noisy) =>
+        angle.IsValid && truth.IsValid ? Indicator.Of(angle.Value + (noisy.Value - truth.Value)) : angle;
 
     /// <summary>Metres on the road for a metre on a road of TORCS.</summary>
     private static double LaneScale(DrivingState state)

@@ -95,17 +95,27 @@ public sealed class FolderLink : IPeerLink
         double[] numbers = new double[Values];
         for (int i = 0; i < Values; i++)
         {
-            if (i >= words.Length || !double.TryParse(words[i], NumberStyles.Float, CultureInfo.InvariantCulture, out numbers[i]))
+            if (i >= words.Length || !TryNumber(words[i], out numbers[i]))
             {
                 return null;
             }
         }
 
+        // The picture's name lies between.
+        if (words.Length < Values + 2 || !TryNumber(words[Values + 1], out double angleAhead))
+        {
+            return null;
+        }
+
         LaneIndicators torcs = PeerIndicators.Of(numbers[..IndicatorOrder.Count]);
         const int frame = IndicatorOrder.Count, time = frame + 1, speed = frame + 2, fast = frame + 3;
-        DrivingState seen = new(TorcsEquivalent.InMetres(torcs, PeerIndicators.Ordinary), torcs, numbers[fast] > 0, numbers[speed]);
+        DrivingState seen = new(
+            PeerIndicators.InMetres(torcs, PeerIndicators.Ordinary, angleAhead), torcs, numbers[fast] > 0, numbers[speed]);
         return new PeerFrame((long)numbers[frame], numbers[time], seen, null);
     }
+
+    private static bool TryNumber(string word, out double number) =>
+        double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out number);
 
     private void Command(string json)
     {

@@ -15,6 +15,13 @@ internal static class PeerIndicators
         return isOnRoad ? indicators : LaneIndicators.Unknown;
     }
 
+    /// <summary>Indicators in metres with the angle at the look-ahead point, which the road of TORCS does not tell.</summary>
+    public static LaneIndicators InMetres(LaneIndicators torcsEquivalent, LaneSection section, double angleAhead)
+    {
+        LaneIndicators metres = TorcsEquivalent.InMetres(torcsEquivalent, section);
+        return metres.Angle.IsValid ? metres with { Angle = Indicator.Of(angleAhead) } : metres;
+    }
+
     /// <summary>Width of a lane for which the indicators in metres are as they are; that of ordinary roads where they do not tell.</summary>
     public static LaneSection SectionOf(IReadOnlyList<double> torcsEquivalent, IReadOnlyList<double> metres)
     {

@@ -97,10 +97,11 @@ public sealed class SocketLink : IPeerLink
         }
 
         double[] torcs = Numbers(root, "torcsEquivalent");
+        double[] metres = Numbers(root, "indicators");
         double[] position = Numbers(root, "position");
         LaneIndicators indicators = PeerIndicators.Of(torcs);
         DrivingState seen = new(
-            TorcsEquivalent.InMetres(indicators, PeerIndicators.SectionOf(torcs, Numbers(root, "indicators"))),
+            PeerIndicators.InMetres(indicators, PeerIndicators.SectionOf(torcs, metres), angleAhead: metres[0]),
             indicators,
             root.GetProperty("fast").GetBoolean(),
             root.GetProperty("speedMetresPerSecond").GetDouble())

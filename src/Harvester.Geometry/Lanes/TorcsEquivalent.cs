@@ -4,14 +4,22 @@ namespace Harvester.Geometry.Lanes;
 
 /// <summary>
 /// The indicators as a road of TORCS would give them, for controllers and networks made for it: distances to markings scaled by
-/// 4.0 / lane width, distances to vehicles cut at 60 m, the angle as it is. The inactive values stay what they are.
+/// 4.0 / lane width, distances to vehicles cut at 60 m, and the angle at the car. The inactive values stay what they are.
 /// </summary>
 public static class TorcsEquivalent
 {
     /// <summary>DeepDriving's value for a lane without a vehicle in sight, metres.</summary>
     public const double VehicleRange = 60;
 
-    /// <summary>Scales indicators measured on lanes of a given width.</summary>
+    /// <summary>Scales indicators measured at a look-ahead point, and gives them the angle at the car, as TORCS measures it.</summary>
+    /// <param name="indicators">Metres and radians, at the look-ahead point.</param>
+    /// <param name="section">The lanes there.</param>
+    /// <param name="angleAtCar">The angle between road and car at the car, radians.</param>
+    /// <exception cref="ArgumentNullException">There are no indicators.</exception>
+    public static LaneIndicators Of(LaneIndicators indicators, LaneSection section, Indicator angleAtCar) =>
+        Of(indicators, section) with { Angle = angleAtCar };
+
+    /// <summary>Scales indicators measured at the car on lanes of a given width.</summary>
     public static LaneIndicators Of(LaneIndicators indicators, LaneSection section) =>
         Guard.NotNull(indicators, nameof(indicators)).Select(toMarking => Scaled(toMarking, section.TorcsScale), Cut);
 

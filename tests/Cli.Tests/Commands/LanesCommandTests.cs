@@ -44,6 +44,29 @@ public sealed class LanesCommandTests : IDisposable
     }
 
     [Fact]
+    public void Torcs_equivalent_has_the_angle_at_the_car()
+    {
+        // A circle to the left with a radius of 100 m. 10 m ahead along it, the road points 0.1 rad further to the left than at the car.
+        string bend = _folder.PathOf("bend.csv");
+        RoadNode[] nodes = [.. Enumerable.Range(0, 25).Select(i => new RoadNode(0, i, OnCircle(0.05 * i), "", RoadNodeFlags.None))];
+        RoadLink[] links = [.. Enumerable.Range(0, 24).Select(i => new RoadLink(i, i + 1, 1, 1, 0, RoadLinkFlags.None))];
+        using (StreamWriter writer = File.CreateText(bend))
+        {
+            RoadCsvWriter.Write(new RoadNetwork(nodes, links), writer);
+        }
+
+        CliRun run = CliRun.Of("lanes", "--roads", bend, "--position", "2.3,60,0", "--heading", "38");
+        JsonElement lanes = JsonDocument.Parse(run.Out).RootElement;
+
+        double ahead = lanes.GetProperty("indicators").GetProperty("angle").GetDouble();
+        double atCar = lanes.GetProperty("atCar").GetProperty("indicators").GetProperty("angle").GetDouble();
+        Assert.Equal(atCar, lanes.GetProperty("torcsEquivalent").GetProperty("angle").GetDouble());
+        Assert.Equal(0.1, ahead - atCar, 2);
+
+        static Vector3D OnCircle(double angle) => new((100 * Math.Cos(angle)) - 100, 100 * Math.Sin(angle), 0);
+    }
+
+    [Fact]
     public void Lanes_measures_from_the_middle_of_the_box()
     {
         // Turned 30 degrees to the left, 2 m ahead are 2 sin 30 = 1 m to the west, and 1 m to the right is cos 30 = 0.866 m to the east.

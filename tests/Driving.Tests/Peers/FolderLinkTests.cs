@@ -37,7 +37,7 @@ public sealed class FolderLinkTests : IDisposable
         Assert.NotEqual(first, again);
         Assert.Equal("""{"type":"hello"}""", again.TrimEnd());
 
-        Write(Indicators + "3 0.3 5 1 frame_00000003.png\n");
+        Write(Indicators + "3 0.3 5 1 frame_00000003.png -0.05\n");
         Assert.NotNull(link.Receive(Ample));
         link.AskForFrame();
         Assert.Equal("""{"type":"requestFrame"}""", File.ReadAllText(Path.Combine(_folder, "command.json")).TrimEnd());
@@ -46,26 +46,27 @@ public sealed class FolderLinkTests : IDisposable
     [Fact]
     public void Receive_gives_each_new_state_once_and_none_from_before()
     {
-        Write(Indicators + "3 0.3 5 1 frame_00000003.png\n");
+        Write(Indicators + "3 0.3 5 1 frame_00000003.png -0.05\n");
         using FolderLink link = new(_folder);
         Assert.Null(link.Receive(Little));
-        Write(Indicators + "0 0.1 5 1 frame_00000000.png\n");
+        Write(Indicators + "0 0.1 5 1 frame_00000000.png -0.05\n");
         PeerFrame frame = link.Receive(Ample)!;
 
         Assert.Equal((0, 0.1, 5, true), (frame.Frame, frame.TimeSeconds, frame.State.SpeedMetresPerSecond, frame.State.IsFast));
+        Assert.Equal((-0.05, 0), (frame.State.Indicators.Angle.Value, frame.State.TorcsEquivalent.Angle.Value));
         Assert.Null(link.Receive(Little));
     }
 
     [Theory]
     [InlineData("")]
     [InlineData("0 -7 3.5")]
-    [InlineData("0 -7 3.5 7 75 75 -9.5 -2 2 9.5 75 75 seventy\n3 0.3 5 1 frame_00000003.png\n")]
+    [InlineData("0 -7 3.5 7 75 75 -9.5 -2 2 9.5 75 75 seventy\n3 0.3 5 1 frame_00000003.png -0.05\n")]
     public void Receive_passes_over_a_state_that_is_not_whole(string state)
     {
         using FolderLink link = new(_folder);
         Write(state);
         Assert.Null(link.Receive(Little));
-        Write(Indicators + "4 0.4 5 1 frame_00000004.png\n");
+        Write(Indicators + "4 0.4 5 1 frame_00000004.png -0.05\n");
 
         Assert.Equal(4, link.Receive(Ample)!.Frame);
     }

@@ -16,6 +16,7 @@ public sealed class SocketLinkTests
 
         Assert.Equal((7, 0.7, 5, 12), (frame.Frame, frame.TimeSeconds, frame.State.SpeedMetresPerSecond, frame.Position!.Value.X));
         Assert.Equal(-2.7, frame.State.Indicators.ToMarkingML.Value, 6);
+        Assert.Equal((-0.05, 0), (frame.State.Indicators.Angle.Value, frame.State.TorcsEquivalent.Angle.Value));
         Assert.Equal("""{"type":"hello","token":"open sesame"}""", game.Hear());
         Assert.Equal("""{"type":"requestFrame"}""", game.Hear());
     }

@@ -10,7 +10,7 @@ namespace Harvester.Capture.Driving.Bridge;
 /// <param name="Position">The car's origin, metres, world.</param>
 /// <param name="HeadingDegrees">Degrees counter-clockwise from north, in [0, 360).</param>
 /// <param name="Indicators">In metres and radians, on the road as it is.</param>
-/// <param name="TorcsEquivalent">The same as a road of TORCS would give them.</param>
+/// <param name="TorcsEquivalent">The same as a road of TORCS would give them, with the angle at the car.</param>
 /// <param name="IsFast">Whether more than 60 m of straight road lie ahead.</param>
 public sealed record BridgeState(
     long Frame,

@@ -10,7 +10,7 @@ internal static class BridgeText
 {
     private const int Decimals = 6;
 
-    /// <summary>The content of state.txt: a line of thirteen numbers as in Figure 23, a line with frame, time, speed, fast and the picture's name.</summary>
+    /// <summary>The content of state.txt: a line of thirteen numbers as in Figure 23, a line with frame, time, speed, fast, the picture's name and the angle ahead.</summary>
     public static byte[] StateFile(BridgeState state, string picture)
     {
         var text = new StringBuilder();
@@ -24,7 +24,9 @@ internal static class BridgeText
         Append(text, state.TimeSeconds);
         Append(text, state.SpeedMetresPerSecond);
         Append(text, state.IsFast ? 1 : 0);
-        text.Append(picture).Append('\n');
+        text.Append(picture).Append(' ');
+        InvariantNumber.Append(text, state.Indicators.Angle.Value, Decimals);
+        text.Append('\n');
         return Encoding.ASCII.GetBytes(text.ToString());
     }
 

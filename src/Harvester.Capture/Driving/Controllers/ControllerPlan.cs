@@ -11,7 +11,10 @@ public sealed record ControllerPlan
     /// <summary>The law.</summary>
     public required ControllerKind Kind { get; init; }
 
-    /// <summary>How far ahead the angle of the labels is measured, metres; 10 as harvests label it.</summary>
+    /// <summary>
+    /// How far ahead the angle of the indicators is measured, metres: 10 (default) for those of labels, 0 for those that a client sends, whose
+    /// angle is at the car as in TORCS.
+    /// </summary>
     public double LookAheadMetres { get; init; } = 10;
 
     /// <summary>Speed on a free straight road, m/s; null for the law's own.</summary>

@@ -4,7 +4,7 @@ namespace Harvester.Capture.Driving.Controllers;
 
 /// <summary>What a controller knows at one moment.</summary>
 /// <param name="Indicators">The indicators in metres on the road as it is.</param>
-/// <param name="TorcsEquivalent">The same as a road of TORCS would give them.</param>
+/// <param name="TorcsEquivalent">The same as a road of TORCS would give them, with the angle at the car.</param>
 /// <param name="IsFast">Whether more than 60 m of straight road lie ahead.</param>
 /// <param name="SpeedMetresPerSecond">The car's speed, m/s; 0 or more.</param>
 public sealed record DrivingState(

@@ -19,7 +19,7 @@ public sealed class FolderBridgeTests : IDisposable
         string[] lines = File.ReadAllText(PathOf("state.txt")).Split('\n');
         double[] indicators = [.. lines[0].Split(' ').Select(word => double.Parse(word, CultureInfo.InvariantCulture))];
         Assert.Equal([0, -7, 3.5, 7, 75, 75, -9.5, -5.5, 5.5, 9.5, 75, 75, 75], indicators);
-        Assert.Equal("4 0.4 12.5 1 frame_00000004.png", lines[1]);
+        Assert.Equal("4 0.4 12.5 1 frame_00000004.png 0", lines[1]);
         Assert.True(File.Exists(PathOf("frame_00000004.png")));
     }
 
