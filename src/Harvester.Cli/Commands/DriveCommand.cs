@@ -136,8 +136,14 @@ internal static class DriveCommand
             drives.Run(report, cancellation);
             return null;
         }
-        catch (Exception e) when (e is IOException or GameFaultException && drives.Samples.Count > 0)
+        catch (Exception e) when (e is IOException or GameFaultException)
         {
+            // Not in the filter, which would run before the drive hands its samples over.
+            if (drives.Samples.Count == 0)
+            {
+                throw;
+            }
+
             return ExceptionDispatchInfo.Capture(e);
         }
     }

@@ -106,7 +106,7 @@ public sealed class DriveCommandTests
 
     /// <summary>What was printed but how far it was in the meantime, which a slow machine is told more often.</summary>
     private static IEnumerable<string> Figures(CliRun run) =>
-        run.Out.Split('\n').Where(line => !line.Contains(" of 250 m, ", StringComparison.Ordinal));
+        run.Out.Split('\n').Where(line => !line.Contains(" of 250 m", StringComparison.Ordinal));
 
     private static CliRun Drive(string folder, string controller) =>
         CliRun.Of("drive", "--out", folder, "--controller", controller, "--distance", "250", "--traffic", "0.3", "--noise", "--seed", "4");

@@ -55,7 +55,7 @@ public sealed class LanesCommandTests : IDisposable
             RoadCsvWriter.Write(new RoadNetwork(nodes, links), writer);
         }
 
-        CliRun run = CliRun.Of("lanes", "--roads", bend, "--position", "2.3,60,0", "--heading", "38");
+        CliRun run = CliRun.Of("lanes", "--roads", bend, "--position", "-17.84,61.62,0", "--heading", "36");
         JsonElement lanes = JsonDocument.Parse(run.Out).RootElement;
 
         double ahead = lanes.GetProperty("indicators").GetProperty("angle").GetDouble();
