@@ -14,6 +14,7 @@ public sealed class LightStateTests(ITestOutputHelper output)
     [InlineData(15, true)]
     [InlineData(4, true)]
     [InlineData(4, false)]
+    [Trait("Category", "Heavy")]
     public void State_of_every_head_is_told_and_is_the_one_in_the_picture(int seed, bool freeze)
     {
         (Dictionary<(int Frame, int Id), LightLabel> told, _) = Harvest(seed, freeze, ports => ports);

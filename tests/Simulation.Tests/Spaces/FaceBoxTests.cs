@@ -24,6 +24,7 @@ public sealed class FaceBoxTests
     private const int Side = 200;
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Box_is_within_a_pixel_of_the_rendered_face_at_5_to_60_metres_and_up_to_60_degrees_of_turn()
     {
         var random = new Random(7);

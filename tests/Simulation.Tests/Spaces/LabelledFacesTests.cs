@@ -54,6 +54,7 @@ public sealed class LabelledFacesTests
     }
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Heads_that_only_their_own_model_could_hide_count_as_visible_and_are_read()
     {
         int heads = 0, hidden = 0, unknown = 0;
