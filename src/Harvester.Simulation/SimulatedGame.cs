@@ -80,8 +80,7 @@ public sealed class SimulatedGame
     public bool IsFrozen => Freezing.IsStanding;
 
     /// <summary>
-    /// Whether a light or somebody who comes first makes the ego stop at a line ahead, as far as that concerns it at its speed. Its own
-    /// driver does stop; who drives it from outside need not.
+    /// Whether the ego must stop at a line ahead, for a light or to give way. Its built-in driver does; an external driver need not.
     /// </summary>
     public bool MustEgoGiveWay => _world.MustEgoGiveWay;
 

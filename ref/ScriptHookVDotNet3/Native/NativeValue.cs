@@ -8,7 +8,7 @@ namespace GTA.Native;
 /// <summary>The API's conversions between managed values and the eight bytes of a native's.</summary>
 internal static unsafe class NativeValue
 {
-    /// <exception cref="InvalidCastException">The value is neither null nor a string nor an <see cref="INativeValue"/>; an int is none of them.</exception>
+    /// <exception cref="InvalidCastException">The value is not null, a string or an <see cref="INativeValue"/>; an int is refused.</exception>
     public static ulong From(object? value) => value switch
     {
         null => 0,

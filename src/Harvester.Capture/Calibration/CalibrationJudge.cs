@@ -12,7 +12,7 @@ internal static class CalibrationJudge
     // A marker that is partly hidden seems to lie beside its place by less than its radius. As in the fit, most must be whole.
     private const double LeastAgreeing = 0.5;
 
-    // What lies farther off is taken for another marker or is none: what changes by chance where a marker is expected.
+    // A spot farther off belongs to another marker, or is a chance change of the image where a marker is expected.
     private const double MostElsewhere = 0.1;
 
     // As in the fit: noise does not reach so far.

@@ -4,8 +4,8 @@ using System.Linq;
 namespace Harvester.Capture.Calibration;
 
 /// <summary>
-/// Which markers are shown in which of several pictures, so that each is known by the pictures that show it: by exactly three of seven, another
-/// three for each. What shows in fewer or more pictures is no marker, or not a whole one.
+/// Which markers are shown in which of seven pictures. Each marker has a combination of exactly three pictures of its own, which identifies it.
+/// A spot in fewer or more pictures is not a marker, or a marker that is partly hidden.
 /// </summary>
 internal static class MarkerCode
 {
@@ -16,13 +16,13 @@ internal static class MarkerCode
 
     private static readonly int[] Codes = [.. Enumerable.Range(0, 1 << Pictures).Where(code => Enumerable.Range(0, Pictures).Count(picture => IsIn(code, picture)) == Weight)];
 
-    /// <summary>How many markers can be told apart: 35.</summary>
+    /// <summary>The number of distinct markers: 35, the ways to choose three of seven.</summary>
     public static int Capacity => Codes.Length;
 
     /// <summary>Whether a marker is shown in a picture.</summary>
     public static bool IsShown(int marker, int picture) => IsIn(Codes[marker], picture);
 
-    /// <summary>The marker that is shown in some pictures and no other; -1 when there is none.</summary>
+    /// <summary>The marker that is shown in exactly these pictures; -1 if there is none.</summary>
     public static int MarkerIn(IEnumerable<int> pictures) => System.Array.IndexOf(Codes, pictures.Aggregate(0, (code, picture) => code | (1 << picture)));
 
     private static bool IsIn(int code, int picture) => (code & (1 << picture)) != 0;

@@ -150,8 +150,8 @@ public sealed record HarvestOptions
         (cuboid.Centre - camera.Pose.Position).Length - cuboid.HalfExtents.Length <= RayReachMetres;
 
     /// <summary>
-    /// Whether an object in the image is listed: one that is seen and not hidden too far, and one that nobody has looked at, which is
-    /// marked as undetermined.
+    /// Whether an object in the image is labelled: one that is visible and not occluded too far, and one whose visibility was not examined,
+    /// which is marked as undetermined.
     /// </summary>
     internal bool IsListed(OcclusionEstimate occlusion) => occlusion.Sight switch
     {

@@ -9,7 +9,7 @@ using Harvester.Geometry.Visibility;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>Marks the places of objects beyond the labelling range, so that nobody takes them for background.</summary>
+/// <summary>Marks visible objects beyond the labelling range as ignore regions, so that they do not count as background.</summary>
 internal sealed class DistantLabeller(HarvestOptions options)
 {
     /// <summary>Those of a scene's distant entities that are in the image and large enough to be labelled if they were nearer.</summary>

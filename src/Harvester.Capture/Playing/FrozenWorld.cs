@@ -4,11 +4,11 @@ using Harvester.Capture.Ports;
 namespace Harvester.Capture.Playing;
 
 /// <summary>
-/// Lets the world go on that nobody needs frozen any more. Whoever froze it does so first; where the game has refused that, it is
-/// tried again in each tick.
+/// Unfreezes a world that no feature needs frozen any more. The feature that froze it does so first; if the game refused, it is tried again
+/// in every tick.
 /// </summary>
 /// <param name="pause">The game's.</param>
-/// <param name="isNeeded">Whether somebody may need the world frozen.</param>
+/// <param name="isNeeded">Whether a feature may need the world frozen.</param>
 public sealed class FrozenWorld(IPause pause, Func<bool> isNeeded) : IFeature
 {
     /// <inheritdoc/>

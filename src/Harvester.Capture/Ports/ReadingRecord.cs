@@ -13,7 +13,7 @@ public sealed class ReadingRecord
     public ReadingReport Report =>
         new(SourceOf(EntityKind.Vehicle), SourceOf(EntityKind.Ped), SourceOf(EntityKind.Prop), _distorted.Count);
 
-    /// <summary>Begins to count anew. Where entities are listed from stays as it is.</summary>
+    /// <summary>Resets the counters. The sources of the lists are kept.</summary>
     public void Begin() => _distorted.Clear();
 
     /// <summary>Counts an entity that was left out because its matrix is sheared or mirrored; each once.</summary>

@@ -29,7 +29,7 @@ internal static class DiscardCheck
     /// <param name="captured">Frames kept.</param>
     /// <param name="discards">Frames thrown away, by reason.</param>
     /// <param name="isFreezeGiven">Whether the way of freezing was given, not tried.</param>
-    /// <param name="evidence">Where this is told.</param>
+    /// <param name="evidence">Where this is stated.</param>
     public static IEnumerable<Finding> Of(
         int captured, IReadOnlyList<KeyValuePair<string, int>> discards, bool isFreezeGiven, LogLine evidence)
     {

@@ -4,7 +4,7 @@ using System.Text.RegularExpressions;
 
 namespace Harvester.Datasets.Diagnosis;
 
-/// <summary>Looks whether a file that is called the mod's log has anything that the mod wrote: of nothing it cannot be said that all is well.</summary>
+/// <summary>Reports a log of the mod without a single line that the mod wrote, which would otherwise count as free of problems.</summary>
 internal static class EntryCheck
 {
     private static readonly Regex Entry = new(@"^\d{4}-\d\d-\d\d \d\d:\d\d:\d\d ", RegexOptions.CultureInvariant);

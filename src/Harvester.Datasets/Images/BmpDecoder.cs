@@ -15,7 +15,7 @@ public static class BmpDecoder
     private const int HeaderLength = 34;
 
     /// <summary>Reads a picture.</summary>
-    /// <exception cref="DatasetFormatException">It is not such a picture, or damaged; the message speaks of the file as "it".</exception>
+    /// <exception cref="DatasetFormatException">It is not such a picture, or damaged; the message refers to the file as "it".</exception>
     /// <exception cref="IOException">It cannot be read.</exception>
     public static PixelBuffer ReadRgb(string path)
     {

@@ -37,7 +37,7 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
     private static ReadOnlySpan<byte> PngEnd => [0, 0, 0, 0, (byte)'I', (byte)'E', (byte)'N', (byte)'D', 0xAE, 0x42, 0x60, 0x82];
 
     /// <summary>Reads the header of a PNG, BMP or JPEG file and looks whether the file reaches to its end.</summary>
-    /// <exception cref="DatasetFormatException">It is neither, or cut off; the message speaks of the file as "it".</exception>
+    /// <exception cref="DatasetFormatException">It is neither, or cut off; the message refers to the file as "it".</exception>
     /// <exception cref="IOException">It cannot be read.</exception>
     public static ImageHeader Read(string path)
     {

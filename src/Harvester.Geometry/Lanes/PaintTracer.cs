@@ -19,7 +19,7 @@ public static class PaintTracer
     /// <summary>Steps between points are sums of smaller ones, metres.</summary>
     private const double Rounding = 1e-6;
 
-    /// <summary>Traces the paint. Each line goes as far as the paint goes, and keeps to the points that the paint is told by.</summary>
+    /// <summary>Traces the paint. Each line ends where its paint ends and passes through the points that describe the paint.</summary>
     /// <param name="stretch">The road.</param>
     /// <param name="carOffset">The car's place, metres to the right of the centre line.</param>
     /// <param name="from">First station, metres along the road from the car.</param>

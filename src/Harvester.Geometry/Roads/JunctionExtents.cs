@@ -20,7 +20,7 @@ public sealed class JunctionExtents
     /// <summary>Roads that meet at a smaller angle than this merge or go on in one another, and do not cross, radians: 35 degrees.</summary>
     private const double MergingAngle = 0.6;
 
-    /// <summary>What ties two carriageways is no longer than this, metres: it crosses a median and two lanes at a slant.</summary>
+    /// <summary>The greatest length of a link between two carriageways, metres: enough to cross a median and two lanes at an angle.</summary>
     private const double LongestTie = 40;
 
     private readonly RoadCurves _curves;

@@ -1,8 +1,6 @@
-using System.Diagnostics.CodeAnalysis;
 using Harvester.Capture.Driving;
 using Harvester.Capture.Driving.Bridge;
 using Harvester.Capture.Driving.Controllers;
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Tests.Doubles;
 using Harvester.Geometry;
@@ -246,7 +244,7 @@ public sealed class DrivingSessionTests : DrivenGame
     [Fact]
     public void Peer_that_floods_the_bridge_does_not_hold_up_a_tick()
     {
-        using var flood = new Flood();
+        using var flood = new FloodingBridge();
         using var session = new DrivingSession(new DrivingOptions(), Game.Ports with { Car = Car }, flood, () => new NotingController(Left));
         Run(session, 10);
 
@@ -275,28 +273,4 @@ public sealed class DrivingSessionTests : DrivenGame
     [Fact]
     public void Game_without_a_car_to_drive_is_refused() =>
         Assert.Throws<ArgumentException>(() => new DrivingSession(new DrivingOptions(), Game.Ports, Bridge, () => new NotingController(Left)));
-
-    /// <summary>A bridge whose peer sends faster than anyone can take.</summary>
-    private sealed class Flood : IDrivingBridge
-    {
-        public int Taken { get; private set; }
-
-        public string? Problem => null;
-
-        public string? Peer => null;
-
-        public void Publish(BridgeState state, PixelBuffer picture)
-        {
-        }
-
-        public bool TryReceive([NotNullWhen(true)] out PeerMessage? message)
-        {
-            message = Taken++ % 2 == 0 ? new RequestFrameMessage() : new ControlsMessage(Left, null);
-            return true;
-        }
-
-        public void Dispose()
-        {
-        }
-    }
 }

@@ -106,30 +106,6 @@ public sealed class HarvestCommandTests : IDisposable
         Assert.Equal(ExitCode.Done, CliRun.Of("validate", Session).ExitCode);
     }
 
-    [Theory]
-    [InlineData("--freeze", "slow", "--freeze takes paused, timeScale or auto, not 'slow'.")]
-    [InlineData("--quirks", "pause.heldCamera", "--quirks takes some of lag=N, ")]
-    [InlineData("--quirks", "paused.lag=2", "--quirks takes some of lag=N, ")]
-    public void Harvest_refuses_what_is_no_way_of_freezing(string option, string value, string message)
-    {
-        CliRun run = Harvest(Session, option, value);
-
-        Assert.Equal(ExitCode.Usage, run.ExitCode);
-        Assert.Contains(message, run.Error, StringComparison.Ordinal);
-        Assert.False(Directory.Exists(Session));
-    }
-
-    [Theory]
-    [InlineData(7)]
-    [InlineData(40)]
-    public void Harvest_whose_picture_is_too_late_is_refused_and_leaves_no_folder(int lag)
-    {
-        Harvest(Session, "--frames", "2", "--seed", "3", "--hz", "2", "--quirks", $"lag={lag}").AssertFailed(
-            ExitCode.HarvestFault, $"The picture is {lag} ticks behind the game, and the harvest allows for 4. Raise the limit (--max-picture-lag) and start again.");
-
-        Assert.False(Directory.Exists(Session));
-    }
-
     [Fact]
     public void Harvest_whose_picture_is_late_goes_ahead_where_that_is_allowed()
     {
@@ -181,89 +157,12 @@ public sealed class HarvestCommandTests : IDisposable
         Assert.Equal(ExitCode.Done, CliRun.Of("validate", Session).ExitCode);
     }
 
-    [Theory]
-    [InlineData("")]
-    [InlineData("/below")]
-    public void Harvest_into_a_file_is_refused(string below)
-    {
-        File.WriteAllText(_folder.PathOf("file"), "mine");
-
-        Harvest(_folder.PathOf("file") + below).AssertFailed(ExitCode.InputOutput, "file' is a file. Name a folder with --out.");
-    }
-
-    [Fact]
-    public void Harvest_into_a_session_asks_for_overwrite_and_then_replaces_it()
-    {
-        Harvest(Session, "--frames", "2");
-
-        Harvest(Session, "--frames", "1").AssertFailed(ExitCode.Usage, "--overwrite");
-        Assert.Equal(2, new SessionReader(Session).ReadLabels().Count());
-
-        Assert.Equal(ExitCode.Done, Harvest(Session, "--frames", "1", "--overwrite").ExitCode);
-        Assert.Single(Directory.GetFiles(Path.Combine(Session, "frames")));
-    }
-
-    [Fact]
-    public void Harvest_that_cannot_begin_leaves_the_session_that_it_was_to_replace()
-    {
-        Harvest(Session, "--frames", "1");
-
-        CliRun run = Harvest(Session, "--overwrite", "--roads", _folder.PathOf("nowhere.zip"));
-
-        Assert.Equal(ExitCode.InputOutput, run.ExitCode);
-        Assert.Single(new SessionReader(Session).ReadLabels());
-    }
-
-    [Fact]
-    public void Harvest_into_a_session_with_other_files_leaves_both()
-    {
-        Harvest(Session, "--frames", "1");
-        string notes = Path.Combine(Session, "notes.txt");
-        File.WriteAllText(notes, "mine");
-
-        Harvest(Session, "--overwrite").AssertFailed(ExitCode.Usage, "'notes.txt'");
-
-        Assert.True(File.Exists(notes));
-        Assert.Single(new SessionReader(Session).ReadLabels());
-    }
-
     [Fact]
     public void Harvest_into_empty_folders_as_a_full_disk_leaves_them_goes_ahead()
     {
         Directory.CreateDirectory(Path.Combine(Session, "frames"));
 
         Assert.Equal(ExitCode.Done, Harvest(Session, "--frames", "1").ExitCode);
-    }
-
-    [Fact]
-    public void Harvest_never_replaces_what_is_no_session()
-    {
-        _folder.File("precious.txt", "mine");
-
-        Harvest(_folder.Path, "--overwrite").AssertFailed(ExitCode.Usage, "holds no session");
-
-        Assert.True(File.Exists(_folder.PathOf("precious.txt")));
-    }
-
-    [Theory]
-    [InlineData("harvest", "800", "32 to 8192 each, as 800x600, not '800'")]
-    [InlineData("serve", "8x8", "32 to 8192 each")]
-    [InlineData("calibrate", "800", "288x216 to 8192x8192, as 800x600, not '800'")]
-    [InlineData("project", "800", "1 to 65535 each")]
-    public void Size_that_cannot_be_is_refused_with_the_limits_of_its_command(string command, string size, string limits) =>
-        CliRun.Of([command, "--size", size, .. Required(command)]).AssertFailed(ExitCode.Usage, limits);
-
-    [Fact]
-    public void Harvest_of_a_view_too_wide_to_check_names_the_options_of_the_command()
-    {
-        CliRun run = CliRun.Of("harvest", "--out", Session, "--frames", "1", "--size", "320x240", "--seed", "4", "--fov", "170", "--no-report");
-
-        Assert.Equal(ExitCode.HarvestFault, run.ExitCode);
-        Assert.Contains("a smaller field of view (--fov). --max-camera-error 0 harvests without this check.", run.Error, StringComparison.Ordinal);
-        Assert.DoesNotContain("ini", run.Error, StringComparison.Ordinal);
-        Assert.Equal(
-            ExitCode.Done,
-            CliRun.Of("harvest", "--out", Session, "--frames", "1", "--size", "320x240", "--seed", "4", "--fov", "170", "--no-report", "--max-camera-error", "0").ExitCode);
     }
 
     [Fact]
@@ -290,63 +189,6 @@ public sealed class HarvestCommandTests : IDisposable
         Assert.Contains($"validate {ShellWord.Of(Session + " 2")}\n", run.Out, StringComparison.Ordinal);
     }
 
-    [Theory]
-    [InlineData("--frames", "0")]
-    [InlineData("--frames", "many")]
-    [InlineData("--seed", "-1")]
-    [InlineData("--size", "8x8")]
-    [InlineData("--size", "31x300")]
-    [InlineData("--size", "300x31")]
-    [InlineData("--size", "65535x65535")]
-    [InlineData("--size", "0x600")]
-    [InlineData("--fov", "180")]
-    [InlineData("--k1", "2")]
-    [InlineData("--centre-offset", "2,0")]
-    [InlineData("--max-camera-error", "-1")]
-    [InlineData("--fov", "0.5")]
-    [InlineData("--range", "1e300")]
-    [InlineData("--hz", "0")]
-    [InlineData("--hz", "61")]
-    [InlineData("--range", "0")]
-    [InlineData("--weather", "sunshine")]
-    [InlineData("--quirks", "lag")]
-    [InlineData("--max-picture-lag", "61")]
-    [InlineData("--quirks", "lag=2,lateCamera=1")]
-    [InlineData("--quirks", "vanish=1.5")]
-    [InlineData("--time", "25:00")]
-    [InlineData("--time", "noon")]
-    [InlineData("--near", "1")]
-    [InlineData("--classes", "car,plane")]
-    public void Harvest_with_an_impossible_value_is_a_usage_error_and_writes_nothing(string option, string value)
-    {
-        CliRun.Of("harvest", "--out", Session, option, value).AssertFailed(ExitCode.Usage, option);
-
-        Assert.False(Directory.Exists(Session));
-    }
-
-    [Fact]
-    public void Harvest_without_out_is_a_usage_error() => CliRun.Of("harvest").AssertFailed(ExitCode.Usage, "--out");
-
-    [Fact]
-    public void Harvest_on_roads_that_are_not_there_is_an_input_error()
-    {
-        CliRun run = Harvest(Session, "--roads", "no-such-roads.zip");
-
-        Assert.Equal(ExitCode.InputOutput, run.ExitCode);
-        Assert.Contains("no-such-roads.zip", run.Error, StringComparison.Ordinal);
-    }
-
-    [Fact]
-    public void Harvest_on_roads_that_are_none_is_a_data_error()
-    {
-        string roads = _folder.File("roads.json", "not roads");
-
-        CliRun run = Harvest(Session, "--roads", roads);
-
-        Assert.Equal(ExitCode.BadData, run.ExitCode);
-        Assert.Contains("roads.json", run.Error, StringComparison.Ordinal);
-    }
-
     [Fact]
     public void Harvest_with_props_sets_them_up_and_notes_their_file()
     {
@@ -358,10 +200,6 @@ public sealed class HarvestCommandTests : IDisposable
         Assert.Equal("lamps.json", info.RootElement.GetProperty("settings").GetProperty("props").GetString());
     }
 
-    [Fact]
-    public void Harvest_with_props_that_are_none_is_a_data_error() =>
-        Harvest(Session, "--props", _folder.File("lamps.json", "{}")).AssertFailed(ExitCode.BadData, "lamps.json");
-
     private static CliRun Harvest(string session, params string[] arguments) =>
         CliRun.Of(["harvest", "--out", session, "--size", "160x120", .. arguments]);
 
@@ -370,12 +208,4 @@ public sealed class HarvestCommandTests : IDisposable
             .Select(path => Path.GetRelativePath(session, path))
             .Where(name => name != "report.html")
             .Order(StringComparer.Ordinal)];
-
-    /// <summary>What a command asks for besides the size.</summary>
-    private string[] Required(string command) => command switch
-    {
-        "harvest" => ["--out", Session],
-        "project" => ["--position", "0,0,0", "--rotation", "0,0,0", "--fov", "50"],
-        _ => [],
-    };
 }

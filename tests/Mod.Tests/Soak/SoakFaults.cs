@@ -10,7 +10,7 @@ internal sealed class SoakFaults
 {
     private const int MostTicksOfAFault = 40;
 
-    /// <summary>Natives that say whether something is there. A game that denies what a script has made lets nobody take it away.</summary>
+    /// <summary>Natives that report whether something exists. If the game denies that something exists, no script can remove it.</summary>
     private static readonly HashSet<string> Existence = ["DOES_ENTITY_EXIST", "DOES_CAM_EXIST", "GET_RENDERING_CAM"];
 
     private readonly ScriptDriver _driver;
@@ -176,7 +176,7 @@ internal sealed class SoakFaults
         };
     }
 
-    /// <summary>A thread that is not the script's is refused, here as everywhere; what it did is no misuse of the script's.</summary>
+    /// <summary>Calls from another thread than the script's are refused, as everywhere; they do not count as a misuse by the script.</summary>
     private void RefuseCall()
     {
         Assert.Throws<InvalidOperationException>(() => Function.Call<int>(Hash.PLAYER_PED_ID));

@@ -92,7 +92,7 @@ internal sealed class SocketPeer : IDisposable
         }
     }
 
-    /// <summary>A dual-mode socket has the addresses of version 4 in their form of version 6, which nobody would recognise.</summary>
+    /// <summary>A dual-mode socket reports IPv4 addresses in IPv6-mapped form; this is the plain form.</summary>
     private static string PlaceOf(EndPoint? end) => end switch
     {
         IPEndPoint { Address.IsIPv4MappedToIPv6: true } mapped => new IPEndPoint(mapped.Address.MapToIPv4(), mapped.Port).ToString(),

@@ -13,7 +13,7 @@ namespace Harvester.Capture.Spaces.Survey;
 /// <param name="sign">1 towards larger numbers along the direction, -1 towards smaller ones.</param>
 internal sealed class EdgeSearch(Func<double, double, bool> isOn, double step, int sign)
 {
-    /// <summary>A place that reaches further by less is passed over, metres.</summary>
+    /// <summary>A place is ignored if it extends the edge by less than this, metres.</summary>
     private const double LeastGain = 0.001;
 
     /// <summary>Halvings of the step along the direction; and, at the tip, across it.</summary>

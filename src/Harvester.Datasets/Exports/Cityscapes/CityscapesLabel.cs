@@ -4,5 +4,5 @@ namespace Harvester.Datasets.Exports.Cityscapes;
 /// <param name="Name">Its name.</param>
 /// <param name="Id">Its number.</param>
 /// <param name="TrainId">Its number for training; 255 for labels that are not trained on.</param>
-/// <param name="HasInstances">Whether its objects are told apart.</param>
+/// <param name="HasInstances">Whether objects of this label have instance numbers.</param>
 internal sealed record CityscapesLabel(string Name, ushort Id, ushort TrainId, bool HasInstances);

@@ -32,7 +32,7 @@ internal static class CityscapesLabels
         new("bicycle", 33, 18, true),
     ];
 
-    /// <summary>What is no object.</summary>
+    /// <summary>Everything that is not an object.</summary>
     public static CityscapesLabel Unlabeled { get; } = Named("unlabeled");
 
     /// <summary>Posts of signs and traffic lights.</summary>

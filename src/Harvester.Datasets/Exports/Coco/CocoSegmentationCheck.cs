@@ -12,7 +12,7 @@ internal static class CocoSegmentationCheck
     /// <summary>Polygons run along pixel borders, and so do the boxes around visible pixels.</summary>
     private const double RoundingPixels = 0.002;
 
-    /// <summary>An empty list is no segmentation.</summary>
+    /// <summary>An empty list is not a valid segmentation.</summary>
     public static string? PolygonProblem(double[][] polygons, Box2D? box)
     {
         if (polygons.Any(polygon => polygon.Length < 6 || polygon.Length % 2 != 0))

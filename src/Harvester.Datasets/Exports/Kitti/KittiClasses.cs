@@ -18,7 +18,7 @@ internal static class KittiClasses
     /// <summary>The types of objects.</summary>
     public static IReadOnlyCollection<string> Types { get; } = ["Car", "Van", "Truck", "Pedestrian", "Person_sitting", "Cyclist", "Tram", "Misc"];
 
-    /// <summary>The type of what is no object but a region.</summary>
+    /// <summary>The type of ignore regions.</summary>
     public const string DontCare = "DontCare";
 
     /// <summary>Whether KITTI labels objects of a class.</summary>

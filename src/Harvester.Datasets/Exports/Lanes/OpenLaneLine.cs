@@ -15,7 +15,7 @@ internal static class OpenLaneLine
     /// <summary>The bend is radial in normalised coordinates, and in pixels as far as both focal lengths are the same.</summary>
     private const double AspectFraction = 0.01;
 
-    /// <summary>Nearer to the principal point there is no direction from it to speak of.</summary>
+    /// <summary>Closer to the principal point the direction from it is undefined in practice.</summary>
     private const double LeastRadiusPixels = 0.01;
 
     private const double RoundingPixels = 0.002;

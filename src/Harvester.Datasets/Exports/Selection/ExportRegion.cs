@@ -5,8 +5,8 @@ using Harvester.Geometry;
 namespace Harvester.Datasets.Exports.Selection;
 
 /// <summary>
-/// A region that shows something which is no object of the dataset: an object that a filter left out or whose visibility was not determined, or one that
-/// the session did not label. A detector is neither to find it nor to be penalised for finding it.
+/// An ignore region: an object that a filter removed, whose visibility was not determined, or that the session did not label. A detector is
+/// neither expected to find it nor penalised for finding it.
 /// </summary>
 /// <param name="Kind">What it shows.</param>
 /// <param name="Class">That as a class of the dataset; null when it is not one of them.</param>
