@@ -1,6 +1,7 @@
 using BenchmarkDotNet.Attributes;
-using Harvester.Capture.Imaging;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Benchmarks;
 

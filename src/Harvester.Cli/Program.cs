@@ -1,6 +1,7 @@
 using System.Runtime.InteropServices;
 using System.Threading;
-using Harvester.Cli;
+using Harvester.Cli.Commands;
+using Harvester.Cli.Terminals;
 
 using var cancellation = new CancellationTokenSource();
 bool isTerminated = false;

@@ -1,7 +1,7 @@
 using System;
 using GTA.Native;
-using Harvester.Capture.Playing;
 using Harvester.Geometry;
+using Harvester.Play.Features;
 
 namespace Harvester.Mod;
 

@@ -1,6 +1,6 @@
 using GTA.Native;
-using Harvester.Capture.Playing;
 using Harvester.Geometry;
+using Harvester.Play.Features;
 
 namespace Harvester.Mod;
 

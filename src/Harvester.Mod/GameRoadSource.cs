@@ -1,6 +1,5 @@
 using GTA.Native;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Roads;
 using Harvester.Geometry;
 
 namespace Harvester.Mod;

@@ -1,7 +1,7 @@
 using System.Collections.Generic;
-using Harvester.Capture.Playing;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Play.Features;
 
 namespace Harvester.Mod;
 

@@ -1,11 +1,11 @@
 using System.Collections.Generic;
 using GTA.Math;
 using GTA.Native;
-using Harvester.Capture.Playing;
-using Harvester.Capture.Spaces;
-using Harvester.Capture.Spaces.Survey;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
+using Harvester.Play.Features;
+using Harvester.Sessions.Scenes;
+using Harvester.Surveys.Faces;
 
 namespace Harvester.Mod;
 

@@ -1,5 +1,5 @@
 using GTA.Native;
-using Harvester.Capture.Playing;
+using Harvester.Play.Features;
 
 namespace Harvester.Mod;
 

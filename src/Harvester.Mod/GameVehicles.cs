@@ -1,6 +1,6 @@
 using GTA.Math;
 using GTA.Native;
-using Harvester.Capture.Playing;
+using Harvester.Play.Features;
 
 namespace Harvester.Mod;
 

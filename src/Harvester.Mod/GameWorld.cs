@@ -3,11 +3,11 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
 using GTA.Native;
-using Harvester.Capture.Playing;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
-using Harvester.Capture.Spaces;
 using Harvester.Geometry;
+using Harvester.Play.Features;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Mod;
 

@@ -6,13 +6,14 @@ using System.Windows.Forms;
 using GTA;
 using GTA.Native;
 using GTA.UI;
-using Harvester.Capture.Playing;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Roads;
-using Harvester.Capture.Screen;
-using Harvester.Capture.Settings;
-using Harvester.Capture.Spaces.Survey;
 using Harvester.Capture.Storage;
+using Harvester.Play.Features;
+using Harvester.Play.Screen;
+using Harvester.Play.Screen.Windows;
+using Harvester.Play.Settings;
+using Harvester.Surveys.Faces;
+using Harvester.Surveys.Roads;
 
 namespace Harvester.Mod;
 

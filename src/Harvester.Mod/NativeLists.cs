@@ -2,11 +2,11 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using GTA.Native;
-using Harvester.Capture.Playing;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
+using Harvester.Play.Features;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Mod;
 

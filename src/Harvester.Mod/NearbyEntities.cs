@@ -4,9 +4,9 @@ using System.Linq;
 using System.Threading;
 using GTA;
 using GTA.Math;
-using Harvester.Capture.Playing;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Play.Features;
 
 namespace Harvester.Mod;
 

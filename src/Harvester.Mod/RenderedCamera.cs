@@ -1,7 +1,7 @@
 using GTA.Math;
 using GTA.Native;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Mod;
 

@@ -8,12 +8,16 @@ public sealed class ProjectReferenceTests
     private static readonly Dictionary<string, string[]> Allowed = new(StringComparer.Ordinal)
     {
         ["Harvester.Geometry"] = [],
-        ["Harvester.Capture"] = ["Harvester.Geometry"],
-        ["Harvester.Mod"] = ["Harvester.Capture", "ScriptHookVDotNet3"],
+        ["Harvester.Sessions"] = ["Harvester.Geometry"],
+        ["Harvester.Capture"] = ["Harvester.Sessions"],
+        ["Harvester.Surveys"] = ["Harvester.Capture"],
+        ["Harvester.Driving"] = ["Harvester.Capture"],
+        ["Harvester.Evaluation"] = ["Harvester.Driving"],
+        ["Harvester.Play"] = ["Harvester.Surveys", "Harvester.Driving"],
+        ["Harvester.Mod"] = ["ScriptHookVDotNet3"],
         ["Harvester.Simulation"] = ["Harvester.Capture"],
         ["Harvester.Datasets"] = ["Harvester.Capture"],
-        ["Harvester.Driving"] = ["Harvester.Capture"],
-        ["Harvester.Cli"] = ["Harvester.Simulation", "Harvester.Datasets", "Harvester.Driving"],
+        ["Harvester.Cli"] = ["Harvester.Simulation", "Harvester.Datasets", "Harvester.Evaluation", "Harvester.Play"],
     };
 
     public static TheoryData<string> Projects => new(Directory
@@ -35,7 +39,11 @@ public sealed class ProjectReferenceTests
 
     [Theory]
     [InlineData("Harvester.Geometry")]
+    [InlineData("Harvester.Sessions")]
     [InlineData("Harvester.Capture")]
+    [InlineData("Harvester.Surveys")]
+    [InlineData("Harvester.Driving")]
+    [InlineData("Harvester.Play")]
     public void Project_that_loads_into_the_game_has_no_package_there(string project)
     {
         IEnumerable<string> packages = ProjectFile(project)

@@ -1,9 +1,28 @@
 namespace Harvester.Architecture.Tests;
 
-/// <summary>Where the repository lies that these tests were built from.</summary>
+/// <summary>The repository that these tests were built from.</summary>
 internal static class Repository
 {
     public static string Root { get; } = Find(AppContext.BaseDirectory);
+
+    /// <summary>The C# sources of a project, without what the build generates.</summary>
+    public static IEnumerable<string> SourcesOf(string project)
+    {
+        string root = Path.Combine(Root, "src", project);
+        return Directory.EnumerateFiles(root, "*.cs", SearchOption.AllDirectories)
+            .Where(path => Path.GetRelativePath(root, path).Split(Path.DirectorySeparatorChar)[0] is not ("bin" or "obj"));
+    }
+
+    /// <summary>The assembly that a project was built to.</summary>
+    public static string AssemblyOf(string project) => project switch
+    {
+        "Harvester.Mod" => Path.Combine(Root, "artifacts", Configuration, "scripts", "GtaDataHarvester.dll"),
+        "Harvester.Cli" => Path.Combine(AppContext.BaseDirectory, "harvester.dll"),
+        _ => Path.Combine(AppContext.BaseDirectory, project + ".dll"),
+    };
+
+    // The tests lie in bin/CONFIGURATION/FRAMEWORK/.
+    private static string Configuration => Path.GetFileName(Path.GetDirectoryName(Path.TrimEndingDirectorySeparator(AppContext.BaseDirectory)))!;
 
     private static string Find(string folder) =>
         File.Exists(Path.Combine(folder, "GtaDataHarvester.sln"))

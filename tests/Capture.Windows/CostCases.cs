@@ -1,6 +1,6 @@
 using System.Diagnostics;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Screen;
+using Harvester.Play.Screen.Windows;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Windows;
 

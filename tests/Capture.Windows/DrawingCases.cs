@@ -1,9 +1,10 @@
 using System.Drawing;
 using System.Drawing.Imaging;
 using System.Runtime.InteropServices;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Screen;
-using ScreenshotFormat = Harvester.Capture.Imaging.ImageFormat;
+using Harvester.Play.Screen.Windows;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Imaging.Pictures;
+using ScreenshotFormat = Harvester.Sessions.Imaging.ImageFormat;
 
 namespace Harvester.Capture.Windows;
 

@@ -1,5 +1,5 @@
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Windows;
 

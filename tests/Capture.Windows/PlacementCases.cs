@@ -1,4 +1,4 @@
-using Harvester.Capture.Screen;
+using Harvester.Play.Screen.Windows;
 
 namespace Harvester.Capture.Windows;
 

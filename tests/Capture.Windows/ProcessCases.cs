@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using System.Globalization;
-using Harvester.Capture.Screen;
+using Harvester.Play.Screen;
+using Harvester.Play.Screen.Windows;
 
 namespace Harvester.Capture.Windows;
 

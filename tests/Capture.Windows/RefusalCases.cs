@@ -1,4 +1,5 @@
-using Harvester.Capture.Screen;
+using Harvester.Play.Screen;
+using Harvester.Play.Screen.Windows;
 
 namespace Harvester.Capture.Windows;
 

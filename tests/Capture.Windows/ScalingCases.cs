@@ -1,5 +1,5 @@
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Screen;
+using Harvester.Play.Screen.Windows;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Windows;
 

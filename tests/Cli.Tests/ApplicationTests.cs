@@ -1,3 +1,6 @@
+using Harvester.Cli.Commands;
+using Harvester.Cli.Terminals;
+
 namespace Harvester.Cli.Tests;
 
 public sealed class ApplicationTests

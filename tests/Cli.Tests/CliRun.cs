@@ -1,3 +1,6 @@
+using Harvester.Cli.Commands;
+using Harvester.Cli.Terminals;
+
 namespace Harvester.Cli.Tests;
 
 /// <summary>One run of the command within the test's process, with what it wrote.</summary>

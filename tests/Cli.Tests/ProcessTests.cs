@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Globalization;
+using Harvester.Cli.Terminals;
 
 namespace Harvester.Cli.Tests;
 

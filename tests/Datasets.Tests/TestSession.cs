@@ -1,8 +1,8 @@
 using System.Text.Json.Nodes;
-using Harvester.Capture.Imaging;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Datasets.Tests;
 

@@ -1,9 +1,9 @@
 using System;
 using System.IO;
 using System.Linq;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Imaging.Jpeg;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Imaging.Jpeg;
 
 /// <summary>Encodes the picture of make.py with the mod and compares the files with libjpeg's.</summary>
 internal static class OnMono

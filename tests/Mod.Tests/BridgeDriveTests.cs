@@ -4,9 +4,9 @@ using System.Net.Sockets;
 using System.Text;
 using System.Text.Json;
 using System.Windows.Forms;
-using Harvester.Capture.Tests.Driving.Bridge;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
+using Harvester.TestSupport;
 
 namespace Harvester.Mod.Tests;
 

@@ -2,7 +2,7 @@ using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
 using System.Windows.Forms;
-using Harvester.Capture.Tests.Driving.Bridge;
+using Harvester.TestSupport;
 
 namespace Harvester.Mod.Tests;
 

@@ -1,5 +1,5 @@
 using System.Windows.Forms;
-using Harvester.Capture.Tests.Driving.Bridge;
+using Harvester.TestSupport;
 
 namespace Harvester.Mod.Tests;
 

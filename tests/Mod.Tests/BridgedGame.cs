@@ -2,7 +2,6 @@ using System.Globalization;
 using System.Net;
 using System.Text;
 using System.Windows.Forms;
-using Harvester.Capture.Tests.Driving.Bridge;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
 using Harvester.TestSupport;

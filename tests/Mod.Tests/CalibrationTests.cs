@@ -1,12 +1,12 @@
 using System.Windows.Forms;
 using GTA.Native;
-using Harvester.Capture.Playing;
-using Harvester.Capture.Settings;
-using Harvester.Capture.Spaces;
 using Harvester.Geometry.Cameras;
 using Harvester.Mod.Tests.Games;
-using Harvester.Simulation;
+using Harvester.Play.Features;
+using Harvester.Play.Settings;
+using Harvester.Sessions.Faces;
 using Harvester.Simulation.Rendering;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Mod.Tests;
 

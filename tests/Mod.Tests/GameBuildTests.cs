@@ -1,7 +1,6 @@
 using System.Text.Json;
 using System.Windows.Forms;
 using Harvester.Geometry;
-using Harvester.Mod.Tests.Games;
 
 namespace Harvester.Mod.Tests;
 

@@ -2,11 +2,11 @@ using System.Text.Json;
 using System.Windows.Forms;
 using GTA.Hosting;
 using GTA.Native;
-using Harvester.Capture.Spaces;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
-using Harvester.Simulation;
+using Harvester.Sessions.Faces;
 using Harvester.Simulation.Models;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Mod.Tests;
 

@@ -7,7 +7,8 @@ internal sealed class ModBuild : IDisposable
 {
     private static readonly string[] Folders =
     [
-        "build", "data", "ref", "src/Polyfills", "src/Harvester.Geometry", "src/Harvester.Capture", "src/Harvester.Mod",
+        "build", "data", "ref", "src/Polyfills", "src/Harvester.Geometry", "src/Harvester.Sessions", "src/Harvester.Capture",
+        "src/Harvester.Surveys", "src/Harvester.Driving", "src/Harvester.Play", "src/Harvester.Mod",
     ];
 
     private static readonly string[] Files =

@@ -1,9 +1,8 @@
 using System.Windows.Forms;
-using Harvester.Capture.Roads;
-using Harvester.Capture.Tests.Roads;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
-using Harvester.Mod.Tests.Games;
+using Harvester.Surveys.Roads;
+using Harvester.TestSupport;
 
 namespace Harvester.Mod.Tests;
 

@@ -1,11 +1,11 @@
 using System.Text.Json;
 using System.Windows.Forms;
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Spaces;
 using Harvester.Capture.Storage;
 using Harvester.Geometry.Cameras;
 using Harvester.Mod.Tests.Games;
-using Harvester.Simulation;
+using Harvester.Sessions.Faces;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Mod.Tests;
 

@@ -1,6 +1,6 @@
 using System.Windows.Forms;
-using Harvester.Capture.Playing;
-using Harvester.Capture.Settings;
+using Harvester.Play.Features;
+using Harvester.Play.Settings;
 
 namespace Harvester.Mod.Tests;
 

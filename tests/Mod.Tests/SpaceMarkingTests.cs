@@ -1,10 +1,11 @@
 using System.Windows.Forms;
 using GTA.Hosting;
 using GTA.Native;
-using Harvester.Capture.Spaces;
-using Harvester.Capture.Spaces.Survey;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Scenes;
+using Harvester.Surveys.Faces;
 
 namespace Harvester.Mod.Tests;
 

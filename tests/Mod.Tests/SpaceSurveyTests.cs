@@ -1,12 +1,12 @@
 using System.Windows.Forms;
 using GTA.Hosting;
 using GTA.Native;
-using Harvester.Capture.Playing;
-using Harvester.Capture.Spaces;
-using Harvester.Capture.Spaces.Survey;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
+using Harvester.Play.Features;
+using Harvester.Sessions.Faces;
 using Harvester.Simulation.Tests.Spaces.Survey;
+using Harvester.Surveys.Faces;
 
 namespace Harvester.Mod.Tests;
 

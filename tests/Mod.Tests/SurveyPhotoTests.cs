@@ -1,12 +1,12 @@
 using System.Windows.Forms;
-using Harvester.Capture.Spaces;
-using Harvester.Capture.Spaces.Survey;
-using Harvester.Capture.Tests.Imaging;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Mod.Tests.Games;
+using Harvester.Sessions.Faces;
 using Harvester.Simulation.Tests.Spaces.Survey;
+using Harvester.Surveys.Faces;
+using Harvester.TestSupport;
 
 namespace Harvester.Mod.Tests;
 

@@ -1,6 +1,5 @@
 using System.Windows.Forms;
 using GTA.Native;
-using Harvester.Mod.Tests.Games;
 using Harvester.Simulation.Tests.Spaces.Survey;
 
 namespace Harvester.Mod.Tests;

@@ -1,8 +1,10 @@
-using Harvester.Capture.Scenes;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
-using Harvester.Simulation.World;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
+using Harvester.Simulation.Settings;
+using Harvester.Simulation.Streets;
 using Harvester.TestSupport;
 
 namespace Harvester.Simulation.Tests;

@@ -1,11 +1,13 @@
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
 using Harvester.Simulation.Rendering;
-using Harvester.Simulation.World;
+using Harvester.Simulation.Settings;
+using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Tests;
 

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
-using Harvester.Capture.Harvesting;
 using Harvester.Geometry.Cameras;
+using Harvester.Capture.Ports;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Calibration;
 
@@ -15,7 +16,7 @@ public sealed record CalibrationOptions
     public double ThresholdPixels { get; init => field = OptionCheck.Positive(value, nameof(ThresholdPixels)); } = 1;
 
     /// <summary>By how many ticks the picture may at most be behind the state, 0 to 60; as long is waited before each picture.</summary>
-    public int MaxPictureLagTicks { get; init => field = OptionCheck.InRange(value, 0, HarvestOptions.GreatestPictureLagTicks, nameof(MaxPictureLagTicks)); } = 4;
+    public int MaxPictureLagTicks { get; init => field = OptionCheck.InRange(value, 0, PictureLag.MaxTicks, nameof(MaxPictureLagTicks)); } = 4;
 
     /// <summary>Ticks in which the camera must have come to stand still, 1 to 10,000; otherwise the calibration fails.</summary>
     public int MaxSettleTicks { get; init => field = OptionCheck.InRange(value, 1, 10_000, nameof(MaxSettleTicks)); } = 300;

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
-using Harvester.Capture.Imaging;
 using Harvester.Geometry;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Calibration;
 

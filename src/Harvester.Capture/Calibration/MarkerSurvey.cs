@@ -1,12 +1,11 @@
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Harvesting;
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Calibration;
 
@@ -161,7 +160,7 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
     /// <param name="firstFrame">The first game frame whose state has the markers.</param>
     private IEnumerable<CalibrationPhase> LateMarkers(MarkerPlan plan, Pose camera, long firstFrame)
     {
-        while (ExcessiveLagTicks is null && game.World.GameFrame < firstFrame + HarvestOptions.GreatestPictureLagTicks)
+        while (ExcessiveLagTicks is null && game.World.GameFrame < firstFrame + PictureLag.MaxTicks)
         {
             yield return CalibrationPhase.Settling;
             (_without, _with) = (_with, _without);

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Calibration;
+using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
@@ -74,7 +75,7 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
     {
         if (sightings.Count == 0)
         {
-            Warning = $"The camera model was not checked, as none of {Columns * Rows} markers was seen in {HarvestOptions.GreatestPictureLagTicks} ticks: look whether the boxes sit on the things. {HarvestOptions.WayWithoutCameraCheck}";
+            Warning = $"The camera model was not checked, as none of {Columns * Rows} markers was seen in {PictureLag.MaxTicks} ticks: look whether the boxes sit on the things. {HarvestOptions.WayWithoutCameraCheck}";
             return;
         }
 

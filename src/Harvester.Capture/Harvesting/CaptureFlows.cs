@@ -1,6 +1,6 @@
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;
 

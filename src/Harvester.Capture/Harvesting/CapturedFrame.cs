@@ -1,8 +1,8 @@
 using System;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 

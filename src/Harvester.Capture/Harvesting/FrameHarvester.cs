@@ -1,8 +1,8 @@
 using System.Collections.Generic;
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Labelling;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 

@@ -1,6 +1,6 @@
 using System.Collections.Generic;
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;
 

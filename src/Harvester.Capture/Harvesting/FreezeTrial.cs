@@ -1,9 +1,9 @@
 using System;
 using System.Collections.Generic;
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 

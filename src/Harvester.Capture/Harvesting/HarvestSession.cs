@@ -2,8 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Calibration;
-using Harvester.Capture.Imaging;
+using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;
 

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Harvester.Capture.Labelling;
 
 namespace Harvester.Capture.Harvesting;
 

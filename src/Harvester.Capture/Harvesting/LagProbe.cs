@@ -1,7 +1,8 @@
 using System;
 using System.Collections.Generic;
-using Harvester.Capture.Imaging;
+using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;
 
@@ -26,7 +27,7 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
     /// <summary>Whether it is known already that the picture is not later than the options allow; otherwise greater lags are looked for too.</summary>
     public bool IsLagWithinLimit { get; init; }
 
-    private int GreatestTicks => IsLagWithinLimit ? options.MaxPictureLagTicks : HarvestOptions.GreatestPictureLagTicks;
+    private int GreatestTicks => IsLagWithinLimit ? options.MaxPictureLagTicks : PictureLag.MaxTicks;
 
     /// <summary>Long enough to see the latest change that is looked for, and after it the picture's own noise.</summary>
     private int StillTicksToWatch => GreatestTicks + LagRecord.NoiseTicks + 1;

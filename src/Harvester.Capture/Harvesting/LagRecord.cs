@@ -1,7 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Scenes;
+using Harvester.Capture.Ports;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 

@@ -1,5 +1,5 @@
 using System;
-using Harvester.Capture.Imaging;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;
 

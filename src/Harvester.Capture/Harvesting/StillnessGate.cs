@@ -1,4 +1,4 @@
-using Harvester.Capture.Scenes;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 

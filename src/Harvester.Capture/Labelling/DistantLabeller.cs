@@ -1,16 +1,15 @@
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Harvesting;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
 /// <summary>Marks visible objects beyond the labelling range as ignore regions, so that they do not count as background.</summary>
-internal sealed class DistantLabeller(HarvestOptions options)
+internal sealed class DistantLabeller(LabellingOptions options)
 {
     /// <summary>Those of a scene's distant entities that are in the image and large enough to be labelled if they were nearer.</summary>
     public IEnumerable<DistantCandidate> CandidatesOf(Camera camera, IEnumerable<EntityState> distant) =>

@@ -1,10 +1,9 @@
 using System;
 using System.Collections.Generic;
-using Harvester.Capture.Harvesting;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
@@ -12,7 +11,7 @@ namespace Harvester.Capture.Labelling;
 /// <param name="options">What to label.</param>
 /// <param name="rays">What rays meet; also those of <see cref="Lanes"/> and <see cref="Spaces"/>.</param>
 /// <param name="registry">The objects' numbers.</param>
-internal sealed class FrameLabeller(HarvestOptions options, FrameRays rays, ObjectRegistry registry)
+internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, ObjectRegistry registry)
 {
     private readonly ObjectLabeller _objects = new(options, registry);
     private readonly DistantLabeller _distant = new(options);
@@ -25,7 +24,7 @@ internal sealed class FrameLabeller(HarvestOptions options, FrameRays rays, Obje
     public SpaceLabeller? Spaces { get; init; }
 
     /// <summary>The camera of the saved image.</summary>
-    public static Camera CameraOf(HarvestOptions options, CameraState state) =>
+    public static Camera CameraOf(LabellingOptions options, CameraState state) =>
         new(state.Pose, new CameraIntrinsics(state.VerticalFovDegrees, options.Image, state.WindowAspect, state.NearClip, options.Lens));
 
     /// <summary>

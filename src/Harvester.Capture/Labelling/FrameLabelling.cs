@@ -1,7 +1,7 @@
 using System.Collections.Generic;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 

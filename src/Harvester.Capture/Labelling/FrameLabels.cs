@@ -1,9 +1,9 @@
-using Harvester.Capture.Harvesting;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 

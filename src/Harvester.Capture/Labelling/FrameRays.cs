@@ -1,7 +1,7 @@
 using System;
-using Harvester.Capture.Labels;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Capture.Labelling;
 

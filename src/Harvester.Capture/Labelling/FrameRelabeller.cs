@@ -1,13 +1,12 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Harvesting;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Labels;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
@@ -17,8 +16,8 @@ namespace Harvester.Capture.Labelling;
 /// </summary>
 public sealed class FrameRelabeller
 {
-    private readonly HarvestOptions _options;
-    private readonly HarvestOptions _recordedOptions;
+    private readonly LabellingOptions _options;
+    private readonly LabellingOptions _recordedOptions;
     private readonly ObjectRegistry _registry;
     private readonly ObjectLabeller _objects;
     private readonly RecordedLights _lights = new();
@@ -31,7 +30,7 @@ public sealed class FrameRelabeller
     /// <param name="recordedOptions">The options of the harvest; its lens is that of each scene.</param>
     /// <param name="ids">The numbers that all scenes of the session have.</param>
     /// <param name="roads">The roads to measure lanes on; null to keep the recorded lanes.</param>
-    public FrameRelabeller(HarvestOptions options, HarvestOptions recordedOptions, RecordedIds ids, IRoads? roads)
+    public FrameRelabeller(LabellingOptions options, LabellingOptions recordedOptions, RecordedIds ids, IRoads? roads)
     {
         _options = options ?? throw new ArgumentNullException(nameof(options));
         _recordedOptions = recordedOptions ?? throw new ArgumentNullException(nameof(recordedOptions));

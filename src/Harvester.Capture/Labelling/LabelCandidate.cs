@@ -1,6 +1,6 @@
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 

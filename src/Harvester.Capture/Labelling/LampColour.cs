@@ -1,6 +1,6 @@
 using System;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Labels;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 

@@ -1,10 +1,10 @@
 using System;
 using System.Collections.Generic;
-using Harvester.Capture.Labels;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 

@@ -1,7 +1,8 @@
 using System.Linq;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Labels;
 using Harvester.Geometry;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 

@@ -1,18 +1,17 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Harvesting;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
 /// <summary>Labels objects together with the instance mask that shows them.</summary>
-internal sealed class MapLabeller(HarvestOptions options, ObjectLabeller objects, FrameRays rays)
+internal sealed class MapLabeller(LabellingOptions options, ObjectLabeller objects, FrameRays rays)
 {
     /// <summary>Labels the objects of a frame, a slice at a time.</summary>
     /// <param name="camera">The camera of the saved image.</param>

@@ -1,16 +1,15 @@
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Harvesting;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
 /// <summary>What of an object's label is geometry: whether it is in the image, its boxes, and whether it is listed once its occlusion is known.</summary>
-internal sealed class ObjectLabeller(HarvestOptions options, ObjectRegistry registry)
+internal sealed class ObjectLabeller(LabellingOptions options, ObjectRegistry registry)
 {
     /// <summary>The entities in the image, numbered.</summary>
     public List<LabelCandidate> CandidatesOf(Camera camera, SceneSnapshot snapshot) =>

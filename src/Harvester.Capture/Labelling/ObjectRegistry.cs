@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Harvesting;
-using Harvester.Capture.Scenes;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Scenes;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 

@@ -1,9 +1,10 @@
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Labels;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Labelling;
 

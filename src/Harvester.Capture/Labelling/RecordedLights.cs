@@ -1,7 +1,6 @@
 using System.Linq;
-using Harvester.Capture.Labels;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 

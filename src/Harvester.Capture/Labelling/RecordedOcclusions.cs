@@ -1,10 +1,9 @@
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Harvesting;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
-using Harvester.Capture.Spaces;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
@@ -13,7 +12,7 @@ namespace Harvester.Capture.Labelling;
 /// same things, so they hold for every entity, and for a face whose place on its model is the same. Through another lens the share of the
 /// image's part is another: there they hold for what is wholly in the image, and what is hidden altogether stays so.
 /// </summary>
-internal sealed class RecordedOcclusions(RecordedScene scene, FrameLabel recorded, HarvestOptions recordedOptions, bool isLensSame)
+internal sealed class RecordedOcclusions(RecordedScene scene, FrameLabel recorded, LabellingOptions recordedOptions, bool isLensSame)
 {
     private readonly Dictionary<(int Handle, int? Face), RecordedOcclusion> _found =
         scene.Occlusions.ToDictionary(found => (found.Handle, found.Face));

@@ -1,4 +1,4 @@
-using Harvester.Capture.Spaces;
+using Harvester.Sessions.Faces;
 
 namespace Harvester.Capture.Labelling;
 

@@ -1,20 +1,19 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Harvesting;
-using Harvester.Capture.Labels;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
-using Harvester.Capture.Spaces;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
 /// <summary>Makes the labels of the parts of objects that matter: faces of signs, heads of traffic lights. Algorithm 3 of the thesis.</summary>
-internal sealed class SpaceLabeller(SpaceTable table, HarvestOptions options, FrameRays? rays, ILights? lights, ObjectRegistry registry)
+internal sealed class SpaceLabeller(SpaceTable table, LabellingOptions options, FrameRays? rays, ILights? lights, ObjectRegistry registry)
 {
     /// <summary>A face's own surface lies in its cuboid up to the rounding of its corners; less than the thickness of a sign's plate.</summary>
     private const double MeasuredMarginMetres = 0.005;

@@ -1,5 +1,4 @@
 using System;
-using Harvester.Capture.Driving;
 using Harvester.Geometry;
 
 namespace Harvester.Capture.Ports;

@@ -1,4 +1,3 @@
-using Harvester.Capture.Roads;
 using Harvester.Geometry;
 
 namespace Harvester.Capture.Ports;

@@ -1,4 +1,4 @@
-using Harvester.Capture.Imaging;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Ports;
 

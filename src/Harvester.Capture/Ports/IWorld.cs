@@ -1,6 +1,6 @@
 using System.Collections.Generic;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Ports;
 

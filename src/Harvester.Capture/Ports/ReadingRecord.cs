@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using Harvester.Capture.Harvesting;
 
 namespace Harvester.Capture.Ports;
 

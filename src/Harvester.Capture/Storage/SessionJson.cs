@@ -2,10 +2,11 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Labelling;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Storage;
 

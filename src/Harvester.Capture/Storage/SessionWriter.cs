@@ -5,9 +5,10 @@ using System.Linq;
 using System.Text;
 using System.Threading;
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Spaces;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Capture.Storage;
 

@@ -1,9 +1,10 @@
 using System.CommandLine;
 using System.IO;
 using System.Net;
-using Harvester.Capture.Driving;
-using Harvester.Capture.Driving.Bridge;
 using Harvester.Cli.Driving;
+using Harvester.Cli.Terminals;
+using Harvester.Driving.Bridge;
+using Harvester.Driving.Session;
 
 namespace Harvester.Cli.Arguments;
 
@@ -39,7 +40,7 @@ internal sealed class BridgeOptions
     /// <param name="parsed">The command line.</param>
     /// <param name="driving">Size of the pictures.</param>
     /// <param name="place">Where a peer finds it.</param>
-    /// <exception cref="Datasets.OccupiedFolderException">The folder holds something else.</exception>
+    /// <exception cref="Datasets.Files.OccupiedFolderException">The folder holds something else.</exception>
     /// <exception cref="UsageException">The address is none or needs a token.</exception>
     /// <exception cref="IOException">The folder cannot be made, or the address or port cannot be had.</exception>
     public IDrivingBridge Open(ParseResult parsed, DrivingOptions driving, out string place)

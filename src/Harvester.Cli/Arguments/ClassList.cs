@@ -1,8 +1,9 @@
 using System.Collections.Generic;
 using System.CommandLine;
 using System.Linq;
-using Harvester.Capture.Scenes;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Json;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Cli.Arguments;
 

@@ -1,9 +1,10 @@
 using System.Collections.Generic;
 using System.CommandLine;
 using System.Linq;
-using Harvester.Capture.Scenes;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Json;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Cli.Arguments;
 

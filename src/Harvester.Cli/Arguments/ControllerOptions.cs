@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.CommandLine;
-using Harvester.Capture.Driving.Controllers;
+using Harvester.Cli.Terminals;
+using Harvester.Driving.Controllers;
 
 namespace Harvester.Cli.Arguments;
 

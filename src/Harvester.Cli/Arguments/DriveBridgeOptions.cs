@@ -5,15 +5,13 @@ using System.IO;
 using System.Linq;
 using System.Net;
 using Harvester.Cli.Driving;
+using Harvester.Cli.Terminals;
 
 namespace Harvester.Cli.Arguments;
 
 /// <summary>The options that say over what bridge a drive goes, and from which side.</summary>
 internal static class DriveBridgeOptions
 {
-    /// <summary>Name of the shared folder in the folder of the drive, where no other is named.</summary>
-    public const string DefaultFolder = "bridge";
-
     private static readonly Option<string> Bridge = Word("--bridge", "B", "What lies between game and controller: direct, folder, socket", "direct");
     private static readonly Option<string> Role = Word("--role", "R", "What this process is of a bridge: both, game, peer", "both");
     private static readonly Option<DirectoryInfo?> Folder = new("--folder") { Description = "The shared folder of a folder bridge [default: bridge in the folder of --out]", HelpName = "DIR" };
@@ -26,7 +24,7 @@ internal static class DriveBridgeOptions
 
     /// <summary>What they ask for.</summary>
     /// <exception cref="UsageException">They do not fit each other.</exception>
-    /// <exception cref="Datasets.OccupiedFolderException">The folder to share holds something else.</exception>
+    /// <exception cref="Datasets.Files.OccupiedFolderException">The folder to share holds something else.</exception>
     public static BridgePlan Parse(ParseResult parsed, string? outFolder)
     {
         BridgeName kind = parsed.GetRequiredValue(Bridge) switch
@@ -54,7 +52,7 @@ internal static class DriveBridgeOptions
             throw new UsageException($"{stray.Name} needs a bridge: --bridge folder or socket.");
         }
 
-        string? folder = parsed.GetValue(Folder)?.FullName ?? (outFolder is null ? null : Path.Combine(outFolder, DefaultFolder));
+        string? folder = parsed.GetValue(Folder)?.FullName ?? (outFolder is null ? null : Path.Combine(outFolder, BridgeFolder.DefaultName));
         if (kind == BridgeName.Folder && folder is null)
         {
             throw new UsageException("--bridge folder needs --folder.");

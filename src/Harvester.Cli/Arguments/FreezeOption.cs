@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Harvester.Capture.Ports;
+using Harvester.Cli.Terminals;
 
 namespace Harvester.Cli.Arguments;
 

@@ -1,7 +1,8 @@
 using System;
 using System.CommandLine;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Imaging.Jpeg;
+using Harvester.Cli.Terminals;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Imaging.Jpeg;
 
 namespace Harvester.Cli.Arguments;
 

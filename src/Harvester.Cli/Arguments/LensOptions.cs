@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.IO;
 using System.Linq;
 using Harvester.Cli.Relabelling;
+using Harvester.Cli.Terminals;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 
@@ -54,7 +55,7 @@ internal sealed class LensOptions
     /// <summary>The lens of a command line; ideal where none is described.</summary>
     /// <exception cref="UsageException">A file and numbers are given together.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="Datasets.DatasetFormatException">The file describes no lens.</exception>
+    /// <exception cref="Datasets.Files.DatasetFormatException">The file describes no lens.</exception>
     public Lens Parse(ParseResult parsed)
     {
         FileInfo? file = parsed.CommandResult.Command.Options.Contains(_file) ? parsed.GetValue(_file) : null;

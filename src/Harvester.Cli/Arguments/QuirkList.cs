@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Globalization;
-using Harvester.Simulation.Quirks;
+using Harvester.Cli.Terminals;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Arguments;
 

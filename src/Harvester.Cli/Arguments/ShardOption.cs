@@ -1,6 +1,6 @@
 using System.CommandLine;
-using Harvester.Capture.Harvesting;
-using Harvester.Datasets.Sharding;
+using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Arguments;
 

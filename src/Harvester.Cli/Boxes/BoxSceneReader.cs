@@ -2,7 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
-using Harvester.Datasets;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;

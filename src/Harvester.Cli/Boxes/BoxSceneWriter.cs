@@ -4,10 +4,10 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using System.Text.Json;
-using Harvester.Capture.Labels;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Boxes;
 

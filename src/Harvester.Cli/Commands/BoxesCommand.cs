@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.IO;
 using Harvester.Cli.Boxes;
+using Harvester.Cli.Terminals;
 
 namespace Harvester.Cli.Commands;
 

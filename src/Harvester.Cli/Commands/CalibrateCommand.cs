@@ -3,9 +3,11 @@ using System.CommandLine;
 using System.IO;
 using Harvester.Capture.Calibration;
 using Harvester.Cli.Arguments;
+using Harvester.Cli.Terminals;
 using Harvester.Geometry.Cameras;
-using Harvester.Simulation;
+using Harvester.Simulation.Game;
 using Harvester.Simulation.Rendering;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Commands;
 

@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.Linq;
 using System.Threading.Tasks;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Diagnosis;
 
 namespace Harvester.Cli.Commands;

@@ -6,13 +6,16 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
-using Harvester.Capture.Harvesting;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Labels;
 using Harvester.Cli.Arguments;
-using Harvester.Cli.Harvesting;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Exports;
+using Harvester.Datasets.Exports.Assembly;
+using Harvester.Datasets.Exports.Formats;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Cli.Commands;
 

@@ -6,16 +6,20 @@ using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Scenes;
+using Harvester.Capture.Labelling;
+using Harvester.Capture.Ports;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Harvesting;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Cli.Commands;
 
@@ -85,7 +89,7 @@ internal static class HarvestCommand
 
     private static readonly Option<bool> Masks = new("--masks") { Description = "Write instance masks too" };
     private static readonly Option<int> Rays = WithDefault(
-        ValueParsers.Integer("--rays", "N", "Rays that a frame may take in all: for masks first, then objects, faces and lanes", 0, HarvestOptions.MostRays),
+        ValueParsers.Integer("--rays", "N", "Rays that a frame may take in all: for masks first, then objects, faces and lanes", 0, LabellingOptions.MostRays),
         new HarvestOptions().RayBudget);
 
     private static readonly Option<double> RayReach = WithDefault(
@@ -116,7 +120,7 @@ internal static class HarvestCommand
     private static readonly Option<string> FreezeBy = FreezeOption.Create();
 
     private static readonly Option<int> MaxPictureLag = WithDefault(
-        ValueParsers.Integer("--max-picture-lag", "TICKS", "How late the game's picture may be, of 60 ticks a second", 0, HarvestOptions.GreatestPictureLagTicks),
+        ValueParsers.Integer("--max-picture-lag", "TICKS", "How late the game's picture may be, of 60 ticks a second", 0, PictureLag.MaxTicks),
         new HarvestOptions().MaxPictureLagTicks);
 
     private static readonly Option<double> MaxCameraError = WithDefault(

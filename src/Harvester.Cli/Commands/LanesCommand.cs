@@ -3,13 +3,14 @@ using System.CommandLine;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
-using Harvester.Capture.Labels;
 using Harvester.Cli.Arguments;
-using Harvester.Datasets;
+using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Cli.Commands;
 

@@ -2,11 +2,12 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
 using System.IO;
-using Harvester.Capture.Labels;
 using Harvester.Cli.Arguments;
-using Harvester.Datasets;
+using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
 

@@ -3,17 +3,17 @@ using System.CommandLine;
 using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
-using Harvester.Capture.Harvesting;
 using Harvester.Cli.Arguments;
-using Harvester.Cli.Harvesting;
 using Harvester.Cli.Relabelling;
 using Harvester.Cli.Spaces;
-using Harvester.Datasets.Exports;
+using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Relabelling;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Roads;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Commands;
 

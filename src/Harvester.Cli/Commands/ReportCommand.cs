@@ -4,6 +4,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using Harvester.Cli.Arguments;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Sessions;
 

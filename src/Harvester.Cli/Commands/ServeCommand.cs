@@ -5,19 +5,21 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
-using Harvester.Capture.Driving;
-using Harvester.Capture.Driving.Bridge;
-using Harvester.Capture.Driving.Controllers;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Driving;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Serving;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Roads;
+using Harvester.Driving.Bridge;
+using Harvester.Driving.Controllers;
+using Harvester.Driving.Session;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
-using Harvester.Simulation;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Commands;
 

@@ -3,10 +3,12 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
 using System.Linq;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
+using Harvester.Cli.Arguments;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
+using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
 

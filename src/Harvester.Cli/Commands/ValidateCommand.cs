@@ -2,8 +2,9 @@ using System.CommandLine;
 using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
-using Harvester.Datasets;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Exports.Validation;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
 

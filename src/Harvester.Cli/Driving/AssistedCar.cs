@@ -1,10 +1,9 @@
 using System;
-using Harvester.Capture.Driving;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
-using Harvester.Simulation;
+using Harvester.Simulation.Game;
 
 namespace Harvester.Cli.Driving;
 

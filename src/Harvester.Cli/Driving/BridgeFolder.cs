@@ -1,16 +1,19 @@
 using System;
 using System.IO;
 using System.Linq;
-using Harvester.Datasets;
 using Harvester.Datasets.Exports.Validation;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Sharding;
-using Harvester.Driving.Evaluation;
+using Harvester.Evaluation.Figures;
 
 namespace Harvester.Cli.Driving;
 
 /// <summary>The folder over which a game is driven. The bridge writes to it and deletes in it, so that a folder of something else is refused.</summary>
 internal static class BridgeFolder
 {
+    /// <summary>Name of the shared folder in the folder of the drive, where no other is named.</summary>
+    public const string DefaultName = "bridge";
+
     private const string Picture = "frame_";
 
     // What the game and its peer write, under these names or temporary ones made of them; docs/bridge.md. Pictures are no sign: other tools number theirs so too.

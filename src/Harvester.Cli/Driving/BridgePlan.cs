@@ -1,6 +1,6 @@
 using System;
 using System.Net;
-using Harvester.Capture.Driving.Bridge;
+using Harvester.Driving.Bridge;
 
 namespace Harvester.Cli.Driving;
 

@@ -3,12 +3,13 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using System.Threading;
-using Harvester.Capture.Driving;
-using Harvester.Capture.Driving.Bridge;
-using Harvester.Capture.Driving.Controllers;
 using Harvester.Capture.Ports;
-using Harvester.Driving.Evaluation;
-using Harvester.Simulation;
+using Harvester.Cli.Terminals;
+using Harvester.Driving.Bridge;
+using Harvester.Driving.Controllers;
+using Harvester.Driving.Session;
+using Harvester.Evaluation.Figures;
+using Harvester.Simulation.Game;
 
 namespace Harvester.Cli.Driving;
 

@@ -4,14 +4,15 @@ using System.IO;
 using System.Net;
 using System.Threading;
 using System.Threading.Tasks;
-using Harvester.Capture.Driving;
-using Harvester.Capture.Driving.Bridge;
-using Harvester.Capture.Driving.Controllers;
 using Harvester.Capture.Ports;
-using Harvester.Driving.Evaluation;
-using Harvester.Driving.Peers;
+using Harvester.Cli.Terminals;
+using Harvester.Driving.Bridge;
+using Harvester.Driving.Controllers;
+using Harvester.Driving.Session;
+using Harvester.Evaluation.Clients;
+using Harvester.Evaluation.Figures;
 using Harvester.Geometry.Cameras;
-using Harvester.Simulation;
+using Harvester.Simulation.Game;
 
 namespace Harvester.Cli.Driving;
 

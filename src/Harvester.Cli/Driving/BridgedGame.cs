@@ -1,11 +1,11 @@
 using System;
-using Harvester.Capture.Driving;
-using Harvester.Capture.Driving.Bridge;
-using Harvester.Capture.Driving.Controllers;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
-using Harvester.Driving.Evaluation;
-using Harvester.Simulation;
+using Harvester.Driving.Bridge;
+using Harvester.Driving.Controllers;
+using Harvester.Driving.Session;
+using Harvester.Evaluation.Figures;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
 
 namespace Harvester.Cli.Driving;
 

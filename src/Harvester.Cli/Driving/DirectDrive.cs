@@ -1,15 +1,14 @@
 using System;
 using System.Collections.Generic;
 using System.Threading;
-using Harvester.Capture.Driving;
-using Harvester.Capture.Driving.Controllers;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
-using Harvester.Driving.Evaluation;
+using Harvester.Driving.Controllers;
+using Harvester.Evaluation.Figures;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
-using Harvester.Simulation;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
 
 namespace Harvester.Cli.Driving;
 

@@ -1,10 +1,9 @@
 using System.IO;
 using System.Linq;
-using Harvester.Cli.Arguments;
-using Harvester.Cli.Harvesting;
-using Harvester.Datasets;
-using Harvester.Driving.Evaluation;
-using Harvester.Driving.Reports;
+using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
+using Harvester.Evaluation.Figures;
+using Harvester.Evaluation.Reports;
 
 namespace Harvester.Cli.Driving;
 
@@ -25,7 +24,7 @@ internal static class DriveFolder
 
         Directory.CreateDirectory(folder);
         string[] found = [.. Directory.EnumerateFileSystemEntries(folder).Select(entry => Path.GetFileName(entry))];
-        if (found.Except([.. Files, DriveBridgeOptions.DefaultFolder]).FirstOrDefault() is { } other)
+        if (found.Except([.. Files, BridgeFolder.DefaultName]).FirstOrDefault() is { } other)
         {
             throw new OccupiedFolderException($"'{folder}' holds more than a drive, '{other}' for one. Name another folder with --out.");
         }

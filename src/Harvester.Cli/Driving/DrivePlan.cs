@@ -1,6 +1,6 @@
 using System.Collections.Generic;
-using Harvester.Capture.Driving.Controllers;
-using Harvester.Driving.Noise;
+using Harvester.Driving.Controllers;
+using Harvester.Evaluation.Noise;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
 

@@ -2,10 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Labelling;
-using Harvester.Capture.Scenes;
-using Harvester.Driving.Evaluation;
+using Harvester.Evaluation.Figures;
 using Harvester.Geometry;
-using Harvester.Simulation;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
 
 namespace Harvester.Cli.Driving;
 

@@ -2,14 +2,16 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Threading;
-using Harvester.Capture.Driving;
-using Harvester.Capture.Driving.Controllers;
 using Harvester.Capture.Ports;
-using Harvester.Driving.Evaluation;
-using Harvester.Driving.Noise;
+using Harvester.Cli.Terminals;
+using Harvester.Driving.Controllers;
+using Harvester.Driving.Session;
+using Harvester.Evaluation.Figures;
+using Harvester.Evaluation.Noise;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
-using Harvester.Simulation;
+using Harvester.Simulation.Game;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Driving;
 

@@ -1,7 +1,8 @@
 using System.IO;
 using System.Net;
 using System.Net.Sockets;
-using Harvester.Capture.Driving.Bridge;
+using Harvester.Cli.Terminals;
+using Harvester.Driving.Bridge;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Cli.Driving;

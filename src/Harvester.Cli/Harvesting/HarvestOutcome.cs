@@ -24,9 +24,9 @@ internal sealed record HarvestOutcome(int Frames, int Discarded, TimeSpan Elapse
     /// <summary>The exit code that says so.</summary>
     public int ExitCode => this switch
     {
-        { IsDiskFault: true } => Cli.ExitCode.InputOutput,
-        { Fault: not null } => Cli.ExitCode.HarvestFault,
-        { IsCancelled: true } => Cli.ExitCode.Cancelled,
-        _ => Cli.ExitCode.Done,
+        { IsDiskFault: true } => Terminals.ExitCode.InputOutput,
+        { Fault: not null } => Terminals.ExitCode.HarvestFault,
+        { IsCancelled: true } => Terminals.ExitCode.Cancelled,
+        _ => Terminals.ExitCode.Done,
     };
 }

@@ -1,13 +1,13 @@
 using System;
 using System.Collections.Generic;
-using Harvester.Capture.Harvesting;
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
-using Harvester.Simulation.Quirks;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Harvesting;
 

@@ -2,9 +2,10 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Statistics;
+using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Text;
 using Spectre.Console;
 
 namespace Harvester.Cli.Harvesting;

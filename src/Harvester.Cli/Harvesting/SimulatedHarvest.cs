@@ -8,18 +8,21 @@ using System.Text;
 using System.Threading;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Roads;
-using Harvester.Capture.Scenes;
-using Harvester.Capture.Spaces;
 using Harvester.Capture.Storage;
 using Harvester.Cli.Spaces;
-using Harvester.Datasets;
+using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry.Roads;
-using Harvester.Simulation;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Roads;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Harvesting;
 

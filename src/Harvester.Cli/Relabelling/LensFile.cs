@@ -1,9 +1,9 @@
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
-using Harvester.Capture.Settings;
-using Harvester.Datasets;
+using Harvester.Datasets.Files;
 using Harvester.Geometry.Cameras;
+using Harvester.Play.Settings;
 
 namespace Harvester.Cli.Relabelling;
 

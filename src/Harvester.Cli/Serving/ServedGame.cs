@@ -1,9 +1,9 @@
 using System;
 using System.Threading;
-using Harvester.Capture.Driving;
 using Harvester.Cli.Driving;
 using Harvester.Cli.Harvesting;
-using Harvester.Simulation;
+using Harvester.Driving.Session;
+using Harvester.Simulation.Game;
 
 namespace Harvester.Cli.Serving;
 

@@ -1,4 +1,5 @@
-using Harvester.Capture.Driving.Bridge;
+using Harvester.Cli.Terminals;
+using Harvester.Driving.Bridge;
 
 namespace Harvester.Cli.Serving;
 

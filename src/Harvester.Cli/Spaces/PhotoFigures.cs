@@ -5,12 +5,12 @@ using System.IO;
 using System.Linq;
 using System.Net;
 using System.Text;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Spaces;
-using Harvester.Capture.Spaces.Survey;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Text;
+using Harvester.Surveys.Faces;
 
 namespace Harvester.Cli.Spaces;
 

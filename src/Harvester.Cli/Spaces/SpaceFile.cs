@@ -1,9 +1,9 @@
 using System;
 using System.IO;
 using System.Linq;
-using Harvester.Capture.Spaces;
-using Harvester.Capture.Spaces.Survey;
-using Harvester.Datasets;
+using Harvester.Datasets.Files;
+using Harvester.Sessions.Faces;
+using Harvester.Surveys.Faces;
 
 namespace Harvester.Cli.Spaces;
 

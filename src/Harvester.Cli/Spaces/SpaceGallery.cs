@@ -4,10 +4,10 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Net;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
-using Harvester.Capture.Spaces;
 using Harvester.Geometry;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Spaces;
 

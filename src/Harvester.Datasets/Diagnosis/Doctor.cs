@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Diagnosis;

@@ -1,6 +1,4 @@
 using System.Collections.Generic;
-using Harvester.Capture.Playing;
-using Harvester.Capture.Screen;
 
 namespace Harvester.Datasets.Diagnosis;
 
@@ -82,7 +80,7 @@ internal static class ModRules
             "The game had no room for the test car.",
             "Try again in a moment, away from traffic."),
         new(
-            LogHeader.Window + ".*" + WindowDescription.ExclusiveFullScreen,
+            "Window: .*exclusive full screen",
             "The game runs in exclusive full screen, where pictures are black.",
             "Choose windowed borderless in the game's graphics settings."),
         new(

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
-using Harvester.Datasets.Exports.Validation;
-using Harvester.Datasets.Validation;
+using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports;
 

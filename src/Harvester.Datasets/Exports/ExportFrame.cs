@@ -1,14 +1,14 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Labels;
-using Harvester.Datasets.Exports.Masks;
-using Harvester.Datasets.Exports.Selection;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
+using Harvester.Datasets.Masks.Pixels;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports;
 

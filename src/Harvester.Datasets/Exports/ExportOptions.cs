@@ -1,10 +1,11 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Imaging.Jpeg;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
+using Harvester.Datasets.Files;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Imaging.Jpeg;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Exports;
 

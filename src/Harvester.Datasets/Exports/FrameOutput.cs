@@ -2,8 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text;
-using Harvester.Capture.Imaging;
-using Harvester.Datasets.Exports.Assembly;
+using Harvester.Datasets.Files;
+using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Datasets.Exports;
 

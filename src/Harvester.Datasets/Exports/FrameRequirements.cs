@@ -1,5 +1,6 @@
 using System;
-using Harvester.Capture.Labels;
+using Harvester.Datasets.Files;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports;
 

@@ -1,6 +1,6 @@
 using System;
 using System.Linq;
-using Harvester.Capture.Labels;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports;
 

@@ -2,6 +2,7 @@ using System;
 using System.Buffers.Binary;
 using System.IO;
 using System.Linq;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Images.Jpeg;
 using Harvester.Geometry.Cameras;
 
@@ -21,9 +22,6 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
 
     /// <summary>Media type of JPEG.</summary>
     public const string Jpeg = "image/jpeg";
-
-    /// <summary>More than any screen has, and few enough for one array.</summary>
-    private const long GreatestPixelCount = 1 << 29;
 
     private const int PngHeaderLength = 33;
     private const int BmpHeaderLength = 30;
@@ -79,7 +77,7 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
         int channels = start[25] switch { 2 => 3, 4 => 2, 6 => 4, _ => 1 };
         return new ImageHeader(
             Png,
-            SizeOf(BinaryPrimitives.ReadUInt32BigEndian(start[16..]), BinaryPrimitives.ReadUInt32BigEndian(start[20..])),
+            DeclaredSize.Of(BinaryPrimitives.ReadUInt32BigEndian(start[16..]), BinaryPrimitives.ReadUInt32BigEndian(start[20..])),
             start[24] * channels);
     }
 
@@ -94,7 +92,7 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
         // The height is negative when the rows run from the top.
         return new ImageHeader(
             Bmp,
-            SizeOf(BinaryPrimitives.ReadInt32LittleEndian(start[18..]), Math.Abs((long)BinaryPrimitives.ReadInt32LittleEndian(start[22..]))),
+            DeclaredSize.Of(BinaryPrimitives.ReadInt32LittleEndian(start[18..]), Math.Abs((long)BinaryPrimitives.ReadInt32LittleEndian(start[22..]))),
             BinaryPrimitives.ReadUInt16LittleEndian(start[28..]));
     }
 
@@ -118,11 +116,4 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
         file.ReadExactly(end);
         return end.SequenceEqual(expected);
     }
-
-    /// <summary>The size that a header gives.</summary>
-    /// <exception cref="DatasetFormatException">No picture has it.</exception>
-    internal static ImageSize SizeOf(long width, long height) =>
-        width is >= 1 and <= ushort.MaxValue && height is >= 1 and <= ushort.MaxValue && width * height <= GreatestPixelCount
-            ? new ImageSize((int)width, (int)height)
-            : throw new DatasetFormatException(FormattableString.Invariant($"its header gives the impossible size {width} x {height}."));
 }

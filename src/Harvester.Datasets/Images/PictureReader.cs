@@ -1,6 +1,7 @@
 using System.IO;
-using Harvester.Capture.Imaging;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Images.Jpeg;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Datasets.Images;
 

@@ -2,9 +2,10 @@ using System;
 using System.Buffers.Binary;
 using System.IO;
 using System.IO.Compression;
-using Harvester.Capture.Imaging;
+using Harvester.Datasets.Files;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Datasets.Images;
 

@@ -2,7 +2,7 @@ using System;
 using System.IO;
 using System.Text;
 using System.Text.Json;
-using Harvester.Capture.Labels;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Json;
 

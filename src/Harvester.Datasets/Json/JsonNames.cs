@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Labels;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Json;
 

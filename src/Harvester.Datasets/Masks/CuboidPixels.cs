@@ -1,11 +1,11 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Labels;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Masks;
 

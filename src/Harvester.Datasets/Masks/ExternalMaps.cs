@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;

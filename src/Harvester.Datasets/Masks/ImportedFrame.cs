@@ -4,13 +4,15 @@ using System.Linq;
 using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Json.Nodes;
-using Harvester.Capture.Harvesting;
-using Harvester.Capture.Labels;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Masks;
 

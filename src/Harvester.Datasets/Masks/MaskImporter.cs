@@ -3,12 +3,12 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using System.Threading;
-using Harvester.Capture.Harvesting;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Labels;
-using Harvester.Datasets.Roads;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Masks;
 

@@ -1,9 +1,10 @@
 using System.Collections.Generic;
 using System.IO;
 using System.Text.Json;
-using Harvester.Capture.Scenes;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Props;
 

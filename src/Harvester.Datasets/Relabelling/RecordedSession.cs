@@ -5,14 +5,16 @@ using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Labelling;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Relabelling;
 

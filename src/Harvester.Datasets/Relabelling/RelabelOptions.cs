@@ -1,11 +1,11 @@
 using System.Collections.Generic;
-using Harvester.Capture.Harvesting;
-using Harvester.Capture.Scenes;
-using Harvester.Capture.Spaces;
-using Harvester.Datasets.Exports;
+using Harvester.Datasets.Files;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Relabelling;
 

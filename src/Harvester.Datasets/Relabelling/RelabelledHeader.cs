@@ -4,11 +4,11 @@ using System.Linq;
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Relabelling;
 

@@ -4,18 +4,18 @@ using System.Linq;
 using System.Text;
 using System.Threading;
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Labelling;
-using Harvester.Capture.Labels;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
-using Harvester.Datasets.Exports.Assembly;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
-using Harvester.Datasets.Roads;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Relabelling;
 

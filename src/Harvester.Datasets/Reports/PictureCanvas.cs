@@ -1,6 +1,6 @@
 using System;
-using Harvester.Capture.Imaging;
 using Harvester.Geometry;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Datasets.Reports;
 

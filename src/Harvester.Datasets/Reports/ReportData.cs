@@ -3,12 +3,13 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
-using Harvester.Capture.Labels;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Reports;
 

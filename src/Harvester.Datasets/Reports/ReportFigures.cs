@@ -3,11 +3,12 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using System.Text.Json;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Datasets.Json;
+using Harvester.Datasets.Reports.Colours;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
+using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Reports;
 

@@ -5,10 +5,11 @@ using System.IO;
 using System.Linq;
 using System.Net;
 using System.Text;
-using Harvester.Capture.Labels;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Reports;
 

@@ -1,12 +1,14 @@
 using System.IO;
 using System.Linq;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Labels;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
-using Harvester.Datasets.Roads;
+using Harvester.Datasets.Reports.Colours;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Reports;
 

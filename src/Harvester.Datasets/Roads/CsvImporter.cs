@@ -1,7 +1,9 @@
 using System;
 using System.IO;
 using System.Text;
-using Harvester.Capture.Roads;
+using Harvester.Datasets.Files;
+using Harvester.Datasets.Roads.Sources;
+using Harvester.Sessions.Roads;
 
 namespace Harvester.Datasets.Roads;
 

@@ -1,7 +1,7 @@
 using System;
-using Harvester.Capture.Imaging;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Datasets.Roads;
 

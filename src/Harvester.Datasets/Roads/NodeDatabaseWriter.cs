@@ -2,9 +2,9 @@ using System;
 using System.Globalization;
 using System.IO;
 using System.Text;
-using Harvester.Capture.Labels;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Roads;
 

@@ -3,11 +3,13 @@ using System.Collections.Generic;
 using System.IO;
 using System.IO.Compression;
 using System.Linq;
-using Harvester.Capture.Roads;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads.Ipl;
 using Harvester.Datasets.Roads.JsonDump;
 using Harvester.Datasets.Roads.Scene;
+using Harvester.Datasets.Roads.Sources;
 using Harvester.Datasets.Roads.Ynd;
+using Harvester.Sessions.Roads;
 
 namespace Harvester.Datasets.Roads;
 

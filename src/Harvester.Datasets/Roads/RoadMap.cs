@@ -4,11 +4,11 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Labels;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Roads;
 

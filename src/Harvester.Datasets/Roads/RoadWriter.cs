@@ -1,8 +1,9 @@
 using System;
 using System.IO;
 using System.IO.Compression;
-using Harvester.Capture.Roads;
+using Harvester.Datasets.Files;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Roads;
 
 namespace Harvester.Datasets.Roads;
 

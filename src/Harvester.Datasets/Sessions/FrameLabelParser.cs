@@ -2,13 +2,14 @@ using System;
 using System.Globalization;
 using System.Linq;
 using System.Text.Json;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
-using Harvester.Capture.Spaces;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Sessions;
 

@@ -1,6 +1,7 @@
 using System;
-using Harvester.Capture.Labels;
+using Harvester.Datasets.Files;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Sessions;
 

@@ -1,4 +1,4 @@
-using Harvester.Capture.Labels;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Sessions;
 

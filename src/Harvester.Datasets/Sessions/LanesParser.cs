@@ -1,9 +1,10 @@
 using System.Linq;
-using Harvester.Capture.Labels;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Sessions;
 

@@ -5,9 +5,8 @@ using System.Text;
 using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Json.Nodes;
-using Harvester.Capture.Harvesting;
-using Harvester.Datasets.Roads;
-using Harvester.Datasets.Sharding;
+using Harvester.Datasets.Files;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Sessions;
 

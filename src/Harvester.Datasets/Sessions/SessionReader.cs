@@ -2,7 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using Harvester.Capture.Labels;
+using Harvester.Datasets.Files;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Sessions;
 

@@ -5,11 +5,9 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using System.Text.Json;
-using Harvester.Capture.Harvesting;
-using Harvester.Datasets.Exports;
-using Harvester.Datasets.Exports.Assembly;
-using Harvester.Datasets.Roads;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Sharding;
 

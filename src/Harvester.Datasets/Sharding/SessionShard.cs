@@ -1,7 +1,8 @@
 using System.Collections.Generic;
 using System.Text.Json.Nodes;
-using Harvester.Capture.Harvesting;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Sharding;
 

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Harvesting;
+using Harvester.Datasets.Files;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Sharding;
 

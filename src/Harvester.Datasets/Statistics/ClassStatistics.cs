@@ -1,5 +1,5 @@
 using System.Collections.Generic;
-using Harvester.Capture.Labels;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Statistics;
 

@@ -1,10 +1,10 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
-using Harvester.Datasets.Exports.Kitti;
+using Harvester.Datasets.Exports.Formats.Kitti;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Statistics;
 

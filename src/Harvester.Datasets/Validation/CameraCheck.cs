@@ -1,8 +1,9 @@
 using System;
 using System.Collections.Generic;
-using Harvester.Capture.Labels;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Validation;
 

@@ -2,8 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text.Json;
-using Harvester.Capture.Labels;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Validation;
 

@@ -2,9 +2,10 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using Harvester.Capture.Labels;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Validation;
 

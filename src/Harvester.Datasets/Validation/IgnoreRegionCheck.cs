@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
-using Harvester.Capture.Labels;
 using Harvester.Geometry;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Validation;
 

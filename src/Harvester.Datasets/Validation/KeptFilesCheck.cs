@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
-using Harvester.Capture.Harvesting;
-using Harvester.Datasets.Relabelling;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Validation;
 

@@ -1,7 +1,8 @@
 using System;
 using System.Collections.Generic;
-using Harvester.Capture.Labels;
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Roads;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Validation;
 

@@ -1,13 +1,13 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Labels;
-using Harvester.Datasets.Exports.Masks;
 using Harvester.Datasets.Masks;
+using Harvester.Datasets.Masks.Pixels;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Validation;
 

@@ -1,8 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
-using Harvester.Capture.Labels;
 using Harvester.Geometry;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Validation;
 

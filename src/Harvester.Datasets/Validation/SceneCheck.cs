@@ -1,8 +1,8 @@
 using System.IO;
-using Harvester.Capture.Harvesting;
-using Harvester.Capture.Labels;
-using Harvester.Datasets.Relabelling;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Validation;
 

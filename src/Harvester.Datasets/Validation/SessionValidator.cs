@@ -1,8 +1,9 @@
 using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
-using Harvester.Capture.Labels;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Validation;
 

@@ -1,7 +1,8 @@
 using System;
 using System.Collections.Generic;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Validation;
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Lanes;
 
@@ -11,9 +12,6 @@ public static class IndicatorCalculator
 {
     /// <summary>Vehicles further ahead are not seen, metres: the thesis's range, and the value when there is none.</summary>
     public const double VehicleRange = 70;
-
-    /// <summary>The indicators on marking are valid up to so far outside the outermost lanes, metres where lanes are 4 m wide.</summary>
-    internal const double ReachOutsideTheRoad = 2.0;
 
     private const double InLaneReach = 1.5;
     private const double MarkingReachOfThreeLanes = 1.0;
@@ -68,8 +66,8 @@ public static class IndicatorCalculator
         double reach = section.LaneCount >= 3 ? MarkingReachOfThreeLanes : MarkingReachOfFewerLanes;
         bool hasLeft = marking > 0;
         bool hasRight = marking < section.LaneCount;
-        double reachLeft = hasLeft ? reach : ReachOutsideTheRoad;
-        double reachRight = hasRight ? reach : ReachOutsideTheRoad;
+        double reachLeft = hasLeft ? reach : LaneSection.ReachOutsideTheRoad;
+        double reachRight = hasRight ? reach : LaneSection.ReachOutsideTheRoad;
         if (toTheRight < -reachLeft || toTheRight > reachRight)
         {
             return indicators;

@@ -1,4 +1,5 @@
 using System;
+using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Lanes;
 

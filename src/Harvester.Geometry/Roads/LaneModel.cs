@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Geometry.Lanes;
 
 namespace Harvester.Geometry.Roads;
 

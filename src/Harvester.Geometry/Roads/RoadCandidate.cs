@@ -1,5 +1,3 @@
-using Harvester.Geometry.Lanes;
-
 namespace Harvester.Geometry.Roads;
 
 /// <summary>

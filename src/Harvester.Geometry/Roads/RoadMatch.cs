@@ -1,5 +1,3 @@
-using Harvester.Geometry.Lanes;
-
 namespace Harvester.Geometry.Roads;
 
 /// <summary>Where a car is on the road network. Without a road (<see cref="HasRoad"/> is false) only <see cref="Outcome"/> means something.</summary>

@@ -1,5 +1,4 @@
 using System;
-using Harvester.Geometry.Lanes;
 
 namespace Harvester.Geometry.Roads;
 

@@ -1,4 +1,3 @@
-using Harvester.Geometry.Lanes;
 
 namespace Harvester.Geometry.Roads;
 
@@ -29,7 +28,7 @@ public sealed record RoadMatcherOptions
     /// A car that is less far beside its carriageway counts to the outermost lane, metres where lanes are 4 m wide, and in proportion
     /// elsewhere: as far as the indicators on marking are valid.
     /// </summary>
-    public double EdgeTolerance { get; init; } = IndicatorCalculator.ReachOutsideTheRoad;
+    public double EdgeTolerance { get; init; } = LaneSection.ReachOutsideTheRoad;
 
     /// <summary>What leaving the road that was followed costs.</summary>
     public double CostOfLeaving { get; init; } = 6;

@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Models;

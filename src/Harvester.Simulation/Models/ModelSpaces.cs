@@ -1,8 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Spaces;
 using Harvester.Geometry;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Simulation.Models;
 

@@ -1,4 +1,4 @@
-using Harvester.Capture.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Simulation.Models;
 

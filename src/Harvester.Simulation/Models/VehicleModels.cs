@@ -31,7 +31,7 @@ internal static class VehicleModels
         { Model: "pbus" } => [PrisonGrey],
         _ when row.Model.StartsWith("police", StringComparison.Ordinal) => [PoliceBlack],
         { Shape: VehicleShape.Motorcycle or VehicleShape.Bicycle } => VehiclePaint.Cycles,
-        { Class: Capture.Scenes.ObjectClass.Car } => VehiclePaint.Cars,
+        { Class: Sessions.Scenes.ObjectClass.Car } => VehiclePaint.Cars,
         _ => VehiclePaint.Lorries,
     };
 }

@@ -1,5 +1,6 @@
 using System;
 using Harvester.Capture.Ports;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Quirks;
 

@@ -1,5 +1,5 @@
 using System.Collections.Generic;
-using Harvester.Capture.Scenes;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Quirks;

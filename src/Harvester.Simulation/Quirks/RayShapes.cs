@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Simulation.Rendering;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Quirks;
 

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Simulation.Rendering;
 

@@ -1,7 +1,7 @@
 using System;
 using System.Linq;
 using Harvester.Geometry;
-using Harvester.Simulation.World;
+using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 

@@ -28,9 +28,9 @@ internal readonly record struct Footprint(Vector3D Centre, Vector3D Forward, dou
         Vector3D offset = other.Centre - Centre;
         return Math.Abs(offset.Z) < SameLevel
             && !IsParted(this, other, offset, Forward)
-            && !IsParted(this, other, offset, World.Horizontal.RightOf(Forward))
+            && !IsParted(this, other, offset, Streets.Horizontal.RightOf(Forward))
             && !IsParted(this, other, offset, other.Forward)
-            && !IsParted(this, other, offset, World.Horizontal.RightOf(other.Forward));
+            && !IsParted(this, other, offset, Streets.Horizontal.RightOf(other.Forward));
     }
 
     private static bool IsParted(Footprint a, Footprint b, Vector3D offset, Vector3D axis) =>

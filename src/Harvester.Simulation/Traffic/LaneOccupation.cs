@@ -1,5 +1,5 @@
 using System.Collections.Generic;
-using Harvester.Simulation.World;
+using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 

@@ -1,10 +1,10 @@
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
-using Harvester.Simulation.World;
+using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 

@@ -2,8 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Geometry;
-using Harvester.Simulation.Driving;
-using Harvester.Simulation.World;
+using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Harvester.Geometry;
 using Harvester.Simulation.Models;
-using Harvester.Simulation.World;
+using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 

@@ -2,7 +2,7 @@ using System;
 using Harvester.Geometry;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
-using Harvester.Simulation.World;
+using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
-using Harvester.Capture.Scenes;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
 
 namespace Harvester.Simulation.World;

@@ -1,9 +1,10 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
+using Harvester.Simulation.Streets;
 using Harvester.Simulation.Traffic;
 
 namespace Harvester.Simulation.World;

@@ -1,14 +1,14 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
-using Harvester.Simulation.Driving;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
+using Harvester.Simulation.Settings;
+using Harvester.Simulation.Streets;
 using Harvester.Simulation.Traffic;
 
 namespace Harvester.Simulation.World;
@@ -36,7 +36,7 @@ internal sealed class SimulatedWorld
         }
 
         RoadPlan plan = RoadPlan.Build(network, start, options.Roads is null ? double.PositiveInfinity : options.RadiusMetres);
-        RoadIndex index = new(plan.Roads);
+        Streets.RoadIndex index = new(plan.Roads);
         Roads = network;
         Truth = new RoadTruth(index);
         List<Walkway> walkways = Walkway.Find(plan, index);

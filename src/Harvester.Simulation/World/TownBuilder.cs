@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.World;
 

@@ -1,6 +1,7 @@
 using System;
-using Harvester.Capture.Scenes;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Rendering;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.World;
 

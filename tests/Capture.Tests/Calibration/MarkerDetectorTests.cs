@@ -1,7 +1,7 @@
 using Harvester.Capture.Calibration;
-using Harvester.Capture.Imaging;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Tests.Calibration;
 

@@ -1,7 +1,9 @@
 using Harvester.Capture.Harvesting;
+using Harvester.Capture.Ports;
 using Harvester.Capture.Tests.Doubles;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.TestSupport;
 
 namespace Harvester.Capture.Tests.Harvesting;
 

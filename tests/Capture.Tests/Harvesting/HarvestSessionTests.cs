@@ -1,10 +1,11 @@
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Capture.Tests.Doubles;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
+using Harvester.TestSupport;
 
 namespace Harvester.Capture.Tests.Harvesting;
 

@@ -3,6 +3,7 @@ using Harvester.Capture.Ports;
 using Harvester.Capture.Tests.Doubles;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.TestSupport;
 
 namespace Harvester.Capture.Tests.Harvesting;
 

@@ -1,6 +1,7 @@
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Scenes;
+using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Tests.Harvesting;
 

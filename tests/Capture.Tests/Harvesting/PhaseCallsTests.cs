@@ -1,7 +1,7 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Tests.Doubles;
-using Harvester.Capture.Tests.Playing;
 using Harvester.Geometry.Cameras;
+using Harvester.TestSupport;
 
 namespace Harvester.Capture.Tests.Harvesting;
 

@@ -1,11 +1,11 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Tests.Labelling;
 

@@ -1,7 +1,7 @@
 using Harvester.Capture.Labelling;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Tests.Labelling;
 

@@ -1,5 +1,5 @@
 using System.Text.Json;
-using Harvester.Capture.Tests.Imaging;
+using Harvester.TestSupport;
 
 namespace Harvester.Capture.Tests.Storage;
 

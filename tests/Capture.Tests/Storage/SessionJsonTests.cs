@@ -1,10 +1,10 @@
 using System.Text.Json;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
 using Harvester.Capture.Storage;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Tests.Storage;
 

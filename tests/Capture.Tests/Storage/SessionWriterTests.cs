@@ -1,9 +1,10 @@
 using System.Text.Json;
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Storage;
 using Harvester.Capture.Tests.Doubles;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
+using Harvester.TestSupport;
 
 namespace Harvester.Capture.Tests.Storage;
 

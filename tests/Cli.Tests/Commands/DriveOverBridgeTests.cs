@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 using System.Text.Json;
+using Harvester.Cli.Terminals;
 using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Commands;

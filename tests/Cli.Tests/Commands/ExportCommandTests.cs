@@ -1,5 +1,7 @@
 using System.Text.RegularExpressions;
-using Harvester.Datasets.Exports;
+using Harvester.Cli.Terminals;
+using Harvester.Datasets.Exports.Assembly;
+using Harvester.Datasets.Exports.Formats;
 
 namespace Harvester.Cli.Tests.Commands;
 

@@ -1,7 +1,8 @@
 using System.Text.Json;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Cli.Tests.Commands;
 

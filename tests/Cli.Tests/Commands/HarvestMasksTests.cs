@@ -1,6 +1,7 @@
 using System.Text.Json;
-using Harvester.Capture.Labels;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Cli.Tests.Commands;
 

@@ -1,8 +1,9 @@
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Commands;

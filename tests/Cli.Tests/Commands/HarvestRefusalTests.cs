@@ -1,3 +1,4 @@
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Sessions;
 
 namespace Harvester.Cli.Tests.Commands;

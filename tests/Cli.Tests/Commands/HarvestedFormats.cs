@@ -1,3 +1,5 @@
+using Harvester.Cli.Terminals;
+
 namespace Harvester.Cli.Tests.Commands;
 
 /// <summary>The same small harvest in every image format, made once for all tests that read them.</summary>

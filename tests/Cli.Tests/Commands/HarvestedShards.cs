@@ -1,3 +1,5 @@
+using Harvester.Cli.Terminals;
+
 namespace Harvester.Cli.Tests.Commands;
 
 /// <summary>One small harvest as a whole and in three shards, and a shard of another, for all tests of merging.</summary>

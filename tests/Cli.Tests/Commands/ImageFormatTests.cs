@@ -1,6 +1,8 @@
-using Harvester.Capture.Imaging;
-using Harvester.Datasets.Exports;
+using Harvester.Cli.Terminals;
+using Harvester.Datasets.Exports.Formats;
 using Harvester.Datasets.Images;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Cli.Tests.Commands;
 

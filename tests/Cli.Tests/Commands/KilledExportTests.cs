@@ -1,6 +1,6 @@
 using System.Diagnostics;
 using System.Security.Cryptography;
-using Harvester.Datasets.Exports;
+using Harvester.Datasets.Exports.Formats;
 
 namespace Harvester.Cli.Tests.Commands;
 

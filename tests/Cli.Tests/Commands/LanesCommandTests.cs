@@ -1,11 +1,11 @@
 using System.Globalization;
 using System.Text.Json;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Roads;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Roads;
 
 namespace Harvester.Cli.Tests.Commands;
 

@@ -1,7 +1,8 @@
 using System.Text.Json.Nodes;
-using Harvester.Capture.Imaging;
+using Harvester.Cli.Terminals;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Cli.Tests.Commands;
 

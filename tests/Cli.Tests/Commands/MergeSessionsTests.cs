@@ -1,3 +1,5 @@
+using Harvester.Cli.Terminals;
+
 namespace Harvester.Cli.Tests.Commands;
 
 public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixture<HarvestedShards>, IDisposable

@@ -1,4 +1,5 @@
 using System.Globalization;
+using Harvester.Cli.Terminals;
 
 namespace Harvester.Cli.Tests.Commands;
 

@@ -1,8 +1,9 @@
-using Harvester.Capture.Labels;
-using Harvester.Capture.Roads;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Roads;
 
 namespace Harvester.Cli.Tests.Commands;
 

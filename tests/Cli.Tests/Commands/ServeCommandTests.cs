@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
 using System.Text;
+using Harvester.Cli.Terminals;
 using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Commands;

@@ -1,3 +1,5 @@
+using Harvester.Cli.Terminals;
+
 namespace Harvester.Cli.Tests.Commands;
 
 /// <summary>Two small frames with masks and lanes.</summary>

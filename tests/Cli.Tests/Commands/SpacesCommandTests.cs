@@ -1,5 +1,6 @@
-using Harvester.Capture.Labels;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Cli.Tests.Commands;
 

@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using Harvester.Cli.Terminals;
 
 namespace Harvester.Cli.Tests.Commands;
 

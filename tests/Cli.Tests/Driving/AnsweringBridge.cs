@@ -1,6 +1,6 @@
 using System.Diagnostics.CodeAnalysis;
-using Harvester.Capture.Driving.Bridge;
-using Harvester.Capture.Imaging;
+using Harvester.Driving.Bridge;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Cli.Tests.Driving;
 

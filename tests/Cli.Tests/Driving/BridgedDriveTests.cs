@@ -1,13 +1,14 @@
 using System.Diagnostics;
 using System.Diagnostics.CodeAnalysis;
-using Harvester.Capture.Driving;
-using Harvester.Capture.Driving.Bridge;
-using Harvester.Capture.Driving.Controllers;
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
 using Harvester.Cli.Driving;
-using Harvester.Driving.Evaluation;
-using Harvester.Simulation;
+using Harvester.Cli.Terminals;
+using Harvester.Driving.Bridge;
+using Harvester.Driving.Controllers;
+using Harvester.Evaluation.Figures;
+using Harvester.Sessions.Imaging;
+using Harvester.Simulation.Game;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Tests.Driving;
 

@@ -1,8 +1,8 @@
-using Harvester.Capture.Driving.Controllers;
 using Harvester.Cli.Driving;
 using Harvester.Datasets.Roads;
-using Harvester.Driving.Evaluation;
-using Harvester.Driving.Noise;
+using Harvester.Driving.Controllers;
+using Harvester.Evaluation.Figures;
+using Harvester.Evaluation.Noise;
 using Harvester.Geometry;
 using Harvester.TestSupport;
 

@@ -1,14 +1,16 @@
-using Harvester.Capture.Driving;
-using Harvester.Capture.Driving.Bridge;
-using Harvester.Capture.Driving.Controllers;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
 using Harvester.Cli.Driving;
 using Harvester.Cli.Serving;
 using Harvester.Cli.Tests.Driving;
+using Harvester.Driving.Bridge;
+using Harvester.Driving.Controllers;
+using Harvester.Driving.Session;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
-using Harvester.Simulation;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Tests.Serving;
 

@@ -1,12 +1,13 @@
-using Harvester.Capture.Driving;
-using Harvester.Capture.Driving.Bridge;
-using Harvester.Capture.Driving.Controllers;
 using Harvester.Capture.Ports;
 using Harvester.Cli.Driving;
 using Harvester.Cli.Serving;
-using Harvester.Driving.Peers;
+using Harvester.Driving.Bridge;
+using Harvester.Driving.Controllers;
+using Harvester.Driving.Session;
+using Harvester.Evaluation.Clients;
 using Harvester.Geometry.Cameras;
-using Harvester.Simulation;
+using Harvester.Simulation.Game;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Tests.Serving;
 

@@ -1,4 +1,5 @@
 using Harvester.Datasets.Diagnosis;
+using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Tests.Diagnosis;
 

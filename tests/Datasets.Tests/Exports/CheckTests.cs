@@ -1,6 +1,7 @@
 using System.Text.RegularExpressions;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Validation;
+using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Tests.Exports;
 

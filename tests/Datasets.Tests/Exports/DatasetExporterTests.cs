@@ -1,6 +1,9 @@
-using Harvester.Capture.Harvesting;
-using Harvester.Capture.Scenes;
 using Harvester.Datasets.Exports;
+using Harvester.Datasets.Exports.Assembly;
+using Harvester.Datasets.Exports.Formats;
+using Harvester.Datasets.Files;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Tests.Exports;
 

@@ -1,6 +1,7 @@
 using System.Text.Json;
 using System.Text.RegularExpressions;
 using Harvester.Datasets.Exports;
+using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Sessions;
 

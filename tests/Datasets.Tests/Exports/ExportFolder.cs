@@ -1,6 +1,8 @@
-using Harvester.Capture.Harvesting;
 using Harvester.Datasets.Exports;
+using Harvester.Datasets.Exports.Assembly;
+using Harvester.Datasets.Exports.Formats;
 using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Tests.Exports;
 

@@ -1,9 +1,11 @@
 using System.Text.Json;
 using System.Text.Json.Nodes;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Datasets.Exports;
+using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Exports.Validation;
+using Harvester.Datasets.Files;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Tests.Exports;
 

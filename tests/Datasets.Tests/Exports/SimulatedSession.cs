@@ -3,7 +3,8 @@ using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
-using Harvester.Simulation;
+using Harvester.Simulation.Game;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Datasets.Tests.Exports;
 

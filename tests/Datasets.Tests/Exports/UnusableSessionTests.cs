@@ -1,4 +1,6 @@
 using Harvester.Datasets.Exports;
+using Harvester.Datasets.Exports.Assembly;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Tests.Exports;

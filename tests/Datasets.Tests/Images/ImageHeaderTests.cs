@@ -1,3 +1,4 @@
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Geometry.Cameras;
 

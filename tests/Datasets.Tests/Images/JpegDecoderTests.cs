@@ -1,8 +1,9 @@
-using Harvester.Capture.Imaging;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Images.Jpeg;
 using Harvester.Geometry.Cameras;
-using Harvester.Tests;
+using Harvester.Sessions.Imaging;
+using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Images;
 

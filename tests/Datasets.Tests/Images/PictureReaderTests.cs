@@ -1,6 +1,8 @@
-using Harvester.Capture.Imaging;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Datasets.Tests.Images;
 

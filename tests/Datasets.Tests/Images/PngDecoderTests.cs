@@ -1,9 +1,11 @@
 using System.Buffers.Binary;
 using System.IO.Compression;
-using Harvester.Capture.Imaging;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Datasets.Tests.Images;
 

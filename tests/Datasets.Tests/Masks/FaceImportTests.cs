@@ -1,11 +1,11 @@
 using System.Text.Json.Nodes;
-using Harvester.Capture.Labels;
 using Harvester.Datasets.Masks;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
 using Harvester.Geometry;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Tests.Masks;
 

@@ -1,9 +1,9 @@
 using System.Text.Json.Nodes;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Labels;
 using Harvester.Datasets.Images;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Tests.Masks;
 

@@ -1,4 +1,4 @@
-using Harvester.Capture.Labels;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Masks;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
@@ -6,6 +6,7 @@ using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Tests.Masks;
 

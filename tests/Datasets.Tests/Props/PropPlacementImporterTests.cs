@@ -1,6 +1,7 @@
-using Harvester.Capture.Scenes;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Props;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
 using Harvester.TestSupport;
 
 namespace Harvester.Datasets.Tests.Props;

@@ -1,6 +1,6 @@
-using Harvester.Capture.Labels;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Tests.Relabelling;
 

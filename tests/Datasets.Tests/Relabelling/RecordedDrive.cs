@@ -1,13 +1,14 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Spaces;
 using Harvester.Capture.Storage;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
-using Harvester.Simulation;
+using Harvester.Sessions.Faces;
+using Harvester.Simulation.Game;
 using Harvester.Simulation.Models;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Datasets.Tests.Relabelling;
 

@@ -1,6 +1,4 @@
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
-using Harvester.Capture.Spaces;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Relabelling;
 using Harvester.Datasets.Sessions;
@@ -10,6 +8,9 @@ using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Tests.Relabelling;
 

@@ -1,5 +1,6 @@
 using System.Text.Json;
 using System.Text.RegularExpressions;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Reports;
 
 namespace Harvester.Datasets.Tests.Reports;

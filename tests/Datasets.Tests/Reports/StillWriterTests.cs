@@ -1,8 +1,11 @@
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Scenes;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Reports;
+using Harvester.Datasets.Reports.Colours;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Tests.Reports;
 

@@ -1,4 +1,5 @@
 using Harvester.Datasets.Roads;
+using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
 

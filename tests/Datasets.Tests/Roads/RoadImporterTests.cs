@@ -1,5 +1,7 @@
 using System.IO.Compression;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
+using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
 

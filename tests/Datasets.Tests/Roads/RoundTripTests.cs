@@ -1,8 +1,9 @@
 using System.IO.Compression;
 using System.Text;
-using Harvester.Capture.Roads;
 using Harvester.Datasets.Roads;
+using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Roads;
 
 namespace Harvester.Datasets.Tests.Roads;
 

@@ -1,9 +1,10 @@
 using System.Text.Json.Nodes;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Tests.Sessions;
 

@@ -1,6 +1,6 @@
 using System.Text.Json.Nodes;
-using Harvester.Capture.Scenes;
 using Harvester.Datasets.Statistics;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Tests.Statistics;
 

@@ -1,4 +1,5 @@
 using System.Text.Json.Nodes;
+using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
 
 namespace Harvester.Datasets.Tests.Validation;

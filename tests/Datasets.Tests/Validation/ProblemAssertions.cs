@@ -1,3 +1,4 @@
+using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
 
 namespace Harvester.Datasets.Tests.Validation;

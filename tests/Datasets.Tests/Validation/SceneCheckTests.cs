@@ -1,7 +1,7 @@
-using Harvester.Capture.Harvesting;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Tests.Exports;
 using Harvester.Datasets.Validation;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Tests.Validation;
 

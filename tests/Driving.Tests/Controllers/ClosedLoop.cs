@@ -1,6 +1,7 @@
-using Harvester.Capture.Driving;
-using Harvester.Capture.Driving.Controllers;
+using Harvester.Capture.Ports;
+using Harvester.Driving.Controllers;
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Roads;
 
 namespace Harvester.Driving.Tests.Controllers;
 

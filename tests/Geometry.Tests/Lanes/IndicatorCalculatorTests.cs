@@ -1,4 +1,5 @@
 using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Tests.Lanes;
 

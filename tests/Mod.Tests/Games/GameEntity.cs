@@ -1,6 +1,6 @@
 using GTA.Hosting;
-using Harvester.Capture.Spaces;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Mod.Tests.Games;

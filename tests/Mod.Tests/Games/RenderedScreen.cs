@@ -1,6 +1,6 @@
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Mod.Tests.Games;

@@ -1,9 +1,9 @@
 using GTA.Hosting;
-using Harvester.Capture.Labels;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
-using Harvester.Capture.Spaces;
-using Harvester.Simulation;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Mod.Tests.Games;
 

@@ -1,7 +1,7 @@
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
-using Harvester.Capture.Spaces;
 using Harvester.Geometry;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Mod.Tests.Games;
 

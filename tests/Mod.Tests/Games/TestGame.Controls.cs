@@ -1,6 +1,6 @@
 using GTA.Native;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Mod.Tests.Games;
 

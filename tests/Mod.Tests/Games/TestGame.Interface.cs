@@ -1,10 +1,9 @@
 using System.Text;
 using GTA.Native;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
-using Harvester.Capture.Spaces;
 using Harvester.Geometry;
 using Harvester.Geometry.Calibration;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Mod.Tests.Games;
 

@@ -1,8 +1,8 @@
 using GTA.Hosting;
 using GTA.Native;
-using Harvester.Capture.Spaces;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games.Natives;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Tests.Spaces.Survey;
 
 namespace Harvester.Mod.Tests.Games;

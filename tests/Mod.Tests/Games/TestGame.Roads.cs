@@ -1,6 +1,5 @@
 using GTA.Native;
-using Harvester.Capture.Roads;
-using Harvester.Geometry;
+using Harvester.Capture.Ports;
 
 namespace Harvester.Mod.Tests.Games;
 

@@ -1,6 +1,6 @@
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Screen;
+using Harvester.Play.Screen;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Mod.Tests.Games;
 

@@ -1,9 +1,9 @@
 using System.Windows.Forms;
 using GTA.Hosting;
-using Harvester.Capture.Tests.Roads;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
 using Harvester.Simulation.Tests.Spaces.Survey;
+using Harvester.TestSupport;
 
 namespace Harvester.Mod.Tests.Soak;
 

@@ -1,4 +1,3 @@
-using Harvester.Mod.Tests.Games;
 using Xunit.Abstractions;
 
 namespace Harvester.Mod.Tests.Soak;

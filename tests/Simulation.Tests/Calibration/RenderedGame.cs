@@ -1,9 +1,9 @@
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
 

@@ -1,6 +1,6 @@
-using Harvester.Capture.Driving;
+using Harvester.Capture.Ports;
 using Harvester.Geometry;
-using Harvester.Simulation.Driving;
+using Harvester.Simulation.Traffic;
 
 namespace Harvester.Simulation.Tests.Driving;
 

@@ -1,9 +1,10 @@
-using Harvester.Capture.Driving;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
+using Harvester.Simulation.Settings;
+using Harvester.Simulation.Streets;
 using Harvester.Simulation.Traffic;
-using Harvester.Simulation.World;
 
 namespace Harvester.Simulation.Tests.Driving;
 

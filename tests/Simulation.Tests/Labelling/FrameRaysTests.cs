@@ -1,9 +1,11 @@
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Labels;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
+using Harvester.Simulation.Game;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Tests.Labelling;
 

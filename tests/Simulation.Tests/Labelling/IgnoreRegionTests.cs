@@ -1,7 +1,8 @@
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Settings;
 using Xunit.Abstractions;
 
 namespace Harvester.Simulation.Tests.Labelling;

@@ -1,7 +1,9 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Tests.Doubles;
+using Harvester.Simulation.Game;
 using Harvester.Simulation.Models;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Tests.Labelling;
 

@@ -3,6 +3,8 @@ using Harvester.Capture.Ports;
 using Harvester.Datasets.Roads;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Simulation.Game;
+using Harvester.Simulation.Settings;
 using Harvester.TestSupport;
 using Xunit.Abstractions;
 

@@ -1,8 +1,9 @@
 using System.Globalization;
 using System.Text.Json;
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Labels;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Labels;
+using Harvester.Simulation.Game;
 
 namespace Harvester.Simulation.Tests.Lanes;
 

@@ -1,5 +1,5 @@
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Tests.Lanes;

@@ -1,9 +1,11 @@
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
-using Harvester.Simulation.World;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
+using Harvester.Simulation.Settings;
+using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Tests.Lanes;
 

@@ -1,8 +1,10 @@
-using Harvester.Capture.Scenes;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Tests.Scenes;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
+using Harvester.Simulation.Settings;
 using Xunit.Abstractions;
 
 namespace Harvester.Simulation.Tests.PixelMaps;

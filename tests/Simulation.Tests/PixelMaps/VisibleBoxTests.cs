@@ -1,8 +1,9 @@
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Labels;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Labels;
+using Harvester.Simulation.Settings;
 using Harvester.Simulation.Tests.Labelling;
 using Xunit.Abstractions;
 

@@ -1,7 +1,7 @@
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Tests.Labelling;
 
 namespace Harvester.Simulation.Tests.Quirks;

@@ -2,7 +2,8 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Tests.Doubles;
 using Harvester.Geometry.Cameras;
-using Harvester.Simulation.Quirks;
+using Harvester.Simulation.Game;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Tests.Quirks;
 

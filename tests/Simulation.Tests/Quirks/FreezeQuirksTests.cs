@@ -1,9 +1,10 @@
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
-using Harvester.Simulation.Quirks;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Tests.Quirks;
 

@@ -1,11 +1,12 @@
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
-using Harvester.Simulation.Quirks;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
 using Harvester.Simulation.Rendering;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Tests.Quirks;
 

@@ -1,6 +1,6 @@
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Simulation.Tests.Quirks;
 

@@ -1,5 +1,6 @@
-using Harvester.Capture.Imaging;
 using Harvester.Capture.Ports;
+using Harvester.Sessions.Imaging;
+using Harvester.Simulation.Game;
 using Harvester.Simulation.Tests.Labelling;
 
 namespace Harvester.Simulation.Tests.Quirks;

@@ -1,5 +1,7 @@
-using Harvester.Capture.Scenes;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
 using Harvester.Simulation.Rendering;
+using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Tests.Rendering;
 

@@ -1,6 +1,6 @@
-using Harvester.Capture.Spaces;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
+using Harvester.Sessions.Faces;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Tests.Models;

@@ -1,5 +1,5 @@
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Simulation.Tests.Spaces;
 

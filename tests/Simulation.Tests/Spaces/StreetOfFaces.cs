@@ -1,11 +1,11 @@
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Labels;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Tests.Models;

@@ -1,5 +1,5 @@
-using Harvester.Capture.Labels;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Simulation.Tests.Spaces;
 

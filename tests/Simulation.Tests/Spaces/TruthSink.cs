@@ -1,5 +1,5 @@
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Labels;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Simulation.Tests.Spaces;
 

@@ -1,3 +1,5 @@
+using Harvester.Simulation.Settings;
+using Harvester.Simulation.Streets;
 using Harvester.Simulation.Traffic;
 using Harvester.Simulation.World;
 

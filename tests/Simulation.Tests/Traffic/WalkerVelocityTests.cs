@@ -1,5 +1,6 @@
-using Harvester.Capture.Scenes;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Settings;
 using Harvester.Simulation.World;
 using Xunit.Abstractions;
 

@@ -1,6 +1,6 @@
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
-using Harvester.Simulation.World;
+using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Tests.World;
 

@@ -1,5 +1,5 @@
 using Harvester.Geometry.Roads;
-using Harvester.Simulation.World;
+using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Tests.World;
 

@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Harvester.Cli.Terminals;
 
 namespace Harvester.Cli.Commands.Masks;
 

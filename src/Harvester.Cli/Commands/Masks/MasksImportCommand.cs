@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.IO;
 using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Masks;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Sessions;

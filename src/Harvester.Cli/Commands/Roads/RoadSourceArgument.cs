@@ -1,5 +1,7 @@
 using System.CommandLine;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Roads;
+using Harvester.Datasets.Roads.Sources;
 
 namespace Harvester.Cli.Commands.Roads;
 
@@ -24,7 +26,7 @@ internal static class RoadSourceArgument
     {
         Description = "Which way the lanes in of paths.ipl and paths.xml are driven: forward from a link's first node to its second, or backward",
         HelpName = "forward|backward",
-        DefaultValueFactory = static _ => Datasets.Roads.LanesIn.Forward,
+        DefaultValueFactory = static _ => Datasets.Roads.Sources.LanesIn.Forward,
     };
 
     public static Option<string> Output(string description) =>

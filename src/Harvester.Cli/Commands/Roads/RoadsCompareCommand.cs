@@ -1,6 +1,8 @@
 using System.CommandLine;
 using System.Globalization;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Roads;
+using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Cli.Commands.Roads;

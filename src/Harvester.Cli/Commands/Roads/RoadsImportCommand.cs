@@ -1,5 +1,7 @@
 using System.CommandLine;
+using Harvester.Cli.Terminals;
 using Harvester.Datasets.Roads;
+using Harvester.Datasets.Roads.Sources;
 
 namespace Harvester.Cli.Commands.Roads;
 

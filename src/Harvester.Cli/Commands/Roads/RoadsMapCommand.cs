@@ -2,11 +2,14 @@ using System;
 using System.CommandLine;
 using System.IO;
 using System.IO.Compression;
-using Harvester.Capture.Imaging;
 using Harvester.Cli.Arguments;
+using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
+using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Cli.Commands.Roads;
 

@@ -1,7 +1,10 @@
 using System.CommandLine;
 using System.IO;
 using Harvester.Cli.Arguments;
+using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
+using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry.Roads;
 
 namespace Harvester.Cli.Commands.Roads;

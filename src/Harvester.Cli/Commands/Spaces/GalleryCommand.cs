@@ -2,7 +2,8 @@ using System.CommandLine;
 using System.IO;
 using System.Text;
 using Harvester.Cli.Spaces;
-using Harvester.Datasets.Roads;
+using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 
 namespace Harvester.Cli.Commands.Spaces;
 

@@ -1,9 +1,10 @@
 using System.CommandLine;
 using System.Globalization;
 using System.Linq;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Spaces;
 using Harvester.Cli.Spaces;
+using Harvester.Cli.Terminals;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Text;
 using Spectre.Console;
 
 namespace Harvester.Cli.Commands.Spaces;

@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using System.Text.Json;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 
 namespace Harvester.Datasets.Exports.Assembly;

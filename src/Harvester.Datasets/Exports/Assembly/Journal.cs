@@ -4,7 +4,8 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text;
-using Harvester.Capture.Harvesting;
+using Harvester.Datasets.Files;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Exports.Assembly;
 

@@ -1,5 +1,5 @@
 using System.Collections.Generic;
-using Harvester.Datasets.Validation;
+using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Validation;
 

@@ -5,9 +5,10 @@ using System.Linq;
 using System.Text.Json;
 using System.Threading;
 using Harvester.Datasets.Exports.Assembly;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Json;
-using Harvester.Datasets.Validation;
+using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Validation;
 

@@ -1,4 +1,5 @@
 using System;
+using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Images.Jpeg;
 

@@ -1,7 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
-using Harvester.Capture.Imaging;
+using Harvester.Datasets.Files;
+using Harvester.Sessions.Imaging;
 
 namespace Harvester.Datasets.Images.Jpeg;
 

@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Images.Jpeg;
 

@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Roads.Ipl;
 

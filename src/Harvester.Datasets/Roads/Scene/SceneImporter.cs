@@ -2,6 +2,8 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Xml.Linq;
+using Harvester.Datasets.Files;
+using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
 

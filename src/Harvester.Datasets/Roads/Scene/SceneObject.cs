@@ -2,6 +2,8 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using System.Xml.Linq;
+using Harvester.Datasets.Files;
+using Harvester.Datasets.Roads.Sources;
 
 namespace Harvester.Datasets.Roads.Scene;
 

@@ -1,7 +1,7 @@
-using Harvester.Capture.Imaging;
 using Harvester.Datasets.Images;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Datasets.Tests.Exports.Cityscapes;
 

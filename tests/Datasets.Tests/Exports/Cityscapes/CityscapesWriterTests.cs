@@ -1,8 +1,8 @@
 using System.Text.Json;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Datasets.Images;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Tests.Exports.Cityscapes;
 

@@ -1,8 +1,8 @@
 using System.Text.Json;
-using Harvester.Capture.Imaging;
-using Harvester.Capture.Labels;
 using Harvester.Datasets.Images;
 using Harvester.Geometry.PixelMaps;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Tests.Exports.Coco;
 

@@ -1,6 +1,6 @@
 using System.Globalization;
-using Harvester.Capture.Labels;
 using Harvester.Datasets.Images;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Tests.Exports.DeepDriving;
 

@@ -1,9 +1,9 @@
 using System.Globalization;
 using System.Text.Json.Nodes;
-using Harvester.Capture.Labels;
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Validation;
 using Harvester.Geometry;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Tests.Exports.Kitti;
 

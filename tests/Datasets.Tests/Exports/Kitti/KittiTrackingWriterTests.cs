@@ -1,5 +1,6 @@
 using Harvester.Datasets.Exports;
 using Harvester.Datasets.Exports.Validation;
+using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Tests.Exports.Kitti;
 

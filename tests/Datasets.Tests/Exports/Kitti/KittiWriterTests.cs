@@ -1,8 +1,8 @@
 using System.Text.Json.Nodes;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Datasets.Exports;
 using Harvester.Geometry;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Tests.Exports.Kitti;
 

@@ -1,8 +1,8 @@
 using System.Text.Json;
 using System.Text.Json.Nodes;
-using Harvester.Capture.Labels;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Tests.Exports.Lanes;
 

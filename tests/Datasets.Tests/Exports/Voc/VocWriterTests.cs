@@ -1,7 +1,7 @@
 using System.Xml.Linq;
-using Harvester.Capture.Labels;
-using Harvester.Capture.Scenes;
 using Harvester.Datasets.Exports;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Tests.Exports.Voc;
 

@@ -1,6 +1,7 @@
 using System.Text;
 using System.Text.Json.Nodes;
 using Harvester.Datasets.Exports;
+using Harvester.Datasets.Exports.Formats;
 
 namespace Harvester.Datasets.Tests.Exports.WebDataset;
 

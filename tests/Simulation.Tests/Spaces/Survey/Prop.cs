@@ -1,5 +1,5 @@
-using Harvester.Capture.Spaces;
 using Harvester.Geometry;
+using Harvester.Sessions.Faces;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Tests.Spaces.Survey;

@@ -1,7 +1,7 @@
-using Harvester.Capture.Spaces.Survey;
 using Harvester.Geometry;
 using Harvester.Geometry.Visibility;
 using Harvester.Simulation.Rendering;
+using Harvester.Surveys.Faces;
 
 namespace Harvester.Simulation.Tests.Spaces.Survey;
 

@@ -1,9 +1,9 @@
 using System.Globalization;
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
-using Harvester.Capture.Spaces;
-using Harvester.Capture.Spaces.Survey;
 using Harvester.Geometry;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Scenes;
+using Harvester.Surveys.Faces;
 using Xunit.Abstractions;
 
 namespace Harvester.Simulation.Tests.Spaces.Survey;

@@ -1,8 +1,8 @@
 using Harvester.Capture.Ports;
-using Harvester.Capture.Scenes;
-using Harvester.Capture.Spaces;
-using Harvester.Capture.Spaces.Survey;
 using Harvester.Geometry;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Scenes;
+using Harvester.Surveys.Faces;
 
 namespace Harvester.Simulation.Tests.Spaces.Survey;
 

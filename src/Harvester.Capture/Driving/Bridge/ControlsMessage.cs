@@ -1,6 +1,0 @@
-namespace Harvester.Capture.Driving.Bridge;
-
-/// <summary>Wheel and pedals, held until the next ones or until the peer has been silent too long.</summary>
-/// <param name="Controls">What to do.</param>
-/// <param name="Frame">Number of the frame that they answer; null when the peer does not say.</param>
-public sealed record ControlsMessage(DrivingControls Controls, long? Frame) : PeerMessage;

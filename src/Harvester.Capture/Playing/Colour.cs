@@ -1,7 +1,0 @@
-namespace Harvester.Capture.Playing;
-
-/// <summary>A colour to draw with.</summary>
-/// <param name="Red">0 to 255.</param>
-/// <param name="Green">0 to 255.</param>
-/// <param name="Blue">0 to 255.</param>
-public readonly record struct Colour(int Red, int Green, int Blue);

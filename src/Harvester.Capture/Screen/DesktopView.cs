@@ -1,8 +1,0 @@
-using System.Collections.Generic;
-
-namespace Harvester.Capture.Screen;
-
-/// <summary>The desktop at one moment.</summary>
-/// <param name="Windows">The visible top-level windows, the topmost first.</param>
-/// <param name="Monitors">What each monitor shows of the desktop.</param>
-internal sealed record DesktopView(IReadOnlyList<TopLevelWindow> Windows, IReadOnlyList<PixelRectangle> Monitors);

@@ -1,0 +1,25 @@
+using System.CommandLine;
+using System.IO;
+using System.Linq;
+using Harvester.Cli.Terminals;
+
+namespace Harvester.Cli.Arguments;
+
+/// <summary>The option that leaves out progress and closing lines. Commands that exist to print something print it all the same.</summary>
+internal static class QuietOption
+{
+    // What these print is their result.
+    private static readonly string[] PrintingCommands = ["validate", "doctor", "calibrate", "stats", "project", "boxes", "lanes", "info", "compare", "check", "list"];
+
+    public static Option<bool> Create() => new("--quiet", "-q")
+    {
+        Description = "Print no progress and no summary; errors and warnings still go to standard error",
+        Recursive = true,
+    };
+
+    /// <summary>The terminal for a command line: without standard output where the command is to be quiet.</summary>
+    public static Terminal TerminalFor(ParseResult parsed, Option<bool> quiet, Terminal terminal) =>
+        parsed.GetValue(quiet) && !PrintingCommands.Contains(parsed.CommandResult.Command.Name)
+            ? terminal with { Out = TextWriter.Null, IsInteractive = false }
+            : terminal;
+}

@@ -1,6 +1,0 @@
-using System;
-
-namespace Harvester.Cli;
-
-/// <summary>The game failed; the message is one line.</summary>
-internal sealed class GameFaultException(string message) : Exception(message);

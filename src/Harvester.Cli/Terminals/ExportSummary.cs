@@ -1,0 +1,17 @@
+using System.Linq;
+using Harvester.Datasets.Exports.Assembly;
+
+namespace Harvester.Cli.Terminals;
+
+/// <summary>What a finished dataset has, in one line.</summary>
+internal static class ExportSummary
+{
+    public static string Of(string folder, ExportResult result)
+    {
+        string splits = string.Join(", ", result.FramesOfSplits.Select(split => $"{split.Key} {split.Value}"));
+        string objects = result.Format.HasObjects ? $", {result.Objects} of {Counted.Of(result.Labels, "label")} written" : "";
+        string ignored = result.Ignored > 0 ? $", {Counted.Of(result.Ignored, "region")} marked as ignored" : "";
+        string leftOut = result.FramesLeftOut > 0 ? $"; {Counted.Of(result.FramesLeftOut, "frame")} without known lanes left out" : "";
+        return $"{folder}: {result.Format.Name}, {Counted.Of(result.Frames, "frame")} ({splits}){objects}{ignored}{leftOut}";
+    }
+}

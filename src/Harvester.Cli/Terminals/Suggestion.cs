@@ -1,0 +1,62 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.CommandLine.Parsing;
+using System.Linq;
+
+namespace Harvester.Cli.Terminals;
+
+/// <summary>The command or option that somebody meant who mistyped one.</summary>
+internal static class Suggestion
+{
+    /// <summary>Letters of a word for each that may be wrong.</summary>
+    private const int LettersPerMistake = 3;
+
+    /// <summary>The name most like a word among the commands and options that could stand there; null when none is like it.</summary>
+    public static string? For(string word, CommandResult command)
+    {
+        string name = word.Split('=')[0];
+        int allowed = Math.Max(1, name.TrimStart('-').Length / LettersPerMistake);
+        return NamesIn(command)
+            .Select(known => (Name: known, Mistakes: Mistakes(name, known)))
+            .Where(known => known.Mistakes <= allowed)
+            .OrderBy(known => known.Mistakes).ThenBy(known => known.Name, StringComparer.Ordinal)
+            .Select(known => known.Name)
+            .FirstOrDefault();
+    }
+
+    /// <summary>The fewest letters that must be put in, left out, exchanged or swapped with their neighbour (optimal string alignment).</summary>
+    internal static int Mistakes(string a, string b)
+    {
+        int[,] least = new int[a.Length + 1, b.Length + 1];
+        for (int i = 0; i <= a.Length; i++)
+        {
+            for (int j = 0; j <= b.Length; j++)
+            {
+                least[i, j] = i == 0 ? j : j == 0 ? i : Math.Min(
+                    Math.Min(least[i - 1, j], least[i, j - 1]) + 1, least[i - 1, j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1));
+                if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                {
+                    least[i, j] = Math.Min(least[i, j], least[i - 2, j - 2] + 1);
+                }
+            }
+        }
+
+        return least[a.Length, b.Length];
+    }
+
+    private static IEnumerable<string> NamesIn(CommandResult command)
+    {
+        IEnumerable<Option> inherited = AncestorsOf(command).SelectMany(ancestor => ancestor.Command.Options.Where(option => option.Recursive));
+        return command.Command.Subcommands.Select(sub => sub.Name)
+            .Concat(command.Command.Options.Concat(inherited).Where(option => !option.Hidden).Select(option => option.Name));
+    }
+
+    private static IEnumerable<CommandResult> AncestorsOf(CommandResult command)
+    {
+        for (SymbolResult? parent = command.Parent; parent is CommandResult ancestor; parent = ancestor.Parent)
+        {
+            yield return ancestor;
+        }
+    }
+}

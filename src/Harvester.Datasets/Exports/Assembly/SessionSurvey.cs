@@ -1,0 +1,145 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Harvester.Datasets.Files;
+using Harvester.Datasets.Sessions;
+using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Labels;
+
+namespace Harvester.Datasets.Exports.Assembly;
+
+/// <summary>What the sessions of an export hold, and whether the export can be made of it: known before anything is written.</summary>
+internal sealed class SessionSurvey
+{
+    private readonly ExportPlan _plan;
+    private readonly List<FramePlace> _written = [];
+    private readonly int[] _frames;
+    private readonly int[] _masks;
+    private readonly SortedSet<string> _mutcdCodes = new(StringComparer.Ordinal);
+
+    private SessionSurvey(ExportPlan plan)
+    {
+        _plan = plan;
+        _frames = new int[plan.Sessions.Count];
+        _masks = new int[plan.Sessions.Count];
+    }
+
+    private DatasetFormat Format => _plan.Format;
+
+    private bool HasMasks => _masks.Sum() > 0;
+
+    /// <summary>Whether labels depend on whether there are masks: boxes that follow no mask do not.</summary>
+    private bool DependsOnMasks => Format.UsesMasks && !(Format.HasBoxes && !Format.HasSegmentations && _plan.Options.Boxes is BoxKind.Amodal or BoxKind.Cuboid);
+
+    /// <summary>Reads all labels of all sessions.</summary>
+    /// <exception cref="DatasetFormatException">A session is malformed, or the format cannot represent one of its frames.</exception>
+    public static SessionSurvey Of(ExportPlan plan, CancellationToken cancellation)
+    {
+        foreach (SessionReader session in plan.Sessions)
+        {
+            if (SessionHeader.Read(session).Shard is { } shard)
+            {
+                throw new DatasetFormatException($"'{session.Folder}' is shard {shard} of a session. Merge the shards first: harvester merge.");
+            }
+        }
+
+        var survey = new SessionSurvey(plan);
+        foreach (ExportFrame frame in PlannedFrames.Of(plan))
+        {
+            cancellation.ThrowIfCancellationRequested();
+            survey.Add(frame);
+        }
+
+        return survey;
+    }
+
+    /// <summary>The plan with everything decided that depends on what the sessions hold.</summary>
+    public ExportPlan Decide()
+    {
+        ExportOptions options = _plan.Options;
+        BoxKind boxes = !Format.HasBoxes ? Format.NeedsMasks ? BoxKind.Visible : BoxKind.Cuboid
+            : options.Boxes ?? (HasMasks ? BoxKind.Visible : BoxKind.Cuboid);
+        return _plan with
+        {
+            Options = options with
+            {
+                Boxes = boxes,
+                Parts = options.Parts ?? Format.DefaultParts,
+                MutcdCodes = options.Subclasses.HasFlag(Subclasses.Mutcd) ? [.. _mutcdCodes] : [],
+            },
+        };
+    }
+
+    /// <summary>Refuses sessions of which the dataset cannot be made.</summary>
+    /// <exception cref="DatasetFormatException">A session or a split has no frame, or only a part of the frames has masks.</exception>
+    public void Check()
+    {
+        int empty = Array.IndexOf(_frames, 0);
+        if (empty >= 0)
+        {
+            throw new DatasetFormatException($"'{FolderOf(empty)}' has no frames.");
+        }
+
+        CheckMasks();
+        if (_written.Count == 0)
+        {
+            throw new DatasetFormatException($"Lanes are known in none of the {_frames.Sum()} frames, and {Format.Name} leaves out frames without them.");
+        }
+
+        SplitPlan splits = _plan.Options.Splits;
+        if (splits.FirstEmpty(_written) is { } split)
+        {
+            throw new DatasetFormatException($"The split '{split}' would be empty: " + AdviceFor(splits));
+        }
+    }
+
+    private void Add(ExportFrame frame)
+    {
+        FrameRequirements.Check(Format, frame);
+        _frames[frame.SessionIndex]++;
+        _masks[frame.SessionIndex] += frame.Label.Mask is null ? 0 : 1;
+        _mutcdCodes.UnionWith(frame.Label.Objects.Select(label => label.Space?.MutcdCode).OfType<string>());
+        if (!Format.LeavesOutUnknownLanes || frame.Label.Lanes is { Status: LaneStatus.Known })
+        {
+            _written.Add(new FramePlace(frame.SessionIndex, frame.FrameInSession));
+        }
+    }
+
+    private void CheckMasks()
+    {
+        if (!HasMasks)
+        {
+            if (_plan.Options.Boxes == BoxKind.Visible)
+            {
+                throw new DatasetFormatException("Boxes of visible pixels need masks, and the sessions have none. Harvest with masks, or choose other boxes.");
+            }
+
+            return;
+        }
+
+        int[] without = [.. Enumerable.Range(0, _frames.Length).Where(session => _masks[session] < _frames[session])];
+        if (!DependsOnMasks || without.Length == 0)
+        {
+            return;
+        }
+
+        string reason = _masks[without[0]] > 0
+            ? $"only {_masks[without[0]]} of the {_frames[without[0]]} frames of '{FolderOf(without[0])}' have masks"
+            : $"'{FolderOf(without[0])}' has no masks, and '{FolderOf(Array.FindIndex(_masks, masks => masks > 0))}' has";
+        throw new DatasetFormatException($"Labels would mean different things: {reason}. Export sessions with and without masks separately.");
+    }
+
+    private string AdviceFor(SplitPlan splits)
+    {
+        if (Format.KeepsSessions)
+        {
+            return $"{Format.Name} keeps sessions whole, and there {(_frames.Length == 1 ? "is 1" : $"are {_frames.Length}")}. Add sessions, or use another --seed.";
+        }
+
+        string frames = $"{_written.Count} frames, drawn in blocks of {splits.BlockFrames}. ";
+        return frames + (splits.LargestFullBlock(_written) is { } block ? $"Use --split-block {block} or another --seed." : "Use another --seed, or fewer splits.");
+    }
+
+    private string FolderOf(int session) => _plan.Sessions[session].Folder;
+}

@@ -1,0 +1,42 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Datasets.Exports.Checks;
+
+/// <summary>Text files of labels: one for each image, a line an object, words with blanks between them.</summary>
+internal static class LabelFiles
+{
+    /// <summary>Looks at every line of a label file.</summary>
+    /// <param name="dataset">The dataset.</param>
+    /// <param name="name">The file.</param>
+    /// <param name="problemOf">What is wrong with the words of a line, given with its number from 1; null for nothing.</param>
+    public static IEnumerable<SessionProblem> Problems(DatasetContent dataset, string name, Func<int, string[], string?> problemOf)
+    {
+        if (!dataset.Has(name))
+        {
+            yield return new SessionProblem(name, null, "it is missing, but its image is there.");
+        }
+
+        foreach ((int number, string text) in dataset.Lines(name))
+        {
+            if (problemOf(number, text.Split(' ')) is { } problem)
+            {
+                yield return new SessionProblem(name, number, problem);
+            }
+        }
+    }
+
+    /// <summary>Files of a folder that belong to no image.</summary>
+    /// <param name="dataset">The dataset.</param>
+    /// <param name="folder">The folder.</param>
+    /// <param name="stems">Names of the images without their ends.</param>
+    public static IEnumerable<SessionProblem> Strays(DatasetContent dataset, string folder, IEnumerable<string> stems)
+    {
+        HashSet<string> known = [.. stems];
+        return dataset.Files(folder).Where(name => !known.Contains(Path.GetFileNameWithoutExtension(name)))
+            .Select(name => new SessionProblem(name, null, "its image is missing."));
+    }
+}

@@ -1,0 +1,43 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Datasets.Exports.Checks;
+
+/// <summary>Text files that list what each split has, a name a line: every name is there, in one list only, and none is left out.</summary>
+internal static class SplitLists
+{
+    /// <summary>Looks at the lists of all splits and counts their frames.</summary>
+    /// <param name="dataset">The dataset.</param>
+    /// <param name="listOf">Name of a split's list; a split without frames need not have one.</param>
+    /// <param name="framesOf">How many frames each name that must be in a list stands for.</param>
+    public static IEnumerable<SessionProblem> Problems(DatasetContent dataset, Func<string, string> listOf, IReadOnlyDictionary<string, int> framesOf)
+    {
+        var listed = new HashSet<string>(StringComparer.Ordinal);
+        foreach (string split in dataset.Splits)
+        {
+            string list = listOf(split);
+            foreach ((int number, string name) in dataset.Lines(list))
+            {
+                if (!framesOf.TryGetValue(name, out int frames))
+                {
+                    yield return new SessionProblem(list, number, $"'{name}' is not in the dataset.");
+                }
+                else if (!listed.Add(name))
+                {
+                    yield return new SessionProblem(list, number, $"'{name}' was listed before, here or in another split.");
+                }
+                else
+                {
+                    dataset.Found(split, frames);
+                }
+            }
+        }
+
+        foreach (string name in framesOf.Keys.Where(name => !listed.Contains(name)))
+        {
+            yield return new SessionProblem(listOf("*"), null, $"'{name}' is in no list.");
+        }
+    }
+}

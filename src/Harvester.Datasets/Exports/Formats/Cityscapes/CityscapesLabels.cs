@@ -1,0 +1,69 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Datasets.Exports.Formats.Cityscapes;
+
+/// <summary>The rows of the benchmark's table that are exported, and how instances are numbered: label · 1000 + number for labels with instances.</summary>
+internal static class CityscapesLabels
+{
+    public const int InstancesPerLabel = 1000;
+
+    private const ushort NotTrained = 255;
+
+    private static readonly CityscapesLabel[] Labels =
+    [
+        new("unlabeled", 0, NotTrained, false),
+        new("static", 4, NotTrained, false),
+        new("dynamic", 5, NotTrained, false),
+        new("pole", 17, 5, false),
+        new("traffic light", 19, 6, false),
+        new("traffic sign", 20, 7, false),
+        new("person", 24, 11, true),
+        new("rider", 25, 12, true),
+        new("car", 26, 13, true),
+        new("truck", 27, 14, true),
+        new("bus", 28, 15, true),
+        new("caravan", 29, NotTrained, true),
+        new("trailer", 30, NotTrained, true),
+        new("train", 31, 16, true),
+        new("motorcycle", 32, 17, true),
+        new("bicycle", 33, 18, true),
+    ];
+
+    /// <summary>Everything that is not an object.</summary>
+    public static CityscapesLabel Unlabeled { get; } = Named("unlabeled");
+
+    /// <summary>Posts of signs and traffic lights.</summary>
+    public static CityscapesLabel Pole { get; } = Named("pole");
+
+    /// <summary>Names that classes can be given.</summary>
+    public static IReadOnlyCollection<string> Names { get; } = [.. Labels.Select(label => label.Name)];
+
+    /// <summary>The label of a class.</summary>
+    /// <param name="kind">The class.</param>
+    /// <param name="names">Names of labels of classes, where they are not the usual ones.</param>
+    public static CityscapesLabel Of(ObjectClass kind, IReadOnlyDictionary<ObjectClass, string> names) => Named(
+        names.TryGetValue(kind, out string? name) ? name : kind switch
+        {
+            ObjectClass.Car => "car",
+            ObjectClass.Truck => "truck",
+            ObjectClass.Bus => "bus",
+            ObjectClass.Trailer => "trailer",
+            ObjectClass.Motorcycle => "motorcycle",
+            ObjectClass.Bicycle => "bicycle",
+            ObjectClass.Pedestrian => "person",
+            ObjectClass.TrafficLight => "traffic light",
+            ObjectClass.Sign => "traffic sign",
+            ObjectClass.Other => "dynamic",
+            _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "The class has no label in Cityscapes."),
+        });
+
+    /// <summary>The label of an instance id, which is the label id itself for labels without instances; null when there is none of such an id.</summary>
+    public static CityscapesLabel? OfInstance(ushort instance) => instance >= InstancesPerLabel
+        ? Labels.FirstOrDefault(label => label.HasInstances && label.Id == instance / InstancesPerLabel)
+        : Labels.FirstOrDefault(label => !label.HasInstances && label.Id == instance);
+
+    private static CityscapesLabel Named(string name) => Labels.First(label => label.Name == name);
+}

@@ -1,0 +1,85 @@
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.Json;
+using Harvester.Datasets.Json;
+using Harvester.Geometry;
+using Harvester.Geometry.PixelMaps;
+
+namespace Harvester.Datasets.Exports.Formats.Cityscapes;
+
+/// <summary>
+/// A map of instances as polygons to be drawn one over the other, the largest first. Their corners are pixels that belong to them, as the benchmark's
+/// scripts draw polygons with their edges. Every piece that hangs together has a polygon of its own, without its holes; what is unlabeled has polygons
+/// where it may lie in such a hole.
+/// </summary>
+internal static class CityscapesPolygons
+{
+    /// <summary>Stands for what is unlabeled, as outlines are of numbers from 1; no instance has it.</summary>
+    private const ushort UnlabeledNumber = ushort.MaxValue;
+
+    /// <summary>The file's text.</summary>
+    public static string Text(InstanceMap instances) => JsonLine.Of(json =>
+    {
+        json.WriteStartObject();
+        json.WriteNumber("imgHeight", instances.Image.Height);
+        json.WriteNumber("imgWidth", instances.Image.Width);
+        json.WriteStartArray("objects");
+        foreach ((string label, IReadOnlyList<Vector2D> outline) in Pieces(instances).OrderByDescending(piece => Area(piece.Outline)))
+        {
+            Write(json, label, outline);
+        }
+
+        json.WriteEndArray();
+        json.WriteEndObject();
+    });
+
+    private static void Write(Utf8JsonWriter json, string label, IReadOnlyList<Vector2D> outline)
+    {
+        json.WriteStartObject();
+        json.WriteString("label", label);
+        json.WriteStartArray("polygon");
+        for (int i = 0; i < outline.Count; i++)
+        {
+            Vector2D pixel = PixelAt(outline[(i + outline.Count - 1) % outline.Count], outline[i], outline[(i + 1) % outline.Count]);
+            json.WriteStartArray();
+            json.WriteNumberValue((int)pixel.X);
+            json.WriteNumberValue((int)pixel.Y);
+            json.WriteEndArray();
+        }
+
+        json.WriteEndArray();
+        json.WriteEndObject();
+    }
+
+    private static IEnumerable<(string Label, IReadOnlyList<Vector2D> Outline)> Pieces(InstanceMap instances)
+    {
+        var numbered = new InstanceMap(instances.Image);
+        for (int i = 0; i < numbered.Ids.Length; i++)
+        {
+            numbered.Ids[i] = instances.Ids[i] == 0 ? UnlabeledNumber : instances.Ids[i];
+        }
+
+        var whole = new Box2D(0, 0, instances.Image.Width, instances.Image.Height);
+        return from number in numbered.Ids.Distinct()
+               from outline in MaskOutlines.Of(numbered, number)
+               where Area(outline) > 0 && (number != UnlabeledNumber || !outline.Any(corner => IsOnEdge(corner, whole)))
+               select (number == UnlabeledNumber ? CityscapesLabels.Unlabeled.Name : CityscapesLabels.OfInstance(number)!.Name, outline);
+    }
+
+    private static bool IsOnEdge(Vector2D corner, Box2D image) =>
+        corner.X == image.XMin || corner.X == image.XMax || corner.Y == image.YMin || corner.Y == image.YMax;
+
+    /// <summary>The pixel in a corner of an outline, which runs along the borders of pixels with the piece on its right: half a pixel inward from both sides.</summary>
+    private static Vector2D PixelAt(Vector2D before, Vector2D corner, Vector2D after) =>
+        corner + ((Inward(before, corner) + Inward(corner, after)) * 0.5) + new Vector2D(-0.5, -0.5);
+
+    private static Vector2D Inward(Vector2D from, Vector2D to)
+    {
+        Vector2D along = to - from;
+        return new Vector2D(-along.Y, along.X) * (1 / along.Length);
+    }
+
+    /// <summary>Positive for an outline around a piece, negative for one around a hole.</summary>
+    private static double Area(IReadOnlyList<Vector2D> outline) => outline
+        .Select((corner, i) => corner.Cross(outline[(i + 1) % outline.Count])).Sum() / 2;
+}

@@ -1,0 +1,63 @@
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Datasets.Json;
+using Harvester.Datasets.Sessions;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Labels;
+
+namespace Harvester.Datasets.Exports.Formats.Coco;
+
+/// <summary>What must hold for COCO instances: ids are unique and known, boxes lie in their images, segmentations agree with box and area.</summary>
+internal static class CocoCheck
+{
+    /// <summary>Boxes are rounded to three decimals.</summary>
+    private const double RoundingPixels = 0.002;
+
+    public static IEnumerable<SessionProblem> Problems(DatasetContent dataset)
+    {
+        var images = new CocoImages(dataset);
+        return dataset.Splits.SelectMany(split => ProblemsOf(dataset, images, split));
+    }
+
+    private static IEnumerable<SessionProblem> ProblemsOf(DatasetContent dataset, CocoImages images, string split)
+    {
+        BoxKind boxes = dataset.Options.Boxes ?? BoxKind.Cuboid;
+        string name = $"annotations/instances_{split}.json";
+        SessionProblem[] problems = [.. images.Read(name, split)];
+        var ids = new HashSet<long>();
+        return dataset.Has(name)
+            ? problems.Concat(CocoElements.Problems(dataset, name, (list, element) => list == "annotations" ? Problem(element, images, ids, boxes) : null))
+            : problems;
+    }
+
+    private static string? Problem(JsonFields annotation, CocoImages images, HashSet<long> ids, BoxKind boxes)
+    {
+        long id = annotation.LargeWholeNumber("id");
+        string? problem = !ids.Add(id) || id < 1 ? "its id is there twice or below 1."
+            : !images.Sizes.TryGetValue(annotation.LargeWholeNumber("image_id"), out ImageSize image) ? "its image is not listed."
+            : !images.HasCategory(annotation.WholeNumber("category_id")) ? "its category is not listed."
+            : annotation.WholeNumber("iscrowd") is not (0 or 1) ? "iscrowd is not 0 or 1."
+            : ShapeProblem(annotation, image, boxes);
+        return problem is null ? null : $"annotation {id}: {problem}";
+    }
+
+    private static string? ShapeProblem(JsonFields annotation, ImageSize image, BoxKind boxes)
+    {
+        double[] sides = annotation.Numbers("bbox", 4);
+        var box = new Box2D(sides[0], sides[1], sides[0] + sides[2], sides[1] + sides[3]);
+        double area = annotation.Number("area");
+        bool isInImage = boxes == BoxKind.Amodal || new Box2D(0, 0, image.Width, image.Height).Contains(box, RoundingPixels);
+        return !(box.Width > 0 && box.Height > 0 && isInImage) ? $"its box does not lie in the image of {image.Width} x {image.Height}, or has no area."
+            : !(area > 0 && area <= MostArea(box)) ? "its area is not that of something in its box."
+            : annotation.IsList("segmentation") ? CocoSegmentationCheck.PolygonProblem(annotation.Rows("segmentation"), SpannedBy(annotation, box, boxes))
+            : CocoSegmentationCheck.RunsProblem(annotation.Fields("segmentation"), image, SpannedBy(annotation, box, boxes), area);
+    }
+
+    /// <summary>What a segmentation must span: the box around the visible pixels; any box else may be larger than what is seen in it.</summary>
+    private static Box2D? SpannedBy(JsonFields annotation, Box2D box, BoxKind boxes) =>
+        boxes == BoxKind.Visible && annotation.WholeNumber("iscrowd") == 0 ? box : null;
+
+    /// <summary>The pixels that a box touches reach beyond it by less than one on either side.</summary>
+    private static double MostArea(Box2D box) => (box.Width + 2) * (box.Height + 2);
+}

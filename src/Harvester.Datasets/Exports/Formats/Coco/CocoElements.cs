@@ -1,0 +1,65 @@
+using System;
+using System.Collections.Generic;
+using System.Text.Json;
+using Harvester.Datasets.Files;
+using Harvester.Datasets.Json;
+using Harvester.Datasets.Sessions;
+
+namespace Harvester.Datasets.Exports.Formats.Coco;
+
+/// <summary>Looks at the elements of the lists of a JSON file, one after the other.</summary>
+internal static class CocoElements
+{
+    /// <summary>What is wrong with the elements, with their lines.</summary>
+    /// <param name="dataset">The dataset.</param>
+    /// <param name="name">The file.</param>
+    /// <param name="problemOf">What is wrong with an element of a list; null for nothing.</param>
+    public static IEnumerable<SessionProblem> Problems(DatasetContent dataset, string name, Func<string, JsonFields, string?> problemOf)
+    {
+        using var reader = new JsonListReader(dataset.PathOf(name));
+        while (true)
+        {
+            bool hasElement = TryRead(reader, name, out SessionProblem? damage);
+            if (damage is not null)
+            {
+                yield return damage;
+            }
+
+            if (!hasElement)
+            {
+                yield break;
+            }
+
+            if (ProblemOf(reader, problemOf) is { } problem)
+            {
+                yield return new SessionProblem(name, reader.Line, problem);
+            }
+        }
+    }
+
+    private static bool TryRead(JsonListReader reader, string name, out SessionProblem? damage)
+    {
+        try
+        {
+            damage = null;
+            return reader.Read();
+        }
+        catch (JsonException e)
+        {
+            damage = new SessionProblem(name, (int?)(e.LineNumber + 1), "it is not JSON from here on.");
+            return false;
+        }
+    }
+
+    private static string? ProblemOf(JsonListReader reader, Func<string, JsonFields, string?> problemOf)
+    {
+        try
+        {
+            return problemOf(reader.List, new JsonFields(reader.Element));
+        }
+        catch (DatasetFormatException e)
+        {
+            return $"{reader.List}: {e.Message}";
+        }
+    }
+}

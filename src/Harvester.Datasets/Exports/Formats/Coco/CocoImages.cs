@@ -1,0 +1,65 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Datasets.Images;
+using Harvester.Datasets.Json;
+using Harvester.Datasets.Sessions;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Datasets.Exports.Formats.Coco;
+
+/// <summary>What must hold for the lists of images and categories, which all files of COCO have, and what they say.</summary>
+/// <param name="dataset">The dataset.</param>
+internal sealed class CocoImages(DatasetContent dataset)
+{
+    private readonly Dictionary<long, ImageSize> _sizes = [];
+    private readonly HashSet<int> _categories = [];
+    private readonly HashSet<string> _namesOfAll = new(StringComparer.Ordinal);
+    private readonly HashSet<long> _idsOfAll = [];
+
+    /// <summary>Sizes of the images of the file that was read last, by their ids.</summary>
+    public IReadOnlyDictionary<long, ImageSize> Sizes => _sizes;
+
+    /// <summary>Whether the file that was read last has a category.</summary>
+    public bool HasCategory(int category) => _categories.Contains(category);
+
+    /// <summary>Reads a split's file; ids and names of images must differ from those of files read before.</summary>
+    public IEnumerable<SessionProblem> Read(string name, string split)
+    {
+        _sizes.Clear();
+        _categories.Clear();
+        if (!dataset.Has(name))
+        {
+            return [new SessionProblem(name, null, "it is missing.")];
+        }
+
+        var listed = new HashSet<string>(StringComparer.Ordinal);
+        SessionProblem[] problems =
+        [
+            .. CocoElements.Problems(dataset, name, (list, element) => list switch
+            {
+                "images" => ImageProblem(element, split, listed),
+                "categories" => _categories.Add(element.WholeNumber("id")) && element.Text("name").Length > 0 ? null : "its category is there twice or has no name.",
+                _ => null,
+            }),
+        ];
+        return problems.Concat(dataset.Files($"images/{split}").Where(image => !listed.Contains(image))
+            .Select(image => new SessionProblem(image, null, $"it is not listed in {name}.")));
+    }
+
+    private string? ImageProblem(JsonFields image, string split, HashSet<string> listed)
+    {
+        long id = image.LargeWholeNumber("id");
+        string file = image.Text("file_name");
+        var size = new ImageSize(image.WholeNumber("width"), image.WholeNumber("height"));
+        _sizes[id] = size;
+        dataset.Found(split);
+        listed.Add($"images/{split}/{file}");
+        ImageHeader? header = dataset.Header($"images/{split}/{file}");
+        return !dataset.Has($"images/{split}/{file}") ? $"image '{file}' is not in images/{split}."
+            : !_idsOfAll.Add(id) ? $"image {id} is there twice, here or in another split."
+            : !_namesOfAll.Add(file) ? $"image '{file}' is there twice, here or in another split."
+            : header is not null && header.Size != size ? $"image '{file}' is {header.Size.Width} x {header.Size.Height}, not {size.Width} x {size.Height}."
+            : null;
+    }
+}

@@ -1,0 +1,84 @@
+using System.Collections.Generic;
+using System.Linq;
+using System.Text.Json;
+using Harvester.Datasets.Json;
+using Harvester.Datasets.Reports.Colours;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Datasets.Exports.Formats.Coco;
+
+/// <summary>What COCO's files have in common.</summary>
+internal static class CocoJson
+{
+    public const int PixelDecimals = 3;
+    public const int FractionDecimals = 4;
+    private const int SecondsDecimals = 6;
+
+    /// <summary>The info object; no date, so that the same sessions give the same bytes.</summary>
+    private const string Info = """{"description":"Exported by GtaDataHarvester","version":"1"}""";
+
+    /// <summary>The files of all splits, put together from the parts that are named images and annotations with the split.</summary>
+    /// <param name="kind">What their names begin with.</param>
+    /// <param name="options">The options.</param>
+    /// <param name="stuff">Categories that are no objects.</param>
+    public static IEnumerable<AggregateFile> Files(string kind, ExportOptions options, params IEnumerable<Stuff> stuff) => options.Splits.Splits.Select(split => new AggregateFile(
+        $"annotations/{kind}_{split.Name}.json",
+        [
+            AggregateSection.Literal("{\"info\":" + Info + ",\"licenses\":[],\"images\":[\n"),
+            AggregateSection.Joined($"images {split.Name}", ",\n"),
+            AggregateSection.Literal("\n],\"annotations\":[\n"),
+            AggregateSection.Joined($"annotations {split.Name}", ",\n"),
+            AggregateSection.Literal("\n],\"categories\":" + Categories(options, stuff) + "}\n"),
+        ]));
+
+    /// <summary>The list of categories.</summary>
+    private static string Categories(ExportOptions options, IEnumerable<Stuff> stuff) => JsonLine.Of(json =>
+    {
+        json.WriteStartArray();
+        foreach (DatasetClass kind in new ClassCatalogue(options).All)
+        {
+            WriteCategory(json, kind.Category, kind.Name, SuperCategoryOf(kind.Kind), isThing: true, ClassColours.Of(kind.Kind));
+        }
+
+        foreach (Stuff kind in stuff)
+        {
+            WriteCategory(json, kind.Category, kind.Name, "stuff", isThing: false, kind.Colour);
+        }
+
+        json.WriteEndArray();
+    });
+
+    private static void WriteCategory(Utf8JsonWriter json, int id, string name, string superCategory, bool isThing, int colour)
+    {
+        json.WriteStartObject();
+        json.WriteNumber("id", id);
+        json.WriteString("name", name);
+        json.WriteString("supercategory", superCategory);
+        json.WriteNumber("isthing", isThing ? 1 : 0);
+        json.Numbers("color", [colour >> 16, (colour >> 8) & 0xFF, colour & 0xFF], 0);
+        json.WriteEndObject();
+    }
+
+    /// <summary>An entry of the list of images.</summary>
+    public static string Image(ExportFrame frame, string file) => JsonLine.Of(json =>
+    {
+        json.WriteStartObject();
+        json.WriteNumber("id", frame.Index);
+        json.WriteString("file_name", file);
+        json.WriteNumber("width", frame.Label.Camera.Width);
+        json.WriteNumber("height", frame.Label.Camera.Height);
+        json.WriteNumber("session", frame.SessionIndex);
+        json.WriteNumber("frame", frame.Label.Frame);
+        json.Number("time_seconds", frame.Label.TimeSeconds, SecondsDecimals);
+        json.WriteString("weather", frame.Label.Environment.Weather);
+        json.WriteEndObject();
+    });
+
+    private static string SuperCategoryOf(ObjectClass kind) => kind switch
+    {
+        ObjectClass.Pedestrian => "person",
+        ObjectClass.Sign or ObjectClass.TrafficLight => "outdoor",
+        ObjectClass.Other => "other",
+        _ => "vehicle",
+    };
+}

@@ -1,0 +1,77 @@
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Datasets.Images;
+using Harvester.Datasets.Json;
+using Harvester.Datasets.Sessions;
+using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
+
+namespace Harvester.Datasets.Exports.Formats.Coco;
+
+/// <summary>What must hold for COCO panoptic: one annotation an image, whose segments are the colours of its picture, with their boxes and areas.</summary>
+internal static class CocoPanopticCheck
+{
+    public static IEnumerable<SessionProblem> Problems(DatasetContent dataset)
+    {
+        var images = new CocoImages(dataset);
+        return dataset.Splits.SelectMany(split => ProblemsOf(dataset, images, split));
+    }
+
+    private static List<SessionProblem> ProblemsOf(DatasetContent dataset, CocoImages images, string split)
+    {
+        string name = $"annotations/panoptic_{split}.json";
+        List<SessionProblem> problems = [.. images.Read(name, split)];
+        if (!dataset.Has(name))
+        {
+            return problems;
+        }
+
+        var seen = new HashSet<long>();
+        problems.AddRange(CocoElements.Problems(
+            dataset, name, (list, element) => list == "annotations" ? Problem(dataset, split, element, images, seen) : null));
+        problems.AddRange(images.Sizes.Keys.Where(id => !seen.Contains(id)).Select(id => new SessionProblem(name, null, $"image {id} has no annotation.")));
+        return problems;
+    }
+
+    private static string? Problem(DatasetContent dataset, string split, JsonFields annotation, CocoImages images, HashSet<long> seen)
+    {
+        long image = annotation.LargeWholeNumber("image_id");
+        string picture = $"annotations/panoptic_{split}/{annotation.Text("file_name")}";
+        string? problem = !images.Sizes.TryGetValue(image, out ImageSize size) ? "its image is not listed."
+            : !seen.Add(image) ? "its image has an annotation already."
+            : !dataset.Has(picture) ? $"'{picture}' is missing."
+            : SegmentsProblem(annotation.List("segments_info"), PngDecoder.ReadRgb(dataset.PathOf(picture)), size, images);
+        return problem is null ? null : $"annotation of image {image}: {problem}";
+    }
+
+    private static string? SegmentsProblem(IReadOnlyList<JsonFields> segments, PixelBuffer picture, ImageSize size, CocoImages images)
+    {
+        if (picture.Size != size)
+        {
+            return $"its picture is not of {size.Width} x {size.Height}.";
+        }
+
+        var found = new Dictionary<int, Segment>(new SegmentMap(picture).Segments);
+        foreach (JsonFields segment in segments)
+        {
+            int id = segment.WholeNumber("id");
+            double[] box = segment.Numbers("bbox", 4);
+            if (!found.Remove(id, out Segment? pixels))
+            {
+                return $"segment {id} is not in its picture, or there twice.";
+            }
+
+            if (segment.WholeNumber("area") != pixels.Area || !box.SequenceEqual([pixels.Left, pixels.Top, pixels.Right - pixels.Left, pixels.Bottom - pixels.Top]))
+            {
+                return $"segment {id} has another area or box than in its picture.";
+            }
+
+            if (!images.HasCategory(segment.WholeNumber("category_id")) || segment.WholeNumber("iscrowd") is not (0 or 1))
+            {
+                return $"segment {id} has a category that is not listed, or an iscrowd that is not 0 or 1.";
+            }
+        }
+
+        return found.Count == 0 ? null : $"segment {found.Keys.Min()} of its picture is not listed.";
+    }
+}

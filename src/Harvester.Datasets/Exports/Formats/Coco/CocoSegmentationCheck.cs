@@ -1,0 +1,67 @@
+using System;
+using System.Linq;
+using Harvester.Datasets.Json;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Datasets.Exports.Formats.Coco;
+
+/// <summary>What must hold for a segmentation: it spans its box, and run lengths fill the image and add up to the area.</summary>
+internal static class CocoSegmentationCheck
+{
+    /// <summary>Polygons run along pixel borders, and so do the boxes around visible pixels.</summary>
+    private const double RoundingPixels = 0.002;
+
+    /// <summary>An empty list is not a valid segmentation.</summary>
+    public static string? PolygonProblem(double[][] polygons, Box2D? box)
+    {
+        if (polygons.Any(polygon => polygon.Length < 6 || polygon.Length % 2 != 0))
+        {
+            return "a polygon does not have three corners or more, two numbers each.";
+        }
+
+        double[] xs = [.. polygons.SelectMany(polygon => polygon.Where((_, i) => i % 2 == 0))];
+        double[] ys = [.. polygons.SelectMany(polygon => polygon.Where((_, i) => i % 2 == 1))];
+        return polygons.Length == 0 || IsSame(box, new Box2D(xs.Min(), ys.Min(), xs.Max(), ys.Max())) ? null : "its polygons do not span its box.";
+    }
+
+    /// <summary>Uncompressed run lengths: column by column, what is outside first.</summary>
+    public static string? RunsProblem(JsonFields segmentation, ImageSize image, Box2D? box, double area)
+    {
+        double[] size = segmentation.Numbers("size", 2);
+        double[] counts = segmentation.Numbers("counts");
+        if (size[0] != image.Height || size[1] != image.Width || counts.Any(count => count < 0 || count != Math.Floor(count)) || counts.Sum() != image.PixelCount)
+        {
+            return $"its run lengths are not those of an image of {image.Width} x {image.Height}.";
+        }
+
+        return counts.Where((_, i) => i % 2 == 1).Sum() != area ? "its run lengths do not add up to its area."
+            : IsSame(box, BoxOf(counts, image.Height)) ? null : "its run lengths do not span its box.";
+    }
+
+    private static Box2D BoxOf(double[] counts, int height)
+    {
+        (int left, int top, int right, int bottom) = (int.MaxValue, int.MaxValue, 0, 0);
+        int at = 0;
+        for (int i = 0; i < counts.Length; i++)
+        {
+            int end = at + (int)counts[i];
+            if (i % 2 == 1 && end > at)
+            {
+                // A run that goes on in the next column touches the last row and the first.
+                bool isInOneColumn = at / height == (end - 1) / height;
+                left = Math.Min(left, at / height);
+                right = Math.Max(right, ((end - 1) / height) + 1);
+                top = isInOneColumn ? Math.Min(top, at % height) : 0;
+                bottom = isInOneColumn ? Math.Max(bottom, ((end - 1) % height) + 1) : height;
+            }
+
+            at = end;
+        }
+
+        return new Box2D(left, top, right, bottom);
+    }
+
+    private static bool IsSame(Box2D? expected, Box2D found) =>
+        expected is not { } box || (box.Contains(found, RoundingPixels) && found.Contains(box, RoundingPixels));
+}

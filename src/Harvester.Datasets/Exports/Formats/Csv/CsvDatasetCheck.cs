@@ -1,0 +1,118 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using CsvHelper;
+using Harvester.Datasets.Images;
+using Harvester.Datasets.Sessions;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Datasets.Exports.Formats.Csv;
+
+/// <summary>What must hold for the flat tables: their columns, frames with their images, and objects that belong to a frame and lie in it.</summary>
+internal sealed class CsvDatasetCheck
+{
+    private const string Frames = "frames.csv";
+    private const string Objects = "objects.csv";
+    private const string Regions = "ignore_regions.csv";
+
+    /// <summary>Pixels have three decimals.</summary>
+    private const double RoundingPixels = 0.002;
+
+    private static readonly string[] Texts =
+        ["split", "image", "weather", "time_of_day", "class", "model", "name", "mutcd", "light_state", "has_rider", "reason"];
+
+    private readonly DatasetContent _dataset;
+    private readonly HashSet<string> _classes;
+    private readonly Dictionary<string, ImageSize> _sizes = new(StringComparer.Ordinal);
+    private readonly HashSet<(string Frame, string Id)> _objects = [];
+
+    private CsvDatasetCheck(DatasetContent dataset)
+    {
+        _dataset = dataset;
+        _classes = [.. new ClassCatalogue(dataset.Options).All.Select(kind => kind.Name)];
+    }
+
+    public static IEnumerable<SessionProblem> Problems(DatasetContent dataset)
+    {
+        var check = new CsvDatasetCheck(dataset);
+        return check.TableProblems(Frames, CsvDatasetWriter.FrameColumns, check.FrameProblem)
+            .Concat(check.TableProblems(Objects, CsvDatasetWriter.ObjectColumns, check.ObjectProblem))
+            .Concat(check.TableProblems(Regions, CsvDatasetWriter.RegionColumns, check.RegionProblem));
+    }
+
+    private IEnumerable<SessionProblem> TableProblems(string name, string[] columns, Func<Dictionary<string, string>, string?> problemOf)
+    {
+        if (!_dataset.Has(name))
+        {
+            yield return new SessionProblem(name, null, "it is missing.");
+            yield break;
+        }
+
+        using var file = new StreamReader(_dataset.PathOf(name));
+        using var csv = new CsvParser(file, CultureInfo.InvariantCulture);
+        while (csv.Read())
+        {
+            string[] fields = csv.Record!;
+            string? problem = csv.Row == 1 ? fields.SequenceEqual(columns) ? null : "its columns are not those of the format."
+                : fields.Length != columns.Length ? $"it has {fields.Length} fields instead of {columns.Length}."
+                : columns.Zip(fields).FirstOrDefault(pair => !Texts.Contains(pair.First) && !IsNumber(pair.Second)) is { First: { } column } ? $"{column} is not a number."
+                : problemOf(columns.Zip(fields).ToDictionary(pair => pair.First, pair => pair.Second));
+            if (problem is not null)
+            {
+                yield return new SessionProblem(name, csv.RawRow, problem);
+            }
+        }
+    }
+
+    private string? FrameProblem(Dictionary<string, string> row)
+    {
+        var size = new ImageSize((int)Number(row["width"]), (int)Number(row["height"]));
+        if (!_sizes.TryAdd(row["frame"], size))
+        {
+            return $"frame {row["frame"]} is there twice.";
+        }
+
+        if (!_dataset.Splits.Contains(row["split"]))
+        {
+            return $"'{row["split"]}' is not a split of the export.";
+        }
+
+        _dataset.Found(row["split"]);
+        ImageHeader? header = _dataset.Header(row["image"]);
+        return !_dataset.Has(row["image"]) ? $"its image '{row["image"]}' is missing."
+            : header is not null && header.Size != size ? $"its image is {header.Size.Width} x {header.Size.Height}, not {size.Width} x {size.Height}."
+            : TimeSpan.TryParseExact(row["time_of_day"], @"hh\:mm\:ss", CultureInfo.InvariantCulture, out _) ? null : "time_of_day is not a time as 13:05:00.";
+    }
+
+    private string? ObjectProblem(Dictionary<string, string> row)
+    {
+        return RegionProblem(row) is { } problem ? problem
+            : !_objects.Add((row["frame"], row["id"])) ? $"object {row["id"]} is there twice in frame {row["frame"]}."
+            : row.Where(pair => pair.Key.EndsWith("_fraction", StringComparison.Ordinal) && pair.Value.Length > 0).FirstOrDefault(pair => Number(pair.Value) is < 0 or > 1)
+                is { Key: { } fraction } ? $"{fraction} is not 0 to 1."
+            : null;
+    }
+
+    /// <summary>What must hold for objects and for regions.</summary>
+    private string? RegionProblem(Dictionary<string, string> row)
+    {
+        if (!_sizes.TryGetValue(row["frame"], out ImageSize size))
+        {
+            return $"frame {row["frame"]} is not in {Frames}.";
+        }
+
+        var box = new Box2D(Number(row["box2d_xmin"]), Number(row["box2d_ymin"]), Number(row["box2d_xmax"]), Number(row["box2d_ymax"]));
+        return !_classes.Contains(row["class"]) ? $"'{row["class"]}' is not a class of the export."
+            : !(box.Width > 0 && box.Height > 0 && new Box2D(0, 0, size.Width, size.Height).Contains(box, RoundingPixels))
+                ? $"its box2d does not lie in the image of {size.Width} x {size.Height}, or has no area."
+            : Number(row["distance_metres"]) < 0 ? "distance_metres is below 0." : null;
+    }
+
+    /// <summary>What is not known is an empty field.</summary>
+    private static bool IsNumber(string text) => text.Length == 0 || Numbers.Parse([text]) is not null;
+
+    private static double Number(string text) => Numbers.Parse([text])?[0] ?? double.NaN;
+}

@@ -1,0 +1,74 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Datasets.Exports.Formats.Cityscapes;
+using Harvester.Datasets.Exports.Formats.Coco;
+using Harvester.Datasets.Exports.Formats.Csv;
+using Harvester.Datasets.Exports.Formats.DeepDriving;
+using Harvester.Datasets.Exports.Formats.Kitti;
+using Harvester.Datasets.Exports.Formats.Lanes;
+using Harvester.Datasets.Exports.Formats.Voc;
+using Harvester.Datasets.Exports.Formats.WebDataset;
+using Harvester.Datasets.Exports.Formats.Yolo;
+
+namespace Harvester.Datasets.Exports.Formats;
+
+/// <summary>The formats that can be exported; each has a page in docs/exports.</summary>
+public static class DatasetFormats
+{
+    /// <summary>All of them, in the order in which help lists them.</summary>
+    public static IReadOnlyList<DatasetFormat> All { get; } =
+    [
+        new("kitti", "KITTI object detection: image_2, label_2, calib", options => new KittiWriter(options))
+        {
+            NeedsRectilinear = true, UsesMasks = true, HasBoxes = true, HasNames = true, Names = KittiClasses.Types, Check = KittiCheck.Problems,
+        },
+        new("kitti-tracking", "KITTI tracking: a sequence for each session", options => new KittiTrackingWriter(options))
+        {
+            NeedsRectilinear = true, UsesMasks = true, HasBoxes = true, HasNames = true, Names = KittiClasses.Types, KeepsSessions = true,
+            Check = KittiTrackingCheck.Problems,
+        },
+        new("coco", "COCO instances", options => new CocoWriter(options))
+        {
+            UsesMasks = true, HasBoxes = true, HasBoxesBeyondImage = true, HasNames = true, HasSubclasses = true, HasParts = true, HasSegmentations = true,
+            Check = CocoCheck.Problems,
+        },
+        new("coco-panoptic", "COCO panoptic segmentation", options => new CocoPanopticWriter(options))
+        {
+            NeedsMasks = true, HasNames = true, HasSubclasses = true, HasParts = true, Check = CocoPanopticCheck.Problems,
+        },
+        new("yolo", "Ultralytics YOLO, boxes", options => new YoloWriter(options))
+        {
+            UsesMasks = true, HasBoxes = true, HasNames = true, HasSubclasses = true, HasParts = true, Check = YoloCheck.BoxProblems,
+        },
+        new("yolo-segment", "Ultralytics YOLO, outlines", options => new YoloSegmentWriter(options))
+        {
+            NeedsMasks = true, HasNames = true, HasSubclasses = true, HasParts = true, Check = YoloCheck.OutlineProblems,
+        },
+        new("voc", "Pascal VOC", options => new VocWriter(options))
+        {
+            UsesMasks = true, HasBoxes = true, HasNames = true, HasSubclasses = true, HasParts = true, Check = VocCheck.Problems,
+        },
+        new("cityscapes", "Maps of instances and classes in the style of Cityscapes", options => new CityscapesWriter(options))
+        {
+            NeedsMasks = true, HasNames = true, Names = CityscapesLabels.Names, HasParts = true, Check = CityscapesCheck.Problems,
+        },
+        new("deepdriving", "Images of 280 x 210 and DeepDriving's thirteen indicators", options => new DeepDrivingWriter(options))
+        {
+            NeedsLanes = true, KeepsImages = false, Check = DeepDrivingCheck.Problems,
+        },
+        new("tusimple", "TuSimple lanes", options => new TuSimpleWriter(options)) { NeedsLanes = true, LeavesOutUnknownLanes = true, Check = TuSimpleCheck.Problems },
+        new("openlane", "OpenLane 3D lane lines", _ => new OpenLaneWriter()) { NeedsLanes = true, LeavesOutUnknownLanes = true, Check = OpenLaneCheck.Problems },
+        new("webdataset", "Tar archives for streaming readers", _ => new WebDatasetWriter())
+        {
+            UsesMasks = true, KeepsUndetermined = true, HasParts = true, DefaultParts = PartSelection.All, KeepsImages = false, Check = WebDatasetCheck.Problems,
+        },
+        new("csv", "Flat tables of frames and objects", options => new CsvDatasetWriter(options))
+        {
+            KeepsUndetermined = true, HasNames = true, HasParts = true, DefaultParts = PartSelection.All, Check = CsvDatasetCheck.Problems,
+        },
+    ];
+
+    /// <summary>A format by its name, or null.</summary>
+    public static DatasetFormat? Find(string name) => All.FirstOrDefault(format => string.Equals(format.Name, name, StringComparison.Ordinal));
+}

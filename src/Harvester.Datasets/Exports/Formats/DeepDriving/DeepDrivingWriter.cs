@@ -1,0 +1,88 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Text;
+
+namespace Harvester.Datasets.Exports.Formats.DeepDriving;
+
+/// <summary>
+/// What DeepDriving trains on: images of 280 x 210 and the thirteen indicators, as a table and as one text file a frame, in metres and as the
+/// network's loss has them. See docs/exports/deepdriving.md.
+/// </summary>
+internal sealed class DeepDrivingWriter : IDatasetWriter
+{
+    private const int Decimals = 6;
+
+    /// <summary>Size of the network's input.</summary>
+    public static ImageSize Size { get; } = new(280, 210);
+
+    /// <summary>First line of the table, with its end.</summary>
+    public static string Header { get; } = string.Join(
+        ',',
+        [
+            "frame", "split", "image", "status", "fast",
+            .. IndicatorOrder.Names, .. IndicatorOrder.Names.Select(name => "valid_" + name), .. IndicatorOrder.Names.Select(name => "torcs_" + name),
+            .. IndicatorOrder.Names.Select(name => "normalised_" + name), "normalised_fast",
+        ]) + "\n";
+
+    private static readonly Func<double, double>[] Maps =
+    [
+        DeepDrivingNormalisation.Angle,
+        DeepDrivingNormalisation.ToMarkingL, DeepDrivingNormalisation.ToMarkingM, DeepDrivingNormalisation.ToMarkingR,
+        DeepDrivingNormalisation.Dist, DeepDrivingNormalisation.Dist,
+        DeepDrivingNormalisation.ToMarkingLL, DeepDrivingNormalisation.ToMarkingML, DeepDrivingNormalisation.ToMarkingMR, DeepDrivingNormalisation.ToMarkingRR,
+        DeepDrivingNormalisation.Dist, DeepDrivingNormalisation.Dist, DeepDrivingNormalisation.Dist,
+    ];
+
+    private readonly ImageFormat _format;
+    private readonly PictureEncoder _encoder;
+    private readonly PixelBuffer _small = new(Size);
+
+    public DeepDrivingWriter(ExportOptions options)
+    {
+        _format = options.ImageFormat ?? ImageFormat.Png;
+        _encoder = new PictureEncoder(_format, options.JpegQuality);
+    }
+
+    public WrittenObjects Write(ExportFrame frame, FrameOutput output)
+    {
+        LanesLabel lanes = frame.Label.Lanes!;
+        string image = $"images/{frame.Name}{_format.Extension()}";
+        output.File(image, stream => _encoder.Write(Scaled(frame), stream));
+        double[] metres = IndicatorOrder.Values(lanes.Indicators);
+        double[] torcs = IndicatorOrder.Values(lanes.TorcsEquivalent);
+        double[] normalised = Normalised(torcs);
+        output.Text($"indicators/{frame.Name}.txt", Numbers.Row(Decimals, metres) + "\n");
+        output.Text($"normalised/{frame.Name}.txt", Numbers.Row(Decimals, normalised) + "\n");
+        output.Part("rows", string.Join(
+            ',',
+            [
+                Numbers.Text(frame.Index), frame.Split, image, JsonName.Of(lanes.Status), Flag(lanes.IsFast),
+                .. metres.Select(Text), .. NamedIndicators.Of(lanes.Indicators).Select(named => Flag(named.Indicator.IsValid)), .. torcs.Select(Text),
+                .. normalised.Select(Text), Text(DeepDrivingNormalisation.Fast(lanes.IsFast)),
+            ]));
+        return default;
+    }
+
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
+        [new("indicators.csv", [AggregateSection.Literal(Header), AggregateSection.Lines("rows")])];
+
+    /// <summary>The loss layer's maps of values in the order of the indicators.</summary>
+    public static double[] Normalised(double[] torcs) => [.. torcs.Zip(Maps, (value, map) => map(value))];
+
+    private static string Text(double value) => InvariantNumber.Format(value, Decimals);
+
+    private static string Flag(bool value) => value ? "1" : "0";
+
+    private PixelBuffer Scaled(ExportFrame frame)
+    {
+        PixelBuffer picture = frame.ReadImage();
+        new ImageScaler(picture.Size, Size).Scale(picture, _small);
+        return _small;
+    }
+}

@@ -1,0 +1,96 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Geometry;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Datasets.Exports.Formats.Kitti;
+
+/// <summary>
+/// An object in KITTI's terms: the camera's frame with x right, y down, z forward; a box that stands upright in it, given by its size,
+/// the centre of its lower face and its turn about y; pixels whose centres have whole numbers.
+/// </summary>
+internal sealed class KittiBox
+{
+    /// <summary>KITTI counts from the centre of the upper left pixel, conventions.md from its corner.</summary>
+    public const double PixelShift = -0.5;
+
+    /// <summary>Pixels have two decimals; a box below this could have none.</summary>
+    private const double LeastPixels = 0.02;
+
+    private readonly UprightBox _upright;
+
+    private KittiBox(ObjectLabel label, string type, Box2D box, UprightBox upright)
+    {
+        Label = label;
+        Type = type;
+        Box = box;
+        _upright = upright;
+    }
+
+    /// <summary>The object's label.</summary>
+    public ObjectLabel Label { get; }
+
+    /// <summary>The object's type.</summary>
+    public string Type { get; }
+
+    /// <summary>Its box in the image.</summary>
+    public Box2D Box { get; }
+
+    /// <summary>By how much the sides of the projected upright box miss those of the projected cuboid, pixels; 0 where the cuboid reaches behind the camera.</summary>
+    public double MissPixels => _upright.MissPixels;
+
+    /// <summary>By how much the upright box stands beside the cuboid, metres.</summary>
+    public double MovedMetres => _upright.MovedMetres;
+
+    /// <summary>Angle between the cuboid's up and the camera's, degrees.</summary>
+    public double LeanDegrees => _upright.LeanDegrees;
+
+    /// <summary>The objects of a frame that KITTI labels.</summary>
+    /// <param name="frame">The frame.</param>
+    /// <param name="names">Types of classes, where they are not the usual ones.</param>
+    public static IEnumerable<KittiBox> Of(ExportFrame frame, IReadOnlyDictionary<ObjectClass, string> names)
+    {
+        CameraLabel camera = frame.Label.Camera;
+        foreach (ExportObject item in frame.Objects)
+        {
+            if (KittiClasses.Has(item.Label.Class) && BoxIn(item.Box, camera) is { } box)
+            {
+                yield return new KittiBox(item.Label, KittiClasses.TypeOf(item.Label, names), box, UprightBox.Of(item.Label.Box3D, camera));
+            }
+        }
+    }
+
+    /// <summary>The regions of a frame in which nothing is to be evaluated.</summary>
+    public static IEnumerable<Box2D> IgnoredIn(ExportFrame frame)
+    {
+        foreach (ExportRegion region in frame.Ignored)
+        {
+            if (KittiClasses.Has(region.Kind) && BoxIn(region.Box, frame.Label.Camera) is { } box)
+            {
+                yield return box;
+            }
+        }
+    }
+
+    /// <summary>The fields from alpha to rotation_y, as both of KITTI's label files have them.</summary>
+    public string Fields() => string.Join(
+        ' ',
+        Numbers.Row(KittiDecimals.Angle, _upright.Alpha),
+        Sides(Box),
+        Numbers.Row(KittiDecimals.Metres, _upright.Height, _upright.Width, _upright.Length, _upright.Location.X, _upright.Location.Y, _upright.Location.Z),
+        Numbers.Row(KittiDecimals.Angle, _upright.RotationY));
+
+    /// <summary>The four fields of a box in the image.</summary>
+    public static string Sides(Box2D box) => Numbers.Row(KittiDecimals.Pixels, box.XMin, box.YMin, box.XMax, box.YMax);
+
+    /// <summary>A box in KITTI's pixels; null when it reaches over no pixel's centre and has no area in the format.</summary>
+    private static Box2D? BoxIn(Box2D box, CameraLabel camera)
+    {
+        var shifted = new Box2D(
+            Place(box.XMin, camera.Width), Place(box.YMin, camera.Height), Place(box.XMax, camera.Width), Place(box.YMax, camera.Height));
+        return shifted.Width >= LeastPixels && shifted.Height >= LeastPixels ? shifted : null;
+    }
+
+    private static double Place(double side, int size) => Math.Clamp(side + PixelShift, 0, size - 1);
+}

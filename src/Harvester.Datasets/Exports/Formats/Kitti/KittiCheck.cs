@@ -1,0 +1,47 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Harvester.Datasets.Exports.Checks;
+using Harvester.Datasets.Images;
+using Harvester.Datasets.Sessions;
+using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Labels;
+
+namespace Harvester.Datasets.Exports.Formats.Kitti;
+
+/// <summary>What must hold for KITTI object detection: labels, calibrations and lists of the splits.</summary>
+internal static class KittiCheck
+{
+    private const string Images = "training/image_2";
+    private const string Labels = "training/label_2";
+    private const string Calibrations = "training/calib";
+    private const int Columns = 15;
+
+    public static IEnumerable<SessionProblem> Problems(DatasetContent dataset)
+    {
+        IReadOnlyList<string> images = dataset.Files(Images);
+        IReadOnlyDictionary<string, double> misses = KittiLeaning.MissesOf(dataset);
+        Dictionary<string, int> frames = images.ToDictionary(image => Path.GetFileNameWithoutExtension(image), _ => 1);
+        return images.SelectMany(image => ProblemsOf(dataset, image, misses))
+            .Concat(LabelFiles.Strays(dataset, Labels, frames.Keys))
+            .Concat(LabelFiles.Strays(dataset, Calibrations, frames.Keys))
+            .Concat(SplitLists.Problems(dataset, split => $"ImageSets/{split}.txt", frames));
+    }
+
+    private static IEnumerable<SessionProblem> ProblemsOf(DatasetContent dataset, string image, IReadOnlyDictionary<string, double> misses)
+    {
+        string frame = Path.GetFileNameWithoutExtension(image);
+        var calibration = new KittiCalibrationCheck(dataset, $"{Calibrations}/{frame}.txt", "R0_rect:", "Tr_velo_to_cam:", "Tr_imu_to_velo:");
+        ImageHeader? header = dataset.Header(image);
+        var columns = new KittiColumns(dataset.Options.Boxes ?? BoxKind.Cuboid);
+        return calibration.Problems.Concat(LabelFiles.Problems(dataset, $"{Labels}/{frame}.txt", (number, words) =>
+            ProblemOf(words, header?.Size, calibration.P2, columns, misses.GetValueOrDefault($"{frame}.txt,{number}", KittiLeaning.MostMissPixels))));
+    }
+
+    private static string? ProblemOf(string[] words, ImageSize? image, double[]? projection, KittiColumns columns, double missPixels) =>
+        words.Length != Columns ? $"it has {words.Length} columns instead of {Columns}."
+            : Numbers.Parse(words.Skip(1)) is not { } numbers ? "a column after the type is not a number."
+            : words[0] != KittiClasses.DontCare && numbers[0] is < 0 or > 1 ? "truncated is not 0 to 1."
+            : columns.ProblemOf(words[0], numbers.AsSpan(1), image, projection, missPixels);
+}

@@ -1,0 +1,46 @@
+using System.Collections.Generic;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Datasets.Exports.Formats.Kitti;
+
+/// <summary>KITTI's types and levels for what a label says; docs/exports/kitti.md has the table.</summary>
+internal static class KittiClasses
+{
+    /// <summary>Up to here an object counts as fully visible.</summary>
+    private const double MostHiddenOfVisible = 0.1;
+
+    /// <summary>Up to here as partly occluded, above as largely.</summary>
+    private const double MostHiddenOfPartly = 0.5;
+
+    private const int UnknownOcclusion = 3;
+
+    /// <summary>The types of objects.</summary>
+    public static IReadOnlyCollection<string> Types { get; } = ["Car", "Van", "Truck", "Pedestrian", "Person_sitting", "Cyclist", "Tram", "Misc"];
+
+    /// <summary>The type of ignore regions.</summary>
+    public const string DontCare = "DontCare";
+
+    /// <summary>Whether KITTI labels objects of a class.</summary>
+    public static bool Has(ObjectClass kind) => kind is not (ObjectClass.Sign or ObjectClass.TrafficLight);
+
+    /// <summary>The type of an object.</summary>
+    /// <param name="label">The object, of a class that KITTI labels.</param>
+    /// <param name="names">Types of classes, where they are not these.</param>
+    public static string TypeOf(ObjectLabel label, IReadOnlyDictionary<ObjectClass, string> names) => names.TryGetValue(label.Class, out string? name)
+        ? name
+        : label.Class switch
+        {
+            ObjectClass.Car => KittiVans.Has(label.Model) ? "Van" : "Car",
+            ObjectClass.Truck => "Truck",
+            ObjectClass.Pedestrian => "Pedestrian",
+            ObjectClass.Bicycle when label.HasRider == true => "Cyclist",
+            _ => "Misc",
+        };
+
+    /// <summary>0 fully visible, 1 partly, 2 largely occluded, 3 unknown.</summary>
+    public static int OcclusionOf(ObjectLabel label) => label.OccludedFraction is { } hidden ? LevelOf(hidden) : UnknownOcclusion;
+
+    /// <summary>0, 1 or 2 for nothing to speak of, a part, the larger part.</summary>
+    public static int LevelOf(double fraction) => fraction <= MostHiddenOfVisible ? 0 : fraction <= MostHiddenOfPartly ? 1 : 2;
+}

@@ -1,0 +1,105 @@
+using System;
+using System.Linq;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Labels;
+
+namespace Harvester.Datasets.Exports.Formats.Kitti;
+
+/// <summary>What must hold for the columns that both of KITTI's label files have: type, and from occluded to rotation_y.</summary>
+/// <param name="boxes">Which boxes were exported.</param>
+internal sealed class KittiColumns(BoxKind boxes)
+{
+    private const double HalfTurn = Math.PI + RoundingRadians;
+
+    /// <summary>Angles have four decimals; alpha is rounded, and so is what it follows from.</summary>
+    private const double RoundingRadians = 0.0002;
+
+    /// <summary>Metres have three decimals.</summary>
+    private const double RoundingMetres = 0.001;
+
+    /// <summary>Pixels have two decimals.</summary>
+    private const double RoundingPixels = 0.02;
+
+    /// <summary>The format says nothing of the lens; one that bends by more is refused.</summary>
+    private const double MostBendPixels = LensBend.MostPixels;
+
+    /// <summary>What lies nearer is spread over the image by the projection.</summary>
+    private const double NearestDepthMetres = 2;
+
+    /// <summary>Visible pixels may lie beyond the cuboid where a mask of another tool was imported, by this share of the cuboid's side.</summary>
+    private const double MostOverhangFraction = 0.25;
+
+    /// <summary>What is wrong with an object or a region; null for nothing.</summary>
+    /// <param name="type">Its type.</param>
+    /// <param name="n">occluded, alpha, left, top, right, bottom, height, width, length, x, y, z, rotation_y.</param>
+    /// <param name="image">Size of the image; null when it cannot be read, which is said elsewhere.</param>
+    /// <param name="projection">P2, row by row; null when it cannot be read, which is said elsewhere.</param>
+    /// <param name="missPixels">By how much an upright box may miss, pixels.</param>
+    public string? ProblemOf(string type, ReadOnlySpan<double> n, ImageSize? image, double[]? projection, double missPixels)
+    {
+        if (type != KittiClasses.DontCare && !KittiClasses.Types.Contains(type))
+        {
+            return $"'{type}' is not a type of KITTI.";
+        }
+
+        var box = new Box2D(n[2], n[3], n[4], n[5]);
+        bool isInImage = image is not { } size || (box.XMax <= size.Width - 1 && box.YMax <= size.Height - 1);
+        if (!(box.XMin >= 0 && box.YMin >= 0 && box.XMin < box.XMax && box.YMin < box.YMax && isInImage))
+        {
+            return "its box does not lie in the image, or has no area.";
+        }
+
+        return type == KittiClasses.DontCare ? null : ObjectProblem(n, box, image, projection, missPixels);
+    }
+
+    private string? ObjectProblem(ReadOnlySpan<double> n, Box2D box, ImageSize? image, double[]? projection, double missPixels)
+    {
+        if (n[0] is not (0 or 1 or 2 or 3))
+        {
+            return "occluded is not 0, 1, 2 or 3.";
+        }
+
+        if (n[6] < 0 || n[7] < 0 || n[8] < 0)
+        {
+            return "its height, width or length is below 0.";
+        }
+
+        var location = new Vector3D(n[9], n[10], n[11]);
+        double distance = Math.Sqrt((location.X * location.X) + (location.Z * location.Z));
+        double allowed = RoundingRadians + (RoundingMetres / Math.Max(distance, RoundingMetres));
+        return Math.Abs(n[1]) > HalfTurn || Math.Abs(n[12]) > HalfTurn ? "alpha or rotation_y is not an angle from -pi to pi."
+            : Math.Abs(Numbers.Wrap(n[12] - Math.Atan2(location.X, location.Z) - n[1])) > allowed ? "alpha is not rotation_y less the direction of x and z."
+            : projection is null || image is not { } known || IsOn(box, n, known, projection, missPixels) ? null
+            : "its 3D box, projected with P2, does not fall onto its 2D box.";
+    }
+
+    /// <summary>Every box lies within the projected 3D box; that of a cuboid which lies in the image is the same.</summary>
+    private bool IsOn(Box2D box, ReadOnlySpan<double> n, ImageSize image, double[] p, double missPixels)
+    {
+        Vector3D[] corners = KittiCorners.Of(new Vector3D(n[9], n[10], n[11]), n[6], n[7], n[8], n[12]);
+        double nearest = corners.Min(corner => corner.Z);
+        if (nearest < NearestDepthMetres)
+        {
+            return true;
+        }
+
+        Vector2D[] points = [.. corners.Select(corner => Project(corner, p))];
+        var around = new Box2D(points.Min(point => point.X), points.Min(point => point.Y), points.Max(point => point.X), points.Max(point => point.Y));
+        var whole = new Box2D(0, 0, image.Width - 1, image.Height - 1);
+        if (around.Intersect(whole) is not { } seen)
+        {
+            return false;
+        }
+
+        double rounding = RoundingPixels + MostBendPixels + missPixels + (p[0] * RoundingMetres / nearest);
+        double overhang = boxes == BoxKind.Visible ? MostOverhangFraction : 0;
+        return Grown(seen, rounding + (overhang * seen.Width), rounding + (overhang * seen.Height)).Contains(box, 0)
+            && (boxes == BoxKind.Visible || !whole.Contains(around, 0) || box.Contains(seen, rounding));
+    }
+
+    private static Box2D Grown(Box2D box, double across, double down) => new(box.XMin - across, box.YMin - down, box.XMax + across, box.YMax + down);
+
+    private static Vector2D Project(Vector3D point, double[] p) => new(
+        ((p[0] * point.X) + (p[2] * point.Z) + p[3]) / (point.Z + p[11]), ((p[5] * point.Y) + (p[6] * point.Z) + p[7]) / (point.Z + p[11]));
+}

@@ -1,0 +1,57 @@
+using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
+
+namespace Harvester.Datasets.Exports.Formats.Kitti;
+
+/// <summary>
+/// The table of objects that lean so far in the camera's frame that their upright boxes, projected, miss theirs by more than a limit. It is our own
+/// file beside the format's.
+/// </summary>
+internal static class KittiLeaning
+{
+    /// <summary>An upright box that misses by no more is not in the table, pixels.</summary>
+    public const double MostMissPixels = 1;
+
+    private const string File = "training/leaning.csv";
+    private const string Header = "file,line,lean_degrees,moved_m,miss_px\n";
+    private const string Part = "leaning";
+    private const int Columns = 5;
+
+    /// <summary>Hands over the row of an object that belongs into the table.</summary>
+    /// <param name="output">Where the frame goes.</param>
+    /// <param name="file">Name of the label file.</param>
+    /// <param name="line">What identifies the object's line in it.</param>
+    /// <param name="box">The object.</param>
+    public static void Add(FrameOutput output, string file, string line, KittiBox box)
+    {
+        if (box.MissPixels > MostMissPixels)
+        {
+            string lean = Numbers.Row(KittiDecimals.Angle, box.LeanDegrees);
+            string moved = Numbers.Row(KittiDecimals.Metres, box.MovedMetres);
+            output.Part(Part, $"{file},{line},{lean},{moved},{Numbers.Row(KittiDecimals.Pixels, box.MissPixels)}");
+        }
+    }
+
+    /// <summary>Whether a part is a row of the table.</summary>
+    public static bool Is(string part) => part == Part;
+
+    /// <summary>The table.</summary>
+    public static AggregateFile Table() => new(File, [AggregateSection.Literal(Header), AggregateSection.Lines(Part)]);
+
+    /// <summary>By how much the objects of a label file may miss, pixels, by what identifies their lines; what is not listed may miss by <see cref="MostMissPixels"/>.</summary>
+    public static IReadOnlyDictionary<string, double> MissesOf(DatasetContent dataset)
+    {
+        var misses = new Dictionary<string, double>();
+        foreach ((_, string text) in dataset.Lines(File).Skip(1))
+        {
+            string[] words = text.Split(',');
+            if (words.Length == Columns && double.TryParse(words[^1], NumberStyles.Float, CultureInfo.InvariantCulture, out double miss))
+            {
+                misses[$"{words[0]},{words[1]}"] = miss;
+            }
+        }
+
+        return misses;
+    }
+}

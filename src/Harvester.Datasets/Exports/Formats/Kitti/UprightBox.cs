@@ -1,0 +1,113 @@
+using System;
+using System.Linq;
+using Harvester.Geometry;
+using Harvester.Geometry.Boxes;
+using Harvester.Sessions.Labels;
+
+namespace Harvester.Datasets.Exports.Formats.Kitti;
+
+/// <summary>
+/// A cuboid as a box that stands upright in the camera's frame (x right, y down, z forward), which is all that KITTI can represent. Size, depth and
+/// turn are the cuboid's; sideways and in height it is placed so that its projection has the centre of the cuboid's, which makes the largest error of
+/// the projection's sides as small as a shift can make it.
+/// </summary>
+internal sealed record UprightBox
+{
+    private const int MostSteps = 20;
+    private const int Corners = 8;
+
+    /// <summary>A thousandth of the last decimal of KITTI's pixels.</summary>
+    private const double SmallestStepPixels = 0.00001;
+
+    /// <summary>Nearer corners are spread over the image by the projection; behind the camera they have none.</summary>
+    private const double NearestDepthMetres = 0.5;
+
+    private UprightBox(Cuboid cuboid, CameraLabel camera)
+    {
+        Vector3D centre = InKitti(camera.Pose.ToLocal(cuboid.Centre));
+        Vector3D forward = InKitti(camera.Pose.Axes.ToLocal(cuboid.Axes.Forward));
+        Height = 2 * cuboid.HalfExtents.Z;
+        Width = 2 * cuboid.HalfExtents.X;
+        Length = 2 * cuboid.HalfExtents.Y;
+        Location = centre with { Y = centre.Y + (Height / 2) };
+
+        // 0 - z and not -z: the arctangent of a minus zero would give -π for π.
+        RotationY = Math.Atan2(0 - forward.Z, forward.X);
+        LeanDegrees = Angles.ToDegrees(Math.Acos(Math.Clamp(cuboid.Axes.Up.Dot(camera.Pose.Axes.Up), -1, 1)));
+    }
+
+    public double Height { get; }
+
+    public double Width { get; }
+
+    public double Length { get; }
+
+    /// <summary>The centre of the lower face, metres.</summary>
+    public Vector3D Location { get; private init; }
+
+    /// <summary>Turn about y, radians: 0 looks along x.</summary>
+    public double RotationY { get; }
+
+    /// <summary>The turn less the direction in which the object is seen, radians.</summary>
+    public double Alpha => Numbers.Wrap(RotationY - Math.Atan2(Location.X, Location.Z));
+
+    /// <summary>By how much the sides of the projection miss those of the cuboid's at most, pixels; 0 where the cuboid reaches too near to the camera.</summary>
+    public double MissPixels { get; private init; }
+
+    /// <summary>By how much it stands beside the cuboid, metres.</summary>
+    public double MovedMetres { get; private init; }
+
+    /// <summary>Angle between the cuboid's up and the camera's, degrees.</summary>
+    public double LeanDegrees { get; }
+
+    /// <summary>The box of a cuboid.</summary>
+    public static UprightBox Of(Cuboid cuboid, CameraLabel camera)
+    {
+        var upright = new UprightBox(cuboid, camera);
+        UprightBox box = upright;
+        if (Projection([.. Enumerable.Range(0, Corners).Select(number => InKitti(camera.Pose.ToLocal(cuboid.Corner(number))))], camera) is not { } aim)
+        {
+            return box;
+        }
+
+        Box2D? seen = box.Seen(camera);
+        for (int step = 0; step < MostSteps && seen is { } now; step++)
+        {
+            Vector2D miss = CentreOf(aim) - CentreOf(now);
+            if (miss.Length < SmallestStepPixels)
+            {
+                break;
+            }
+
+            double depth = box.Location.Z;
+            box = box with { Location = box.Location + new Vector3D(miss.X * depth / camera.Fx, miss.Y * depth / camera.Fy, 0) };
+            seen = box.Seen(camera);
+        }
+
+        return seen is { } placed ? box with { MissPixels = MissOf(placed, aim), MovedMetres = (box.Location - upright.Location).Length } : upright;
+    }
+
+    private static double MissOf(Box2D box, Box2D aim) => new[]
+    {
+        Math.Abs(box.XMin - aim.XMin), Math.Abs(box.YMin - aim.YMin), Math.Abs(box.XMax - aim.XMax), Math.Abs(box.YMax - aim.YMax),
+    }.Max();
+
+    private static Vector2D CentreOf(Box2D box) => new((box.XMin + box.XMax) / 2, (box.YMin + box.YMax) / 2);
+
+    /// <summary>Conventions.md has x right, y forward, z up.</summary>
+    private static Vector3D InKitti(Vector3D local) => new(local.X, -local.Z, local.Y);
+
+    private static Box2D? Projection(Vector3D[] corners, CameraLabel camera)
+    {
+        if (corners.Min(corner => corner.Z) < NearestDepthMetres)
+        {
+            return null;
+        }
+
+        double[] u = [.. corners.Select(corner => camera.Cx + (camera.Fx * corner.X / corner.Z))];
+        double[] v = [.. corners.Select(corner => camera.Cy + (camera.Fy * corner.Y / corner.Z))];
+        return new Box2D(u.Min(), v.Min(), u.Max(), v.Max());
+    }
+
+    private Box2D? Seen(CameraLabel camera) => Projection(KittiCorners.Of(Location, Height, Width, Length, RotationY), camera);
+}

@@ -1,0 +1,84 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Datasets.Json;
+using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Labels;
+
+namespace Harvester.Datasets.Exports.Formats.Lanes;
+
+/// <summary>TuSimple lanes: for rows every ten pixels the column of each marking, a JSON line a frame. See docs/exports/tusimple.md.</summary>
+internal sealed class TuSimpleWriter(ExportOptions options) : IDatasetWriter
+{
+    private const int RowStep = 10;
+    private const int Absent = -2;
+
+    /// <summary>TuSimple's rows begin at the upper third: 240 of 720.</summary>
+    private const int RowsAbove = 3;
+
+    public WrittenObjects Write(ExportFrame frame, FrameOutput output)
+    {
+        // A frame of which the lanes are not known would say that there are none.
+        if (frame.Label.Lanes is not { Status: LaneStatus.Known } lanes)
+        {
+            return default;
+        }
+
+        string image = $"clips/{frame.SessionIndex:D4}/{frame.FrameInSession:D8}{frame.ImageExtension}";
+        output.Image(image, frame);
+        output.Part(frame.Split, Line(lanes, frame.Label.Camera.Height, image));
+        return default;
+    }
+
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
+        options.Splits.Splits.Select(split => new AggregateFile($"label_data_{split.Name}.json", [AggregateSection.Lines(split.Name)]));
+
+    private static string Line(LanesLabel lanes, int height, string image)
+    {
+        int first = ((height / RowsAbove) + RowStep - 1) / RowStep * RowStep;
+        int[] rows = [.. Enumerable.Range(0, height).Where(row => row >= first && row % RowStep == 0)];
+        return JsonLine.Of(json =>
+        {
+            json.WriteStartObject();
+            json.WriteStartArray("lanes");
+            foreach (IGrouping<int, LaneLineView> marking in lanes.Lines.GroupBy(view => view.Index).OrderBy(group => group.Key))
+            {
+                int[] columns = [.. rows.Select(row => ColumnAt(marking, row))];
+                if (columns.Any(column => column != Absent))
+                {
+                    json.WriteStartArray();
+                    Array.ForEach(columns, json.WriteNumberValue);
+                    json.WriteEndArray();
+                }
+            }
+
+            json.WriteEndArray();
+            json.WriteStartArray("h_samples");
+            Array.ForEach(rows, json.WriteNumberValue);
+            json.WriteEndArray();
+            json.WriteString("raw_file", image);
+            json.WriteEndObject();
+        });
+    }
+
+    /// <summary>The pixel column in which a marking crosses the middle of a row: where it does so twice, at the nearer place.</summary>
+    private static int ColumnAt(IEnumerable<LaneLineView> views, int row)
+    {
+        double y = row + 0.5;
+        foreach (LaneLineView view in views)
+        {
+            for (int i = 1; i < view.Points.Count; i++)
+            {
+                Vector2D a = view.Points[i - 1].Pixel;
+                Vector2D b = view.Points[i].Pixel;
+                if (a.Y != b.Y && Math.Min(a.Y, b.Y) <= y && y <= Math.Max(a.Y, b.Y))
+                {
+                    return (int)Math.Floor(a.X + ((b.X - a.X) * (y - a.Y) / (b.Y - a.Y)));
+                }
+            }
+        }
+
+        return Absent;
+    }
+}

@@ -1,0 +1,63 @@
+using System;
+using System.Collections.Generic;
+using System.Formats.Tar;
+using System.IO;
+using System.Linq;
+using System.Text;
+using System.Text.Json.Nodes;
+
+namespace Harvester.Datasets.Exports.Formats.WebDataset;
+
+/// <summary>
+/// WebDataset: tar files (ustar) in which the files of a sample follow each other and share their name up to the first point. A frame's
+/// entries are staged as bytes of the archive, and an archive is what its frames give one after the other. See docs/exports/webdataset.md.
+/// </summary>
+internal sealed class WebDatasetWriter : IDatasetWriter
+{
+    private const int FramesPerArchive = 1000;
+
+    /// <summary>Two empty blocks end an archive.</summary>
+    private const int EndLength = 2 * 512;
+
+    public WrittenObjects Write(ExportFrame frame, FrameOutput output)
+    {
+        string archive = $"{frame.Split}-{frame.Index / FramesPerArchive:D6}";
+        output.StagedPart(archive, frame.Name + ".tar", stream =>
+        {
+            using var entries = new MemoryStream();
+            using (var tar = new TarWriter(entries, TarEntryFormat.Ustar, leaveOpen: true))
+            {
+                Add(tar, frame.Name + frame.ImageExtension, output.ImageBytes(frame));
+                Add(tar, frame.Name + ".json", Encoding.UTF8.GetBytes(LabelOf(frame)));
+                if (frame.MaskPath is { } mask)
+                {
+                    Add(tar, frame.Name + ".mask.png", File.ReadAllBytes(mask));
+                }
+            }
+
+            stream.Write(entries.GetBuffer(), 0, (int)entries.Length - EndLength);
+        });
+        return new WrittenObjects(frame.Objects.Count);
+    }
+
+    /// <summary>Archives of a split are numbered without gaps, as patterns like {000000..000009} need it.</summary>
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => parts.Keys.GroupBy(part => part[..part.LastIndexOf('-')]).SelectMany(split =>
+        split.Select((part, number) => new AggregateFile(
+            $"{split.Key}-{number:D6}.tar", [AggregateSection.Files(part), AggregateSection.Literal(new string('\0', EndLength))])));
+
+    /// <summary>The session's own line, to the last decimal, less the objects that are not exported.</summary>
+    private static string LabelOf(ExportFrame frame)
+    {
+        JsonNode label = JsonNode.Parse(frame.LabelText)!;
+        HashSet<int> kept = [.. frame.Objects.Select(item => item.Label.Id)];
+        label["objects"]!.AsArray().RemoveAll(item => !kept.Contains(item!["id"]!.GetValue<int>()));
+        return label.ToJsonString();
+    }
+
+    private static void Add(TarWriter tar, string name, byte[] content) => tar.WriteEntry(new UstarTarEntry(TarEntryType.RegularFile, name)
+    {
+        ModificationTime = DateTimeOffset.UnixEpoch,
+        Mode = UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.GroupRead | UnixFileMode.OtherRead,
+        DataStream = new MemoryStream(content),
+    });
+}

@@ -1,0 +1,63 @@
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Datasets.Exports;
+
+/// <summary>Chooses what of a frame is exported, as what, and with which box.</summary>
+internal sealed class ObjectSelector(DatasetFormat format, ExportOptions options)
+{
+    private readonly ClassCatalogue _classes = new(options);
+
+    /// <summary>Chooses from a frame.</summary>
+    public FrameSelection Of(ExportFrame frame)
+    {
+        var objects = new List<ExportObject>();
+        var ignored = new List<ExportRegion>();
+        foreach (ObjectLabel label in frame.Label.Objects.Where(label => IsThing(label, frame)))
+        {
+            DatasetClass? kind = _classes.Of(label);
+            Box2D? box = BoxOf(label, frame);
+            if (kind is not null && box is { } exported && IsVisible(label, frame))
+            {
+                objects.Add(new ExportObject(label, kind, exported));
+            }
+            else if (box is not null || label.VisibleFraction is null)
+            {
+                ignored.Add(new ExportRegion(label.Class, kind, box ?? label.Box2D, label));
+            }
+        }
+
+        ignored.AddRange(frame.Label.IgnoreRegions.Select(region => new ExportRegion(region.Class, _classes.Of(region.Class), region.Box2D, null)));
+        return new FrameSelection(objects, ignored);
+    }
+
+    /// <summary>Whether a label is the post of faces or heads that are the objects.</summary>
+    public bool IsPost(ObjectLabel label, ExportFrame frame) =>
+        options.Parts == PartSelection.Faces && label.Parent is null && label.Class is ObjectClass.Sign or ObjectClass.TrafficLight
+        && (label.KnownParts ?? frame.Label.Objects.Count(other => other.Parent == label.Id)) > 0;
+
+    private bool IsThing(ObjectLabel label, ExportFrame frame) => options.Parts switch
+    {
+        PartSelection.None => label.Parent is null,
+        PartSelection.Only => label.Parent is not null,
+        PartSelection.Faces => !IsPost(label, frame),
+        _ => true,
+    };
+
+    /// <summary>Pixels are evidence enough where occlusion was not determined, unless a share is asked for.</summary>
+    private bool IsVisible(ObjectLabel label, ExportFrame frame) => label.VisibleFraction is { } visible
+        ? visible >= options.MinVisibleFraction
+        : options.MinVisibleFraction == 0 && (format.KeepsUndetermined || VisibleBoxOf(label, frame) is not null);
+
+    private Box2D? BoxOf(ObjectLabel label, ExportFrame frame) => options.Boxes switch
+    {
+        BoxKind.Visible => VisibleBoxOf(label, frame),
+        BoxKind.Amodal => format.HasBoxesBeyondImage ? label.Box2DAmodal : label.Box2DAmodal.Intersect(frame.Image),
+        _ => label.Box2D,
+    };
+
+    private static Box2D? VisibleBoxOf(ObjectLabel label, ExportFrame frame) => label.Parent is null ? label.Box2DVisible : frame.PixelsOf(label)?.Box;
+}

@@ -1,0 +1,128 @@
+using System;
+using System.IO;
+using System.Linq;
+
+namespace Harvester.Datasets.Files;
+
+/// <summary>
+/// The folder of a dataset. While it is made, a working folder beside the data holds the plan and the journals; when all is done it is
+/// gone and export.json is there. Every file is written under a temporary name and renamed.
+/// </summary>
+internal sealed class DatasetFolder(string path)
+{
+    /// <summary>Says what the dataset is; only a finished dataset has it.</summary>
+    public const string Manifest = "export.json";
+
+    /// <summary>The working folder.</summary>
+    public const string Working = ".export";
+
+    /// <summary>Where files lie that become parts of others.</summary>
+    public const string Staging = Working + "/staged";
+
+    private const string PlanFile = Working + "/plan.json";
+    private const string Temporary = ".partial";
+
+    public string Path => path;
+
+    public bool IsFinished => File.Exists(PathOf(Manifest)) && !IsBegun;
+
+    /// <summary>Whether it is finished, but was stopped before the working folder was gone.</summary>
+    public bool HasLeftovers => IsFinished && Directory.Exists(PathOf(Working));
+
+    /// <summary>Whether nothing is there yet, a working folder that another shard is about to write its plan to apart.</summary>
+    public bool IsEmpty => !Directory.Exists(path) || Directory.EnumerateFileSystemEntries(path).All(entry => System.IO.Path.GetFileName(entry) == Working);
+
+    public bool IsBegun => File.Exists(PathOf(PlanFile));
+
+    public string PathOf(string name) => System.IO.Path.Combine(path, name.Replace('/', System.IO.Path.DirectorySeparatorChar));
+
+    public string ReadPlan() =>
+        IsBegun ? File.ReadAllText(PathOf(PlanFile))
+        : throw new DatasetFormatException(IsFinished ? $"'{path}' is a whole dataset, no shard of one." : $"'{path}' is not a shard of an export: it has no {PlanFile}.");
+
+    /// <summary>Refuses a folder to which an export can write nothing, whatever its plan.</summary>
+    /// <exception cref="OccupiedFolderException">The folder holds a finished dataset or something else.</exception>
+    public void CheckUsable()
+    {
+        if (!HasLeftovers)
+        {
+            CheckUnfinished();
+            CheckUnoccupied();
+        }
+    }
+
+    /// <summary>Refuses a folder with a finished dataset.</summary>
+    /// <exception cref="OccupiedFolderException">The folder holds one.</exception>
+    public void CheckUnfinished()
+    {
+        if (IsFinished)
+        {
+            throw new OccupiedFolderException($"'{path}' holds a finished dataset already. Name another folder.");
+        }
+    }
+
+    /// <summary>Begins a dataset, or goes on with one that has the same plan.</summary>
+    public void Begin(string plan)
+    {
+        CheckUnoccupied();
+        if (!IsBegun)
+        {
+            WritePlan(plan);
+        }
+
+        if (!string.Equals(ReadPlan(), plan, StringComparison.Ordinal))
+        {
+            throw new OccupiedFolderException($"'{path}' holds an export that was begun with other sessions or options. Use the same ones, or name another folder.");
+        }
+    }
+
+    /// <summary>Takes the working folder away: when the plan is gone, the dataset is finished.</summary>
+    public void Finish()
+    {
+        File.Delete(PathOf(PlanFile));
+        Directory.Delete(PathOf(Working), recursive: true);
+    }
+
+    public void Write(string name, Action<Stream> write)
+    {
+        string target = Prepare(name);
+        using (var stream = new FileStream(target + Temporary, FileMode.Create, FileAccess.Write, FileShare.None))
+        {
+            write(stream);
+        }
+
+        File.Move(target + Temporary, target, overwrite: true);
+    }
+
+    public void Transfer(string name, string source, ImageTransfer transfer) => FileTransfer.Place(Prepare(name), source, transfer);
+
+    // Of shards that begin at once each writes a file of its own, and the first that is moved is the plan.
+    private void WritePlan(string plan)
+    {
+        string own = Prepare($"{PlanFile}.{Guid.NewGuid():N}{Temporary}");
+        File.WriteAllText(own, plan);
+        try
+        {
+            File.Move(own, PathOf(PlanFile));
+        }
+        catch (IOException) when (IsBegun)
+        {
+            File.Delete(own);
+        }
+    }
+
+    private void CheckUnoccupied()
+    {
+        if (!IsEmpty && !IsBegun)
+        {
+            throw new OccupiedFolderException($"'{path}' is not empty and holds no export that could be continued. Name another folder.");
+        }
+    }
+
+    private string Prepare(string name)
+    {
+        string target = PathOf(name);
+        Directory.CreateDirectory(System.IO.Path.GetDirectoryName(target)!);
+        return target;
+    }
+}

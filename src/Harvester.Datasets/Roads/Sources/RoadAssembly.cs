@@ -1,0 +1,107 @@
+using System.Collections.Generic;
+using System.Globalization;
+using Harvester.Datasets.Files;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Datasets.Roads.Sources;
+
+/// <summary>
+/// Puts a network together from what importers find. Sources that store a link at both of its ends give it twice, with the lanes
+/// exchanged; it is held once.
+/// </summary>
+internal sealed class RoadAssembly
+{
+    /// <summary>Far more nodes or links than the game's format can number, so that a hostile file ends early.</summary>
+    private const int LargestCount = 4_000_000;
+
+    private readonly List<RoadNode> _nodes = [];
+    private readonly List<RoadLink> _links = [];
+    private readonly Dictionary<(int Low, int High), int> _linkOfEnds = [];
+    private int _contradictions;
+    private int _repetitions;
+    private int _loops;
+    private int _leadOutside;
+
+    /// <summary>How many nodes there are; the next one gets this index.</summary>
+    public int NodeCount => _nodes.Count;
+
+    /// <summary>The nodes so far.</summary>
+    public IReadOnlyList<RoadNode> Nodes => _nodes;
+
+    /// <summary>Adds a node.</summary>
+    public void Add(RoadNode node)
+    {
+        if (_nodes.Count >= LargestCount)
+        {
+            throw new DatasetFormatException($"more than {LargestCount} nodes; no road network of the game has so many.");
+        }
+
+        if (!node.Position.IsFinite)
+        {
+            throw new DatasetFormatException("the position of a node must be of finite numbers.");
+        }
+
+        _nodes.Add(node);
+    }
+
+    /// <summary>Adds a link as its source has it. A second one between the same nodes is the first one seen from its other end.</summary>
+    public void Add(RoadLink link)
+    {
+        if (link.From == link.To)
+        {
+            _loops++;
+            return;
+        }
+
+        (int, int) ends = link.From < link.To ? (link.From, link.To) : (link.To, link.From);
+        if (_linkOfEnds.TryGetValue(ends, out int other))
+        {
+            CountSecond(_links[other], link);
+            return;
+        }
+
+        if (_links.Count >= LargestCount)
+        {
+            throw new DatasetFormatException($"more than {LargestCount} links; no road network of the game has so many.");
+        }
+
+        _linkOfEnds.Add(ends, _links.Count);
+        _links.Add(link);
+    }
+
+    /// <summary>Counts a link that leads to a cell that is not among the files.</summary>
+    public void LeadsOutside() => _leadOutside++;
+
+    /// <summary>Ends the import.</summary>
+    public RoadImport Finish(string format, params IEnumerable<string> furtherNotes)
+    {
+        var notes = new List<string>(furtherNotes);
+        Note(notes, _leadOutside, "links lead to cells that are not among the files and were left out");
+        Note(notes, _contradictions, "links are told differently at their two ends; what was read first was kept");
+        Note(notes, _repetitions, "links are given twice and were taken once");
+        Note(notes, _loops, "links lead back to their own node and were left out");
+        return new RoadImport(new RoadNetwork(_nodes, _links), format, notes);
+    }
+
+    private static void Note(List<string> notes, int count, string what)
+    {
+        if (count > 0)
+        {
+            notes.Add(string.Create(CultureInfo.InvariantCulture, $"{count} {what}."));
+        }
+    }
+
+    private void CountSecond(RoadLink first, RoadLink second)
+    {
+        bool mirrored = first.From == second.To;
+        RoadLink sameWay = mirrored ? second.Reversed() : second;
+        if (sameWay != first)
+        {
+            _contradictions++;
+        }
+        else if (!mirrored)
+        {
+            _repetitions++;
+        }
+    }
+}

@@ -1,0 +1,60 @@
+using System;
+using System.IO;
+using System.IO.Compression;
+using Harvester.Datasets.Files;
+
+namespace Harvester.Datasets.Roads.Sources;
+
+/// <summary>One file of road data, plain, packed by gzip, or within a zip archive.</summary>
+/// <param name="name">What messages call it.</param>
+/// <param name="allowance">What all files of the import may have together.</param>
+/// <param name="open">Opens its bytes as they are stored.</param>
+internal sealed class RoadSource(string name, ByteAllowance allowance, Func<Stream> open)
+{
+    /// <summary>The largest file that is read, bytes unpacked; the dump of the whole game has 147 million.</summary>
+    public const long LargestFile = 1L << 30;
+
+    private const int HeadLength = 4096;
+
+    private long _farthest;
+
+    public string Name => name;
+
+    /// <summary>Opens the unpacked bytes, which end in an error beyond <see cref="LargestFile"/> and where the allowance is used up.</summary>
+    public Stream Open()
+    {
+        byte[] magic = new byte[2];
+        using (Stream probe = open())
+        {
+            probe.ReadAtLeast(magic, magic.Length, throwOnEndOfStream: false);
+        }
+
+        Stream stored = open();
+        Stream unpacked = magic is [0x1F, 0x8B] ? new GZipStream(stored, CompressionMode.Decompress) : stored;
+        return new CountedStream(unpacked, Passed);
+    }
+
+    /// <summary>A file is read more than once, and counts once.</summary>
+    private void Passed(long position)
+    {
+        if (position > LargestFile)
+        {
+            throw new DatasetFormatException($"{name}: larger than {LargestFile} bytes when unpacked; no road file is.");
+        }
+
+        if (position > _farthest)
+        {
+            allowance.Use(name, position - _farthest);
+            _farthest = position;
+        }
+    }
+
+    /// <summary>The first bytes as text, without a byte order mark.</summary>
+    public string Head()
+    {
+        using Stream stream = Open();
+        byte[] head = new byte[HeadLength];
+        int length = stream.ReadAtLeast(head, head.Length, throwOnEndOfStream: false);
+        return System.Text.Encoding.UTF8.GetString(head, 0, length).TrimStart('\uFEFF');
+    }
+}

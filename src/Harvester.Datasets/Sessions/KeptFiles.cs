@@ -1,0 +1,49 @@
+using System;
+using System.IO;
+using Harvester.Datasets.Files;
+using Harvester.Geometry.Roads;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Roads;
+
+namespace Harvester.Datasets.Sessions;
+
+/// <summary>The files of a session that all of its scenes have in common: the roads, and the faces and heads that it was labelled by.</summary>
+internal static class KeptFiles
+{
+    /// <summary>The roads; null for a session that keeps none.</summary>
+    /// <exception cref="DatasetFormatException">The file is malformed; the message says where in it.</exception>
+    public static RoadNetwork? ReadRoads(SessionReader session)
+    {
+        string path = session.PathOf(FramePaths.Roads);
+        if (!File.Exists(path))
+        {
+            return null;
+        }
+
+        try
+        {
+            using StreamReader text = File.OpenText(path);
+            return RoadCsvReader.Read(text);
+        }
+        catch (FormatException e)
+        {
+            throw new DatasetFormatException(e.Message, e);
+        }
+    }
+
+    /// <summary>The table of faces and heads; null for a session that keeps none.</summary>
+    /// <exception cref="DatasetFormatException">The file is malformed; the message says where in it.</exception>
+    public static SpaceTable? ReadSpaces(SessionReader session)
+    {
+        string path = session.PathOf(FramePaths.Spaces);
+        if (!File.Exists(path))
+        {
+            return null;
+        }
+
+        using StreamReader text = File.OpenText(path);
+        SpaceTableContent content = SpaceTableReader.Read(text);
+        return content.Problems.Count == 0 ? content.Table : throw new DatasetFormatException(content.Problems[0].ToString());
+    }
+}

@@ -1,0 +1,93 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using Harvester.Datasets.Files;
+using Harvester.Datasets.Json;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Datasets.Sessions;
+
+/// <summary>Reads the scene of a frame; its fields are those of docs/relabel.md. Time and weather are the label's.</summary>
+internal static class SceneParser
+{
+    /// <exception cref="DatasetFormatException">The file is not a scene; the message names the field, not the file.</exception>
+    /// <exception cref="IOException">It cannot be read.</exception>
+    public static RecordedScene Read(string path, FrameLabel label)
+    {
+        try
+        {
+            using JsonDocument document = JsonDocument.Parse(File.ReadAllBytes(path));
+            return Parse(new JsonFields(document.RootElement), label);
+        }
+        catch (JsonException e)
+        {
+            throw new DatasetFormatException($"not JSON, from character {e.BytePositionInLine + 1} on.", e);
+        }
+    }
+
+    private static RecordedScene Parse(JsonFields scene, FrameLabel label)
+    {
+        JsonFields camera = scene.Fields("camera");
+        JsonFields lens = scene.Fields("lens");
+        JsonFields ego = scene.Fields("ego");
+        IReadOnlyList<JsonFields> entities = scene.List("entities");
+        var snapshot = new SceneSnapshot(
+            label.GameFrame,
+            label.TimeSeconds,
+            new CameraState(PoseOf(camera), camera.Number("verticalFovDegrees"), camera.Number("nearClip"), camera.Number("windowAspect")),
+            new EgoState(ego.WholeNumber("handle"), ego.Text("model"), PoseOf(ego), ego.Vector("velocity"))
+            {
+                ModelMin = ego.Vector("modelMin"),
+                ModelMax = ego.Vector("modelMax"),
+                HeightAboveGroundMetres = ego.OptionalNumber("heightAboveGround"),
+            },
+            [.. entities.Select(EntityOf)],
+            label.Environment);
+        Dictionary<int, int> ids = entities.Where(entity => entity.Has("id"))
+            .ToDictionary(entity => entity.WholeNumber("handle"), entity => entity.WholeNumber("id"));
+        RecordedOcclusion[] occlusions = [.. scene.List("occlusions").Select(OcclusionOf)];
+        HashSet<int> handles = [.. snapshot.Entities.Select(entity => entity.Handle)];
+        return occlusions.FirstOrDefault(found => !handles.Contains(found.Handle)) is { } stray
+            ? throw new DatasetFormatException($"occlusions: {stray.Handle} is no entity's handle.")
+            : new RecordedScene(
+                snapshot,
+                lens.Checked(() => new Lens(
+                    lens.Number("focalScale"), lens.Number("centreOffsetX"), lens.Number("centreOffsetY"), lens.Number("k1"), lens.Number("k2"))),
+                ids,
+                occlusions)
+            {
+                // Scenes of earlier versions have none.
+                Distant = scene.Has("distant") ? [.. scene.List("distant").Select(DistantOf)] : [],
+            };
+    }
+
+    private static EntityState EntityOf(JsonFields entity) => new(
+        entity.WholeNumber("handle"),
+        entity.Name<ObjectClass>("class"),
+        entity.Text("model"),
+        PoseOf(entity),
+        entity.Vector("modelMin"),
+        entity.Vector("modelMax"),
+        entity.Vector("velocity"))
+    {
+        HasRider = entity.OptionalTruth("hasRider"),
+    };
+
+    private static DistantEntity DistantOf(JsonFields entity) => new(EntityOf(entity), entity.Name<Sight>("sight"));
+
+    private static RecordedOcclusion OcclusionOf(JsonFields found) => new(
+        found.WholeNumber("handle"),
+        found.Has("face") ? found.WholeNumber("face") : null,
+        found.WholeNumber("id"),
+        found.Name<Sight>("sight"),
+        found.Name<OcclusionMethod>("method"),
+        found.Number("occludedFraction"),
+        found.Has("setLight") ? found.Name<LightState>("setLight") : null);
+
+    private static Pose PoseOf(JsonFields fields) => new(fields.Vector("position"), fields.Axes());
+}

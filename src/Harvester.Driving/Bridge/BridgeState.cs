@@ -1,0 +1,30 @@
+using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
+
+namespace Harvester.Driving.Bridge;
+
+/// <summary>What goes out with a picture.</summary>
+/// <param name="Frame">Number of the frame, from 0.</param>
+/// <param name="TimeSeconds">The game's time, seconds.</param>
+/// <param name="SpeedMetresPerSecond">The car's speed, m/s.</param>
+/// <param name="Position">The car's origin, metres, world.</param>
+/// <param name="HeadingDegrees">Degrees counter-clockwise from north, in [0, 360).</param>
+/// <param name="Indicators">In metres and radians, on the road as it is.</param>
+/// <param name="TorcsEquivalent">The same as a road of TORCS would give them, with the angle at the car.</param>
+/// <param name="IsFast">Whether more than 60 m of straight road lie ahead.</param>
+public sealed record BridgeState(
+    long Frame,
+    double TimeSeconds,
+    double SpeedMetresPerSecond,
+    Vector3D Position,
+    double HeadingDegrees,
+    LaneIndicators Indicators,
+    LaneIndicators TorcsEquivalent,
+    bool IsFast)
+{
+    /// <summary>Whether the lanes are known, as they are not in junctions and off the road; all indicators are inactive where they are not.</summary>
+    public bool AreLanesKnown { get; init; }
+
+    /// <summary>Whether the peer has asked for this frame, by a step or a request, so that it comes to a peer that has not answered the last one too.</summary>
+    public bool IsAskedFor { get; init; }
+}

@@ -1,0 +1,77 @@
+using System.Collections.Generic;
+using System.Text;
+using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Text;
+
+namespace Harvester.Driving.Bridge;
+
+/// <summary>The words of both bridges; docs/bridge.md is their contract.</summary>
+internal static class BridgeText
+{
+    private const int Decimals = 6;
+
+    /// <summary>The content of state.txt: a line of thirteen numbers as in Figure 23, a line with frame, time, speed, fast, the picture's name and the angle ahead.</summary>
+    public static byte[] StateFile(BridgeState state, string picture)
+    {
+        var text = new StringBuilder();
+        foreach (double value in IndicatorOrder.Values(state.TorcsEquivalent))
+        {
+            Append(text, value);
+        }
+
+        text[text.Length - 1] = '\n';
+        Append(text, state.Frame);
+        Append(text, state.TimeSeconds);
+        Append(text, state.SpeedMetresPerSecond);
+        Append(text, state.IsFast ? 1 : 0);
+        text.Append(picture).Append(' ');
+        InvariantNumber.Append(text, state.Indicators.Angle.Value, Decimals);
+        text.Append('\n');
+        return Encoding.ASCII.GetBytes(text.ToString());
+    }
+
+    /// <summary>The header that goes before a picture on the socket.</summary>
+    public static byte[] Header(BridgeState state)
+    {
+        var json = new JsonText();
+        json.BeginObject()
+            .Key("type").String("frame")
+            .Key("frame").Integer(state.Frame)
+            .Key("timeSeconds").Number(state.TimeSeconds, Decimals)
+            .Key("speedMetresPerSecond").Number(state.SpeedMetresPerSecond, Decimals)
+            .Key("position").Vector(state.Position, Decimals)
+            .Key("headingDegrees").Number(state.HeadingDegrees, Decimals)
+            .Key("fast").Truth(state.IsFast)
+            .Key("lanesKnown").Truth(state.AreLanesKnown);
+        AppendIndicators(json.Key("indicators"), state.Indicators);
+        AppendIndicators(json.Key("torcsEquivalent"), state.TorcsEquivalent);
+        json.EndObject();
+        return Encoding.UTF8.GetBytes(json.ToString());
+    }
+
+    /// <summary>A header that tells the peer what it did wrong.</summary>
+    public static byte[] Error(string reason)
+    {
+        var json = new JsonText();
+        json.BeginObject().Key("type").String("error").Key("reason").String(reason).EndObject();
+        return Encoding.UTF8.GetBytes(json.ToString());
+    }
+
+    private static void AppendIndicators(JsonText json, LaneIndicators indicators)
+    {
+        json.BeginArray();
+        foreach (double value in (IEnumerable<double>)IndicatorOrder.Values(indicators))
+        {
+            json.Number(value, Decimals);
+        }
+
+        json.EndArray();
+    }
+
+    private static void Append(StringBuilder text, double value)
+    {
+        InvariantNumber.Append(text, value, Decimals);
+        text.Append(' ');
+    }
+}

@@ -1,0 +1,49 @@
+using System;
+using System.Globalization;
+using Harvester.Capture.Ports;
+using Harvester.Sessions.Labels;
+
+namespace Harvester.Driving.Bridge;
+
+/// <summary>
+/// The text files by which a peer of the shared folder drives: indicators.txt with thirteen numbers, controls.txt with three
+/// (steering, throttle, brake); numbers with a point, separated by blanks or line ends. One number more is the frame that is answered.
+/// The last character is a line end, or the file may be cut off within a number: 0.2 for 0.25.
+/// </summary>
+internal static class FolderMessages
+{
+    private const int ControlsCount = 3;
+
+    public static PeerMessage ParseIndicators(string text)
+    {
+        double[] numbers = Numbers(text, IndicatorOrder.Count, "indicators.txt");
+        return new IndicatorsMessage([.. new ArraySegment<double>(numbers, 0, IndicatorOrder.Count)], FrameOf(numbers, IndicatorOrder.Count));
+    }
+
+    public static PeerMessage ParseControls(string text)
+    {
+        double[] numbers = Numbers(text, ControlsCount, "controls.txt");
+        return new ControlsMessage(new DrivingControls(numbers[0], numbers[1], numbers[2]), FrameOf(numbers, ControlsCount));
+    }
+
+    private static long? FrameOf(double[] numbers, int count) => numbers.Length > count ? PeerMessageParser.FrameOf(numbers[count]) : null;
+
+    private static double[] Numbers(string text, int count, string file)
+    {
+        if (!text.EndsWith("\n", StringComparison.Ordinal))
+        {
+            throw new BridgeException($"{file} does not end with a line end, so it may be half-written.");
+        }
+
+        string[] words = text.Split([' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries);
+        if (words.Length != count && words.Length != count + 1)
+        {
+            throw new BridgeException(FormattableString.Invariant($"{file} has {words.Length} numbers where {count} belong."));
+        }
+
+        return Array.ConvertAll(words, word =>
+            double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && Math.Abs(number) <= 1e15
+                ? number
+                : throw new BridgeException($"{file}: {PeerText.Quoted(word)} is not a number."));
+    }
+}

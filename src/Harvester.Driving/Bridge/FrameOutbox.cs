@@ -1,0 +1,96 @@
+using System;
+using System.Diagnostics.CodeAnalysis;
+using System.Threading;
+using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
+
+namespace Harvester.Driving.Bridge;
+
+/// <summary>
+/// The newest frame until the bridge's thread takes it. Two pictures go back and forth, so that nothing is allocated for pictures. Whoever
+/// was promised a frame that a newer one has replaced is owed the newer one.
+/// </summary>
+internal sealed class FrameOutbox(ImageSize size)
+{
+    private readonly object _gate = new();
+    private PixelBuffer _waiting = new(size);
+    private PixelBuffer _taken = new(size);
+    private BridgeState? _state;
+    private bool _closed;
+
+    /// <summary>Puts a frame in the place of the one that waits.</summary>
+    /// <exception cref="ArgumentException">The picture is of another size.</exception>
+    public void Put(BridgeState state, PixelBuffer picture)
+    {
+        if (picture.Size != size)
+        {
+            throw new ArgumentException("The picture is not of the bridge's size.", nameof(picture));
+        }
+
+        lock (_gate)
+        {
+            Buffer.BlockCopy(picture.Bytes, 0, _waiting.Bytes, 0, picture.Bytes.Length);
+            _state = _state is { IsAskedFor: true } ? state with { IsAskedFor = true } : state;
+            Monitor.PulseAll(_gate);
+        }
+    }
+
+    /// <summary>Waits for a frame and takes it; the picture stays the taker's until it takes the next.</summary>
+    /// <param name="patience">How long it waits.</param>
+    /// <param name="mayGo">Whether a frame may be taken now; one that may not waits on, until a newer one replaces it.</param>
+    /// <param name="state">The frame.</param>
+    /// <param name="picture">Its picture.</param>
+    /// <returns>False when the box is closed, nothing that may go came within the time, or the wait was ended by <see cref="Wake"/>.</returns>
+    public bool TryTake(TimeSpan patience, Func<BridgeState, bool> mayGo, [NotNullWhen(true)] out BridgeState? state, out PixelBuffer picture)
+    {
+        lock (_gate)
+        {
+            state = Waiting(mayGo);
+            if (state is null && !_closed)
+            {
+                Monitor.Wait(_gate, patience);
+                state = Waiting(mayGo);
+            }
+
+            if (state is not null)
+            {
+                (_waiting, _taken) = (_taken, _waiting);
+                _state = null;
+            }
+
+            picture = _taken;
+            return state is not null;
+        }
+    }
+
+    /// <summary>Has whoever waits ask again whether the frame may go.</summary>
+    public void Wake()
+    {
+        lock (_gate)
+        {
+            Monitor.PulseAll(_gate);
+        }
+    }
+
+    /// <summary>Drops the frame that waits, together with a change of who it was for.</summary>
+    public void Clear(Action change)
+    {
+        lock (_gate)
+        {
+            change();
+            _state = null;
+        }
+    }
+
+    /// <summary>Wakes whoever waits, for good.</summary>
+    public void Close()
+    {
+        lock (_gate)
+        {
+            _closed = true;
+            Monitor.PulseAll(_gate);
+        }
+    }
+
+    private BridgeState? Waiting(Func<BridgeState, bool> mayGo) => !_closed && _state is { } state && mayGo(state) ? state : null;
+}

@@ -1,0 +1,32 @@
+using Harvester.Capture.Ports;
+
+namespace Harvester.Driving.Bridge;
+
+/// <summary>Holds the last controls while the peer speaks, and the brake when it has been silent too long.</summary>
+/// <param name="clock">The time that counts.</param>
+/// <param name="patienceSeconds">How long controls hold.</param>
+public sealed class SilenceWatch(IClock clock, double patienceSeconds = SilenceWatch.DefaultPatienceSeconds)
+{
+    /// <summary>Half a second: five missed frames at ten a second.</summary>
+    public const double DefaultPatienceSeconds = 0.5;
+
+    private DrivingControls _controls = DrivingControls.Stop;
+    private double? _heardMilliseconds;
+
+    /// <summary>Whether the peer has spoken lately.</summary>
+    public bool IsPeerAlive =>
+        _heardMilliseconds is { } heard && clock.Milliseconds - heard <= patienceSeconds * 1000;
+
+    /// <summary>What the car is to do now.</summary>
+    public DrivingControls Controls => IsPeerAlive ? _controls : DrivingControls.Stop;
+
+    /// <summary>Takes new controls.</summary>
+    public void Hear(DrivingControls controls)
+    {
+        _controls = controls;
+        _heardMilliseconds = clock.Milliseconds;
+    }
+
+    /// <summary>Forgets the peer, as after a change of driver: the brake until it speaks again.</summary>
+    public void Forget() => _heardMilliseconds = null;
+}

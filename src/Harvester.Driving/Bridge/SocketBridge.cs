@@ -1,0 +1,139 @@
+using System;
+using System.Diagnostics.CodeAnalysis;
+using System.Net;
+using System.Net.Sockets;
+using System.Threading;
+using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Imaging.Pictures;
+
+namespace Harvester.Driving.Bridge;
+
+/// <summary>
+/// A bridge over TCP, to one peer at a time: a newer peer takes the place of the older, once it has shown the token where one is asked
+/// for. Frames go out as a JSON header and a PNG, messages come in as JSON headers; docs/bridge.md has the protocol. Threads of its own do
+/// all the waiting, and a peer that sends nonsense or does not take a frame is cut off, never waited for. A peer is sent the newest frame when
+/// it has answered the last one.
+/// </summary>
+public sealed class SocketBridge : IDrivingBridge
+{
+    private readonly TcpListener _listener;
+    private readonly SocketReception _reception;
+    private readonly Thread _acceptor;
+    private readonly Thread _sender;
+    private volatile bool _stopping;
+    private volatile string? _problem;
+
+    /// <summary>Starts to listen.</summary>
+    /// <param name="options">Where, and to whom.</param>
+    /// <param name="picture">Size of the pictures, pixels.</param>
+    /// <exception cref="ArgumentException">The address is not a loopback address and there is no token.</exception>
+    /// <exception cref="SocketException">The address or port cannot be had.</exception>
+    public SocketBridge(SocketBridgeOptions options, ImageSize picture)
+    {
+        if (options is null)
+        {
+            throw new ArgumentNullException(nameof(options));
+        }
+
+        if (!IPAddress.IsLoopback(options.Address) && string.IsNullOrEmpty(options.Token))
+        {
+            throw new ArgumentException($"Listening at {options.Address}, which others can reach, needs a token.", nameof(options));
+        }
+
+        _reception = new SocketReception(
+            options, new PeerInbox<SocketPeer>(), new WaitingRoom<SocketPeer>(options.MostStrangers), new FrameOutbox(picture), problem => _problem = problem);
+        _listener = new TcpListener(options.Address, options.Port);
+        _listener.Start();
+        _acceptor = Start(Accept, "Harvester socket bridge: accept");
+        _sender = Start(Send, "Harvester socket bridge: send");
+    }
+
+    /// <summary>Where the bridge listens, with the port that it was given.</summary>
+    public IPEndPoint EndPoint => (IPEndPoint)_listener.LocalEndpoint;
+
+    /// <inheritdoc/>
+    public string? Problem => _problem;
+
+    /// <inheritdoc/>
+    public string? Peer => _reception.Inbox.Peer?.Place;
+
+    /// <summary>How many connections have yet to show the token.</summary>
+    internal int Strangers => _reception.Strangers.Count;
+
+    /// <inheritdoc/>
+    public void Publish(BridgeState state, PixelBuffer picture) => _reception.Outbox.Put(state, picture);
+
+    /// <inheritdoc/>
+    public bool TryReceive([NotNullWhen(true)] out PeerMessage? message) => _reception.Inbox.TryTake(out message);
+
+    /// <summary>Ends all connections, the listening and the threads; waits for a frame that is being sent, at most <see cref="SocketBridgeOptions.SendPatience"/>.</summary>
+    public void Dispose()
+    {
+        _stopping = true;
+        _listener.Stop();
+        _reception.Outbox.Close();
+
+        // A frame that is on its way is sent whole, if the peer takes it.
+        _sender.Join(_reception.Options.SendPatience);
+        _reception.Inbox.Close()?.Dispose();
+        foreach (SocketPeer stranger in _reception.Strangers.Close())
+        {
+            stranger.Dispose();
+        }
+
+        _acceptor.Join();
+        _sender.Join();
+    }
+
+    private static Thread Start(ThreadStart run, string name)
+    {
+        var thread = new Thread(run) { IsBackground = true, Name = name };
+        thread.Start();
+        return thread;
+    }
+
+    private void Accept()
+    {
+        while (!_stopping)
+        {
+            try
+            {
+                SocketPeer.Serve(_listener.AcceptTcpClient(), _reception);
+            }
+#pragma warning disable CA1031 // An exception that leaves a thread ends the game, whatever its type.
+            catch (Exception e) when (e is not ThreadAbortException)
+#pragma warning restore CA1031
+            {
+                if (!_stopping)
+                {
+                    _problem = e.Message;
+                    Thread.Sleep(TimeSpan.FromMilliseconds(100));
+                }
+            }
+        }
+    }
+
+    private void Send()
+    {
+        var encoder = new PngEncoder();
+        using var png = new System.IO.MemoryStream();
+        while (!_stopping)
+        {
+            // A frame that nobody is there for is taken too, and dropped.
+            SocketPeer? peer = null;
+            if (_reception.Outbox.TryTake(TimeSpan.FromSeconds(1), MayGo, out BridgeState? state, out PixelBuffer picture) && peer is not null)
+            {
+                png.SetLength(0);
+                encoder.Write(picture, png);
+                peer.Send(BridgeText.Header(state), new ArraySegment<byte>(png.GetBuffer(), 0, (int)png.Length));
+            }
+
+            bool MayGo(BridgeState waiting)
+            {
+                peer = _reception.Inbox.Peer;
+                return peer is null || peer.MayGet(waiting);
+            }
+        }
+    }
+}

@@ -1,0 +1,11 @@
+namespace Harvester.Driving.Controllers;
+
+/// <summary>What a controller does about its lane.</summary>
+internal enum LaneManoeuvre
+{
+    Keep,
+    LeaveToLeft,
+    ArriveFromRight,
+    LeaveToRight,
+    ArriveFromLeft,
+}

@@ -1,0 +1,65 @@
+using System;
+using Harvester.Geometry.Lanes;
+
+namespace Harvester.Driving.Controllers;
+
+/// <summary>
+/// How far the vehicle ahead is and how fast it drives, from noisy distances: a filter of fixed weights (alpha, beta) that knows the
+/// car's own speed.
+/// </summary>
+/// <param name="speedOfNewcomers">What a vehicle that has just come into sight is taken to drive, m/s; null for as fast as the car.</param>
+internal sealed class LeaderEstimate(double? speedOfNewcomers = null)
+{
+    private const double GapWeight = 0.35;
+    private const double SpeedWeight = 0.06;
+
+    /// <summary>A distance that differs by more is another vehicle's, metres.</summary>
+    private const double OtherVehicle = 14;
+
+    /// <summary>Frames without the vehicle after which it is gone.</summary>
+    private const int FramesUntilGone = 3;
+
+    private int _framesWithout;
+
+    /// <summary>Metres to it, centre to centre; null when there is none.</summary>
+    public double? Gap { get; private set; }
+
+    /// <summary>Its speed along the road, m/s.</summary>
+    public double Speed { get; private set; }
+
+    /// <summary>Takes a frame: the nearest of the vehicles ahead in the lane, or in the two lanes that the car is between.</summary>
+    /// <param name="at">The indicators.</param>
+    /// <param name="ownSpeed">Metres per second.</param>
+    /// <param name="seconds">Since the frame before.</param>
+    public void Observe(LaneIndicators at, double ownSpeed, double seconds)
+    {
+        double nearest = Math.Min(DistanceOf(at.DistMM), Math.Min(DistanceOf(at.DistL), DistanceOf(at.DistR)));
+        Observe(nearest < TorcsEquivalent.VehicleRange ? nearest : null, ownSpeed, seconds);
+    }
+
+    private static double DistanceOf(Indicator distance) => distance.IsValid ? distance.Value : double.PositiveInfinity;
+
+    private void Observe(double? measured, double ownSpeed, double seconds)
+    {
+        if (measured is not { } distance)
+        {
+            _framesWithout++;
+            Gap = _framesWithout >= FramesUntilGone ? null : Gap + ((Speed - ownSpeed) * seconds);
+            return;
+        }
+
+        _framesWithout = 0;
+        if (Gap is { } gap && Math.Abs(distance - gap) < OtherVehicle)
+        {
+            double predicted = gap + ((Speed - ownSpeed) * seconds);
+            double residual = distance - predicted;
+            Gap = predicted + (GapWeight * residual);
+            Speed = Math.Max(0, Speed + (SpeedWeight * residual / seconds));
+        }
+        else
+        {
+            Gap = distance;
+            Speed = speedOfNewcomers ?? ownSpeed;
+        }
+    }
+}

@@ -1,0 +1,134 @@
+using System;
+using Harvester.Capture.Ports;
+using Harvester.Geometry.Lanes;
+
+namespace Harvester.Driving.Controllers;
+
+/// <summary>
+/// Steers by Stanley's law on the centre of the lane (wheel angle = heading error + atan(k · lateral error / speed), with the road's
+/// curvature fed forward), keeps a time gap to the vehicle ahead by the intelligent driver model, and moves to a free lane when a
+/// slower vehicle blocks its own. Uses all thirteen indicators, in metres, with their valid flags. The angle at the car and the bends
+/// ahead it works out from the angles seen ahead and from how the car has turned since.
+/// </summary>
+public sealed class StanleyController : IController
+{
+    private const int FramesToClear = 30;
+
+    /// <summary>A lane beside is worth moving to when it is free for so much further than one's own, metres.</summary>
+    private const double GainOfLane = 15;
+
+    /// <summary>Who stands in a queue stays in it: a change of lane would end across the marking, m/s.</summary>
+    private const double SlowestToChange = 3;
+
+    private const double BendStep = 2;
+    private readonly StanleyOptions _options;
+    private readonly LaneTarget _lane = new();
+    private readonly LaneClearance _left = new();
+    private readonly LaneClearance _right = new();
+    private readonly LeaderEstimate _leader = new();
+    private readonly RoadAhead _road;
+    private double? _centre;
+    private double _acceleration;
+
+    /// <summary>Makes a controller.</summary>
+    public StanleyController(StanleyOptions options)
+    {
+        _options = options ?? throw new ArgumentNullException(nameof(options));
+        _road = new RoadAhead(options.LookAheadMetres, options.PeriodSeconds, options.Car);
+    }
+
+    /// <inheritdoc/>
+    public DrivingControls Drive(DrivingState state)
+    {
+        _ = state ?? throw new ArgumentNullException(nameof(state));
+        LaneIndicators at = state.Indicators;
+        _left.Observe(at.DistLL.Value);
+        _right.Observe(at.DistRR.Value);
+        _road.Observe(state);
+        _leader.Observe(at, state.SpeedMetresPerSecond, _options.PeriodSeconds);
+        ConsiderLaneChange(state);
+        ObserveCentre(at, state.SpeedMetresPerSecond);
+        double wheelAngle = WheelAngle(state.SpeedMetresPerSecond);
+        _road.WantedWheelAngle = wheelAngle;
+        _acceleration += _options.PedalWeight * (Acceleration(state) - _acceleration);
+        double steering = wheelAngle / _options.Car.SteeringLockRadians;
+        return _acceleration >= 0
+            ? new DrivingControls(steering, _acceleration / _options.Car.FullThrottle, 0)
+            : new DrivingControls(steering, 0, -_acceleration / _options.Car.FullBraking);
+    }
+
+    private void ObserveCentre(LaneIndicators at, double speed)
+    {
+        // A car that points to the right of the road moves to the right, and the middle of the lane to its left.
+        double? predicted = _centre - (speed * _options.PeriodSeconds * Math.Sin(_road.At(0).Angle));
+        double? measured = _lane.Centre(at);
+        double laneWidth = at.ToMarkingMR.Value - at.ToMarkingML.Value;
+        bool jumped = measured is { } there && predicted is { } expected && Math.Abs(there - expected) > laneWidth / 2;
+        _centre = measured is null || predicted is null || jumped
+            ? measured
+            : predicted + (_options.LateralWeight * (measured - predicted));
+    }
+
+    private void ConsiderLaneChange(DrivingState state)
+    {
+        LaneIndicators at = state.Indicators;
+        double blockedWithin = Math.Max(20, state.SpeedMetresPerSecond * _options.BlockedWithinSeconds);
+        if (_lane.BoundFor != 0 || !(_leader.Gap < blockedWithin)
+            || state.SpeedMetresPerSecond < SlowestToChange || state.SpeedMetresPerSecond > 0.9 * _options.CruiseSpeed)
+        {
+            return;
+        }
+
+        if (at.ToMarkingLL.IsValid && _left.IsClear(FramesToClear) && at.DistLL.Value > _leader.Gap + GainOfLane)
+        {
+            _lane.MoveTo(-1);
+            _right.Restart(0);
+        }
+        else if (at.ToMarkingRR.IsValid && _right.IsClear(FramesToClear) && at.DistRR.Value > _leader.Gap + GainOfLane)
+        {
+            _lane.MoveTo(1);
+            _left.Restart(0);
+        }
+    }
+
+    private double WheelAngle(double speed)
+    {
+        double angle = _road.At(0).Angle;
+        double error = Math.Max(-_options.LargestLateralError, Math.Min(_options.LargestLateralError, _centre ?? 0));
+        double lateral = Math.Atan2(-_options.LateralGain * error, speed + _options.SofteningSpeed);
+        lateral = Math.Max(-_options.LargestLateralAngle, Math.Min(_options.LargestLateralAngle, lateral));
+        return angle + lateral + _road.WheelAngleAt(speed * _options.SteeringLeadSeconds, speed);
+    }
+
+    /// <summary>The intelligent driver model: free acceleration less an interaction with the vehicle ahead.</summary>
+    private double Acceleration(DrivingState state)
+    {
+        double speed = state.SpeedMetresPerSecond;
+        double wanted = WantedSpeed(state);
+        double free = speed <= wanted
+            ? _options.Acceleration * (1 - Math.Pow(speed / wanted, 4))
+            : -Math.Min(_options.Car.FullBraking, 2 * (speed - wanted));
+        if (_leader.Gap is { } gap)
+        {
+            double closing = speed * (speed - _leader.Speed) / (2 * Math.Sqrt(_options.Acceleration * _options.Braking));
+            double kept = _options.StandingDistance + Math.Max(0, (speed * _options.TimeGap) + closing);
+            double share = kept / Math.Max(0.5, gap);
+            free -= _options.Acceleration * share * share;
+        }
+
+        return Math.Max(-_options.Car.FullBraking, Math.Min(_options.Acceleration, free));
+    }
+
+    /// <summary>As fast as the road allows: a bend ahead is reached at its own speed by braking comfortably.</summary>
+    private double WantedSpeed(DrivingState state)
+    {
+        double wanted = state.IsFast ? _options.CruiseSpeed : _options.CautiousSpeed;
+        for (double ahead = 0; ahead <= _options.LookAheadMetres; ahead += BendStep)
+        {
+            double bend = Math.Max(1e-6, Math.Abs(_road.At(ahead).Curvature));
+            wanted = Math.Min(wanted, Math.Sqrt((_options.LateralAcceleration / bend) + (2 * _options.Braking * ahead)));
+        }
+
+        return wanted;
+    }
+}

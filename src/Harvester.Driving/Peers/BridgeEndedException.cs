@@ -1,6 +1,0 @@
-using System.IO;
-
-namespace Harvester.Driving.Peers;
-
-/// <summary>The game has closed its bridge, as it does when a drive is over.</summary>
-internal sealed class BridgeEndedException() : IOException("The game has closed the bridge.");

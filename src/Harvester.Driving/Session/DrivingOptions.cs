@@ -1,0 +1,46 @@
+using System;
+using Harvester.Driving.Bridge;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Driving.Session;
+
+/// <summary>How a car is driven over a bridge.</summary>
+public sealed record DrivingOptions
+{
+    private readonly double _rateHz = 10;
+    private readonly double _patienceSeconds = SilenceWatch.DefaultPatienceSeconds;
+    private readonly int _settleTicks = 4;
+
+    /// <summary>Frames per second of the world's time; greater than 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not greater than 0, or not finite.</exception>
+    public double RateHz
+    {
+        get => _rateHz;
+        init => _rateHz = Positive(value, nameof(RateHz));
+    }
+
+    /// <summary>Size of the pictures, pixels; DeepDriving's when not set. The bridge must be made for the same.</summary>
+    public ImageSize Picture { get; init; } = new(280, 210);
+
+    /// <summary>How long controls hold, seconds of the world's time; greater than 0.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">Not greater than 0, or not finite.</exception>
+    public double PatienceSeconds
+    {
+        get => _patienceSeconds;
+        init => _patienceSeconds = Positive(value, nameof(PatienceSeconds));
+    }
+
+    /// <summary>
+    /// By how many ticks the picture may be behind, 0 or more: so long a stopped world must have stood before its frame is sent, and so
+    /// long before a picture nothing may be drawn that does not belong into it.
+    /// </summary>
+    /// <exception cref="ArgumentOutOfRangeException">Less than 0.</exception>
+    public int SettleTicks
+    {
+        get => _settleTicks;
+        init => _settleTicks = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(SettleTicks), value, "Ticks are 0 or more.");
+    }
+
+    private static double Positive(double value, string name) =>
+        value > 0 && !double.IsInfinity(value) ? value : throw new ArgumentOutOfRangeException(name, value, $"{name} must be greater than 0.");
+}

@@ -1,0 +1,102 @@
+using System.Collections.Generic;
+using Harvester.Capture.Labelling;
+using Harvester.Capture.Ports;
+using Harvester.Driving.Bridge;
+using Harvester.Driving.Controllers;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Roads;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Driving.Session;
+
+/// <summary>What a driver gets to see: the picture, and the car with the lanes around it. The picture's memory is used again.</summary>
+internal sealed class DrivingView
+{
+    /// <summary>Vehicles whose origins lie so far beyond the indicators' range may still reach into it, metres.</summary>
+    private const double LongestHalfVehicle = 10;
+
+    private readonly GamePorts _game;
+    private readonly LaneTracker? _lanes;
+    private LaneSection _section = new(1, RoadGeometry.LaneWidth);
+    private bool _isFast;
+
+    public DrivingView(GamePorts game, ImageSize picture)
+    {
+        _game = game;
+        _lanes = game.Roads is { } roads ? new LaneTracker(roads, static entity => entity.Handle) : null;
+        Picture = new PixelBuffer(picture);
+    }
+
+    /// <summary>The picture last taken.</summary>
+    public PixelBuffer Picture { get; }
+
+    /// <summary>Whether the lanes were known when a picture was last taken.</summary>
+    public bool AreLanesKnown { get; private set; }
+
+    /// <summary>Takes picture and state of this tick.</summary>
+    /// <returns>Null when the picture cannot be used.</returns>
+    public BridgeState? Take(long frame, out string? refusal)
+    {
+        refusal = _game.Screen.Grab(Picture).Refusal;
+        if (refusal is not null)
+        {
+            return null;
+        }
+
+        EgoState ego = _game.World.ReadEgo();
+        LanesLabel? lanes = ReadLanes(ego);
+        _isFast = lanes?.IsFast ?? false;
+        AreLanesKnown = lanes?.Status == LaneStatus.Known;
+        return new BridgeState(
+            frame,
+            _game.World.TimeSeconds,
+            ego.Velocity.Length,
+            ego.Pose.Position,
+            Angles.HeadingDegrees(ego.Pose.Axes.Forward),
+            lanes?.Indicators ?? LaneIndicators.Unknown,
+            lanes?.TorcsEquivalent ?? LaneIndicators.Unknown,
+            _isFast)
+        {
+            AreLanesKnown = AreLanesKnown,
+        };
+    }
+
+    /// <summary>What a controller knows when a peer has read the indicators off a picture. Lane width and straightness are those last seen on the road.</summary>
+    public DrivingState StateOf(LaneIndicators torcsEquivalent)
+    {
+        EgoState ego = _game.World.ReadEgo();
+        return new DrivingState(
+            TorcsEquivalent.InMetres(torcsEquivalent, _section),
+            torcsEquivalent,
+            _isFast,
+            ego.Velocity.Length)
+        {
+            HeadingRadians = Angles.ToRadians(Angles.HeadingDegrees(ego.Pose.Axes.Forward)),
+        };
+    }
+
+    /// <summary>Forgets where the car was.</summary>
+    public void Forget() => _lanes?.Forget();
+
+    private LanesLabel? ReadLanes(EgoState ego)
+    {
+        if (_lanes is null)
+        {
+            return null;
+        }
+
+        IReadOnlyList<EntityState> entities =
+            _game.World.ReadEntities(ego.Pose.Position, IndicatorCalculator.VehicleRange + LongestHalfVehicle);
+        if (_lanes.Observe(ego, entities) is not { } known)
+        {
+            return null;
+        }
+
+        _section = known.Seen.Section ?? _section;
+        return LanesLabel.Of(known.Seen, known.Source, [], null);
+    }
+}

@@ -1,0 +1,82 @@
+using Harvester.Capture.Harvesting;
+using Harvester.Driving.Bridge;
+
+namespace Harvester.Driving.Session;
+
+/// <summary>Publishes frames for the peer: at their rate while the world goes on, and those that are asked for, once the picture shows what is.</summary>
+/// <param name="options">The rate, and how long a picture takes to settle.</param>
+/// <param name="bridge">To the peer.</param>
+/// <param name="view">What is shown.</param>
+/// <param name="pace">Whether the world goes on.</param>
+internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge bridge, DrivingView view, WorldPace pace)
+{
+    private const double HalfATick = 0.5;
+    private readonly FrameSchedule _schedule = new(options.RateHz);
+    private bool _isAskedFor;
+    private bool _isMissed;
+    private double _nowSeconds;
+    private double _tickSeconds;
+    private int _quietTicks;
+
+    /// <summary>Frames published.</summary>
+    public long Frames { get; private set; }
+
+    /// <summary>Whether the frame at the end of a step is still to come.</summary>
+    public bool IsStepOpen { get; private set; }
+
+    /// <summary>Whether a picture may be grabbed so soon that nothing may be drawn now that does not belong into it.</summary>
+    public bool IsPictureNear =>
+        pace.IsPaused || pace.IsStepping || _isAskedFor || _isMissed || _schedule.SecondsUntilDue(_nowSeconds) < (options.SettleTicks + HalfATick) * _tickSeconds;
+
+    /// <summary>Begins a tick.</summary>
+    public void BeginTick(double nowSeconds)
+    {
+        _tickSeconds = nowSeconds - _nowSeconds;
+        _nowSeconds = nowSeconds;
+    }
+
+    /// <summary>Has a frame published as soon as there is one.</summary>
+    public void Ask() => _isAskedFor = true;
+
+    /// <summary>Has a frame published at the end of the step that begins now.</summary>
+    public void AskAtEndOfStep() => IsStepOpen = true;
+
+    /// <summary>Forgets what was asked for.</summary>
+    public void Forget() => IsStepOpen = _isAskedFor = _isMissed = false;
+
+    /// <summary>Publishes a frame if it is time for one.</summary>
+    /// <returns>Why there is none though it is time; null when all is well.</returns>
+    public string? PublishIfTime()
+    {
+        string? problem = IsTime() ? Take() : null;
+        _quietTicks = IsPictureNear ? _quietTicks + 1 : 0;
+        return problem;
+    }
+
+    private bool IsTime()
+    {
+        bool isDue = !pace.IsStepping && _schedule.TakeIfDue(_nowSeconds) && !pace.IsPaused;
+
+        // What was drawn before anyone asked must have gone from the picture.
+        bool isAskedFor = (_isAskedFor || _isMissed) && _quietTicks >= options.SettleTicks;
+        return (isDue || isAskedFor || IsStepOpen) && !pace.IsStepping && pace.IsSettled;
+    }
+
+    private string? Take()
+    {
+        bool isStepOver = IsStepOpen;
+        IsStepOpen = false;
+        if (view.Take(Frames, out string? refusal) is not { } state)
+        {
+            // Commands go on, or the peer could not let the world go on; the frame is sent as soon as there is a picture.
+            _isAskedFor |= isStepOver;
+            _isMissed = true;
+            return $"the game's picture cannot be used: {refusal}.";
+        }
+
+        bridge.Publish(state with { IsAskedFor = _isAskedFor || isStepOver }, view.Picture);
+        Frames++;
+        _isAskedFor = _isMissed = false;
+        return null;
+    }
+}

@@ -1,0 +1,62 @@
+using Harvester.Capture.Ports;
+
+namespace Harvester.Driving.Session;
+
+/// <summary>Stops the world and lets it go on as a peer asks, for good or for a step. The world is left alone until it asks.</summary>
+/// <param name="pause">The game's.</param>
+/// <param name="settleTicks">Ticks that a stopped world must have stood.</param>
+internal sealed class WorldPace(IPause pause, int settleTicks)
+{
+    /// <summary>A step may end so much early, seconds, for a world whose time is a sum of rounded ticks.</summary>
+    private const double Rounding = 1e-6;
+
+    private double? _stepEndSeconds;
+    private double _lastSeconds;
+    private int _stillTicks;
+
+    /// <summary>Whether the world stands still, or is about to.</summary>
+    public bool IsPaused { get; private set; }
+
+    /// <summary>Whether a step is under way.</summary>
+    public bool IsStepping => _stepEndSeconds is not null;
+
+    /// <summary>Whether what the game shows may be taken for what is.</summary>
+    public bool IsSettled => !IsPaused || _stillTicks >= settleTicks;
+
+    public void Pause()
+    {
+        _stepEndSeconds = null;
+        _stillTicks = 0;
+        IsPaused = true;
+        pause.Freeze();
+    }
+
+    /// <summary>Lets the world go on, if it was stopped here.</summary>
+    public void GoOn()
+    {
+        _stepEndSeconds = null;
+        if (IsPaused)
+        {
+            IsPaused = false;
+            pause.Unfreeze();
+        }
+    }
+
+    /// <summary>Lets the world go on for so long and stops it then.</summary>
+    public void Step(double nowSeconds, double seconds)
+    {
+        GoOn();
+        _stepEndSeconds = nowSeconds + seconds - Rounding;
+    }
+
+    /// <summary>Does one tick's share: stops the world at the end of a step.</summary>
+    public void Tick(double nowSeconds)
+    {
+        _stillTicks = IsPaused && nowSeconds == _lastSeconds ? _stillTicks + 1 : 0;
+        _lastSeconds = nowSeconds;
+        if (nowSeconds >= _stepEndSeconds)
+        {
+            Pause();
+        }
+    }
+}

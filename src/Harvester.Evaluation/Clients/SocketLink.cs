@@ -1,0 +1,204 @@
+using System;
+using System.Buffers.Binary;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Net.Sockets;
+using System.Text.Json;
+using Harvester.Capture.Ports;
+using Harvester.Driving.Controllers;
+using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
+
+namespace Harvester.Evaluation.Clients;
+
+/// <summary>The far end of a socket bridge.</summary>
+public sealed class SocketLink : IPeerLink
+{
+    private const int LargestMessage = 64 << 20;
+
+    private readonly TcpClient _client = new() { NoDelay = true };
+    private readonly NetworkStream _stream;
+
+    /// <summary>Connects.</summary>
+    /// <param name="host">Name or address of the game's machine.</param>
+    /// <param name="port">Its port.</param>
+    /// <param name="token">What it asks for; null for nothing.</param>
+    /// <param name="patience">How long it waits for an answer, and for a message that has begun.</param>
+    /// <exception cref="IOException">Nobody listens there.</exception>
+    public SocketLink(string host, int port, string? token, TimeSpan patience)
+    {
+        try
+        {
+            Connect(host, port, patience);
+            _stream = _client.GetStream();
+            _stream.ReadTimeout = _stream.WriteTimeout = (int)patience.TotalMilliseconds;
+            if (token is not null)
+            {
+                Write(new { type = "hello", token });
+            }
+
+            AskForFrame();
+        }
+        catch
+        {
+            _client.Dispose();
+            throw;
+        }
+    }
+
+    /// <inheritdoc/>
+    public bool MayLose => false;
+
+    /// <inheritdoc/>
+    public PeerFrame? Receive(TimeSpan patience)
+    {
+        if (!_client.Client.Poll(patience, SelectMode.SelectRead))
+        {
+            return null;
+        }
+
+        // Of what has come while nobody looked the last counts: the newest frame, or why the game closes the bridge.
+        byte[] newest = ReadHeader();
+        while (_client.Available > 0)
+        {
+            newest = ReadHeader();
+        }
+
+        try
+        {
+            using JsonDocument message = JsonDocument.Parse(newest);
+            return FrameOf(message.RootElement);
+        }
+        catch (Exception e) when (e is JsonException or KeyNotFoundException or InvalidOperationException or FormatException or ArgumentException)
+        {
+            throw new IOException($"The game sent what is no frame: {e.Message}", e);
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Send(DrivingControls controls, long frame) =>
+        Write(new { type = "controls", steering = controls.Steering, throttle = controls.Throttle, brake = controls.Brake, frame });
+
+    /// <inheritdoc/>
+    public void AskForFrame() => Write(new { type = "requestFrame" });
+
+    /// <inheritdoc/>
+    public void Step(double seconds) => Write(new { type = "step", seconds });
+
+    /// <inheritdoc/>
+    public void Dispose() => _client.Dispose();
+
+    private static PeerFrame FrameOf(JsonElement root)
+    {
+        if (root.GetProperty("type").GetString() == "error")
+        {
+            throw new IOException($"The game has closed the bridge: {root.GetProperty("reason").GetString()}");
+        }
+
+        double[] torcs = Numbers(root, "torcsEquivalent");
+        double[] metres = Numbers(root, "indicators");
+        double[] position = Numbers(root, "position");
+        LaneIndicators indicators = PeerIndicators.Of(torcs);
+        DrivingState seen = new(
+            PeerIndicators.InMetres(indicators, PeerIndicators.SectionOf(torcs, metres), angleAhead: metres[0]),
+            indicators,
+            root.GetProperty("fast").GetBoolean(),
+            root.GetProperty("speedMetresPerSecond").GetDouble())
+        {
+            HeadingRadians = Angles.ToRadians(root.GetProperty("headingDegrees").GetDouble()),
+        };
+        return new PeerFrame(
+            root.GetProperty("frame").GetInt64(), root.GetProperty("timeSeconds").GetDouble(), seen, new Vector3D(position[0], position[1], position[2]));
+    }
+
+    private static double[] Numbers(JsonElement root, string name) => [.. root.GetProperty(name).EnumerateArray().Select(value => value.GetDouble())];
+
+    private void Connect(string host, int port, TimeSpan patience)
+    {
+        try
+        {
+            if (!_client.ConnectAsync(host, port).Wait(patience))
+            {
+                throw new IOException(FormattableString.Invariant($"No bridge is to be reached at {host}:{port}: no answer for {patience.TotalSeconds} s."));
+            }
+        }
+        catch (AggregateException e) when (e.InnerException is SocketException fault)
+        {
+            throw new IOException($"No bridge is to be reached at {host}:{port}: {fault.Message}", fault);
+        }
+    }
+
+    private void Write<T>(T message)
+    {
+        byte[] header = JsonSerializer.SerializeToUtf8Bytes(message);
+        byte[] whole = new byte[8 + header.Length];
+        BinaryPrimitives.WriteInt32BigEndian(whole, header.Length);
+        header.CopyTo(whole, 8);
+        try
+        {
+            _stream.Write(whole);
+        }
+        catch (IOException e) when (IsClosing(e))
+        {
+            // What the game said last, and why it closed the bridge, may still wait to be read: the next frame that is asked for tells.
+            return;
+        }
+    }
+
+    /// <summary>The header of a message; its picture is passed over.</summary>
+    private byte[] ReadHeader()
+    {
+        byte[] lengths = new byte[8];
+        ReadFirst(lengths);
+        byte[] header = Read(BinaryPrimitives.ReadInt32BigEndian(lengths));
+        Read(BinaryPrimitives.ReadInt32BigEndian(lengths.AsSpan(4)));
+        return header;
+    }
+
+    private void ReadFirst(byte[] bytes)
+    {
+        try
+        {
+            if (_stream.Read(bytes, 0, 1) == 0)
+            {
+                throw new BridgeEndedException();
+            }
+        }
+        catch (IOException e) when (IsClosing(e))
+        {
+            throw new BridgeEndedException();
+        }
+
+        Fill(bytes.AsSpan(1));
+    }
+
+    private static bool IsClosing(IOException fault) => fault.InnerException is SocketException
+    {
+        SocketErrorCode: SocketError.ConnectionReset or SocketError.ConnectionAborted or SocketError.Shutdown,
+    };
+
+    private byte[] Read(int length)
+    {
+        if (length is < 0 or > LargestMessage)
+        {
+            throw new IOException($"The game announces a message of {length} bytes.");
+        }
+
+        byte[] bytes = new byte[length];
+        Fill(bytes);
+        return bytes;
+    }
+
+    private void Fill(Span<byte> bytes)
+    {
+        try
+        {
+            _stream.ReadExactly(bytes);
+        }
+        catch (IOException e)
+        {
+            throw new IOException($"The bridge broke off in the middle of a message: {e.Message}", e);
+        }
+    }
+}

@@ -1,0 +1,25 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Harvester.Evaluation.Figures;
+
+/// <summary>Finds where a car ran into others: the first of the samples in which it touches a vehicle.</summary>
+public static class Collisions
+{
+    /// <summary>Numbers of the samples, one for each vehicle touched.</summary>
+    public static IEnumerable<int> In(IReadOnlyList<DriveSample> samples)
+    {
+        ArgumentNullException.ThrowIfNull(samples);
+        IReadOnlyList<int> before = [];
+        for (int i = 0; i < samples.Count; i++)
+        {
+            foreach (int _ in samples[i].Touching.Except(before))
+            {
+                yield return i;
+            }
+
+            before = samples[i].Touching;
+        }
+    }
+}

@@ -1,0 +1,126 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Harvester.Evaluation.Figures;
+
+/// <summary>What a drive comes to. What the car's own driver drove, in junctions and where he had to give way, is not the controller's.</summary>
+public sealed record DriveFigures
+{
+    private const int Decimals = 4;
+
+    /// <summary>Seconds of the game's time.</summary>
+    public required double Seconds { get; init; }
+
+    /// <summary>Way of the car, metres.</summary>
+    public required double Metres { get; init; }
+
+    /// <summary>Of it driven by the controller, metres.</summary>
+    public required double ControllerMetres { get; init; }
+
+    /// <summary>Of that outside of junctions, metres: there lanes are judged.</summary>
+    public required double JudgedMetres { get; init; }
+
+    /// <summary>Mean speed while the controller drives, m/s.</summary>
+    public required double ControllerMeanSpeed { get; init; }
+
+    /// <summary>Times that the controller left its lane, outside of junctions.</summary>
+    public required int LaneDepartures { get; init; }
+
+    /// <summary>Times that it changed lanes.</summary>
+    public required int LaneChanges { get; init; }
+
+    /// <summary>Root of the mean squared distance from the middle of the lane, metres, but around changes of lane.</summary>
+    public required double RmsLateralError { get; init; }
+
+    /// <summary>Greatest distance from the middle of the lane, metres, but around changes of lane.</summary>
+    public required double LargestLateralError { get; init; }
+
+    /// <summary>Vehicles that the controller ran into outside of junctions.</summary>
+    public required int Collisions { get; init; }
+
+    /// <summary>Vehicles that the controller ran into in junctions.</summary>
+    public required int CollisionsInJunctions { get; init; }
+
+    /// <summary>Vehicles that the car's own driver ran into outside of junctions.</summary>
+    public required int CollisionsOfOwnDriver { get; init; }
+
+    /// <summary>Vehicles that the car's own driver ran into in junctions.</summary>
+    public required int CollisionsOfOwnDriverInJunctions { get; init; }
+
+    /// <summary>Root of the mean squared jerk along the car while the controller drives, m/s³.</summary>
+    public required double RmsJerk { get; init; }
+
+    /// <summary>Times that the car was put elsewhere: at the end of the roads, when stuck, or for another start.</summary>
+    public required int Relocations { get; init; }
+
+    /// <summary>Works out the figures of samples taken at equal intervals of time.</summary>
+    public static DriveFigures Of(IReadOnlyList<DriveSample> samples)
+    {
+        ArgumentNullException.ThrowIfNull(samples);
+        var keeping = new LaneKeeping(samples);
+        double[] errors = [.. keeping.LateralErrors()];
+        double seconds = 0;
+        double metres = 0;
+        double controllerSeconds = 0;
+        double controllerMetres = 0;
+        double judgedMetres = 0;
+        for (int i = 1; i < samples.Count; i++)
+        {
+            if (samples[i].IsElsewhere)
+            {
+                continue;
+            }
+
+            double way = (samples[i].Position - samples[i - 1].Position).Length;
+            double time = samples[i].TimeSeconds - samples[i - 1].TimeSeconds;
+            seconds += time;
+            metres += way;
+            if (samples[i].IsByController)
+            {
+                controllerSeconds += time;
+                controllerMetres += way;
+                judgedMetres += samples[i].Lane is null ? 0 : way;
+            }
+        }
+
+        ILookup<(bool ByController, bool InJunction), int> collisions = Evaluation.Figures.Collisions.In(samples)
+            .ToLookup(i => (samples[i].IsByController, samples[i].Lane is null));
+        return new DriveFigures
+        {
+            Seconds = Rounded(seconds),
+            Metres = Rounded(metres),
+            ControllerMetres = Rounded(controllerMetres),
+            JudgedMetres = Rounded(judgedMetres),
+            ControllerMeanSpeed = controllerSeconds > 0 ? Rounded(controllerMetres / controllerSeconds) : 0,
+            LaneDepartures = keeping.Departures.Count,
+            LaneChanges = keeping.Changes,
+            RmsLateralError = Rounded(RootMeanSquare(errors)),
+            LargestLateralError = errors.Length > 0 ? Rounded(errors.Max(Math.Abs)) : 0,
+            Collisions = collisions[(true, false)].Count(),
+            CollisionsInJunctions = collisions[(true, true)].Count(),
+            CollisionsOfOwnDriver = collisions[(false, false)].Count(),
+            CollisionsOfOwnDriverInJunctions = collisions[(false, true)].Count(),
+            RmsJerk = Rounded(RootMeanSquare([.. Jerk.Of(samples).Select(at => at.Jerk)])),
+            Relocations = samples.Skip(1).Count(sample => sample.IsElsewhere),
+        };
+    }
+
+    /// <summary>The figures in words, to print.</summary>
+    public IEnumerable<(string Name, string Value)> Rows()
+    {
+        yield return ("driven", FormattableString.Invariant($"{Metres:0} m in {Seconds:0} s"));
+        yield return ("by the controller", FormattableString.Invariant($"{ControllerMetres:0} m, {JudgedMetres:0} m of it outside of junctions, at {ControllerMeanSpeed:0.0} m/s"));
+        yield return ("lane departures", FormattableString.Invariant($"{LaneDepartures}"));
+        yield return ("lane changes", FormattableString.Invariant($"{LaneChanges}"));
+        yield return ("lateral error", FormattableString.Invariant($"{RmsLateralError:0.000} m RMS, {LargestLateralError:0.00} m at most"));
+        yield return ("collisions", FormattableString.Invariant($"{Collisions} outside of junctions, {CollisionsInJunctions} in; the own driver {CollisionsOfOwnDriver} outside, {CollisionsOfOwnDriverInJunctions} in"));
+        yield return ("jerk", FormattableString.Invariant($"{RmsJerk:0.0} m/s³ RMS"));
+        yield return ("put elsewhere", FormattableString.Invariant($"{Relocations} times"));
+    }
+
+    private static double RootMeanSquare(double[] values) =>
+        values.Length > 0 ? Math.Sqrt(values.Sum(value => value * value) / values.Length) : 0;
+
+    private static double Rounded(double value) => Math.Round(value, Decimals) + 0.0;
+}

@@ -1,0 +1,68 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using System.Text.Encodings.Web;
+using System.Text.Json;
+
+namespace Harvester.Evaluation.Figures;
+
+/// <summary>A drive on disk: how it was driven, what it came to, and what went wrong.</summary>
+public sealed record DriveRecord
+{
+    /// <summary>Name of its file.</summary>
+    public const string FileName = "drive.json";
+
+    private static readonly JsonSerializerOptions Json = new()
+    {
+        WriteIndented = true,
+        NewLine = "\n",
+        PropertyNamingPolicy = JsonNamingPolicy.CamelCase,
+        Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping,
+    };
+
+    /// <summary>Version of the file's form.</summary>
+    public int FormatVersion { get; } = 1;
+
+    /// <summary>The options of the drive; "controller" is always among them.</summary>
+    public required IReadOnlyDictionary<string, string> Settings { get; init; }
+
+    /// <summary>Whether the drive went on to its end; false when it was cancelled before.</summary>
+    public required bool IsWhole { get; init; }
+
+    /// <summary>The figures.</summary>
+    public required DriveFigures Figures { get; init; }
+
+    /// <summary>Where the controller left its lane.</summary>
+    public required IReadOnlyList<DriveEvent> Departures { get; init; }
+
+    /// <summary>Where the car ran into others.</summary>
+    public required IReadOnlyList<DriveEvent> Collisions { get; init; }
+
+    /// <summary>Judges a drive.</summary>
+    /// <param name="settings">The options of the drive.</param>
+    /// <param name="samples">The drive, sampled at equal intervals of time.</param>
+    /// <param name="isWhole">Whether it went on to its end.</param>
+    public static DriveRecord Of(IReadOnlyDictionary<string, string> settings, IReadOnlyList<DriveSample> samples, bool isWhole = true)
+    {
+        ArgumentNullException.ThrowIfNull(samples);
+        return new DriveRecord
+        {
+            Settings = settings,
+            IsWhole = isWhole,
+            Figures = DriveFigures.Of(samples),
+            Departures = [.. new LaneKeeping(samples).Departures.Select(i => DriveEvent.At(samples[i]))],
+            Collisions = [.. Evaluation.Figures.Collisions.In(samples).Select(i => DriveEvent.At(samples[i]))],
+        };
+    }
+
+    /// <summary>Writes it under a temporary name and then gives it its own.</summary>
+    /// <exception cref="IOException">The file cannot be written.</exception>
+    public void Write(string path)
+    {
+        string temporary = path + ".tmp";
+        File.WriteAllText(temporary, JsonSerializer.Serialize(this, Json) + "\n", new UTF8Encoding(encoderShouldEmitUTF8Identifier: false));
+        File.Move(temporary, path, overwrite: true);
+    }
+}

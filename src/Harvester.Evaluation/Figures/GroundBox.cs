@@ -1,0 +1,44 @@
+using System;
+using Harvester.Geometry;
+
+namespace Harvester.Evaluation.Figures;
+
+/// <summary>A body as seen from above: a rectangle on the ground with a range of heights.</summary>
+/// <param name="Centre">Middle, metres, world x and y.</param>
+/// <param name="Forward">Unit vector of its length.</param>
+/// <param name="HalfLength">Metres.</param>
+/// <param name="HalfWidth">Metres.</param>
+/// <param name="Bottom">Height of its lowest point, metres.</param>
+/// <param name="Top">Height of its highest point, metres.</param>
+public readonly record struct GroundBox(Vector2D Centre, Vector2D Forward, double HalfLength, double HalfWidth, double Bottom, double Top)
+{
+    /// <summary>The box of a model's extents at a pose; what little a slope tilts it is passed over.</summary>
+    public static GroundBox Of(Pose pose, Vector3D min, Vector3D max)
+    {
+        Vector3D centre = pose.ToWorld((min + max) * 0.5);
+        Vector3D forward = pose.Axes.Forward;
+        double length = Math.Sqrt((forward.X * forward.X) + (forward.Y * forward.Y));
+        double halfHeight = (max.Z - min.Z) / 2;
+        return new GroundBox(
+            new Vector2D(centre.X, centre.Y),
+            new Vector2D(forward.X / length, forward.Y / length),
+            (max.Y - min.Y) / 2,
+            (max.X - min.X) / 2,
+            centre.Z - halfHeight,
+            centre.Z + halfHeight);
+    }
+
+    /// <summary>Whether two bodies share room: no line along a side of either parts them.</summary>
+    public bool Overlaps(GroundBox other) =>
+        Bottom < other.Top && other.Bottom < Top
+        && !IsParted(other, Forward) && !IsParted(other, Left(Forward))
+        && !IsParted(other, other.Forward) && !IsParted(other, Left(other.Forward));
+
+    private bool IsParted(GroundBox other, Vector2D axis) =>
+        Math.Abs((other.Centre - Centre).Dot(axis)) > Reach(axis) + other.Reach(axis);
+
+    private double Reach(Vector2D axis) =>
+        (Math.Abs(Forward.Dot(axis)) * HalfLength) + (Math.Abs(Forward.Cross(axis)) * HalfWidth);
+
+    private static Vector2D Left(Vector2D vector) => new(-vector.Y, vector.X);
+}

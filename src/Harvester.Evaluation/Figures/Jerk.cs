@@ -1,0 +1,25 @@
+using System;
+using System.Collections.Generic;
+
+namespace Harvester.Evaluation.Figures;
+
+/// <summary>How roughly a controller uses the pedals: the second difference of the speed, m/s³.</summary>
+public static class Jerk
+{
+    /// <summary>The jerk at each sample that the controller drove up to, with its number.</summary>
+    public static IEnumerable<(int Sample, double Jerk)> Of(IReadOnlyList<DriveSample> samples)
+    {
+        ArgumentNullException.ThrowIfNull(samples);
+        for (int i = 2; i < samples.Count; i++)
+        {
+            if (samples[i].IsElsewhere || samples[i - 1].IsElsewhere
+                || !(samples[i].IsByController && samples[i - 1].IsByController && samples[i - 2].IsByController))
+            {
+                continue;
+            }
+
+            double step = samples[i].TimeSeconds - samples[i - 1].TimeSeconds;
+            yield return (i, (samples[i].Speed - (2 * samples[i - 1].Speed) + samples[i - 2].Speed) / (step * step));
+        }
+    }
+}

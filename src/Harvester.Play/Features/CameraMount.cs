@@ -1,0 +1,134 @@
+using Harvester.Capture.Ports;
+using Harvester.Geometry;
+using Harvester.Play.Settings;
+
+namespace Harvester.Play.Features;
+
+/// <summary>
+/// The camera on the hood. The game itself attaches it with the vehicle's whole matrix, so that no tick's delay comes between the
+/// two; setting position and rotation on every tick, as the thesis did, lags a frame behind.
+/// </summary>
+public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
+{
+    private readonly PlayerSettings _settings;
+    private readonly PlayerMessages _messages;
+    private readonly ICameras _cameras;
+    private readonly IVehicles _vehicles;
+    private int _camera;
+
+    /// <summary>Makes ready.</summary>
+    /// <param name="settings">Where the camera sits on its vehicle.</param>
+    /// <param name="messages">Tells what comes of it.</param>
+    /// <param name="cameras">The game's cameras.</param>
+    /// <param name="vehicles">The game's vehicles.</param>
+    public CameraMount(PlayerSettings settings, PlayerMessages messages, ICameras cameras, IVehicles vehicles)
+    {
+        _settings = settings;
+        _messages = messages;
+        _cameras = cameras;
+        _vehicles = vehicles;
+    }
+
+    /// <inheritdoc/>
+    public string Name => "The camera";
+
+    /// <inheritdoc/>
+    public bool IsMounted => Vehicle != 0;
+
+    /// <inheritdoc/>
+    public bool IsOn => IsMounted;
+
+    /// <inheritdoc/>
+    public bool IsBusy => false;
+
+    /// <summary>The vehicle that carries the camera; 0 when it is not mounted.</summary>
+    public int Vehicle { get; private set; }
+
+    /// <summary>Mounts the rendering camera on the vehicle that the player sits in.</summary>
+    public void Mount()
+    {
+        if (_cameras.AttachingProblem is { } problem)
+        {
+            _messages.Tell(problem);
+            return;
+        }
+
+        int vehicle = _vehicles.OfPlayer;
+        if (vehicle == 0)
+        {
+            _messages.Tell("Enter a vehicle first: the camera is mounted on the one you sit in.");
+            return;
+        }
+
+        Stop();
+        int camera = _cameras.Make(new Pose(Vector3D.Zero, Axes.Identity), _settings.VerticalFovDegrees);
+        if (camera == 0)
+        {
+            _messages.Tell("The game did not make a camera. Too many may be in use by other mods.");
+            return;
+        }
+
+        _camera = camera;
+        try
+        {
+            _cameras.Attach(camera, vehicle, _settings.CameraOffset);
+            _cameras.Show(camera);
+            Vehicle = vehicle;
+        }
+        finally
+        {
+            // Whoever wants it mounted must not take a camera that does not show for one that does.
+            if (Vehicle == 0)
+            {
+                Stop();
+            }
+        }
+
+        _messages.Tell("The camera is mounted.");
+    }
+
+    /// <inheritdoc/>
+    public void Shift(Vector3D offset)
+    {
+        if (IsMounted)
+        {
+            _cameras.Attach(_camera, Vehicle, _settings.CameraOffset + offset);
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Tick()
+    {
+        if (Vehicle == 0)
+        {
+            Stop();
+            return;
+        }
+
+        if (!_vehicles.Exists(Vehicle))
+        {
+            Stop();
+            _messages.Tell("The vehicle with the camera is gone. The view is yours again.");
+        }
+        else if (_vehicles.OfPlayer != Vehicle)
+        {
+            Stop();
+            _messages.Tell("You left the vehicle with the camera. The view is yours again.");
+        }
+    }
+
+    /// <summary>Gives the view back to the game.</summary>
+    public void Stop()
+    {
+        Vehicle = 0;
+        if (_camera != 0)
+        {
+            // Known until it is gone: where the game refuses, the next tick tries again.
+            _cameras.Remove(_camera);
+            _camera = 0;
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Finish() => Stop();
+}

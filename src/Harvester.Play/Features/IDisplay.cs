@@ -1,0 +1,25 @@
+using Harvester.Geometry;
+
+namespace Harvester.Play.Features;
+
+/// <summary>Draws over the game's picture, for one frame each time. Places are fractions of the window where nothing else is said.</summary>
+public interface IDisplay
+{
+    /// <summary>Draws a filled rectangle.</summary>
+    void Rectangle(Box2D place, Colour colour);
+
+    /// <summary>Writes a line; the game cuts it at 99 bytes.</summary>
+    /// <param name="text">The line.</param>
+    /// <param name="left">Left end.</param>
+    /// <param name="top">Upper edge.</param>
+    void Text(string text, double left, double top);
+
+    /// <summary>Draws a ball in the world.</summary>
+    /// <param name="centre">Metres, world.</param>
+    /// <param name="radiusMetres">Radius, metres.</param>
+    /// <param name="colour">Its colour, which no lamp changes.</param>
+    void Ball(Vector3D centre, double radiusMetres, Colour colour);
+
+    /// <summary>Hides the game's own display, map and messages.</summary>
+    void HideGames();
+}

@@ -1,0 +1,65 @@
+using System;
+using System.Collections.Generic;
+
+namespace Harvester.Play.Features;
+
+/// <summary>Which key does what, as the settings say.</summary>
+/// <typeparam name="TKey">The keys of the keyboard.</typeparam>
+/// <param name="folder">The settings; told of keys that have two uses.</param>
+/// <param name="features">Lets the features work.</param>
+public sealed class KeyBindings<TKey>(ModFolder folder, FeatureSet features)
+    where TKey : struct, Enum
+{
+    private readonly Dictionary<TKey, (IFeature Feature, Action Press)> _uses = [];
+    private readonly Dictionary<TKey, (IFeature Feature, Action Press)> _usesGoingDown = [];
+
+    /// <summary>Gives a key its use.</summary>
+    /// <param name="name">Name of the setting under [Keys].</param>
+    /// <param name="fallback">The key where the settings name none.</param>
+    /// <param name="feature">What is used.</param>
+    /// <param name="press">What it does.</param>
+    public void Add(string name, TKey fallback, IFeature feature, Action press)
+    {
+        TKey key = folder.Settings.Choice("Keys", name, fallback, "a key, such as NumPad0, I or F9");
+        Add(_uses, key, feature, press);
+    }
+
+    /// <summary>Gives keys a use that they have as soon as they go down.</summary>
+    /// <param name="section">Section of the setting.</param>
+    /// <param name="name">Name of the setting.</param>
+    /// <param name="fallback">The keys where the settings name none.</param>
+    /// <param name="feature">What is used.</param>
+    /// <param name="press">What it does.</param>
+    public void AddGoingDown(string section, string name, IReadOnlyList<TKey> fallback, IFeature feature, Action press)
+    {
+        foreach (TKey key in folder.Settings.Choices(section, name, fallback, "keys, separated by commas, such as W, A, Space or Left"))
+        {
+            Add(_usesGoingDown, key, feature, press);
+        }
+    }
+
+    /// <summary>Does what a key is for that has been pressed, if it has a use.</summary>
+    public void Press(TKey key) => Do(_uses, key);
+
+    /// <summary>Does what a key is for that goes down, if it has a use.</summary>
+    public void GoDown(TKey key) => Do(_usesGoingDown, key);
+
+    private void Add(Dictionary<TKey, (IFeature Feature, Action Press)> uses, TKey key, IFeature feature, Action press)
+    {
+        if (_uses.ContainsKey(key) || _usesGoingDown.ContainsKey(key))
+        {
+            folder.Complain($"the key {key} has two uses; the first is kept.");
+            return;
+        }
+
+        uses.Add(key, (feature, press));
+    }
+
+    private void Do(Dictionary<TKey, (IFeature Feature, Action Press)> uses, TKey key)
+    {
+        if (uses.TryGetValue(key, out (IFeature Feature, Action Press) use))
+        {
+            features.Do(use.Feature, use.Press);
+        }
+    }
+}

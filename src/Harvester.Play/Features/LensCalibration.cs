@@ -1,0 +1,141 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using Harvester.Capture.Calibration;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Storage;
+using Harvester.Play.Settings;
+
+namespace Harvester.Play.Features;
+
+/// <summary>Calibrates the camera at a key, for the harvests to come, and writes the lens into the settings file.</summary>
+public sealed class LensCalibration : ILastingFeature, IDisposable
+{
+    private static readonly TimeSpan LongestWaitForTheDisk = TimeSpan.FromSeconds(10);
+    private readonly Harvest _harvest;
+    private readonly GamePorts _game;
+    private readonly IMount _mount;
+    private readonly IDisplay _display;
+    private readonly PlayerMessages _messages;
+    private readonly string _iniPath;
+    private readonly DiskQueue _disk = new();
+    private CalibrationSession? _session;
+
+    /// <summary>Makes ready.</summary>
+    /// <param name="harvest">Whose options get the lens.</param>
+    /// <param name="game">The game, with markers.</param>
+    /// <param name="mount">The camera to calibrate.</param>
+    /// <param name="display">The game's own display is hidden meanwhile.</param>
+    /// <param name="messages">Tells the result.</param>
+    /// <param name="iniPath">The settings file.</param>
+    public LensCalibration(
+        Harvest harvest, GamePorts game, IMount mount, IDisplay display, PlayerMessages messages, string iniPath)
+    {
+        _harvest = harvest;
+        _game = game;
+        _mount = mount;
+        _display = display;
+        _messages = messages;
+        _iniPath = iniPath;
+    }
+
+    /// <inheritdoc/>
+    public string Name => "The calibration";
+
+    /// <inheritdoc/>
+    public bool IsOn => _session is not null;
+
+    /// <summary>Whether the settings file is being written.</summary>
+    public bool IsBusy => _disk.IsBusy;
+
+    /// <summary>Starts a calibration, or ends the one that runs.</summary>
+    public void Toggle()
+    {
+        if (_session is not null)
+        {
+            Stop();
+            _messages.Tell("The calibration was stopped.");
+            return;
+        }
+
+        if (_harvest.IsOn)
+        {
+            _messages.Tell("End the harvest first, then calibrate.");
+            return;
+        }
+
+        if (!_mount.IsMounted)
+        {
+            _messages.Tell("Mount the camera first, then calibrate it.");
+        }
+        else
+        {
+            var options = new CalibrationOptions { Image = _harvest.Options.Image, MaxPictureLagTicks = _harvest.Options.MaxPictureLagTicks };
+            _session = new CalibrationSession(options, _game);
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Tick()
+    {
+        ThrowIfNotWritten();
+        if (_session is not { } session)
+        {
+            return;
+        }
+
+        _display.HideGames();
+        if (!_mount.IsMounted)
+        {
+            Stop();
+            return;
+        }
+
+        if (session.Step() != CalibrationPhase.Settling)
+        {
+            _session = null;
+            End(session);
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Stop()
+    {
+        _session?.Dispose();
+        _session = null;
+    }
+
+    /// <summary>Stops, and waits until the lens is in the settings file, or for as long as a script may take to end.</summary>
+    public void Finish()
+    {
+        Stop();
+        _disk.Wait(LongestWaitForTheDisk);
+        ThrowIfNotWritten();
+    }
+
+    /// <summary>Stops.</summary>
+    public void Dispose() => Stop();
+
+    private void End(CalibrationSession session)
+    {
+        if (session.Result is not { } result)
+        {
+            _messages.Tell(session.Fault ?? "The calibration has no result.");
+            return;
+        }
+
+        _harvest.Options = _harvest.Options with { Lens = result.Lens };
+        IReadOnlyList<KeyValuePair<string, double>> values = HarvestSettings.ValuesOf(result.Lens);
+        _disk.Add(() => IniEditor.Set(_iniPath, HarvestSettings.LensSection, values));
+        _messages.Tell(FormattableString.Invariant(
+            $"Calibrated: the error was {result.Before.RmsPixels:0.00} px and is {result.Validation.RmsPixels:0.00} px. The lens is in {Path.GetFileName(_iniPath)}."));
+    }
+
+    private void ThrowIfNotWritten()
+    {
+        if (_disk.TakeFailure() is { } failure)
+        {
+            throw new IOException($"the lens cannot be written into {_iniPath}: {failure.Message}", failure);
+        }
+    }
+}

@@ -1,0 +1,88 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using Harvester.Play.Settings;
+using Harvester.Sessions.Faces;
+using Harvester.Surveys.Faces;
+
+namespace Harvester.Play.Features;
+
+/// <summary>The files beside the mod. What cannot be read is no exception: it is told in <see cref="Complaints"/>, and defaults are used.</summary>
+public sealed class ModFolder
+{
+    private const string SettingsFile = "GtaDataHarvester.ini";
+    private const string SpacesFile = "spaces_of_interest.csv";
+    private readonly string _folder;
+    private readonly List<string> _complaints = [];
+
+    /// <summary>Reads the files.</summary>
+    /// <param name="folder">The folder that the mod lies in.</param>
+    public ModFolder(string folder)
+    {
+        _folder = folder;
+        Settings = Read(ReadSettings, () => IniFile.Read(TextReader.Null), SettingsFile);
+        ShippedSpaces = ReadSpaces(Path.Combine(folder, SpacesFile), SpacesFile);
+    }
+
+    /// <summary>Where the settings stand.</summary>
+    public string SettingsPath => Path.Combine(_folder, SettingsFile);
+
+    /// <summary>The settings.</summary>
+    public IniFile Settings { get; }
+
+    /// <summary>The faces of signs and traffic lights that came with the mod.</summary>
+    public SpaceTable ShippedSpaces { get; }
+
+    /// <summary>What is wrong with the files, a sentence each; to be asked after all settings.</summary>
+    public IEnumerable<string> Complaints => _complaints.Concat(Settings.Complaints.Select(Told));
+
+    /// <summary>The faces of signs and traffic lights: those that the player has measured, and for other models those that came with the mod.</summary>
+    /// <param name="measured">The folder of what the player has measured; it need not be there.</param>
+    public SpaceTable SpacesWith(string measured)
+    {
+        string table = Path.Combine(measured, SurveyFolder.TableName);
+        return File.Exists(table) ? ShippedSpaces.OverriddenBy(ReadSpaces(table, table)) : ShippedSpaces;
+    }
+
+    /// <summary>Complains of a setting.</summary>
+    public void Complain(string sentence) => _complaints.Add(Told(sentence));
+
+    private static string Told(string sentence) => $"{SettingsFile}: {sentence}";
+
+    private IniFile ReadSettings()
+    {
+        using TextReader reader = File.Exists(SettingsPath) ? new StreamReader(SettingsPath) : TextReader.Null;
+        return IniFile.Read(reader);
+    }
+
+    private SpaceTable ReadSpaces(string path, string name)
+    {
+        SpaceTableContent content = Read(
+            () =>
+            {
+                using var reader = new StreamReader(path);
+                return SpaceTableReader.Read(reader);
+            },
+            () => new SpaceTableContent(SpaceTable.Empty, []),
+            name);
+        _complaints.AddRange(content.Problems.Select(problem => $"{name}: {problem}"));
+        return content.Table;
+    }
+
+    private T Read<T>(Func<T> read, Func<T> fallback, string file)
+    {
+        try
+        {
+            return read();
+        }
+#pragma warning disable CA1031 // Whatever is wrong with a file, the mod starts.
+        catch (Exception exception) when (exception is not ThreadAbortException)
+#pragma warning restore CA1031
+        {
+            _complaints.Add($"{file} cannot be read: {exception.Message}");
+            return fallback();
+        }
+    }
+}

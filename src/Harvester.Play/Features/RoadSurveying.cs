@@ -1,0 +1,190 @@
+using System;
+using System.IO;
+using System.Threading.Tasks;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Storage;
+using Harvester.Geometry;
+using Harvester.Geometry.Roads;
+using Harvester.Surveys.Roads;
+
+namespace Harvester.Play.Features;
+
+/// <summary>
+/// Surveys the roads around the player while it is switched on, and keeps what was found in a file, with which the next survey goes on.
+/// The file is read and written on another thread.
+/// </summary>
+public sealed class RoadSurveying : ILastingFeature
+{
+    private const double SaveEveryMilliseconds = 30_000;
+    private const double PrepareEveryMilliseconds = 5_000;
+    private static readonly TimeSpan LongestWaitForTheDisk = TimeSpan.FromSeconds(10);
+    private readonly IRoadSource _source;
+    private readonly Func<Vector3D> _place;
+    private readonly string _path;
+    private readonly GrowingRoads _roads;
+    private readonly PlayerMessages _messages;
+    private readonly IClock _clock;
+    private readonly DiskQueue _disk = new();
+    private Task<RoadSurvey>? _loading;
+    private RoadSurvey? _survey;
+    private double _savedAt;
+    private double _preparedAt = double.NegativeInfinity;
+    private int _savedFindings;
+    private int _preparedFindings;
+    private RoadSurveyStatus _status;
+    private bool _wereLanesWanted;
+
+    /// <summary>Makes a survey that is off.</summary>
+    /// <param name="source">The game's roads.</param>
+    /// <param name="place">Where the player is.</param>
+    /// <param name="path">The file.</param>
+    /// <param name="roads">Told of the roads as the survey finds them.</param>
+    /// <param name="messages">Tells what was found.</param>
+    /// <param name="clock">The player's time.</param>
+    public RoadSurveying(
+        IRoadSource source, Func<Vector3D> place, string path, GrowingRoads roads, PlayerMessages messages, IClock clock)
+    {
+        _source = source;
+        _place = place;
+        _path = path;
+        _roads = roads;
+        _messages = messages;
+        _clock = clock;
+    }
+
+    /// <inheritdoc/>
+    public string Name => "The road survey";
+
+    /// <inheritdoc/>
+    public bool IsOn { get; private set; }
+
+    /// <summary>A line about it; null when it is off.</summary>
+    public string? Line => IsOn
+        ? FormattableString.Invariant($"SURVEY  {_status.Nodes} nodes  {_status.Links} links  {_status.Waiting} waiting{(_status.IsLoaded ? string.Empty : "  (the game loads)")}")
+        : null;
+
+    /// <summary>Whether lanes are asked for: when they come to be, the survey switches itself on.</summary>
+    public Func<bool> AreLanesWanted { get; init; } = static () => false;
+
+    /// <summary>Whether the lanes are those of the survey; false when the roads are known from elsewhere.</summary>
+    public bool GivesLanes { get; init; } = true;
+
+    /// <summary>Whether the file is being read or written, or roads are being prepared.</summary>
+    public bool IsBusy => _loading is { IsCompleted: false } || _disk.IsBusy || _roads.IsPreparing;
+
+    /// <summary>Switches it on or off, and tells so.</summary>
+    public void Toggle()
+    {
+        if (IsOn)
+        {
+            Stop();
+            _messages.Tell($"The road survey is off: {Counted.Of(_status.Nodes, "node")} and {Counted.Of(_status.Links, "link")}, in {_path}.");
+        }
+        else
+        {
+            Start();
+            _messages.Tell("The road survey is on: drive along the roads that you want in it.");
+        }
+    }
+
+    /// <summary>Switches it on.</summary>
+    public void Start()
+    {
+        IsOn = true;
+        _savedAt = _clock.Milliseconds;
+        _loading ??= Task.Run(() => new RoadSurvey(_source, RoadSurveyFile.Load(_path)));
+    }
+
+    /// <inheritdoc/>
+    public void Tick()
+    {
+        ThrowIfNotSaved();
+        if (_roads.TakeFailure() is { } failure)
+        {
+            _messages.TellFailure("Reading the roads", failure);
+        }
+
+        bool isWanted = AreLanesWanted();
+        if (isWanted && !_wereLanesWanted)
+        {
+            Start();
+        }
+
+        _wereLanesWanted = isWanted;
+        if (!IsOn || _loading is not { IsCompleted: true } loading)
+        {
+            return;
+        }
+
+        if (loading.IsFaulted)
+        {
+            // Not gone on with from nothing: that would be written over the file.
+            _loading = null;
+            throw new InvalidDataException($"{_path}: {loading.Exception!.InnerException!.Message} Repair it or move it away.");
+        }
+
+        _survey = loading.Result;
+        _status = _survey.Step(_place());
+        OfferRoads(_survey);
+        if (_clock.Milliseconds - _savedAt > SaveEveryMilliseconds)
+        {
+            Save();
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Stop()
+    {
+        if (IsOn)
+        {
+            IsOn = false;
+            Save();
+        }
+    }
+
+    /// <summary>Stops, and waits until the file is written, or for as long as a script may take to end.</summary>
+    public void Finish()
+    {
+        Stop();
+        _disk.Wait(LongestWaitForTheDisk);
+        ThrowIfNotSaved();
+    }
+
+    private void OfferRoads(RoadSurvey survey)
+    {
+        bool isNews = _status.Links > 0 && _status.Findings > _preparedFindings;
+        if (GivesLanes && isNews && !_roads.IsPreparing && _clock.Milliseconds - _preparedAt > PrepareEveryMilliseconds)
+        {
+            _preparedFindings = _status.Findings;
+            _preparedAt = _clock.Milliseconds;
+            RoadNetwork network = survey.ToNetwork();
+            _roads.Prepare(() => network, "game");
+        }
+    }
+
+    private void Save()
+    {
+        if (_survey is null || _status.Findings == _savedFindings)
+        {
+            return;
+        }
+
+        _savedAt = _clock.Milliseconds;
+        _savedFindings = _status.Findings;
+        RoadNetwork network = _survey.ToNetwork();
+        _disk.Add(() =>
+        {
+            Directory.CreateDirectory(Path.GetDirectoryName(_path)!);
+            RoadSurveyFile.Save(_path, network);
+        });
+    }
+
+    private void ThrowIfNotSaved()
+    {
+        if (_disk.TakeFailure() is { } failure)
+        {
+            _savedFindings = 0;
+            throw new IOException(failure.Message, failure);
+        }
+    }
+}

@@ -1,0 +1,81 @@
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Ports;
+using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Play.Features;
+
+/// <summary>
+/// What the overlay sees of the game. Labels ask for everything in every tick; boxes over the game need not: a model is asked for once, what cannot be
+/// seen seldom, and what seldom changes now and then.
+/// </summary>
+/// <param name="reader">The game.</param>
+public sealed class Sight(ISightReader reader)
+{
+    /// <summary>The near plane and the window's shape are asked for once in so many ticks.</summary>
+    private const int TicksOfTheWindow = 30;
+
+    /// <summary>What comes near is seen after so many ticks at most. What is gone is gone at once, as its place cannot be read.</summary>
+    private const int TicksOfTheLists = 6;
+
+    private static readonly EntityKind[] Kinds = [EntityKind.Vehicle, EntityKind.Ped, EntityKind.Prop];
+    private Dictionary<(EntityKind Kind, int Entity), Sighting> _known = [];
+    private ModelFacts? _egoModel;
+    private int _egoVehicle;
+    private long _tick;
+    private long? _listedAt;
+    private int _met;
+    private double _nearClip;
+    private double _aspect;
+
+    /// <summary>The camera; called once per tick, before anything else.</summary>
+    public CameraState ReadCamera()
+    {
+        if (_tick++ % TicksOfTheWindow == 0)
+        {
+            _nearClip = reader.NearClip;
+            _aspect = reader.WindowAspect;
+        }
+
+        return new CameraState(reader.CameraPose, reader.VerticalFovDegrees, _nearClip, _aspect);
+    }
+
+    /// <summary>The vehicle that carries the camera; null when it is not mounted.</summary>
+    public SeenEntity? ReadEgo()
+    {
+        int vehicle = reader.MountedVehicle;
+        if (vehicle == 0)
+        {
+            return null;
+        }
+
+        if (vehicle != _egoVehicle)
+        {
+            _egoVehicle = vehicle;
+            _egoModel = reader.FactsOf(EntityKind.Vehicle, vehicle);
+        }
+
+        return reader.PlaceOf(vehicle) is { } place ? new SeenEntity(_egoModel!, place) : null;
+    }
+
+    /// <summary>The entities near the camera that it may see.</summary>
+    /// <param name="camera">The camera's pose.</param>
+    /// <param name="range">Metres.</param>
+    public IReadOnlyList<SeenEntity> Around(Pose camera, double range)
+    {
+        if (_listedAt is not { } listed || _tick - listed >= TicksOfTheLists)
+        {
+            _listedAt = _tick;
+            List(camera, range);
+        }
+
+        return [.. _known.Values.Select(sighting => sighting.See(_tick, camera)).OfType<SeenEntity>()];
+    }
+
+    /// <summary>What is listed no more is forgotten: its handle may come again for another entity.</summary>
+    private void List(Pose camera, double range) => _known = Kinds
+        .SelectMany(kind => reader.Near(kind, camera.Position, range).Select(entity => (kind, entity)))
+        .Distinct()
+        .ToDictionary(key => key, key => _known.TryGetValue(key, out Sighting? known) ? known : new Sighting(reader, key.kind, key.entity, _met++));
+}

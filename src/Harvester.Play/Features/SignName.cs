@@ -1,0 +1,46 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Sessions.Faces;
+
+namespace Harvester.Play.Features;
+
+/// <summary>What a sign that is marked by hand can be called.</summary>
+/// <param name="Name">What it says; empty where nobody knows.</param>
+/// <param name="MutcdCode">Its code; empty when it has none or it is unknown.</param>
+public readonly record struct SignName(string Name, string MutcdCode)
+{
+    /// <summary>The names of a list, or of a table where the list is empty. The first is that of a sign that nobody knows.</summary>
+    /// <param name="list">Names separated by semicolons, each with its code after a bar where it has one: STOP|R1-1; ONE WAY|R6-1.</param>
+    /// <param name="table">The faces that are known.</param>
+    /// <exception cref="ArgumentNullException">Something is not given.</exception>
+    public static IReadOnlyList<SignName> Choices(string list, SpaceTable table)
+    {
+        if (list is null)
+        {
+            throw new ArgumentNullException(nameof(list));
+        }
+
+        if (table is null)
+        {
+            throw new ArgumentNullException(nameof(table));
+        }
+
+        SignName[] listed = [.. list.Split(';').Where(part => part.Trim().Length > 0).Select(Parse)];
+        IEnumerable<SignName> known = table.Spaces
+            .Where(space => space.Name.Length > 0)
+            .Select(space => new SignName(space.Name, space.MutcdCode))
+            .Distinct()
+            .OrderBy(name => name.Name, StringComparer.Ordinal);
+        return [new SignName(string.Empty, string.Empty), .. listed.Length > 0 ? listed : known];
+    }
+
+    /// <summary>The name for people.</summary>
+    public override string ToString() => Name.Length == 0 ? "(unnamed)" : MutcdCode.Length == 0 ? Name : $"{Name} {MutcdCode}";
+
+    private static SignName Parse(string part)
+    {
+        string[] halves = part.Split('|');
+        return new SignName(halves[0].Trim(), halves.Length > 1 ? halves[1].Trim() : string.Empty);
+    }
+}

@@ -1,0 +1,54 @@
+using System;
+using System.Threading.Tasks;
+
+namespace Harvester.Play.Features;
+
+/// <summary>
+/// What takes long to open and to close, as a disk or a network may: another thread than the game's does both, one after the other. All
+/// calls come from one thread.
+/// </summary>
+/// <typeparam name="T">What is opened.</typeparam>
+internal sealed class SlowResource<T>
+    where T : class, IDisposable
+{
+    private Task<T>? _opening;
+    private Task _closing = Task.CompletedTask;
+
+    /// <summary>Whether it is open or about to be.</summary>
+    public bool IsHeld => _opening is not null;
+
+    /// <summary>Whether it is being opened or closed.</summary>
+    public bool IsBusy => _opening is { IsCompleted: false } || !_closing.IsCompleted;
+
+    /// <summary>What was opened; null when it is not open, or not yet.</summary>
+    public T? Opened => _opening is { Status: TaskStatus.RanToCompletion } opening ? opening.Result : null;
+
+    /// <summary>Opens it, after the one before has been closed.</summary>
+    public void Open(Func<T> open) => _opening = _closing.ContinueWith(_ => open(), TaskScheduler.Default);
+
+    /// <summary>Why it could not be opened, told once: it is not held any more then; null without a failure.</summary>
+    public Exception? TakeFailure()
+    {
+        if (_opening is not { IsFaulted: true } failed)
+        {
+            return null;
+        }
+
+        _opening = null;
+        return failed.Exception!.InnerException;
+    }
+
+    /// <summary>Closes it as soon as it is open. Again is no harm.</summary>
+    public void Close()
+    {
+        if (_opening is { } opening)
+        {
+            _opening = null;
+            _closing = opening.ContinueWith(
+                static opened => (opened.Status == TaskStatus.RanToCompletion ? opened.Result : null)?.Dispose(), TaskScheduler.Default);
+        }
+    }
+
+    /// <summary>Waits until it is closed, at most so long.</summary>
+    public void Wait(TimeSpan longest) => _closing.Wait(longest);
+}

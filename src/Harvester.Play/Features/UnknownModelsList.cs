@@ -1,0 +1,94 @@
+using System;
+using System.Globalization;
+using System.IO;
+using System.Text;
+using Harvester.Capture.Ports;
+using Harvester.Capture.Storage;
+using Harvester.Sessions.Faces;
+using Harvester.Surveys.Faces;
+
+namespace Harvester.Play.Features;
+
+/// <summary>Lists at a key the models near the camera that the table of faces lacks. What one run of the game meets stands in one file.</summary>
+public sealed class UnknownModelsList : ILastingFeature
+{
+    private const double RangeMetres = 100;
+    private static readonly TimeSpan LongestWaitForTheDisk = TimeSpan.FromSeconds(10);
+    private readonly IWorld _world;
+    private readonly IProps _props;
+    private readonly UnknownModels _unknown;
+    private readonly string _folder;
+    private readonly string _file = "unknown" + DateTime.Now.ToString("-yyyyMMdd-HHmmss", CultureInfo.InvariantCulture) + ".csv";
+    private readonly PlayerMessages _messages;
+    private readonly DiskQueue _disk = new();
+
+    /// <summary>Makes ready.</summary>
+    /// <param name="world">Tells where the camera is.</param>
+    /// <param name="props">The game's props.</param>
+    /// <param name="table">Gives what is known now.</param>
+    /// <param name="folder">Where the file goes.</param>
+    /// <param name="messages">Tells what was found.</param>
+    public UnknownModelsList(IWorld world, IProps props, Func<SpaceTable> table, string folder, PlayerMessages messages)
+    {
+        _world = world;
+        _props = props;
+        _unknown = new UnknownModels(table);
+        _folder = folder;
+        _messages = messages;
+    }
+
+    /// <inheritdoc/>
+    public string Name => "The list of unknown models";
+
+    /// <inheritdoc/>
+    public bool IsOn => IsBusy;
+
+    /// <inheritdoc/>
+    public bool IsBusy => _disk.IsBusy;
+
+    /// <summary>Why this game cannot list what is near; null when it can.</summary>
+    public Func<string?> Problem { get; init; } = static () => null;
+
+    /// <summary>Adds what is near, and writes the list.</summary>
+    public void Look()
+    {
+        if (Problem() is { } problem)
+        {
+            _messages.Tell(problem);
+            return;
+        }
+
+        _unknown.Look(_props.ReadProps(_world.ReadCamera().Pose.Position, RangeMetres));
+        var text = new StringWriter(CultureInfo.InvariantCulture);
+        _unknown.Write(text);
+        _disk.Add(() =>
+        {
+            Directory.CreateDirectory(_folder);
+            using var files = new SessionDirectory(_folder);
+            byte[] bytes = new UTF8Encoding(false).GetBytes(text.ToString());
+            files.WriteWhole(_file, stream => stream.Write(bytes, 0, bytes.Length));
+        });
+        _messages.Tell($"{Counted.Of(_unknown.Models.Count, "model")} near here without a face in any table, listed in {Path.Combine(_folder, _file)}.");
+    }
+
+    /// <summary>Fails when the list could not be written.</summary>
+    public void Tick()
+    {
+        if (_disk.TakeFailure() is { } failure)
+        {
+            throw new IOException(failure.Message, failure);
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Stop()
+    {
+    }
+
+    /// <inheritdoc/>
+    public void Finish()
+    {
+        _disk.Wait(LongestWaitForTheDisk);
+        Tick();
+    }
+}

@@ -1,0 +1,8 @@
+using System.Collections.Generic;
+
+namespace Harvester.Play.Screen;
+
+/// <summary>The desktop at one moment.</summary>
+/// <param name="Windows">The visible top-level windows, the topmost first.</param>
+/// <param name="Monitors">What each monitor shows of the desktop.</param>
+internal sealed record DesktopView(IReadOnlyList<TopLevelWindow> Windows, IReadOnlyList<PixelRectangle> Monitors);

@@ -1,0 +1,34 @@
+using System.Linq;
+
+namespace Harvester.Play.Screen;
+
+/// <summary>Says in words how a game's window lies on the desktop.</summary>
+public static class WindowDescription
+{
+    /// <summary>A Direct3D program holds the whole monitor.</summary>
+    public const string ExclusiveFullScreen = "exclusive full screen";
+
+    /// <summary>A window without a frame that covers a monitor.</summary>
+    public const string Borderless = "borderless";
+
+    /// <summary>Any other window.</summary>
+    public const string Windowed = "windowed";
+
+    /// <summary>The words for a log.</summary>
+    /// <param name="view">The desktop.</param>
+    /// <param name="window">The game's window.</param>
+    /// <param name="facts">How it is displayed.</param>
+    internal static string Of(DesktopView view, TopLevelWindow window, DisplayFacts facts)
+    {
+        string dpi = facts.Dpi is { } dots ? $", {dots} dpi" : string.Empty;
+        return window.IsMinimised
+            ? $"minimised{dpi}"
+            : $"{window.Client.Width} x {window.Client.Height}, {ModeOf(view, window, facts)}{dpi}";
+    }
+
+    private static string ModeOf(DesktopView view, TopLevelWindow window, DisplayFacts facts)
+    {
+        bool fillsMonitor = window.Bounds == window.Client && view.Monitors.Contains(window.Client);
+        return !fillsMonitor ? Windowed : facts.IsExclusive ? ExclusiveFullScreen : Borderless;
+    }
+}

@@ -1,0 +1,73 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Harvester.Play.Screen;
+
+/// <summary>Finds a process's main window on the desktop, and judges whether a copy of the screen would show it whole.</summary>
+internal static class WindowJudge
+{
+    /// <summary>Judges the desktop.</summary>
+    /// <param name="view">The desktop.</param>
+    /// <param name="processId">The game's process.</param>
+    /// <param name="known">The window that was found before; 0 at first. It stays the game's window as long as it is shown.</param>
+    public static WindowVerdict Judge(DesktopView view, int processId, long known)
+    {
+        TopLevelWindow? window = Find(view, processId, known);
+        string? refusal = window is null ? GrabRefusals.NoWindow : RefusalOf(window, view);
+        return new WindowVerdict(window?.Handle ?? 0, window?.Client ?? default, refusal);
+    }
+
+    /// <summary>The window of a process that is found before, as long as it is shown, else its largest application window; null for none.</summary>
+    public static TopLevelWindow? Find(DesktopView view, int processId, long known)
+    {
+        IEnumerable<TopLevelWindow> own = view.Windows.Where(window => window.ProcessId == processId);
+        return own.FirstOrDefault(window => window.Handle == known)
+            ?? own.Where(window => window.IsApplication).OrderByDescending(window => window.RestoredArea).FirstOrDefault();
+    }
+
+    private static string? RefusalOf(TopLevelWindow window, DesktopView view)
+    {
+        if (window.IsMinimised)
+        {
+            return GrabRefusals.Minimised;
+        }
+
+        if (window.Client.IsEmpty || window.ShowsNothing)
+        {
+            return GrabRefusals.NoWindow;
+        }
+
+        if (!IsCoveredBy(view.Monitors, 0, window.Client))
+        {
+            return GrabRefusals.OffScreen;
+        }
+
+        bool covered = view.Windows
+            .TakeWhile(above => above.Handle != window.Handle)
+            .Any(above => !above.IsMinimised && !above.ShowsNothing && above.Bounds.Overlaps(window.Client));
+        return covered ? GrabRefusals.Covered : null;
+    }
+
+    /// <summary>Whether the rectangles from <paramref name="next"/> on leave nothing of an area free.</summary>
+    private static bool IsCoveredBy(IReadOnlyList<PixelRectangle> rectangles, int next, PixelRectangle area)
+    {
+        if (area.IsEmpty)
+        {
+            return true;
+        }
+
+        if (next == rectangles.Count)
+        {
+            return false;
+        }
+
+        PixelRectangle shared = area.Intersect(rectangles[next]);
+        next++;
+        return shared.IsEmpty
+            ? IsCoveredBy(rectangles, next, area)
+            : IsCoveredBy(rectangles, next, area with { Bottom = shared.Top })
+                && IsCoveredBy(rectangles, next, area with { Top = shared.Bottom })
+                && IsCoveredBy(rectangles, next, shared with { Left = area.Left, Right = shared.Left })
+                && IsCoveredBy(rectangles, next, shared with { Left = shared.Right, Right = area.Right });
+    }
+}

@@ -1,0 +1,15 @@
+using System.Runtime.InteropServices;
+
+namespace Harvester.Play.Screen.Windows;
+
+/// <summary>RECT of windef.h.</summary>
+[StructLayout(LayoutKind.Sequential)]
+internal struct NativeRectangle
+{
+    public int Left;
+    public int Top;
+    public int Right;
+    public int Bottom;
+
+    public readonly PixelRectangle ToPixels() => new(Left, Top, Right, Bottom);
+}

@@ -1,0 +1,85 @@
+using System;
+using System.Net;
+using Harvester.Driving.Bridge;
+using Harvester.Driving.Controllers;
+using Harvester.Driving.Session;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Play.Settings;
+
+/// <summary>The section [Bridge] of a settings file.</summary>
+public sealed record BridgeSettings
+{
+    private const string Bridge = "Bridge";
+
+    /// <summary>Over what a peer drives.</summary>
+    public required BridgeKind Kind { get; init; }
+
+    /// <summary>The shared folder.</summary>
+    public required string Folder { get; init; }
+
+    /// <summary>After how long without a sign of life the peer of a shared folder counts as gone, seconds.</summary>
+    public required double PeerPatienceSeconds { get; init; }
+
+    /// <summary>Where the socket listens, and to whom.</summary>
+    public required SocketBridgeOptions Socket { get; init; }
+
+    /// <summary>What drives by the indicators that a peer sends.</summary>
+    public required ControllerPlan Controller { get; init; }
+
+    /// <summary>Rate and size of the pictures.</summary>
+    public required DrivingOptions Driving { get; init; }
+
+    /// <summary>Where a peer finds the bridge, for people.</summary>
+    public string Place => Kind == BridgeKind.Folder ? Folder : $"{Socket.Address}:{Socket.Port}";
+
+    /// <summary>Opens the bridge. It may take a while, as when the folder is another machine's.</summary>
+    /// <exception cref="System.IO.IOException">The folder cannot be made.</exception>
+    /// <exception cref="UnauthorizedAccessException">The folder may not be made.</exception>
+    /// <exception cref="System.Net.Sockets.SocketException">The address or port cannot be had.</exception>
+    /// <exception cref="ArgumentException">Others can reach the address, and there is no token.</exception>
+    /// <exception cref="InvalidOperationException">The bridge is off.</exception>
+    public IDrivingBridge Open() => Kind switch
+    {
+        BridgeKind.Folder => new FolderBridge(Folder, Driving.Picture, PeerPatienceSeconds),
+        BridgeKind.Socket => new SocketBridge(Socket, Driving.Picture),
+        _ => throw new InvalidOperationException("The bridge is off."),
+    };
+
+    /// <summary>The settings of a file; what it does not name, or names badly, has its default.</summary>
+    /// <param name="ini">The file.</param>
+    /// <param name="defaultFolder">The shared folder where the file names none.</param>
+    /// <param name="pathOf">The whole path of what the file says.</param>
+    public static BridgeSettings Read(IniFile ini, string defaultFolder, Func<string, string> pathOf)
+    {
+        if (ini is null || pathOf is null)
+        {
+            throw new ArgumentNullException(ini is null ? nameof(ini) : nameof(pathOf));
+        }
+
+        var driving = new DrivingOptions();
+        string token = ini.Text(Bridge, "Token", string.Empty);
+        return new BridgeSettings
+        {
+            Kind = ini.Choice(Bridge, "Kind", BridgeKind.Socket, "Socket, Folder or Off"),
+            Folder = pathOf(ini.Text(Bridge, "Folder", defaultFolder)),
+            PeerPatienceSeconds = ini.Number(Bridge, "PeerPatience", FolderBridge.DefaultPatienceSeconds, 1, 86_400),
+            Socket = new SocketBridgeOptions(
+                ini.Address(Bridge, "Address", IPAddress.Loopback),
+                ini.Whole(Bridge, "Port", SocketBridgeOptions.DefaultPort, 1, 65_535),
+                token.Length > 0 ? token : null),
+            Controller = new ControllerPlan
+            {
+                LookAheadMetres = 0,
+                Kind = ini.Choice(Bridge, "Controller", ControllerKind.DeepDriving, "DeepDriving or Stanley"),
+                BrakesInEmergency = ini.Choice(Bridge, "EmergencyBrake", Switch.Off, "On or Off") == Switch.On,
+            },
+            Driving = driving with
+            {
+                RateHz = ini.Number(Bridge, "Rate", driving.RateHz, 0.1, 60),
+                Picture = new ImageSize(
+                    ini.Whole(Bridge, "Width", driving.Picture.Width, 16, 1920), ini.Whole(Bridge, "Height", driving.Picture.Height, 16, 1080)),
+            },
+        };
+    }
+}

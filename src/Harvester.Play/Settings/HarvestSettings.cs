@@ -1,0 +1,95 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Labelling;
+using Harvester.Capture.Ports;
+using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging.Jpeg;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Play.Settings;
+
+/// <summary>The sections [Harvest] and [Lens] of a settings file.</summary>
+public static class HarvestSettings
+{
+    private const string Harvest = "Harvest";
+    private const string FocalScale = "FocalScale";
+    private const string CentreOffsetX = "CentreOffsetX";
+    private const string CentreOffsetY = "CentreOffsetY";
+    private const string K1 = "K1";
+    private const string K2 = "K2";
+
+    /// <summary>Name of the section of the lens.</summary>
+    public const string LensSection = "Lens";
+
+    /// <summary>The options that a file asks for; what it does not name, or names badly, has its default.</summary>
+    /// <exception cref="ArgumentNullException">No file is given.</exception>
+    public static HarvestOptions Read(IniFile ini)
+    {
+        if (ini is null)
+        {
+            throw new ArgumentNullException(nameof(ini));
+        }
+
+        var fallback = new HarvestOptions();
+        IReadOnlyList<ObjectClass> classes = ini.Choices<ObjectClass>(
+            Harvest, "Classes", [], "a list of " + string.Join(", ", typeof(ObjectClass).GetEnumNames()));
+        return fallback with
+        {
+            Image = new ImageSize(
+                ini.Whole(Harvest, "Width", fallback.Image.Width, 16, 7680), ini.Whole(Harvest, "Height", fallback.Image.Height, 16, 4320)),
+            Format = ini.Choice(Harvest, "ImageFormat", fallback.Format, "Png, Bmp or Jpeg"),
+            JpegQuality = ini.Whole(Harvest, "JpegQuality", fallback.JpegQuality, JpegEncoder.LowestQuality, JpegEncoder.HighestQuality),
+            RateHz = ini.Number(Harvest, "Rate", fallback.RateHz, 0.01, 60),
+            RangeMetres = ini.Number(Harvest, "Range", fallback.RangeMetres, 1, 1000),
+            IgnoreRangeMetres = ini.Number(Harvest, "IgnoreRange", fallback.IgnoreRangeMetres, 0, 1000),
+            Classes = classes.Count > 0 ? classes : null,
+            Freeze = ini.Choice(Harvest, "Mode", CaptureMode.Freeze, "Freeze or Live") == CaptureMode.Freeze,
+            FreezeBy = FreezeByOf(ini.Choice(Harvest, "Freeze", FreezeChoice.Auto, "Paused, TimeScale or Auto")),
+            Masks = ini.Choice(Harvest, "Masks", Switch.Off, "On or Off") == Switch.On,
+            RayBudget = ini.Whole(Harvest, "Rays", fallback.RayBudget, 0, LabellingOptions.MostRays),
+            RayReachMetres = ini.Number(Harvest, "RayReach", fallback.RayReachMetres, 1, 100_000),
+            OcclusionSamples = ini.Whole(Harvest, "OcclusionRays", fallback.OcclusionSamples, 1, 10_000),
+            ProbeLag = ini.Choice(Harvest, "ProbeLag", Switch.On, "On or Off") == Switch.On,
+            MaxPictureLagTicks = ini.Whole(Harvest, "MaxPictureLagTicks", fallback.MaxPictureLagTicks, 1, 60),
+            TickBudgetMilliseconds = ini.Number(Harvest, "TickBudget", fallback.TickBudgetMilliseconds, 0.1, 1000),
+            QueueCapacity = ini.Whole(Harvest, "Queue", fallback.QueueCapacity, 1, 1000),
+            Lens = LensOf(ini),
+            MaxCalibrationErrorPixels = ini.Number(LensSection, "MaxError", fallback.MaxCalibrationErrorPixels ?? 0, 0, 100) is > 0 and var error ? error : null,
+        };
+    }
+
+    /// <summary>What a settings file says of a lens.</summary>
+    public static IReadOnlyList<KeyValuePair<string, double>> ValuesOf(Lens lens) =>
+    [
+        new(FocalScale, lens.FocalScale),
+        new(CentreOffsetX, lens.CentreOffsetX),
+        new(CentreOffsetY, lens.CentreOffsetY),
+        new(K1, lens.K1),
+        new(K2, lens.K2),
+    ];
+
+    private static FreezeMethod? FreezeByOf(FreezeChoice choice) => choice switch
+    {
+        FreezeChoice.Paused => FreezeMethod.Paused,
+        FreezeChoice.TimeScale => FreezeMethod.TimeScale,
+        _ => null,
+    };
+
+    /// <summary>The lens of a settings file; what is missing or out of range is as in a pinhole.</summary>
+    public static Lens LensOf(IniFile ini)
+    {
+        if (ini is null)
+        {
+            throw new ArgumentNullException(nameof(ini));
+        }
+
+        const double furthestShift = 0.5;
+        return new Lens(
+            ini.Number(LensSection, FocalScale, 1, 0.5, 2),
+            ini.Number(LensSection, CentreOffsetX, 0, -furthestShift, furthestShift),
+            ini.Number(LensSection, CentreOffsetY, 0, -furthestShift, furthestShift),
+            ini.Number(LensSection, K1, 0, -1, 1),
+            ini.Number(LensSection, K2, 0, -1, 1));
+    }
+}

@@ -1,0 +1,65 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text;
+
+namespace Harvester.Play.Settings;
+
+/// <summary>Changes numbers in a settings file that a player edits too: everything else in it stays as it is, comments included.</summary>
+public static class IniEditor
+{
+    /// <summary>Sets numbers of a section; what the file lacks is added. The file is replaced as a whole or not at all.</summary>
+    /// <param name="path">The file; made where there is none.</param>
+    /// <param name="section">Name of the section.</param>
+    /// <param name="values">Names and numbers.</param>
+    /// <exception cref="IOException">The file cannot be read or written.</exception>
+    public static void Set(string path, string section, IReadOnlyList<KeyValuePair<string, double>> values)
+    {
+        string[] before = File.Exists(path) ? File.ReadAllLines(path, Encoding.UTF8) : [];
+        string temporary = path + ".partial";
+        File.WriteAllText(
+            temporary, string.Concat(Changed(before, section, values).Select(line => line + Environment.NewLine)), new UTF8Encoding(false));
+        if (File.Exists(path))
+        {
+            File.Replace(temporary, path, null);
+        }
+        else
+        {
+            File.Move(temporary, path);
+        }
+    }
+
+    private static List<string> Changed(string[] before, string section, IReadOnlyList<KeyValuePair<string, double>> values)
+    {
+        var lines = before.ToList();
+        int header = lines.FindIndex(line => IsName(line.Trim(), $"[{section}]"));
+        if (header < 0)
+        {
+            lines.Add($"[{section}]");
+            header = lines.Count - 1;
+        }
+
+        // Backwards, so that what is added stands in the order given.
+        foreach (KeyValuePair<string, double> value in values.Reverse())
+        {
+            string line = string.Format(CultureInfo.InvariantCulture, "{0} = {1:0.########}", value.Key, value.Value == 0 ? 0 : value.Value);
+            int next = lines.FindIndex(header + 1, text => text.TrimStart().StartsWith("[", StringComparison.Ordinal));
+            int end = next < 0 ? lines.Count : next;
+            int place = lines.FindIndex(header + 1, end - header - 1, text => IsName(text.Split('=')[0].Trim(), value.Key) && text.Contains("="));
+            if (place < 0)
+            {
+                lines.Insert(header + 1, line);
+            }
+            else
+            {
+                lines[place] = line;
+            }
+        }
+
+        return lines;
+    }
+
+    private static bool IsName(string text, string name) => string.Equals(text, name, StringComparison.OrdinalIgnoreCase);
+}

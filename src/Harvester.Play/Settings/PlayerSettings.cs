@@ -1,0 +1,119 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using Harvester.Capture.Harvesting;
+using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Play.Settings;
+
+/// <summary>What a player's settings file says, its keys apart. What it means and which values it takes stands in that file.</summary>
+public sealed record PlayerSettings
+{
+    private const double LargestOffsetMetres = 20;
+
+    /// <summary>The game's name of the test car's model.</summary>
+    public required string CarModel { get; init; }
+
+    /// <summary>What the test car's number plate says.</summary>
+    public required string CarPlate { get; init; }
+
+    /// <summary>Vertical field of view of the mounted camera, degrees.</summary>
+    public required double VerticalFovDegrees { get; init; }
+
+    /// <summary>Place of the mounted camera from the vehicle's origin, in its frame, metres.</summary>
+    public required Vector3D CameraOffset { get; init; }
+
+    /// <summary>What to harvest and how.</summary>
+    public required HarvestOptions Options { get; init; }
+
+    /// <summary>Where sessions go, each into a folder of its own.</summary>
+    public required string Folder { get; init; }
+
+    /// <summary>The file of the roads; null to learn them from the game.</summary>
+    public required string? RoadFile { get; init; }
+
+    /// <summary>Width of the lanes of an ordinary road, metres.</summary>
+    public required double LaneWidthMetres { get; init; }
+
+    /// <summary>Width of the lanes of a narrow road, metres.</summary>
+    public required double NarrowLaneWidthMetres { get; init; }
+
+    /// <summary>What a session says of how its lanes were measured, so that they can be measured so again.</summary>
+    public IReadOnlyList<KeyValuePair<string, string>> LaneSettings =>
+    [
+        new("lookAhead", LookAhead.Thesis.ToString()),
+        new("laneWidth", LaneWidthMetres.ToString(CultureInfo.InvariantCulture)),
+        new("narrowLaneWidth", NarrowLaneWidthMetres.ToString(CultureInfo.InvariantCulture)),
+    ];
+
+    /// <summary>The file of the road survey.</summary>
+    public required string SurveyFile { get; init; }
+
+    /// <summary>Over what a peer drives, and how.</summary>
+    public required BridgeSettings Bridge { get; init; }
+
+    /// <summary>The folder of what the player has measured of signs and lights.</summary>
+    public required string SpacesFolder { get; init; }
+
+    /// <summary>Whether the survey of signs takes photographs.</summary>
+    public required bool TakesPhotographs { get; init; }
+
+    /// <summary>Names of further models that the survey of signs measures, separated by commas.</summary>
+    public required string FurtherModels { get; init; }
+
+    /// <summary>Names of signs for marking by hand; empty for those of the table.</summary>
+    public required string SignNames { get; init; }
+
+    /// <summary>Whether the traffic lights are driven while a harvest runs.</summary>
+    public required bool DrivesLights { get; init; }
+
+    /// <summary>What the game's numbers of the states of lights mean.</summary>
+    public required LightOrder LightOrder { get; init; }
+
+    /// <summary>Time that the survey of signs may take of a tick, milliseconds.</summary>
+    public required double SurveyBudgetMilliseconds { get; init; }
+
+    /// <summary>The settings of a file; what it does not name, or names badly, has its default.</summary>
+    /// <param name="ini">The file.</param>
+    /// <param name="modFolder">Where relative paths begin.</param>
+    /// <exception cref="ArgumentNullException">No file is given.</exception>
+    public static PlayerSettings Read(IniFile ini, string modFolder)
+    {
+        if (ini is null)
+        {
+            throw new ArgumentNullException(nameof(ini));
+        }
+
+        string pictures = Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.MyPictures), "GtaDataHarvester");
+        string folder = PathOf(ini.Text("Harvest", "Folder", pictures));
+        string roads = ini.Text("Roads", "File", string.Empty);
+        return new PlayerSettings
+        {
+            CarModel = ini.Text("TestCar", "Model", "adder"),
+            CarPlate = ini.Text("TestCar", "Plate", "HARVEST"),
+            VerticalFovDegrees = ini.Number("Camera", "VerticalFov", 50, 1, 130),
+            CameraOffset = new Vector3D(Offset("OffsetRight", 0), Offset("OffsetForward", 2), Offset("OffsetUp", 0.4)),
+            Options = HarvestSettings.Read(ini),
+            Folder = folder,
+            RoadFile = roads.Length > 0 ? PathOf(roads) : null,
+            LaneWidthMetres = ini.Number("Roads", "LaneWidth", RoadGeometry.LaneWidth, 2, 10),
+            NarrowLaneWidthMetres = ini.Number("Roads", "NarrowLaneWidth", RoadGeometry.NarrowLaneWidth, 2, 10),
+            SurveyFile = Path.Combine(folder, "roads.csv"),
+            Bridge = BridgeSettings.Read(ini, Path.Combine(folder, "bridge"), PathOf),
+            SpacesFolder = Path.Combine(folder, "spaces"),
+            TakesPhotographs = ini.Choice("Signs", "Photographs", Switch.On, "On or Off") == Switch.On,
+            FurtherModels = ini.Text("Signs", "Models", string.Empty),
+            SignNames = ini.Text("Signs", "Names", string.Empty),
+            DrivesLights = ini.Choice("Harvest", "DriveLights", Switch.Off, "On or Off") == Switch.On,
+            LightOrder = ini.Choice("Harvest", "LightOrder", LightOrder.GreenRedAmber, "GreenRedAmber or RedAmberGreen"),
+            SurveyBudgetMilliseconds = ini.Number("Signs", "TickBudget", 8, 0.1, 1000),
+        };
+
+        string PathOf(string text) => Path.Combine(modFolder, Environment.ExpandEnvironmentVariables(text));
+
+        double Offset(string name, double fallback) => ini.Number("Camera", name, fallback, -LargestOffsetMetres, LargestOffsetMetres);
+    }
+}

@@ -1,0 +1,34 @@
+using System.Globalization;
+using Harvester.Sessions.Imaging;
+
+namespace Harvester.Sessions.Files;
+
+/// <summary>Where a frame's files lie within a session, with forward slashes.</summary>
+public static class FramePaths
+{
+    /// <summary>Folder of the screenshots.</summary>
+    public const string Frames = "frames";
+
+    /// <summary>Folder of the instance masks.</summary>
+    public const string Masks = "masks";
+
+    /// <summary>Folder of the scenes that labels can be made from again.</summary>
+    public const string Scenes = "scenes";
+
+    /// <summary>Path of the table of spaces that was labelled with.</summary>
+    public const string Spaces = Scenes + "/spaces.csv";
+
+    /// <summary>Path of the roads that was labelled with, where the session keeps them.</summary>
+    public const string Roads = Scenes + "/roads.csv";
+
+    /// <summary>Path of a screenshot.</summary>
+    public static string Image(int frame, ImageFormat format) => $"{Frames}/{Number(frame)}{format.Extension()}";
+
+    /// <summary>Path of an instance mask.</summary>
+    public static string Mask(int frame) => $"{Masks}/{Number(frame)}.png";
+
+    /// <summary>Path of a scene.</summary>
+    public static string Scene(int frame) => $"{Scenes}/{Number(frame)}.json";
+
+    private static string Number(int frame) => frame.ToString("D8", CultureInfo.InvariantCulture);
+}

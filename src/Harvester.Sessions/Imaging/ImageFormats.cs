@@ -1,0 +1,17 @@
+using System;
+
+namespace Harvester.Sessions.Imaging;
+
+/// <summary>What belongs to image formats.</summary>
+public static class ImageFormats
+{
+    /// <summary>The end of a file's name, with the dot.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">There is no such format.</exception>
+    public static string Extension(this ImageFormat format) => format switch
+    {
+        ImageFormat.Png => ".png",
+        ImageFormat.Bmp => ".bmp",
+        ImageFormat.Jpeg => ".jpg",
+        _ => throw new ArgumentOutOfRangeException(nameof(format), format, null),
+    };
+}

@@ -1,0 +1,166 @@
+using System;
+using System.IO;
+using System.IO.Compression;
+using System.Text;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
+
+namespace Harvester.Sessions.Imaging.Pictures;
+
+/// <summary>
+/// Writes PNG pictures (ISO/IEC 15948): 8-bit red, green, blue, and grey of 16 or 8 bits. Every row is filtered with Up, which costs least of
+/// the filters that help and suits both skies and instance maps. One encoder serves one thread; its buffers are used again.
+/// </summary>
+#pragma warning disable CA1001 // A memory stream holds nothing to dispose.
+public sealed class PngEncoder
+#pragma warning restore CA1001
+{
+    private const byte FilterUp = 2;
+    private const byte BitsOfGrey = 16;
+    private const byte BitsOfColour = 8;
+    private const byte ColourTypeGrey = 0;
+    private const byte ColourTypeRgb = 2;
+    private static readonly byte[] Signature = [0x89, (byte)'P', (byte)'N', (byte)'G', 0x0D, 0x0A, 0x1A, 0x0A];
+
+    /// <summary>Deflate, window of 32 KiB, fastest level: 0x7801 is a multiple of 31, as RFC 1950 asks.</summary>
+    private static readonly byte[] ZlibHeader = [0x78, 0x01];
+
+    private readonly CompressionLevel _level;
+    private readonly MemoryStream _compressed = new();
+    private byte[] _filtered = [];
+
+    /// <summary>Makes an encoder.</summary>
+    /// <param name="level">How hard to compress; fastest if not given, as a harvest is bound by the encoder's time.</param>
+    public PngEncoder(CompressionLevel level = CompressionLevel.Fastest)
+    {
+        _level = level;
+    }
+
+    /// <summary>Writes a picture in colour.</summary>
+    /// <exception cref="IOException">The stream cannot be written.</exception>
+    public void Write(PixelBuffer picture, Stream target)
+    {
+        if (picture is null)
+        {
+            throw new ArgumentNullException(nameof(picture));
+        }
+
+        int stride = picture.Size.Width * PixelBuffer.BytesPerPixel;
+        Write(target, picture.Size, BitsOfColour, ColourTypeRgb, stride, (row, line) => Buffer.BlockCopy(picture.Bytes, row * stride, line, 0, stride));
+    }
+
+    /// <summary>Writes an instance map: grey, 16 bits a pixel, the value is the object's number.</summary>
+    /// <exception cref="IOException">The stream cannot be written.</exception>
+    public void Write(InstanceMap map, Stream target)
+    {
+        if (map is null)
+        {
+            throw new ArgumentNullException(nameof(map));
+        }
+
+        int width = map.Image.Width;
+        Write(target, map.Image, BitsOfGrey, ColourTypeGrey, width * 2, (row, line) =>
+        {
+            for (int column = 0, at = 0; column < width; column++)
+            {
+                ushort id = map.Ids[(row * width) + column];
+                line[at++] = (byte)(id >> 8);
+                line[at++] = (byte)id;
+            }
+        });
+    }
+
+    /// <summary>Writes a map of small numbers: grey, 8 bits a pixel.</summary>
+    /// <exception cref="ArgumentException">A number is greater than 255.</exception>
+    /// <exception cref="IOException">The stream cannot be written.</exception>
+    public void WriteGrey8(InstanceMap map, Stream target)
+    {
+        if (map is null)
+        {
+            throw new ArgumentNullException(nameof(map));
+        }
+
+        if (Array.Exists(map.Ids, static id => id > byte.MaxValue))
+        {
+            throw new ArgumentException("The numbers of a map of 8 bits are 0 to 255.", nameof(map));
+        }
+
+        int width = map.Image.Width;
+        Write(target, map.Image, 8, ColourTypeGrey, width, (row, line) =>
+        {
+            for (int column = 0; column < width; column++)
+            {
+                line[column] = (byte)map.Ids[(row * width) + column];
+            }
+        });
+    }
+
+    private void Write(Stream target, ImageSize size, byte bits, byte colourType, int stride, Action<int, byte[]> readRow)
+    {
+        if (target is null)
+        {
+            throw new ArgumentNullException(nameof(target));
+        }
+
+        target.Write(Signature, 0, Signature.Length);
+        byte[] header = new byte[13];
+        WriteBigEndian(header, 0, (uint)size.Width);
+        WriteBigEndian(header, 4, (uint)size.Height);
+        header[8] = bits;
+        header[9] = colourType;
+        WriteChunk(target, "IHDR", header, header.Length);
+        Compress(size.Height, stride, readRow);
+        WriteChunk(target, "IDAT", _compressed.GetBuffer(), (int)_compressed.Length);
+        WriteChunk(target, "IEND", [], 0);
+    }
+
+    private void Compress(int rows, int stride, Action<int, byte[]> readRow)
+    {
+        _filtered = _filtered.Length == stride + 1 ? _filtered : new byte[stride + 1];
+        _filtered[0] = FilterUp;
+        byte[] above = new byte[stride];
+        byte[] current = new byte[stride];
+        var checksum = new Adler32();
+        _compressed.SetLength(0);
+        _compressed.Write(ZlibHeader, 0, ZlibHeader.Length);
+        using (var deflate = new DeflateStream(_compressed, _level, leaveOpen: true))
+        {
+            for (int row = 0; row < rows; row++)
+            {
+                readRow(row, current);
+                for (int i = 0; i < stride; i++)
+                {
+                    _filtered[i + 1] = (byte)(current[i] - above[i]);
+                }
+
+                checksum.Append(_filtered, _filtered.Length);
+                deflate.Write(_filtered, 0, _filtered.Length);
+                (above, current) = (current, above);
+            }
+        }
+
+        byte[] trailer = new byte[4];
+        WriteBigEndian(trailer, 0, checksum.Value);
+        _compressed.Write(trailer, 0, trailer.Length);
+    }
+
+    private static void WriteChunk(Stream target, string type, byte[] data, int length)
+    {
+        byte[] frame = new byte[4];
+        byte[] name = Encoding.ASCII.GetBytes(type);
+        WriteBigEndian(frame, 0, (uint)length);
+        target.Write(frame, 0, frame.Length);
+        target.Write(name, 0, name.Length);
+        target.Write(data, 0, length);
+        WriteBigEndian(frame, 0, Crc32.Append(Crc32.Append(0, name, name.Length), data, length));
+        target.Write(frame, 0, frame.Length);
+    }
+
+    private static void WriteBigEndian(byte[] target, int offset, uint value)
+    {
+        target[offset] = (byte)(value >> 24);
+        target[offset + 1] = (byte)(value >> 16);
+        target[offset + 2] = (byte)(value >> 8);
+        target[offset + 3] = (byte)value;
+    }
+}

@@ -1,0 +1,17 @@
+using Harvester.Geometry;
+
+namespace Harvester.Sessions.Labels;
+
+/// <summary>The vehicle that carries the camera.</summary>
+/// <param name="Position">The model's origin, metres, world.</param>
+/// <param name="HeadingDegrees">Degrees counter-clockwise from north, in [0, 360).</param>
+/// <param name="Velocity">Metres per second, world.</param>
+/// <param name="Model">The model's name.</param>
+public sealed record EgoLabel(Vector3D Position, double HeadingDegrees, Vector3D Velocity, string Model)
+{
+    /// <summary>The body's axes in the world; null in sessions of earlier versions.</summary>
+    public Axes? Axes { get; init; }
+
+    /// <summary>Vertical distance from the model's origin down to the ground, metres; null when unknown.</summary>
+    public double? HeightAboveGroundMetres { get; init; }
+}

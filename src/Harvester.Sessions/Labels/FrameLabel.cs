@@ -1,0 +1,42 @@
+using System.Collections.Generic;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Sessions.Labels;
+
+/// <summary>One line of labels.jsonl: everything that is known of one frame.</summary>
+/// <param name="Frame">Number of the frame in its session, from 0.</param>
+/// <param name="GameFrame">The game's own count of frames.</param>
+/// <param name="TimeSeconds">The game's time, seconds.</param>
+/// <param name="LagFrames">Game frames from the reading of the state to the grab of its picture, which is of the state's moment all the same; 0 when the game was frozen.</param>
+/// <param name="LagSeconds">The same in seconds of the game's time.</param>
+/// <param name="Image">Path of the picture within the session, with forward slashes.</param>
+/// <param name="Mask">Path of the instance mask within the session; null without pixel maps.</param>
+/// <param name="Camera">The camera of the saved image.</param>
+/// <param name="Ego">The vehicle that carries the camera.</param>
+/// <param name="Environment">Weather and hour.</param>
+/// <param name="Objects">The objects in the image, in the order of their ids.</param>
+public sealed record FrameLabel(
+    int Frame,
+    long GameFrame,
+    double TimeSeconds,
+    int LagFrames,
+    double LagSeconds,
+    string Image,
+    string? Mask,
+    CameraLabel Camera,
+    EgoLabel Ego,
+    EnvironmentState Environment,
+    IReadOnlyList<ObjectLabel> Objects)
+{
+    /// <summary>How well the mask is known; null without a mask and for an imported one.</summary>
+    public PixelMapLabel? PixelMap { get; init; }
+
+    /// <summary>Regions that show, or may show, objects without a label, the nearest first.</summary>
+    public IReadOnlyList<IgnoreRegion> IgnoreRegions { get; init; } = [];
+
+    /// <summary>The rays that the labels took; null where that is not known.</summary>
+    public RayCounts? Rays { get; init; }
+
+    /// <summary>The lanes; null when no roads are known.</summary>
+    public LanesLabel? Lanes { get; init; }
+}

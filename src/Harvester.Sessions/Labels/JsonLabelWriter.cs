@@ -1,0 +1,238 @@
+using System;
+using System.Globalization;
+using Harvester.Geometry;
+using Harvester.Geometry.Boxes;
+using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Text;
+
+namespace Harvester.Sessions.Labels;
+
+/// <summary>Writes a frame's label as one line of JSON. Fields, units and ranges: docs/dataset-format.md.</summary>
+public static class JsonLabelWriter
+{
+    /// <summary>The line of a frame, without the end of the line.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite or too large to be written.</exception>
+    public static string Line(FrameLabel frame)
+    {
+        if (frame is null)
+        {
+            throw new ArgumentNullException(nameof(frame));
+        }
+
+        var json = new JsonText();
+        json.BeginObject()
+            .Key("frame").Integer(frame.Frame)
+            .Key("gameFrame").Integer(frame.GameFrame)
+            .Key("timeSeconds").Number(frame.TimeSeconds, LabelDecimals.Seconds)
+            .Key("lagFrames").Integer(frame.LagFrames)
+            .Key("lagSeconds").Number(frame.LagSeconds, LabelDecimals.Seconds)
+            .Key("image").String(frame.Image)
+            .Key("mask").String(frame.Mask);
+        Append(json.Key("pixelMap"), frame.PixelMap);
+        Append(json.Key("rays"), frame.Rays);
+        Append(json.Key("camera"), frame.Camera);
+        Append(json.Key("ego"), frame.Ego);
+        Append(json.Key("environment"), frame.Environment);
+        json.Key("objects").BeginArray();
+        foreach (ObjectLabel label in frame.Objects)
+        {
+            Append(json, label);
+        }
+
+        json.EndArray().Key("ignoreRegions").BeginArray();
+        foreach (IgnoreRegion region in frame.IgnoreRegions)
+        {
+            Append(json, region);
+        }
+
+        json.EndArray();
+        if (frame.Lanes is { } lanes)
+        {
+            LanesJson.Append(json.Key("lanes"), lanes);
+        }
+
+        return json.EndObject().ToString();
+    }
+
+    /// <summary>The lanes as they stand in a label line.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A number is not finite or too large to be written.</exception>
+    public static string Lanes(LanesLabel lanes)
+    {
+        if (lanes is null)
+        {
+            throw new ArgumentNullException(nameof(lanes));
+        }
+
+        var json = new JsonText();
+        LanesJson.Append(json, lanes);
+        return json.ToString();
+    }
+
+    internal static void Append(JsonText json, CameraLabel camera)
+    {
+        json.BeginObject()
+            .Key("position").Vector(camera.Pose.Position, LabelDecimals.Metres);
+        Append(json, camera.Pose.Axes);
+        json.Key("verticalFovDegrees").Number(camera.VerticalFovDegrees, LabelDecimals.CameraRatio)
+            .Key("width").Integer(camera.Width)
+            .Key("height").Integer(camera.Height)
+            .Key("windowAspect").Number(camera.WindowAspect, LabelDecimals.CameraRatio)
+            .Key("nearClip").Number(camera.NearClip, LabelDecimals.Metres)
+            .Key("fx").Number(camera.Fx, LabelDecimals.Intrinsics)
+            .Key("fy").Number(camera.Fy, LabelDecimals.Intrinsics)
+            .Key("cx").Number(camera.Cx, LabelDecimals.Intrinsics)
+            .Key("cy").Number(camera.Cy, LabelDecimals.Intrinsics)
+            .Key("distortion").BeginObject()
+            .Key("focalScale").Number(camera.Distortion.FocalScale, LabelDecimals.CameraRatio)
+            .Key("k1").Number(camera.Distortion.K1, LabelDecimals.CameraRatio)
+            .Key("k2").Number(camera.Distortion.K2, LabelDecimals.CameraRatio)
+            .EndObject()
+            .EndObject();
+    }
+
+    private static void Append(JsonText json, PixelMapLabel? map)
+    {
+        if (map is null)
+        {
+            json.String(null);
+            return;
+        }
+
+        json.BeginObject()
+            .Key("resolutionPixels").Integer(map.ResolutionPixels)
+            .Key("interpolatedPixels").Integer(map.InterpolatedPixels)
+            .Key("raysCast").Integer(map.RaysCast)
+            .EndObject();
+    }
+
+    private static void Append(JsonText json, RayCounts? rays)
+    {
+        if (rays is null)
+        {
+            json.Null();
+            return;
+        }
+
+        json.BeginObject()
+            .Key("total").Integer(rays.Total)
+            .Key("map").Integer(rays.Map)
+            .Key("occlusion").Integer(rays.Occlusion)
+            .Key("faces").Integer(rays.Faces)
+            .Key("ignoreRegions").Integer(rays.IgnoreRegions)
+            .Key("lanes").Integer(rays.Lanes)
+            .EndObject();
+    }
+
+    private static void Append(JsonText json, EgoLabel ego)
+    {
+        json.BeginObject()
+            .Key("position").Vector(ego.Position, LabelDecimals.Metres)
+            .Key("headingDegrees").Number(RoundedHeading(ego.HeadingDegrees), LabelDecimals.Degrees);
+        if (ego.Axes is { } axes)
+        {
+            Append(json, axes);
+        }
+
+        json.Key("heightAboveGroundMetres").Number(ego.HeightAboveGroundMetres, LabelDecimals.Metres)
+            .Key("velocity").Vector(ego.Velocity, LabelDecimals.Speed)
+            .Key("model").String(ego.Model)
+            .EndObject();
+    }
+
+    /// <summary>The heading in [0, 360) also after rounding: 359.99999 is written as 0.</summary>
+    private static double RoundedHeading(double headingDegrees)
+    {
+        const double steps = 10_000;
+        return Angles.WrapHeadingDegrees(Math.Floor((headingDegrees * steps) + 0.5) / steps);
+    }
+
+    private static void Append(JsonText json, EnvironmentState environment) =>
+        json.BeginObject()
+            .Key("weather").String(environment.Weather)
+            .Key("timeOfDay").String(environment.TimeOfDay.ToString("hh\\:mm\\:ss", CultureInfo.InvariantCulture))
+            .EndObject();
+
+    private static void Append(JsonText json, ObjectLabel label)
+    {
+        json.BeginObject()
+            .Key("id").Integer(label.Id)
+            .Key("class").String(JsonName.Of(label.Class))
+            .Key("model").String(label.Model)
+            .Key("name").String(label.Name)
+            .Key("parent").Integer(label.Parent)
+            .Key("knownParts").Integer(label.KnownParts)
+            .Key("hasRider").Truth(label.HasRider)
+            .Key("box2d").Box(label.Box2D, LabelDecimals.Pixels)
+            .Key("box2dAmodal").Box(label.Box2DAmodal, LabelDecimals.Pixels)
+            .Key("box2dVisible").Box(label.Box2DVisible, LabelDecimals.Pixels)
+            .Key("boxes").BeginArray();
+        foreach (BoxKind kind in label.Boxes)
+        {
+            json.String(JsonName.Of(kind));
+        }
+
+        json.EndArray()
+            .Key("truncatedFraction").Number(label.TruncatedFraction, LabelDecimals.Fraction)
+            .Key("occludedFraction").Number(label.OccludedFraction, LabelDecimals.Fraction)
+            .Key("occlusionMethod").String(JsonName.Of(label.OcclusionMethod))
+            .Key("visibleFraction").Number(label.VisibleFraction, LabelDecimals.Fraction);
+        Append(json.Key("box3d"), label.Box3D);
+        json.Key("distanceMetres").Number(label.DistanceMetres, LabelDecimals.Metres)
+            .Key("velocity").Vector(label.Velocity, LabelDecimals.Speed);
+        Append(json.Key("space"), label.Space);
+        json.EndObject();
+    }
+
+    private static void Append(JsonText json, IgnoreRegion region) =>
+        json.BeginObject()
+            .Key("reason").String(JsonName.Of(region.Reason))
+            .Key("class").String(JsonName.Of(region.Class))
+            .Key("box2d").Box(region.Box2D, LabelDecimals.Pixels)
+            .Key("distanceMetres").Number(region.DistanceMetres, LabelDecimals.Metres)
+            .EndObject();
+
+    private static void Append(JsonText json, SpaceLabel? space)
+    {
+        if (space is null)
+        {
+            json.Null();
+            return;
+        }
+
+        json.BeginObject()
+            .Key("face").Integer(space.Face)
+            .Key("mutcd").String(space.MutcdCode)
+            .Key("facesCamera").Truth(space.FacesCamera)
+            .Key("facingAngleDegrees").Number(space.FacingAngleDegrees, LabelDecimals.Degrees)
+            .Key("provenance").String(JsonName.Of(space.Provenance));
+        json.Key("light");
+        if (space.Light is { } light)
+        {
+            json.BeginObject()
+                .Key("state").String(JsonName.Of(light.State))
+                .Key("method").String(JsonName.Of(light.Method))
+                .Key("litFraction").Number(light.LitFraction, LabelDecimals.Fraction)
+                .EndObject();
+        }
+        else
+        {
+            json.Null();
+        }
+
+        json.EndObject();
+    }
+
+    private static void Append(JsonText json, Cuboid cuboid)
+    {
+        json.BeginObject()
+            .Key("centre").Vector(cuboid.Centre, LabelDecimals.Metres)
+            .Key("halfExtents").Vector(cuboid.HalfExtents, LabelDecimals.Metres);
+        Append(json, cuboid.Axes);
+        json.EndObject();
+    }
+
+    private static void Append(JsonText json, Axes axes) =>
+        json.Key("right").Vector(axes.Right, LabelDecimals.Axis)
+            .Key("forward").Vector(axes.Forward, LabelDecimals.Axis)
+            .Key("up").Vector(axes.Up, LabelDecimals.Axis);
+}

@@ -1,0 +1,104 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Sessions.Labels;
+
+/// <summary>The lanes of a frame.</summary>
+public sealed record LanesLabel
+{
+    /// <summary>Whether the lanes are known, and if not, why.</summary>
+    public required LaneStatus Status { get; init; }
+
+    /// <summary>Where the roads are from: roadFile, game, simulation.</summary>
+    public required string Source { get; init; }
+
+    /// <summary>How probable the road is, 0 to 1; 0 without a road.</summary>
+    public double Confidence { get; init; }
+
+    /// <summary>Whether a junction is so near along the road that lanes are not defined.</summary>
+    public bool InJunction { get; init; }
+
+    /// <summary>Lanes of the car's direction at the car; null unless the lanes are known.</summary>
+    public int? LaneCount { get; init; }
+
+    /// <summary>The car's lane, 0 the leftmost of its direction; null unless the lanes are known.</summary>
+    public int? Lane { get; init; }
+
+    /// <summary>Width of a lane at the look-ahead point, metres; null unless the lanes are known.</summary>
+    public double? LaneWidthMetres { get; init; }
+
+    /// <summary>Where the lane width comes from; null without a road.</summary>
+    public LaneWidthSource? LaneWidthSource { get; init; }
+
+    /// <summary>How far the car is to the right of the middle of its lane, metres; null unless the lanes are known.</summary>
+    public double? OffsetFromLaneCentreMetres { get; init; }
+
+    /// <summary>How far ahead the indicators are measured, metres along the road.</summary>
+    public double LookAheadMetres { get; init; }
+
+    /// <summary>Curvature of the road at the look-ahead point, 1/metres, positive to the left; 0 when unknown.</summary>
+    public double CurvaturePerMetre { get; init; }
+
+    /// <summary>DeepDriving's fourteenth value: whether more than 60 m of straight road lie ahead.</summary>
+    public bool IsFast { get; init; }
+
+    /// <summary>The thirteen indicators at the look-ahead point, metres and radians.</summary>
+    public LaneIndicators Indicators { get; init; } = LaneIndicators.Unknown;
+
+    /// <summary>The same as a road of TORCS would give them, with the angle at the car.</summary>
+    public LaneIndicators TorcsEquivalent { get; init; } = LaneIndicators.Unknown;
+
+    /// <summary>The thirteen indicators at the car itself, metres and radians.</summary>
+    public LaneIndicators IndicatorsAtCar { get; init; } = LaneIndicators.Unknown;
+
+    /// <summary>Vehicles ahead on the same road, nearest first; their ids are those of the objects.</summary>
+    public IReadOnlyList<VehicleInLane> Vehicles { get; init; } = [];
+
+    /// <summary>The boundaries of the lanes in the image, painted or not.</summary>
+    public IReadOnlyList<LaneLineView> Boundaries { get; init; } = [];
+
+    /// <summary>The painted markings of these boundaries in the image; null where what is painted is not known.</summary>
+    public IReadOnlyList<LaneLineView>? Markings { get; init; }
+
+    /// <summary>The lane lines in the image: the painted markings, and where what is painted is not known, the boundaries.</summary>
+    public IReadOnlyList<LaneLineView> Lines => Markings ?? Boundaries;
+
+    /// <summary>The label of an observation.</summary>
+    /// <param name="seen">The observation.</param>
+    /// <param name="source">Where the roads are from.</param>
+    /// <param name="boundaries">The boundaries of the lanes in the image; none where there is no image.</param>
+    /// <param name="markings">The painted markings in the image; null where what is painted is not known.</param>
+    public static LanesLabel Of(
+        LaneObservation seen, string source, IReadOnlyList<LaneLineView> boundaries, IReadOnlyList<LaneLineView>? markings)
+    {
+        if (seen is null)
+        {
+            throw new ArgumentNullException(nameof(seen));
+        }
+
+        bool isKnown = seen.Status == LaneStatus.Known;
+        return new LanesLabel
+        {
+            Status = seen.Status,
+            Source = source,
+            Confidence = seen.Match.HasRoad ? seen.Match.Confidence : 0,
+            InJunction = seen.Match.HasRoad && seen.Match.InJunction,
+            LaneCount = isKnown ? seen.SectionAtCar?.LaneCount : null,
+            Lane = isKnown ? seen.Match.Lane : null,
+            LaneWidthMetres = isKnown ? seen.Section?.LaneWidth : null,
+            LaneWidthSource = seen.WidthSource,
+            OffsetFromLaneCentreMetres = isKnown ? seen.Match.OffsetFromLaneCentre : null,
+            LookAheadMetres = seen.LookAheadMetres,
+            CurvaturePerMetre = seen.CurvaturePerMetre,
+            IsFast = seen.IsFast,
+            Indicators = seen.Indicators,
+            TorcsEquivalent = seen.Section is { } section ? Geometry.Lanes.TorcsEquivalent.Of(seen.Indicators, section, seen.IndicatorsAtCar.Angle) : LaneIndicators.Unknown,
+            IndicatorsAtCar = seen.IndicatorsAtCar,
+            Vehicles = seen.Vehicles,
+            Boundaries = boundaries,
+            Markings = markings,
+        };
+    }
+}

@@ -1,0 +1,13 @@
+namespace Harvester.Sessions.Labels;
+
+/// <summary>The rays that the labels of a frame took, by what they were cast for.</summary>
+/// <param name="Map">For the pixel map; 0 without one.</param>
+/// <param name="Occlusion">For the visibility of objects.</param>
+/// <param name="Faces">For the visibility of faces of signs and heads of lights.</param>
+/// <param name="IgnoreRegions">For objects beyond the labelling range.</param>
+/// <param name="Lanes">For points of lane markings.</param>
+public sealed record RayCounts(int Map, int Occlusion, int Faces, int IgnoreRegions, int Lanes)
+{
+    /// <summary>All of them.</summary>
+    public int Total => Map + Occlusion + Faces + IgnoreRegions + Lanes;
+}

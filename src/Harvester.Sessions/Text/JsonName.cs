@@ -1,0 +1,15 @@
+using System;
+
+namespace Harvester.Sessions.Text;
+
+/// <summary>The names of enumerations in files: with a small first letter.</summary>
+public static class JsonName
+{
+    /// <summary>The name of a value, such as trafficLight.</summary>
+    public static string Of<T>(T value)
+        where T : struct, Enum
+    {
+        string name = value.ToString();
+        return char.ToLowerInvariant(name[0]) + name.Substring(1);
+    }
+}

@@ -1,0 +1,19 @@
+using System.Collections.Generic;
+using Harvester.Capture.Ports;
+using Harvester.Geometry.Calibration;
+
+namespace Harvester.Simulation.Game;
+
+/// <summary>Balls in the simulated world.</summary>
+internal sealed class MarkersPort(SimulatedGame game) : IMarkers
+{
+    public void Show(IReadOnlyList<PlannedMarker> markers) => game.Markers = markers;
+
+    public void Clear()
+    {
+        if (game.Markers.Count > 0)
+        {
+            game.Markers = [];
+        }
+    }
+}

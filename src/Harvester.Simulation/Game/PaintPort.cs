@@ -1,0 +1,31 @@
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Ports;
+using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
+
+namespace Harvester.Simulation.Game;
+
+/// <summary>The lines that the world was painted with.</summary>
+internal sealed class PaintPort(IReadOnlyList<PaintedLine> lines) : IRoadPaint
+{
+    public IEnumerable<PaintedLine> Near(Vector3D place, double range) => lines.Where(line => IsNear(line, place, range));
+
+    /// <summary>Points are so near to each other that the next one can be skipped by the distance to this one.</summary>
+    private static bool IsNear(PaintedLine line, Vector3D place, double range)
+    {
+        int i = 0;
+        while (i < line.Points.Count)
+        {
+            double beyond = (line.Points[i].World - place).Length - range;
+            if (beyond <= 0)
+            {
+                return true;
+            }
+
+            i += 1 + (int)beyond;
+        }
+
+        return false;
+    }
+}

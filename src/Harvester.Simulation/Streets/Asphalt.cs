@@ -1,0 +1,29 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry;
+
+namespace Harvester.Simulation.Streets;
+
+/// <summary>The asphalt of all roads as it is drawn.</summary>
+internal sealed class Asphalt(RoadIndex index)
+{
+    /// <summary>Roads that are further above or below are others' bridges, metres.</summary>
+    private const double SameLevel = 2.5;
+
+    /// <summary>What lies less above another road's asphalt is not seen for sure, metres.</summary>
+    private const double LeastAbove = 0.005;
+
+    private readonly Dictionary<Road, RoadFacets> _facets = [];
+
+    /// <summary>The asphalt of a road.</summary>
+    public RoadFacets Of(Road road) => _facets.TryGetValue(road, out RoadFacets? facets) ? facets : _facets[road] = new RoadFacets(road);
+
+    /// <summary>Whether a place of a road is on another's carriageway, or what lies so much above it would be buried in another's asphalt.</summary>
+    public bool IsAnothers(Road road, double distance, double rightOffset, double above)
+    {
+        Vector3D place = Of(road).At(distance, rightOffset) + (Horizontal.Up * above);
+        return index.PlacesAt(place).Any(other => other.Road != road && Math.Abs(other.Height) < SameLevel
+            && (other.IsOnCarriageway(0) || (other.IsOnCarriageway(other.Road.Shoulder) && Of(other.Road).At(other.Distance, other.RightOffset).Z + LeastAbove > place.Z)));
+    }
+}

@@ -1,0 +1,35 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry;
+using Harvester.Simulation.Rendering;
+
+namespace Harvester.Simulation.Streets;
+
+/// <summary>Collects faces of the ground in world coordinates and hands them out as square patches, so that a view need not look at all.</summary>
+internal sealed class GroundMesh
+{
+    private const double PatchSize = 80;
+
+    private readonly SortedDictionary<(int X, int Y), List<MeshTriangle>> _patches = [];
+
+    public void AddQuad(Vector3D a, Vector3D b, Vector3D c, Vector3D d, Rgb colour, Surface surface)
+    {
+        AddTriangle(a, b, c, colour, surface);
+        AddTriangle(a, c, d, colour, surface);
+    }
+
+    public void AddTriangle(Vector3D a, Vector3D b, Vector3D c, Rgb colour, Surface surface)
+    {
+        (int X, int Y) key = ((int)Math.Floor(a.X / PatchSize), (int)Math.Floor(a.Y / PatchSize));
+        if (!_patches.TryGetValue(key, out List<MeshTriangle>? patch))
+        {
+            _patches[key] = patch = [];
+        }
+
+        patch.Add(new MeshTriangle(a, b, c, colour, surface));
+    }
+
+    public IEnumerable<MeshInstance> Instances() =>
+        _patches.Values.Select(patch => new MeshInstance(new Mesh(patch), new Pose(Vector3D.Zero, Axes.Identity), 0));
+}

@@ -1,0 +1,119 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Harvester.Simulation.Streets;
+
+/// <summary>All the ways that vehicles drive, and which follows which.</summary>
+internal sealed class LaneGraph
+{
+    /// <summary>Two ways nearer than this cannot be driven at once: a lorry's width with a little room.</summary>
+    private const double ConflictDistance = 3.2;
+
+    private const double SharpestTurn = 2.4;
+    private const double StraightAtMost = 0.6;
+
+    private readonly List<LanePath> _paths = [];
+
+    public LaneGraph(RoadPlan plan)
+    {
+        Dictionary<(Road, bool), List<LanePath>> lanes = [];
+        foreach (Road road in plan.Roads)
+        {
+            foreach (bool forward in new[] { true, false })
+            {
+                List<LanePath> own = [];
+                for (int lane = 0; lane < road.Layout.Lanes(forward); lane++)
+                {
+                    own.Add(LanePath.OnRoad(_paths.Count, road, forward, lane));
+                    _paths.Add(own[^1]);
+                }
+
+                lanes[(road, forward)] = own;
+            }
+        }
+
+        foreach (Junction junction in plan.Junctions)
+        {
+            Connect(junction, lanes);
+        }
+
+        MarkDeadEnds();
+    }
+
+    public IReadOnlyList<LanePath> Paths => _paths;
+
+    private void Connect(Junction junction, Dictionary<(Road, bool), List<LanePath>> lanes)
+    {
+        int first = _paths.Count;
+        foreach (RoadArm arm in junction.Arms)
+        {
+            List<LanePath> incoming = lanes[(arm.Road, !arm.AtStart)];
+            List<(List<LanePath> Lanes, double Turn)> exits = [.. junction.Arms
+                .Where(exit => exit != arm)
+                .Select(exit => (lanes[(exit.Road, exit.AtStart)], Horizontal.Turn(-arm.Outward, exit.Outward)))
+                .Where(exit => exit.Item1.Count > 0 && Math.Abs(exit.Item2) < SharpestTurn)
+                .OrderBy(exit => -exit.Item2)];
+            foreach (LanePath lane in incoming)
+            {
+                foreach ((List<LanePath> lanesOfExit, double turn) in ExitsOf(lane.Lane, incoming.Count, exits))
+                {
+                    LanePath target = lanesOfExit[TargetLane(lane.Lane, incoming.Count, lanesOfExit.Count, turn)];
+                    _paths.Add(LanePath.Through(_paths.Count, junction, lane, target));
+                }
+            }
+        }
+
+        FindConflicts(_paths.GetRange(first, _paths.Count - first));
+    }
+
+    /// <summary>Left turns from the leftmost lane, right turns from the rightmost, straight on from all; where nothing leads straight on, each lane has a way.</summary>
+    private static List<(List<LanePath> Lanes, double Turn)> ExitsOf(int lane, int lanes, List<(List<LanePath> Lanes, double Turn)> exits)
+    {
+        List<(List<LanePath> Lanes, double Turn)> chosen = [.. exits.Where(exit =>
+            (exit.Turn > StraightAtMost && lane == 0)
+            || (exit.Turn < -StraightAtMost && lane == lanes - 1)
+            || Math.Abs(exit.Turn) <= StraightAtMost)];
+        return chosen.Count > 0 || exits.Count == 0 ? chosen : [lane < lanes / 2 ? exits[0] : exits[^1]];
+    }
+
+    private static int TargetLane(int lane, int lanes, int exitLanes, double turn) =>
+        turn < -StraightAtMost
+            ? Math.Max(0, exitLanes - lanes + lane)
+            : Math.Min(lane, exitLanes - 1);
+
+    private static void FindConflicts(List<LanePath> ways)
+    {
+        for (int i = 0; i < ways.Count; i++)
+        {
+            for (int j = i + 1; j < ways.Count; j++)
+            {
+                if (ways[i].Previous[0] != ways[j].Previous[0] && AreNear(ways[i], ways[j]))
+                {
+                    ways[i].Conflicts.Add(ways[j]);
+                    ways[j].Conflicts.Add(ways[i]);
+                }
+            }
+        }
+    }
+
+    private static bool AreNear(LanePath a, LanePath b) =>
+        a.Line.Points.Any(p => b.Line.Points.Any(q => Horizontal.SquaredDistance(p, q) < ConflictDistance * ConflictDistance));
+
+    /// <summary>A way goes on when one of its followers does; taken away from the dead ends backwards.</summary>
+    private void MarkDeadEnds()
+    {
+        Stack<LanePath> ending = new(_paths.Where(path => path.Next.Count == 0));
+        while (ending.TryPop(out LanePath? path))
+        {
+            if (path.GoesOn)
+            {
+                path.GoesOn = false;
+                foreach (LanePath previous in path.Previous.Where(previous => previous.Next.All(next => !next.GoesOn)))
+                {
+                    ending.Push(previous);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,97 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Simulation.Streets;
+
+/// <summary>
+/// How lanes lie across a road, in metres to the right of its line: the line runs in the middle of the median of a two-way road
+/// and in the middle of a one-way road. Written down here once more, apart from the geometry library, because it judges it.
+/// </summary>
+internal readonly record struct LaneLayout(int Forward, int Backward, double LaneWidth, double MedianWidth)
+{
+    private const double OrdinaryLane = 5.4;
+    private const double NarrowLane = 4.0;
+
+    public bool IsOneWay => Forward == 0 || Backward == 0;
+
+    /// <summary>Offset of the carriageway's left edge, looking along the road.</summary>
+    public double LeftEdge => IsOneWay ? -(Forward + Backward) * LaneWidth / 2 : -(MedianWidth / 2) - (Backward * LaneWidth);
+
+    /// <summary>Offset of the carriageway's right edge.</summary>
+    public double RightEdge => IsOneWay ? (Forward + Backward) * LaneWidth / 2 : (MedianWidth / 2) + (Forward * LaneWidth);
+
+    public double HalfWidth => Math.Max(-LeftEdge, RightEdge);
+
+    public LaneLayout Reversed => this with { Forward = Backward, Backward = Forward };
+
+    public static LaneLayout Of(RoadLink link)
+    {
+        bool narrow = link.Flags.HasFlag(RoadLinkFlags.NarrowRoad);
+        double median = link.IsOneWay ? 0 : Math.Max(0, link.MedianWidth ?? 0);
+        return new LaneLayout(link.LanesForward, link.LanesBackward, narrow ? NarrowLane : OrdinaryLane, median);
+    }
+
+    public int Lanes(bool forward) => forward ? Forward : Backward;
+
+    /// <summary>Offset of the middle of a lane; lane 0 is the leftmost for who drives in it.</summary>
+    public double LaneCentre(bool forward, int lane)
+    {
+        double fromInnerEdge = (lane + 0.5) * LaneWidth;
+        return IsOneWay
+            ? forward ? LeftEdge + fromInnerEdge : RightEdge - fromInnerEdge
+            : forward ? (MedianWidth / 2) + fromInnerEdge : -(MedianWidth / 2) - fromInnerEdge;
+    }
+
+    /// <summary>The lane at an offset; null beside the lanes and on the median.</summary>
+    public (bool Forward, int Lane)? LaneAt(double offset)
+    {
+        bool forward = IsOneWay ? Forward > 0 : offset >= 0;
+        double inner = IsOneWay ? (Forward + Backward) * -LaneWidth / 2 : MedianWidth / 2;
+        int lane = (int)Math.Floor(((forward ? offset : -offset) - inner) / LaneWidth);
+        return lane >= 0 && lane < Lanes(forward) ? (forward, lane) : null;
+    }
+
+    /// <summary>The painted lines across the road, left to right.</summary>
+    public IEnumerable<Marking> Markings()
+    {
+        const double inset = 0.25;
+        bool hasMedian = MedianWidth > 0;
+        yield return new Marking(LeftEdge + inset, MarkingKind.Edge);
+        if (IsOneWay)
+        {
+            for (int i = 1; i < Forward + Backward; i++)
+            {
+                yield return new Marking(LeftEdge + (i * LaneWidth), MarkingKind.LaneDashed);
+            }
+        }
+        else
+        {
+            for (int i = Backward - 1; i > 0; i--)
+            {
+                yield return new Marking(-(MedianWidth / 2) - (i * LaneWidth), MarkingKind.LaneDashed);
+            }
+
+            if (!hasMedian && Forward == 1 && Backward == 1)
+            {
+                yield return new Marking(0, MarkingKind.CentreDashed);
+            }
+            else if (!hasMedian)
+            {
+                yield return new Marking(0, MarkingKind.CentreDouble);
+            }
+            else
+            {
+                yield return new Marking(-MedianWidth / 2, MarkingKind.Centre);
+                yield return new Marking(MedianWidth / 2, MarkingKind.Centre);
+            }
+
+            for (int i = 1; i < Forward; i++)
+            {
+                yield return new Marking((MedianWidth / 2) + (i * LaneWidth), MarkingKind.LaneDashed);
+            }
+        }
+
+        yield return new Marking(RightEdge - inset, MarkingKind.Edge);
+    }
+}

@@ -1,0 +1,101 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Geometry;
+
+namespace Harvester.Simulation.Streets;
+
+/// <summary>A way that vehicles drive: a lane of a road between the junctions, or a way through a junction from one lane to another.</summary>
+internal sealed class LanePath
+{
+    private const double SampleStep = 0.5;
+
+    private LanePath(int index, Road? road, bool forward, int lane, Junction? junction, Polyline line)
+    {
+        Index = index;
+        Road = road;
+        IsForward = forward;
+        Lane = lane;
+        Junction = junction;
+        Line = line;
+    }
+
+    public int Index { get; }
+
+    /// <summary>The road whose lane it is; null within a junction.</summary>
+    public Road? Road { get; }
+
+    /// <summary>Whether the lane is driven along the road's line or against it.</summary>
+    public bool IsForward { get; }
+
+    /// <summary>The lane's number from the left of its direction.</summary>
+    public int Lane { get; }
+
+    /// <summary>The junction it leads through; null on a road.</summary>
+    public Junction? Junction { get; }
+
+    public Polyline Line { get; }
+
+    public double Length => Line.Length;
+
+    /// <summary>The ways that go on from its end.</summary>
+    public List<LanePath> Next { get; } = [];
+
+    /// <summary>The ways that lead to its start.</summary>
+    public List<LanePath> Previous { get; } = [];
+
+    /// <summary>Other ways of the same junction that come so near that two vehicles would touch.</summary>
+    public List<LanePath> Conflicts { get; } = [];
+
+    /// <summary>Whether one who follows it can drive on for ever.</summary>
+    public bool GoesOn { get; set; } = true;
+
+    public static LanePath OnRoad(int index, Road road, bool forward, int lane)
+    {
+        double offset = road.Layout.LaneCentre(forward, lane);
+        double length = road.Length - road.StartTrim - road.EndTrim;
+        int steps = Math.Max(1, (int)Math.Ceiling(length / SampleStep));
+        Vector3D[] points = new Vector3D[steps + 1];
+        Vector3D[] tangents = new Vector3D[steps + 1];
+        for (int i = 0; i <= steps; i++)
+        {
+            double along = length * i / steps;
+            double distance = forward ? road.StartTrim + along : road.Length - road.EndTrim - along;
+            points[i] = road.Curve.OffsetAt(distance, offset);
+            tangents[i] = forward ? road.Curve.TangentAt(distance) : -road.Curve.TangentAt(distance);
+        }
+
+        return new LanePath(index, road, forward, lane, null, new Polyline(points, tangents));
+    }
+
+    /// <summary>A cubic curve from the end of one lane to the start of another; its handles make a right-angled turn nearly a quarter circle.</summary>
+    public static LanePath Through(int index, Junction junction, LanePath from, LanePath to)
+    {
+        const double handle = 0.39;
+        Vector3D start = from.Line.PositionAt(from.Length);
+        Vector3D end = to.Line.PositionAt(0);
+        double reach = (end - start).Length * handle;
+        Vector3D a = start + (from.Line.TangentAt(from.Length) * reach);
+        Vector3D b = end - (to.Line.TangentAt(0) * reach);
+        int steps = Math.Max(2, (int)Math.Ceiling(reach / handle / SampleStep));
+        Vector3D[] points = new Vector3D[steps + 1];
+        Vector3D[] tangents = new Vector3D[steps + 1];
+        for (int i = 0; i <= steps; i++)
+        {
+            double t = (double)i / steps;
+            double u = 1 - t;
+            points[i] = (start * (u * u * u)) + (a * (3 * u * u * t)) + (b * (3 * u * t * t)) + (end * (t * t * t));
+            tangents[i] = (((a - start) * (u * u)) + ((b - a) * (2 * u * t)) + ((end - b) * (t * t))).Normalized();
+        }
+
+        LanePath path = new(index, null, forward: true, from.Lane, junction, new Polyline(points, tangents));
+        Join(from, path);
+        Join(path, to);
+        return path;
+    }
+
+    private static void Join(LanePath from, LanePath to)
+    {
+        from.Next.Add(to);
+        to.Previous.Add(from);
+    }
+}

@@ -1,0 +1,58 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Geometry;
+
+namespace Harvester.Simulation.Streets;
+
+/// <summary>A way made of short straight pieces, with the distance along it in metres.</summary>
+internal sealed class Polyline
+{
+    private readonly Vector3D[] _points;
+    private readonly Vector3D[] _tangents;
+    private readonly double[] _distances;
+
+    /// <param name="points">At least two, no two neighbours in one place.</param>
+    /// <param name="tangents">The unit direction of the smooth way at each point.</param>
+    public Polyline(IReadOnlyList<Vector3D> points, IReadOnlyList<Vector3D> tangents)
+    {
+        _points = [.. points];
+        _tangents = [.. tangents];
+        _distances = new double[_points.Length];
+        for (int i = 1; i < _points.Length; i++)
+        {
+            _distances[i] = _distances[i - 1] + (_points[i] - _points[i - 1]).Length;
+        }
+    }
+
+    public double Length => _distances[^1];
+
+    public IReadOnlyList<Vector3D> Points => _points;
+
+    public Vector3D PositionAt(double distance)
+    {
+        (int index, double fraction) = Find(distance);
+        return _points[index] + ((_points[index + 1] - _points[index]) * fraction);
+    }
+
+    /// <summary>Unit direction along the way.</summary>
+    public Vector3D TangentAt(double distance)
+    {
+        (int index, double fraction) = Find(distance);
+        return (_tangents[index] + ((_tangents[index + 1] - _tangents[index]) * fraction)).Normalized();
+    }
+
+    /// <summary>How sharply the way turns at a place, 1/m.</summary>
+    public double BendAt(double distance)
+    {
+        (int index, _) = Find(distance);
+        return Math.Abs(Horizontal.Turn(_tangents[index], _tangents[index + 1])) / (_distances[index + 1] - _distances[index]);
+    }
+
+    private (int Index, double Fraction) Find(double distance)
+    {
+        int index = Array.BinarySearch(_distances, distance);
+        index = Math.Clamp(index >= 0 ? index : ~index - 1, 0, _points.Length - 2);
+        double fraction = (distance - _distances[index]) / (_distances[index + 1] - _distances[index]);
+        return (index, Math.Clamp(fraction, 0, 1));
+    }
+}

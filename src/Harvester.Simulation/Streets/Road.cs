@@ -1,0 +1,65 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Simulation.Streets;
+
+/// <summary>Links of one lane layout in a row, from one end node to the next, with the smooth line through their nodes.</summary>
+internal sealed class Road(int index, IReadOnlyList<int> nodes, LaneLayout layout, RoadNodeFlags flags, RoadCurve curve)
+{
+    public int Index { get; } = index;
+
+    /// <summary>Numbers of the network's nodes along it.</summary>
+    public IReadOnlyList<int> Nodes { get; } = nodes;
+
+    public LaneLayout Layout { get; } = layout;
+
+    /// <summary>What holds of all of its nodes but those it shares at its ends.</summary>
+    public RoadNodeFlags Flags { get; } = flags;
+
+    public RoadCurve Curve { get; } = curve;
+
+    /// <summary>Metres at the start that belong to the junction there.</summary>
+    public double StartTrim { get; set; }
+
+    /// <summary>Metres at the end that belong to the junction there.</summary>
+    public double EndTrim { get; set; }
+
+    /// <summary>Whether it is a stub within a junction of several nodes, without markings or pavements.</summary>
+    public bool IsInner { get; set; }
+
+    public double Length => Curve.Length;
+
+    public bool IsHighway => Flags.HasFlag(RoadNodeFlags.Highway);
+
+    public bool IsUnpaved => Flags.HasFlag(RoadNodeFlags.OffRoad);
+
+    /// <summary>Whether people walk and houses stand along it.</summary>
+    public bool IsStreet => !IsHighway && !IsUnpaved && !IsInner && !Flags.HasFlag(RoadNodeFlags.Tunnel);
+
+    /// <summary>Asphalt beyond the carriageway's edges: a strip to park on along a street, a hard shoulder along a motorway.</summary>
+    public double Shoulder => IsHighway ? 2.5 : IsStreet ? 2.4 : IsInner ? 1.5 : 0.4;
+
+    /// <summary>Offset of the left border of the asphalt.</summary>
+    public double LeftKerb => Layout.LeftEdge - Shoulder;
+
+    /// <summary>Offset of the right border of the asphalt.</summary>
+    public double RightKerb => Layout.RightEdge + Shoulder;
+
+    public bool IsInTrim(double distance) => distance < StartTrim || distance > Length - EndTrim;
+
+    public double TrimAt(bool start) => start ? StartTrim : EndTrim;
+
+    public void SetTrim(bool start, double value)
+    {
+        double clamped = Math.Min(value, 0.45 * Length);
+        if (start)
+        {
+            StartTrim = clamped;
+        }
+        else
+        {
+            EndTrim = clamped;
+        }
+    }
+}

@@ -1,0 +1,123 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Geometry;
+
+namespace Harvester.Simulation.Streets;
+
+/// <summary>
+/// The flat triangles that the asphalt of a road is drawn with, from station to station and from kerb to kerb. They leave the road's
+/// curve by centimetres, up and down too, so what is painted on the road is laid on them and not on the curve.
+/// </summary>
+internal sealed class RoadFacets
+{
+    private const double LongestStep = 5;
+    private const double ShortestStep = 0.75;
+
+    /// <summary>Largest deviation of a facet's straight edge from the curve on the ground, metres.</summary>
+    private const double Deviation = 0.01;
+
+    /// <summary>
+    /// In a bend one side of a facet is longer than the other by no more than this, metres: on a slope, its two triangles lean
+    /// differently, and the wider it is, the further it is off the curve.
+    /// </summary>
+    private const double LargestTwist = 0.25;
+
+    private readonly Road _road;
+    private readonly List<double> _stations = [0];
+
+    public RoadFacets(Road road)
+    {
+        _road = road;
+        double distance = 0;
+        while (distance < road.Length)
+        {
+            double curvature = Math.Max(Math.Abs(road.Curve.CurvatureAt(distance)), Math.Abs(road.Curve.CurvatureAt(distance + ShortestStep)));
+            double step = Math.Clamp(Math.Sqrt(8 * Deviation / Math.Max(curvature, 1e-6)), ShortestStep, LongestStep);
+            distance = distance + (1.5 * step) > road.Length ? road.Length : distance + step;
+            _stations.Add(distance);
+        }
+    }
+
+    /// <summary>Where facets begin and end, metres along the road.</summary>
+    public IReadOnlyList<double> Stations => _stations;
+
+    /// <summary>All of them.</summary>
+    public IEnumerable<RoadFacet> All()
+    {
+        for (int i = 1; i < _stations.Count; i++)
+        {
+            int columns = Columns(i);
+            for (int column = 0; column < columns; column++)
+            {
+                yield return Facet(i, column, columns);
+            }
+        }
+    }
+
+    /// <summary>The point of the asphalt at a distance along the road and an offset to the right of its line, metres, world.</summary>
+    public Vector3D At(double distance, double rightOffset)
+    {
+        int upper = _stations.BinarySearch(distance);
+        upper = Math.Clamp(upper < 0 ? ~upper : upper, 1, _stations.Count - 1);
+        int columns = Columns(upper);
+        double across = Across(rightOffset) * columns;
+        int column = Math.Clamp((int)across, 0, columns - 1);
+        return Facet(upper, column, columns).At(Along(upper, distance), across - column);
+    }
+
+    /// <summary>Faces of four corners that cover a strip of the asphalt; each lies in one of the triangles.</summary>
+    /// <param name="from">Where the strip begins, metres along the road.</param>
+    /// <param name="to">Where it ends.</param>
+    /// <param name="left">Its left edge, metres to the right of the road's line.</param>
+    /// <param name="right">Its right edge.</param>
+    public IEnumerable<Vector3D[]> Cover(double from, double to, double left, double right)
+    {
+        for (int i = 1; i < _stations.Count; i++)
+        {
+            double begin = Math.Max(0, Along(i, from));
+            double end = Math.Min(1, Along(i, to));
+            if (begin >= end)
+            {
+                continue;
+            }
+
+            int columns = Columns(i);
+            for (int column = 0; column < columns; column++)
+            {
+                double leftAcross = Math.Max(0, (Across(left) * columns) - column);
+                double rightAcross = Math.Min(1, (Across(right) * columns) - column);
+                if (leftAcross < rightAcross)
+                {
+                    foreach (Vector3D[] face in Facet(i, column, columns).Cover(begin, end, leftAcross, rightAcross))
+                    {
+                        yield return face;
+                    }
+                }
+            }
+        }
+    }
+
+    private double Along(int upper, double distance) => (distance - _stations[upper - 1]) / (_stations[upper] - _stations[upper - 1]);
+
+    private double Across(double rightOffset) => (rightOffset - _road.LeftKerb) / (_road.RightKerb - _road.LeftKerb);
+
+    /// <summary>How many facets lie side by side between two stations.</summary>
+    private int Columns(int upper)
+    {
+        Vector3D near = _road.Curve.TangentAt(_stations[upper - 1]);
+        Vector3D far = _road.Curve.TangentAt(_stations[upper]);
+        double turn = Math.Abs(Math.Atan2((near.X * far.Y) - (near.Y * far.X), (near.X * far.X) + (near.Y * far.Y)));
+        return Math.Max(1, (int)Math.Ceiling(turn * (_road.RightKerb - _road.LeftKerb) / LargestTwist));
+    }
+
+    private RoadFacet Facet(int upper, int column, int columns)
+    {
+        double width = (_road.RightKerb - _road.LeftKerb) / columns;
+        double left = _road.LeftKerb + (column * width);
+        return new RoadFacet(
+            _road.Curve.OffsetAt(_stations[upper - 1], left),
+            _road.Curve.OffsetAt(_stations[upper - 1], left + width),
+            _road.Curve.OffsetAt(_stations[upper], left + width),
+            _road.Curve.OffsetAt(_stations[upper], left));
+    }
+}

@@ -1,0 +1,100 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry;
+
+namespace Harvester.Simulation.Streets;
+
+/// <summary>Finds the roads at a point: a grid on the ground whose cells name the samples of roads that reach into them.</summary>
+internal sealed class RoadIndex
+{
+    private const double CellSize = 10;
+    private const double SampleStep = 4;
+
+    /// <summary>How far beside a carriageway places are still found, metres.</summary>
+    private const double Reach = 12;
+
+    private readonly Dictionary<(int X, int Y), List<(Road Road, double Distance, Vector3D Point)>> _cells = [];
+
+    public RoadIndex(IReadOnlyList<Road> roads)
+    {
+        foreach (Road road in roads)
+        {
+            int steps = Math.Max(1, (int)Math.Ceiling(road.Length / SampleStep));
+            for (int i = 0; i <= steps; i++)
+            {
+                Insert(road, road.Length * i / steps);
+            }
+        }
+    }
+
+    /// <summary>The places of a point on the roads it lies on or beside; it lies abreast of them, not before or behind their ends.</summary>
+    /// <param name="point">Metres, world.</param>
+    /// <param name="pastTheEnd">How far before or behind an end still counts as abreast of it, metres.</param>
+    public IEnumerable<RoadPlace> PlacesAt(Vector3D point, double pastTheEnd = 0.05)
+    {
+        if (!_cells.TryGetValue(CellOf(point), out List<(Road Road, double Distance, Vector3D Point)>? samples))
+        {
+            yield break;
+        }
+
+        int i = 0;
+        while (i < samples.Count)
+        {
+            Road road = samples[i].Road;
+            double nearest = 0;
+            double best = double.PositiveInfinity;
+            for (; i < samples.Count && samples[i].Road == road; i++)
+            {
+                double squared = (samples[i].Point - point).LengthSquared;
+                if (squared < best)
+                {
+                    best = squared;
+                    nearest = samples[i].Distance;
+                }
+            }
+
+            double distance = road.Curve.Project(point, nearest);
+            Vector3D tangent = road.Curve.TangentAt(distance);
+            Vector3D offset = point - road.Curve.PositionAt(distance);
+            if (Math.Abs((offset.X * tangent.X) + (offset.Y * tangent.Y)) < pastTheEnd)
+            {
+                yield return new RoadPlace(road, distance, offset.Dot(Horizontal.RightOf(tangent)), offset.Z);
+            }
+        }
+    }
+
+    /// <summary>Whether a point lies on the carriageway of a road other than one, on its level.</summary>
+    public bool IsOnAnother(Road? road, Vector3D point, double margin)
+    {
+        const double sameLevel = 2.5;
+        return PlacesAt(point).Any(place => place.Road != road && Math.Abs(place.Height) < sameLevel && place.IsOnCarriageway(margin));
+    }
+
+    /// <summary>Whether a point lies on or over or under a carriageway, moved outward by a margin, on whatever level.</summary>
+    public bool IsAbreast(Vector3D point, double margin) => PlacesAt(point).Any(place => place.IsOnCarriageway(margin));
+
+    private static (int X, int Y) CellOf(Vector3D point) =>
+        ((int)Math.Floor(point.X / CellSize), (int)Math.Floor(point.Y / CellSize));
+
+    private void Insert(Road road, double distance)
+    {
+        Vector3D point = road.Curve.PositionAt(distance);
+        double reach = road.Layout.HalfWidth + Reach;
+        Vector3D corner = new(reach, reach, 0);
+        (int minX, int minY) = CellOf(point - corner);
+        (int maxX, int maxY) = CellOf(point + corner);
+        for (int x = minX; x <= maxX; x++)
+        {
+            for (int y = minY; y <= maxY; y++)
+            {
+                if (!_cells.TryGetValue((x, y), out List<(Road, double, Vector3D)>? list))
+                {
+                    _cells[(x, y)] = list = [];
+                }
+
+                list.Add((road, distance, point));
+            }
+        }
+    }
+}

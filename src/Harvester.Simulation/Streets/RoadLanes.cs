@@ -1,0 +1,8 @@
+namespace Harvester.Simulation.Streets;
+
+/// <summary>The lanes that a town's road is laid out with.</summary>
+/// <param name="Forward">Lanes from its start to its end.</param>
+/// <param name="Backward">Lanes from its end to its start.</param>
+/// <param name="MedianWidth">Metres between the directions.</param>
+/// <param name="IsNarrow">Whether its lanes are narrow.</param>
+internal sealed record RoadLanes(int Forward, int Backward, double MedianWidth = 0, bool IsNarrow = false);

@@ -1,0 +1,80 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry;
+using Harvester.Simulation.Rendering;
+
+namespace Harvester.Simulation.Streets;
+
+/// <summary>Paints the lines along roads, stop lines and crossings for people.</summary>
+internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintRun> runs, RoadIndex index, GroundMesh mesh)
+{
+    private const double CrossingDepth = 3.2;
+
+    public void Paint()
+    {
+        foreach (PaintRun run in runs)
+        {
+            foreach ((double from, double to) in run.Pieces)
+            {
+                foreach ((double left, double right) in run.Marking.Stripes())
+                {
+                    Stripe(run.Facets, from, to, left, right, run.Marking.IsYellow ? Palette.Yellow : Palette.White);
+                }
+            }
+        }
+
+        foreach (Junction junction in plan.Junctions.Where(junction => junction.IsCrossing))
+        {
+            foreach (RoadArm arm in junction.Arms.Where(arm => arm.Road.IsStreet && arm.Road.Length > 2 * arm.Trim))
+            {
+                PaintStopLine(arm);
+                PaintCrossing(arm);
+            }
+        }
+    }
+
+    private void PaintStopLine(RoadArm arm)
+    {
+        LaneLayout layout = arm.Road.Layout;
+        bool towards = !arm.AtStart;
+        int lanes = layout.Lanes(towards);
+        if (lanes > 0)
+        {
+            const double thickness = 0.5;
+            double a = layout.LaneCentre(towards, 0);
+            double b = layout.LaneCentre(towards, lanes - 1);
+            double half = layout.LaneWidth / 2;
+            (double from, double to) = Ordered(arm.DistanceAt(arm.Trim), arm.DistanceAt(arm.Trim + thickness));
+            Stripe(new RoadFacets(arm.Road), from, to, Math.Min(a, b) - half + 0.3, Math.Max(a, b) + half - 0.3, Palette.White);
+        }
+    }
+
+    private void PaintCrossing(RoadArm arm)
+    {
+        const double barWidth = 0.5;
+        const double barPeriod = 1.1;
+        (double from, double to) = Ordered(arm.DistanceAt(arm.Trim - 0.6), arm.DistanceAt(arm.Trim - CrossingDepth));
+        RoadFacets facets = new(arm.Road);
+        LaneLayout layout = arm.Road.Layout;
+        for (double offset = layout.LeftEdge + barWidth; offset < layout.RightEdge - barWidth; offset += barPeriod)
+        {
+            Vector3D middle = arm.Road.Curve.OffsetAt((from + to) / 2, offset);
+            if (!index.IsOnAnother(arm.Road, middle, 0))
+            {
+                Stripe(facets, from, to, offset, offset + barWidth, Palette.White);
+            }
+        }
+    }
+
+    private static (double From, double To) Ordered(double a, double b) => (Math.Min(a, b), Math.Max(a, b));
+
+    private void Stripe(RoadFacets facets, double from, double to, double left, double right, Rgb colour)
+    {
+        Vector3D up = Horizontal.Up * PaintRun.Height;
+        foreach (Vector3D[] face in facets.Cover(from, to, left, right))
+        {
+            mesh.AddQuad(face[0] + up, face[1] + up, face[2] + up, face[3] + up, colour, Surface.Matte);
+        }
+    }
+}

@@ -1,0 +1,30 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Geometry;
+using Harvester.Simulation.Rendering;
+
+namespace Harvester.Simulation.Streets;
+
+/// <summary>Lays strips of one colour along a road's curve.</summary>
+internal sealed class RoadRibbon(Road road, GroundMesh mesh)
+{
+    private readonly IReadOnlyList<double> _stations = new RoadFacets(road).Stations;
+
+    /// <summary>A strip along the whole road, left out where a test of a piece's middle says no.</summary>
+    public void Lay(Rail left, Rail right, Rgb colour, Surface surface, Func<double, bool>? isPresent = null)
+    {
+        for (int i = 1; i < _stations.Count; i++)
+        {
+            if (isPresent?.Invoke((_stations[i - 1] + _stations[i]) / 2) ?? true)
+            {
+                Piece(_stations[i - 1], _stations[i], left, right, colour, surface);
+            }
+        }
+    }
+
+    private void Piece(double from, double to, Rail left, Rail right, Rgb colour, Surface surface) =>
+        mesh.AddQuad(Place(from, left), Place(from, right), Place(to, right), Place(to, left), colour, surface);
+
+    private Vector3D Place(double distance, Rail rail) =>
+        road.Curve.OffsetAt(distance, rail.RightOffset) + (Horizontal.Up * rail.Height);
+}

@@ -1,0 +1,60 @@
+using System;
+using Harvester.Capture.Ports;
+using Harvester.Geometry;
+
+namespace Harvester.Simulation.Traffic;
+
+/// <summary>
+/// A car on the ground as a bicycle that does not slide sideways: its rear axle moves where it points. Limits are those of the
+/// steering's speed, of engine and brakes, and of the tyres: what is asked of them beyond their grip the front wheels do not turn.
+/// </summary>
+/// <param name="RearAxle">Middle of the rear axle, metres, world x and y.</param>
+/// <param name="Yaw">Direction, radians counter-clockwise from east.</param>
+/// <param name="Speed">Metres per second, 0 or more; there is no reverse gear.</param>
+/// <param name="WheelAngle">Angle of the front wheels, radians, positive to the left.</param>
+/// <param name="YawRate">Radians per second, positive to the left.</param>
+internal readonly record struct CarState(Vector2D RearAxle, double Yaw, double Speed, double WheelAngle, double YawRate)
+{
+    private const double Gravity = 9.81;
+
+    public Vector2D Forward => new(Math.Cos(Yaw), Math.Sin(Yaw));
+
+    /// <summary>A car that drives straight on.</summary>
+    public static CarState At(Vector2D origin, double yaw, double speed, CarLimits limits)
+    {
+        CarState state = new(origin, yaw, speed, 0, 0);
+        return state with { RearAxle = origin - (state.Forward * limits.OriginAheadOfRearAxle) };
+    }
+
+    public Vector2D Origin(CarLimits limits) => RearAxle + (Forward * limits.OriginAheadOfRearAxle);
+
+    /// <summary>Velocity of the origin: in a turn it also moves sideways.</summary>
+    public Vector2D Velocity(CarLimits limits) =>
+        (Forward * Speed) + (new Vector2D(-Forward.Y, Forward.X) * (YawRate * limits.OriginAheadOfRearAxle));
+
+    /// <summary>The state some time later.</summary>
+    /// <param name="controls">Wheel and pedals.</param>
+    /// <param name="slope">Rise of the road by metre in the car's direction.</param>
+    /// <param name="limits">What the car can do.</param>
+    /// <param name="seconds">Short against the car's reactions: 0.05 at most.</param>
+    public CarState After(DrivingControls controls, double slope, CarLimits limits, double seconds)
+    {
+        double turned = Math.Clamp((controls.Steering * limits.SteeringLockRadians) - WheelAngle, -limits.SteeringRate * seconds, limits.SteeringRate * seconds);
+        double wheelAngle = WheelAngle + turned;
+        double pushed = Math.Min(controls.Throttle * limits.Acceleration, controls.Throttle * limits.PowerPerMass / Math.Max(Speed, 1));
+        double onTyres = Math.Clamp(pushed - (controls.Brake * limits.Braking), -limits.Grip, limits.Grip);
+        double resisted = (limits.Drag * Speed * Speed) + limits.RollingResistance + (Gravity * slope / Math.Sqrt(1 + (slope * slope)));
+        double speed = Math.Max(0, Speed + ((onTyres - resisted) * seconds));
+        double mean = (Speed + speed) / 2;
+
+        double ratio = mean / limits.CharacteristicSpeed;
+        double asked = mean * Math.Tan(wheelAngle) / (limits.Wheelbase * (1 + (ratio * ratio)));
+        double sideways = Math.Sqrt((limits.Grip * limits.Grip) - (onTyres * onTyres));
+        double most = sideways / Math.Max(mean, 0.1);
+        double yawRate = Math.Clamp(asked, -most, most);
+
+        double middle = Yaw + (yawRate * seconds / 2);
+        Vector2D moved = new Vector2D(Math.Cos(middle), Math.Sin(middle)) * (mean * seconds);
+        return new CarState(RearAxle + moved, Yaw + (yawRate * seconds), speed, wheelAngle, yawRate);
+    }
+}

@@ -1,0 +1,31 @@
+using System;
+using Harvester.Capture.Ports;
+using Harvester.Geometry;
+using Harvester.Simulation.Streets;
+
+namespace Harvester.Simulation.Traffic;
+
+/// <summary>
+/// The driver who sits in the ego when nobody drives it from outside: by the pure pursuit of Coulter (1992) he steers for a point of
+/// his route, and he accelerates as everybody in the traffic does.
+/// </summary>
+internal static class OwnDriver
+{
+    private const double NearestAim = 3;
+    private const double AimSeconds = 0.5;
+
+    public static DrivingControls Controls(Vehicle ego, CarState car, double acceleration, CarLimits limits)
+    {
+        double aim = NearestAim + (AimSeconds * car.Speed);
+        (LanePath path, double distance) = ego.PlaceAhead(aim);
+        Vector3D target = path.Line.PositionAt(distance);
+        Vector2D toTarget = new Vector2D(target.X, target.Y) - car.RearAxle;
+        double sideways = car.Forward.Cross(toTarget);
+        double ratio = car.Speed / limits.CharacteristicSpeed;
+        double curvature = 2 * sideways / Math.Max(toTarget.Dot(toTarget), 1);
+        double wheelAngle = Math.Atan(curvature * limits.Wheelbase * (1 + (ratio * ratio)));
+        double asked = acceleration + (limits.Drag * car.Speed * car.Speed) + limits.RollingResistance;
+        return new DrivingControls(
+            wheelAngle / limits.SteeringLockRadians, Math.Max(0, asked / limits.Acceleration), Math.Max(0, -asked / limits.Braking));
+    }
+}

@@ -1,9 +1,0 @@
-namespace Harvester.Simulation.World;
-
-/// <summary>Gives every entity its own handle, upwards from 1.</summary>
-internal sealed class HandleCounter
-{
-    private int _last;
-
-    public int Next() => ++_last;
-}

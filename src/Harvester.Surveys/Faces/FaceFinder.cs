@@ -1,0 +1,92 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Harvester.Surveys.Faces;
+
+/// <summary>
+/// Finds the faces of a sign: a grid of rays tells the rows in which the model is wider than its post, in bands of one depth each, and
+/// from each band the edges of its plate are followed on the side that looks away from the post.
+/// </summary>
+internal sealed class FaceFinder(StageProbe probe, StagedModel model)
+{
+    private const double FinestStep = 0.012;
+    private const double MostRays = 30_000;
+
+    /// <summary>Rows of one plate differ less in depth than this, metres.</summary>
+    private const double SamePlane = 0.02;
+
+    /// <summary>Lower faces are rims and brackets, metres.</summary>
+    private const double LowestFace = 0.08;
+
+    /// <summary>The faces found so far.</summary>
+    public List<MeasuredSpace> Faces { get; } = [];
+
+    /// <summary>Measures; each element is a few rays.</summary>
+    public IEnumerable<bool> Run()
+    {
+        double area = (model.Max.X - model.Min.X) * (model.Max.Z - model.Min.Z);
+        var grid = new DepthGrid(
+            model.Min.X, model.Min.Z, model.Max.X, model.Max.Z, Math.Max(FinestStep, Math.Sqrt(area / MostRays)));
+        foreach (bool ray in grid.Fill(probe))
+        {
+            yield return ray;
+        }
+
+        if (SignPost.Find(grid) is not { } post)
+        {
+            yield break;
+        }
+
+        foreach ((int first, int last) in Bands(grid, post))
+        {
+            var plate = new PlateFinder(probe, grid, post, first, last);
+            foreach (bool rays in plate.Run())
+            {
+                yield return rays;
+            }
+
+            if (plate.Found is { } face && face.Max.Z - face.Min.Z >= LowestFace && !Faces.Any(other => AreOne(face, other)))
+            {
+                Faces.Add(face);
+            }
+        }
+    }
+
+    private static List<(int First, int Last)> Bands(DepthGrid grid, SignPost post)
+    {
+        var bands = new List<(int First, int Last)>();
+        double before = 0;
+        for (int row = 0; row < grid.Rows; row++)
+        {
+            if (!post.IsNarrowerThan(grid.Width(row)) || grid.MedianDepth(row, column => !post.HasColumn(column)) is not { } depth)
+            {
+                continue;
+            }
+
+            bool goesOn = bands.Count > 0 && bands[bands.Count - 1].Last == row - 1 && Math.Abs(depth - before) <= SamePlane;
+            if (goesOn)
+            {
+                bands[bands.Count - 1] = (bands[bands.Count - 1].First, row);
+            }
+            else
+            {
+                bands.Add((row, row));
+            }
+
+            before = depth;
+        }
+
+        return bands;
+    }
+
+    /// <summary>Whether two faces overlap by more than half of the smaller: bands of one plate.</summary>
+    private static bool AreOne(MeasuredSpace one, MeasuredSpace other)
+    {
+        double width = Math.Min(one.Max.X, other.Max.X) - Math.Max(one.Min.X, other.Min.X);
+        double height = Math.Min(one.Max.Z, other.Max.Z) - Math.Max(one.Min.Z, other.Min.Z);
+        return width > 0 && height > 0 && 2 * width * height > Math.Min(Area(one), Area(other));
+    }
+
+    private static double Area(MeasuredSpace space) => (space.Max.X - space.Min.X) * (space.Max.Z - space.Min.Z);
+}

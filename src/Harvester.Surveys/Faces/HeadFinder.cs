@@ -1,0 +1,97 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry;
+using Harvester.Sessions.Faces;
+
+namespace Harvester.Surveys.Faces;
+
+/// <summary>
+/// Finds the heads of a traffic light: around each bone that marks one, rays find how far the housing's front reaches, and rays across
+/// how deep it is. The plate behind a head lies deeper and does not count.
+/// </summary>
+internal sealed class HeadFinder(StageProbe probe, StagedModel model)
+{
+    private const double Step = 0.012;
+
+    /// <summary>How far from its bone a head may reach, metres.</summary>
+    private const double Reach = 0.75;
+
+    /// <summary>How far from its bone the front is looked for, metres.</summary>
+    private const double Core = 0.25;
+
+    /// <summary>Housing and lenses lie within this behind the front, the plate does not, metres.</summary>
+    private const double FrontTolerance = 0.06;
+
+    /// <summary>A housing is no deeper, metres.</summary>
+    private const double DeepestHousing = 0.6;
+
+    /// <summary>The heads found so far.</summary>
+    public List<MeasuredSpace> Heads { get; } = [];
+
+    /// <summary>Measures; each element is a ray or so.</summary>
+    public IEnumerable<bool> Run()
+    {
+        foreach (Vector3D bone in model.Heads)
+        {
+            var grid = new DepthGrid(bone.X - Reach, bone.Z - Reach, bone.X + Reach, bone.Z + Reach, Step);
+            foreach (bool ray in grid.Fill(probe))
+            {
+                yield return ray;
+            }
+
+            if (Measure(grid) is { } head)
+            {
+                Heads.Add(head);
+            }
+        }
+    }
+
+    private MeasuredSpace? Measure(DepthGrid grid)
+    {
+        int middle = grid.Columns / 2;
+        int core = (int)(Core / Step);
+        double[] depths = [.. Cells(grid).Where(cell => Math.Abs(cell.Column - middle) <= core && Math.Abs(cell.Row - middle) <= core)
+            .Select(cell => cell.Depth).OrderBy(depth => depth)];
+        if (depths.Length == 0)
+        {
+            return null;
+        }
+
+        double front = depths[depths.Length / 2];
+        (int Column, int Row, double Depth)[] cells = [.. Cells(grid).Where(cell => cell.Depth <= front + FrontTolerance)];
+        double left = grid.XOf(cells.Min(cell => cell.Column));
+        double right = grid.XOf(cells.Max(cell => cell.Column) + 1);
+        double bottom = grid.ZOf(cells.Min(cell => cell.Row));
+        double top = grid.ZOf(cells.Max(cell => cell.Row) + 1);
+        return new MeasuredSpace(
+            new(left, cells.Min(cell => cell.Depth), bottom),
+            new(right, BackOf(left, front, (bottom + top) / 2), top),
+            Facing.Back,
+            false);
+    }
+
+    /// <summary>Where rays that run to the right, begun to the left of the housing, meet it no more.</summary>
+    private double BackOf(double left, double front, double z)
+    {
+        const double before = 0.02;
+        double back = front;
+        for (double y = front + (Step / 2); y < front + DeepestHousing; y += Step)
+        {
+            if (probe.ToRight(new Vector3D(left - before, y, z)) is not { } distance || distance > before + Step)
+            {
+                break;
+            }
+
+            back = y + (Step / 2);
+        }
+
+        return back;
+    }
+
+    private static IEnumerable<(int Column, int Row, double Depth)> Cells(DepthGrid grid) =>
+        from row in Enumerable.Range(0, grid.Rows)
+        from column in Enumerable.Range(0, grid.Columns)
+        where grid[column, row] is not null
+        select (column, row, grid[column, row]!.Value);
+}

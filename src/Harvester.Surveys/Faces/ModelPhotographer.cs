@@ -1,0 +1,94 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Imaging;
+
+namespace Harvester.Surveys.Faces;
+
+/// <summary>Photographs a model from the side towards which its first face looks, and from the other. A picture that is refused again and again is left out.</summary>
+internal sealed class ModelPhotographer(ISurveyCamera camera, SurveyFolder folder)
+{
+    private const double VerticalFovDegrees = 50;
+
+    /// <summary>Ticks from moving the camera until the picture shows it; the picture may be some ticks behind the game.</summary>
+    private const int SettlingTicks = 6;
+
+    private const int MostGrabs = 10;
+
+    /// <summary>How much more than the faces the picture shows.</summary>
+    private const double Surroundings = 1.5;
+
+    private const double LeastDistance = 1;
+
+    /// <summary>Whether the screen is the photographer's.</summary>
+    public bool IsAtWork { get; private set; }
+
+    /// <summary>Takes the photographs, a tick an element.</summary>
+    public IEnumerable<bool> Take(StagedModel model, string name, IReadOnlyList<MeasuredSpace> faces)
+    {
+        Vector3D min = faces.Count == 0 ? model.Min : Least(faces.Select(face => face.Min));
+        Vector3D max = faces.Count == 0 ? model.Max : -Least(faces.Select(face => -face.Max));
+        Vector3D towards = Outward(faces.Count == 0 ? Facing.Back : faces[0].Facing);
+        IsAtWork = true;
+        foreach ((string file, Vector3D outward) in new[] { (name + ".png", towards), (name + "_back.png", -towards) })
+        {
+            Pose eye = EyeOf(min, max, outward);
+            if (!camera.LookFrom(model.Pose.Compose(eye), VerticalFovDegrees))
+            {
+                break;
+            }
+
+            for (int tick = 0; tick < SettlingTicks; tick++)
+            {
+                yield return true;
+            }
+
+            PixelBuffer? picture = camera.Grab();
+            for (int grabs = 1; picture is null && grabs < MostGrabs; grabs++)
+            {
+                yield return true;
+                picture = camera.Grab();
+            }
+
+            if (picture is not null)
+            {
+                folder.Keep(new SurveyPhoto(file, name, eye, VerticalFovDegrees), picture);
+            }
+        }
+
+        LookAway();
+    }
+
+    /// <summary>Gives the view back. Again is no harm.</summary>
+    public void LookAway()
+    {
+        IsAtWork = false;
+        camera.LookAway();
+    }
+
+    /// <summary>Where a square picture shows a box from a side, in the model's frame.</summary>
+    private static Pose EyeOf(Vector3D min, Vector3D max, Vector3D outward)
+    {
+        Vector3D forward = -outward;
+        var up = new Vector3D(0, 0, 1);
+        Vector3D right = forward.Cross(up);
+        Vector3D half = (max - min) * 0.5;
+        double halfWidth = Math.Abs(half.X * right.X) + Math.Abs(half.Y * right.Y);
+        double halfDepth = Math.Abs(half.X * forward.X) + Math.Abs(half.Y * forward.Y);
+        double distance = Surroundings * Math.Max(halfWidth, half.Z) / Math.Tan(Angles.ToRadians(VerticalFovDegrees) / 2);
+        return new Pose(((min + max) * 0.5) + (outward * (Math.Max(distance, LeastDistance) + halfDepth)), Axes.FromVectors(right, forward, up));
+    }
+
+    private static Vector3D Outward(Facing facing) => facing switch
+    {
+        Facing.Front => new Vector3D(0, 1, 0),
+        Facing.Left => new Vector3D(-1, 0, 0),
+        Facing.Right => new Vector3D(1, 0, 0),
+        _ => new Vector3D(0, -1, 0),
+    };
+
+    private static Vector3D Least(IEnumerable<Vector3D> points) =>
+        points.Aggregate((a, b) => new Vector3D(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Min(a.Z, b.Z)));
+}

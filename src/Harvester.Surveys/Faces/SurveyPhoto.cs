@@ -1,0 +1,70 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Harvester.Geometry;
+using Harvester.Sessions.Text;
+
+namespace Harvester.Surveys.Faces;
+
+/// <summary>A photograph of a model, square, with the camera by which cuboids are drawn on it.</summary>
+/// <param name="File">Name of the picture in the folder of photographs.</param>
+/// <param name="Model">The model's name.</param>
+/// <param name="Camera">Position (metres) and orientation of the camera in the model's frame.</param>
+/// <param name="VerticalFovDegrees">Vertical field of view, which in a square is the horizontal one too, degrees.</param>
+public sealed record SurveyPhoto(string File, string Model, Pose Camera, double VerticalFovDegrees)
+{
+    /// <summary>The folder of photographs beside the measured rows.</summary>
+    public const string FolderName = "photos";
+
+    /// <summary>The file that says from where each photograph was taken, in the folder of the measured rows.</summary>
+    public const string TableName = "photos.csv";
+
+    private const string Header = "file,model,x,y,z,pitch,roll,yaw,verticalFov";
+    private const int Decimals = 6;
+    private const int Fields = 9;
+
+    /// <summary>The photographs that a folder tells of; lines that are none are passed over, for all that is lost with them is a drawing.</summary>
+    /// <param name="folder">The folder of the measured rows.</param>
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    public static IReadOnlyList<SurveyPhoto> ReadAll(string folder)
+    {
+        string table = Path.Combine(folder, TableName);
+        return System.IO.File.Exists(table) ? [.. System.IO.File.ReadAllLines(table).Select(Parse).OfType<SurveyPhoto>()] : [];
+    }
+
+    /// <summary>Writes the table of photographs, ordered by their files.</summary>
+    internal static void Write(IEnumerable<SurveyPhoto> photos, TextWriter text)
+    {
+        text.Write(Header + "\n");
+        foreach (SurveyPhoto photo in photos.OrderBy(photo => photo.File, StringComparer.Ordinal))
+        {
+            EulerAngles angles = photo.Camera.Axes.ToEuler();
+            Vector3D place = photo.Camera.Position;
+            double[] numbers = [place.X, place.Y, place.Z, angles.PitchDegrees, angles.RollDegrees, angles.YawDegrees, photo.VerticalFovDegrees];
+            text.Write($"{photo.File},{photo.Model},{string.Join(",", numbers.Select(number => InvariantNumber.Format(number, Decimals)))}\n");
+        }
+    }
+
+    private static SurveyPhoto? Parse(string line)
+    {
+        string[] fields = line.Split(',');
+        var numbers = new List<double>();
+        foreach (string field in fields.Skip(2))
+        {
+            if (double.TryParse(field, NumberStyles.Float, CultureInfo.InvariantCulture, out double number))
+            {
+                numbers.Add(number);
+            }
+        }
+
+        return fields.Length != Fields || numbers.Count != Fields - 2
+            ? null
+            : new SurveyPhoto(
+                fields[0],
+                fields[1],
+                new Pose(new Vector3D(numbers[0], numbers[1], numbers[2]), Axes.FromEuler(new EulerAngles(numbers[3], numbers[4], numbers[5]))),
+                numbers[6]);
+    }
+}

@@ -1,0 +1,57 @@
+using System;
+using System.Threading.Tasks;
+using Harvester.Capture.Ports;
+using Harvester.Geometry;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Surveys.Roads;
+
+/// <summary>
+/// Roads that are prepared on another thread, so that the game never waits: those of a file, or those of a survey again and again as it
+/// grows. All calls come from the game's thread.
+/// </summary>
+/// <param name="laneWidth">Width of the lanes of an ordinary road, metres.</param>
+/// <param name="narrowLaneWidth">Width of the lanes of a narrow road, metres.</param>
+public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth, double narrowLaneWidth = RoadGeometry.NarrowLaneWidth) : IRoads
+{
+    private Task<KnownRoads?>? _preparing;
+    private KnownRoads? _known;
+
+    /// <summary>Whether roads are being prepared; until then others are not taken.</summary>
+    public bool IsPreparing => _preparing is { IsCompleted: false };
+
+    /// <inheritdoc/>
+    public KnownRoads? Near(Vector3D position)
+    {
+        if (_preparing is { Status: TaskStatus.RanToCompletion } prepared)
+        {
+            _preparing = null;
+            _known = prepared.Result ?? _known;
+        }
+
+        return _known;
+    }
+
+    /// <summary>Why the last roads could not be prepared, once; those before stay. Null when nothing failed.</summary>
+    public Exception? TakeFailure()
+    {
+        Exception? failure = _preparing?.Exception?.InnerException;
+        _preparing = failure is null ? _preparing : null;
+        return failure;
+    }
+
+    /// <summary>Begins to prepare a network in place of what is known now; until it is ready, that stays.</summary>
+    /// <param name="read">Gives the network, on another thread.</param>
+    /// <param name="source">Where it is from, as a short camelCase word for the labels.</param>
+    public void Prepare(Func<RoadNetwork> read, string source)
+    {
+        if (!IsPreparing)
+        {
+            _preparing = Task.Run<KnownRoads?>(() =>
+            {
+                RoadNetwork network = read();
+                return network.Links.Count > 0 ? new FixedRoads(network, source, null, laneWidth, narrowLaneWidth).Near(default) : null;
+            });
+        }
+    }
+}

@@ -1,0 +1,103 @@
+using System;
+using System.Collections.Generic;
+using Harvester.Geometry;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Surveys.Roads;
+
+/// <summary>
+/// A network that grows. Nodes are known by their stored positions, which is all that the game's links name them by, and links by
+/// the nodes at their ends.
+/// </summary>
+internal sealed class SurveyedNetwork
+{
+    private readonly List<RoadNode> _nodes = [];
+    private readonly List<RoadLink> _links = [];
+    private readonly List<RoadEdge> _edges = [];
+    private readonly List<int> _edgesOfLink = [];
+    private readonly Dictionary<Vector3D, int> _indices = [];
+    private readonly Dictionary<(int Low, int High), int> _linksByEnds = [];
+
+    public int NodeCount => _nodes.Count;
+
+    public int LinkCount => _links.Count;
+
+    public int EdgeCount => _edges.Count;
+
+    /// <summary>Adds what an earlier survey found. Nodes at one stored position, and links between the same nodes, become one.</summary>
+    public void Add(RoadNetwork earlier)
+    {
+        var nodes = new List<int>();
+        foreach (RoadNode node in earlier.Nodes)
+        {
+            nodes.Add(Add(node, PathGrid.Truncate(node.Position)));
+        }
+
+        var links = new List<int?>();
+        foreach (RoadLink link in earlier.Links)
+        {
+            links.Add(Add(link with { From = nodes[link.From], To = nodes[link.To] }));
+        }
+
+        foreach (RoadEdge edge in earlier.Edges)
+        {
+            // Where a link became one with another, its ends may have changed places: such edges are not kept.
+            if (links[edge.Link] is { } link && _links[link].From == nodes[earlier.Links[edge.Link].From])
+            {
+                Add(edge with { Link = link });
+            }
+        }
+    }
+
+    public int? Find(Vector3D stored) => _indices.TryGetValue(Key(stored), out int index) ? index : null;
+
+    public RoadNode Node(int node) => _nodes[node];
+
+    public RoadLink Link(int link) => _links[link];
+
+    /// <summary>How many points are known on the edges of a link.</summary>
+    public int EdgesOf(int link) => _edgesOfLink[link];
+
+    public int Add(RoadNode node, Vector3D stored)
+    {
+        if (_indices.TryGetValue(Key(stored), out int known))
+        {
+            return known;
+        }
+
+        _indices.Add(Key(stored), _nodes.Count);
+        _nodes.Add(node);
+        return _nodes.Count - 1;
+    }
+
+    /// <summary>The place of a link, which is added if there is none yet between its nodes; null for one that leads nowhere.</summary>
+    public int? Add(RoadLink link)
+    {
+        if (link.From == link.To)
+        {
+            return null;
+        }
+
+        (int, int) ends = (Math.Min(link.From, link.To), Math.Max(link.From, link.To));
+        if (!_linksByEnds.TryGetValue(ends, out int index))
+        {
+            index = _links.Count;
+            _linksByEnds.Add(ends, index);
+            _links.Add(link);
+            _edgesOfLink.Add(0);
+        }
+
+        return index;
+    }
+
+    public void Add(RoadEdge edge)
+    {
+        _edges.Add(edge);
+        _edgesOfLink[edge.Link]++;
+    }
+
+    public RoadNetwork ToNetwork() => new([.. _nodes], [.. _links], [.. _edges]);
+
+    /// <summary>Without minus zero, whose hash is not that of zero in every runtime.</summary>
+    private static Vector3D Key(Vector3D stored) => stored + Vector3D.Zero;
+}

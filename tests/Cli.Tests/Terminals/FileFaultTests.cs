@@ -1,0 +1,73 @@
+using Harvester.Cli.Terminals;
+
+namespace Harvester.Cli.Tests.Terminals;
+
+public sealed class FileFaultTests : IDisposable
+{
+    private const string Point = "project --position 0,0,0 --rotation 0,0,0 --fov 50 --size 80x60 --points";
+
+    private readonly TemporaryFolder _folder = new();
+
+    public FileFaultTests()
+    {
+        Directory.CreateDirectory(_folder.PathOf("folder"));
+        _folder.File("file", "mine");
+        _folder.File("session.json", """{ "formatVersion": 1, "game": "simulation", "image": { "width": 80, "height": 60 }, "counters": { "captured": 0 } }""");
+    }
+
+    public void Dispose() => _folder.Dispose();
+
+    [Theory]
+    [InlineData("boxes {folder}", "'{folder}' is a folder that may not be read or written, or stands where a file should be. Name another.")]
+    [InlineData("boxes {none}", "There is no file '{none}'. Name one that is there.")]
+    [InlineData(Point + " {folder}", "'{folder}' is a folder that may not be read or written, or stands where a file should be. Name another.")]
+    [InlineData(Point + " {none}/points.csv", "There is no folder '{none}'. Name one that is there.")]
+    [InlineData(Point + " {none}/o'brien/points.csv", "There is no folder '{none}/o'brien'. Name one that is there.")]
+    [InlineData("lanes --position 0,0,0 --heading 0 --roads {none}", "There is no file '{none}'. Name one that is there.")]
+    [InlineData("roads info {none}", "There is no file '{none}'. Name one that is there.")]
+    [InlineData("spaces check {none}", "There is no file '{none}'. Name one that is there.")]
+    [InlineData("report {.} --out {none}/page.html", "There is no folder '{none}'. Name one that is there.")]
+    [InlineData("report {file}", "'{file}' is a file. Name the folder of a session.")]
+    [InlineData("export {.} --format csv --out {file}", "'{file}' is a file. Name a folder.")]
+    [InlineData("export {.} --format csv --out {file}/below", "'{file}' is a file. Name a folder.")]
+    public void File_that_is_missing_or_a_folder_is_told_in_one_line_with_what_to_do(string command, string message)
+    {
+        string[] words = [.. command.Split(' ').Select(InFolder)];
+
+        CliRun run = CliRun.Of(words);
+
+        Assert.Equal((ExitCode.InputOutput, $"harvester: {InFolder(message)}\n"), (run.ExitCode, run.Error));
+    }
+
+    [Theory]
+    [InlineData("No space left on device : '/data/kitti/label.txt.partial'", 28, "'/data/kitti/label.txt'")]
+    [InlineData("No space left on device", 28, "'kitti'")]
+    [InlineData("There is not enough space on the disk. : 'D:\\out\\page.html.tmp'", unchecked((int)0x80070070), "'D:\\out\\page.html'")]
+    public void Full_disk_is_told_with_the_place_and_what_to_do(string message, int code, string place) => Assert.Equal(
+        $"The disk is full: {place} cannot be written. Free some space, or name a place on another disk, and give the command again.",
+        FileFault.TextOf(new IOException(message, code), "kitti"));
+
+    [Fact]
+    public void Full_disk_without_a_place_is_told_all_the_same() =>
+        Assert.StartsWith("The disk is full. Free some space", FileFault.TextOf(new IOException("No space left on device", 28), output: null), StringComparison.Ordinal);
+
+    [Fact]
+    public void File_without_the_right_to_read_it_is_told_as_such() => Assert.Equal(
+        $"'{_folder.PathOf("file")}' may not be read or written. Ask for the right to, or name another.",
+        FileFault.TextOf(new UnauthorizedAccessException($"Access to the path '{_folder.PathOf("file")}' is denied."), output: null));
+
+    [Fact]
+    public void Folder_in_the_place_of_a_file_is_told_as_such() => Assert.Equal(
+        $"'{_folder.PathOf("folder")}' is a folder. Name a file.",
+        FileFault.TextOf(new IOException($"Is a directory : '{_folder.PathOf("folder")}'"), output: null));
+
+    [Fact]
+    public void What_the_project_says_itself_stays_as_it_is() =>
+        Assert.Equal("'out' is no drive.", FileFault.TextOf(new FileNotFoundException("'out' is no drive."), "x"));
+
+    private string InFolder(string text) => text
+        .Replace("{folder}", _folder.PathOf("folder"), StringComparison.Ordinal)
+        .Replace("{file}", _folder.PathOf("file"), StringComparison.Ordinal)
+        .Replace("{none}", _folder.PathOf("none"), StringComparison.Ordinal)
+        .Replace("{.}", _folder.Path, StringComparison.Ordinal);
+}

@@ -1,0 +1,32 @@
+using Harvester.Cli.Terminals;
+
+namespace Harvester.Cli.Tests.Terminals;
+
+public sealed class ShellWordTests
+{
+    [Theory]
+    [InlineData("out/drive-1.2_x", "out/drive-1.2_x")]
+    [InlineData("out/drive-1", "out/drive-1")]
+    [InlineData("my drives", "'my drives'")]
+    [InlineData("it's", @"'it'\''s'")]
+    [InlineData("a;rm", "'a;rm'")]
+    [InlineData("$HOME", "'$HOME'")]
+    [InlineData("", "''")]
+    public void Of_a_posix_shell_is_one_word(string word, string expected) => Assert.Equal(expected, ShellWord.Of(word, isWindows: false));
+
+    [Theory]
+    [InlineData(@"C:\drives\1", @"C:\drives\1")]
+    [InlineData(@"C:\my drives", "\"C:\\my drives\"")]
+    public void Of_windows_is_one_word(string word, string expected) => Assert.Equal(expected, ShellWord.Of(word, isWindows: true));
+
+    [PosixTheory]
+    [InlineData("it's a \"test\" of $HOME; `x` \\ & * ~")]
+    public void Of_a_posix_shell_comes_out_of_the_shell_as_it_went_in(string word)
+    {
+        var start = new System.Diagnostics.ProcessStartInfo("/bin/sh") { RedirectStandardOutput = true };
+        Array.ForEach(["-c", $"printf %s {ShellWord.Of(word, isWindows: false)}"], start.ArgumentList.Add);
+        using System.Diagnostics.Process shell = System.Diagnostics.Process.Start(start)!;
+
+        Assert.Equal(word, shell.StandardOutput.ReadToEnd());
+    }
+}

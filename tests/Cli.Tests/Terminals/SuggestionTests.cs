@@ -1,0 +1,36 @@
+using Harvester.Cli.Terminals;
+
+namespace Harvester.Cli.Tests.Terminals;
+
+public sealed class SuggestionTests
+{
+    [Theory]
+    [InlineData("'harvest'", "harvset")]
+    [InlineData("'--frames'", "harvest", "--out", "x", "--frame", "3")]
+    [InlineData("'--weather'", "harvest", "--out", "x", "--wether=rain")]
+    [InlineData("'--quiet'", "harvest", "--out", "x", "--queit")]
+    [InlineData("'compare'", "roads", "compaer")]
+    [InlineData("'--help'", "validate", "x", "--hepl")]
+    public void Mistyped_word_gets_the_nearest_name(string expected, params string[] arguments) =>
+        CliRun.Of(arguments).AssertFailed(ExitCode.Usage, $"Did you mean {expected}?");
+
+    [Fact]
+    public void Word_like_no_name_gets_no_suggestion()
+    {
+        CliRun run = CliRun.Of("harvest", "--out", "x", "--zzzzzzz");
+
+        run.AssertFailed(ExitCode.Usage, "Unrecognised argument '--zzzzzzz'. See 'harvester harvest --help'.");
+    }
+
+    [Theory]
+    [InlineData("", "abc", 3)]
+    [InlineData("frames", "frames", 0)]
+    [InlineData("frame", "frames", 1)]
+    [InlineData("farmes", "frames", 1)]
+    [InlineData("kitten", "sitting", 3)]
+    public void Mistakes_counts_letters_put_in_left_out_exchanged_and_swapped(string a, string b, int expected)
+    {
+        Assert.Equal(expected, Suggestion.Mistakes(a, b));
+        Assert.Equal(expected, Suggestion.Mistakes(b, a));
+    }
+}

@@ -1,0 +1,73 @@
+using Harvester.Capture.Ports;
+using Harvester.Driving.Bridge;
+using Harvester.TestSupport;
+
+namespace Harvester.Driving.Tests.Bridge;
+
+public sealed class FrameCreditTests
+{
+    private readonly FrameCredit _credit = new();
+
+    [Fact]
+    public void One_frame_goes_unanswered_and_no_second()
+    {
+        Assert.True(_credit.TrySpend(Frames.State(1)));
+        Assert.False(_credit.TrySpend(Frames.State(2)));
+    }
+
+    [Theory]
+    [InlineData(4L, false)]
+    [InlineData(5L, true)]
+    [InlineData(6L, true)]
+    [InlineData(null, true)]
+    public void Controls_answer_the_frame_that_they_name_or_all_where_they_name_none(long? named, bool isAnswered)
+    {
+        _credit.TrySpend(Frames.State(5));
+        _credit.Hear(new ControlsMessage(DrivingControls.Stop, named));
+
+        Assert.Equal(isAnswered, _credit.TrySpend(Frames.State(7)));
+    }
+
+    [Theory]
+    [InlineData(4L, false)]
+    [InlineData(5L, true)]
+    [InlineData(null, true)]
+    public void Indicators_answer_as_controls_do(long? named, bool isAnswered)
+    {
+        _credit.TrySpend(Frames.State(5));
+        _credit.Hear(new IndicatorsMessage(new double[13], named));
+
+        Assert.Equal(isAnswered, _credit.TrySpend(Frames.State(7)));
+    }
+
+    [Fact]
+    public void Late_answer_to_an_earlier_frame_takes_no_credit_away()
+    {
+        _credit.TrySpend(Frames.State(5));
+        _credit.Hear(new PauseMessage(false));
+        _credit.Hear(new ControlsMessage(DrivingControls.Stop, 4));
+
+        Assert.True(_credit.TrySpend(Frames.State(6)));
+    }
+
+    [Fact]
+    public void Step_and_request_bring_their_own_frame_and_no_other()
+    {
+        _credit.TrySpend(Frames.State(5));
+        _credit.Hear(new RequestFrameMessage());
+        _credit.Hear(new StepMessage(1));
+
+        Assert.False(_credit.TrySpend(Frames.State(6)));
+    }
+
+    [Fact]
+    public void Frame_that_was_asked_for_goes_in_any_case_and_need_not_be_answered()
+    {
+        _credit.TrySpend(Frames.State(5));
+        Assert.True(_credit.TrySpend(Frames.State(6) with { IsAskedFor = true }));
+        Assert.False(_credit.TrySpend(Frames.State(7)));
+        _credit.Hear(new ControlsMessage(DrivingControls.Stop, 5));
+
+        Assert.True(_credit.TrySpend(Frames.State(7)));
+    }
+}

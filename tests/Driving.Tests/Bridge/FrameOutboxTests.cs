@@ -1,0 +1,73 @@
+using Harvester.Driving.Bridge;
+using Harvester.Sessions.Imaging;
+using Harvester.TestSupport;
+
+namespace Harvester.Driving.Tests.Bridge;
+
+public sealed class FrameOutboxTests
+{
+    private readonly FrameOutbox _outbox = new(Frames.Size);
+
+    [Fact]
+    public void Of_two_frames_the_newer_is_taken_with_its_picture_and_nothing_is_left()
+    {
+        Put(1);
+        Put(2);
+
+        Assert.Equal((2L, (byte)2), Take());
+        Assert.Null(Take());
+    }
+
+    [Fact]
+    public void Picture_that_was_taken_stays_while_newer_ones_are_put()
+    {
+        Put(1);
+        _outbox.TryTake(TimeSpan.Zero, static _ => true, out _, out PixelBuffer picture);
+        Put(2);
+        Put(3);
+
+        Assert.All(picture.Bytes, shade => Assert.Equal(1, shade));
+    }
+
+    [Fact]
+    public void Frame_that_may_not_go_is_replaced_by_the_newer_and_only_that_is_asked_about()
+    {
+        Put(1);
+        Assert.False(_outbox.TryTake(TimeSpan.Zero, static _ => false, out _, out _));
+        Put(2);
+        var asked = new HashSet<long>();
+        Assert.False(_outbox.TryTake(TimeSpan.Zero, state => asked.Add(state.Frame) && state.Frame < 0, out _, out _));
+
+        Assert.Equal([2L], asked);
+        Assert.Equal((2L, (byte)2), Take());
+    }
+
+    [Fact]
+    public void Frame_that_takes_the_place_of_one_that_was_asked_for_counts_as_asked_for()
+    {
+        _outbox.Put(Frames.State(1) with { IsAskedFor = true }, Frames.Picture(1));
+        Put(2);
+        Assert.True(_outbox.TryTake(TimeSpan.Zero, static state => state.IsAskedFor, out BridgeState? second, out _));
+        Put(3);
+
+        Assert.Equal(2, second.Frame);
+        Assert.False(_outbox.TryTake(TimeSpan.Zero, static state => state.IsAskedFor, out _, out _));
+    }
+
+    [Fact]
+    public void Cleared_or_closed_box_gives_nothing()
+    {
+        Put(1);
+        _outbox.Clear(static () => { });
+        Assert.Null(Take());
+        Put(2);
+        _outbox.Close();
+
+        Assert.Null(Take());
+    }
+
+    private void Put(byte frame) => _outbox.Put(Frames.State(frame), Frames.Picture(frame));
+
+    private (long Frame, byte Shade)? Take() =>
+        _outbox.TryTake(TimeSpan.Zero, static _ => true, out BridgeState? state, out PixelBuffer picture) ? (state.Frame, picture.Bytes[0]) : null;
+}

@@ -1,0 +1,38 @@
+using Harvester.Capture.Ports;
+using Harvester.Driving.Bridge;
+using Harvester.TestSupport;
+
+namespace Harvester.Driving.Tests.Bridge;
+
+public sealed class SilenceWatchTests
+{
+    private static readonly DrivingControls Left = new(0.5, 0.25, 0);
+
+    [Fact]
+    public void Controls_hold_for_half_a_second_and_then_the_brake()
+    {
+        var clock = new TestClock();
+        var watch = new SilenceWatch(clock);
+
+        Assert.Equal(DrivingControls.Stop, watch.Controls);
+        watch.Hear(Left);
+        clock.Milliseconds = 500;
+        Assert.Equal(Left, watch.Controls);
+        clock.Milliseconds = 501;
+        Assert.Equal(DrivingControls.Stop, watch.Controls);
+        Assert.False(watch.IsPeerAlive);
+    }
+
+    [Fact]
+    public void Forget_brakes_until_the_peer_speaks_again()
+    {
+        var watch = new SilenceWatch(new TestClock());
+        watch.Hear(Left);
+
+        watch.Forget();
+
+        Assert.Equal(DrivingControls.Stop, watch.Controls);
+        watch.Hear(Left);
+        Assert.Equal(Left, watch.Controls);
+    }
+}

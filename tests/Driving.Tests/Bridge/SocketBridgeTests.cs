@@ -1,0 +1,238 @@
+using System.Text;
+using Harvester.Capture.Ports;
+using Harvester.Driving.Bridge;
+using Harvester.TestSupport;
+
+namespace Harvester.Driving.Tests.Bridge;
+
+public sealed class SocketBridgeTests
+{
+    private static readonly SocketBridgeOptions AnyPort = SocketBridgeOptions.Loopback with { Port = 0 };
+
+    [Fact]
+    public void Peer_gets_frames_and_its_controls_arrive()
+    {
+        using var bridge = new SocketBridge(AnyPort, Frames.Size);
+        using var peer = new SocketClient(bridge.EndPoint);
+        peer.Send("""{"type":"requestFrame"}""");
+        Assert.IsType<RequestFrameMessage>(Frames.AwaitMessage(bridge));
+
+        bridge.Publish(Frames.State(7), Frames.Picture(100));
+        (System.Text.Json.JsonElement header, byte[] png) = peer.Receive();
+        peer.Send("""{"type":"controls","steering":0.25,"throttle":0.5,"brake":0,"frame":7}""");
+
+        Assert.Equal("frame", header.GetProperty("type").GetString());
+        Assert.Equal(7, header.GetProperty("frame").GetInt64());
+        Assert.Equal(12.5, header.GetProperty("speedMetresPerSecond").GetDouble());
+        Assert.Equal(13, header.GetProperty("torcsEquivalent").GetArrayLength());
+        Assert.Equal(-7, header.GetProperty("indicators")[1].GetDouble());
+        Assert.Equal([0x89, (byte)'P', (byte)'N', (byte)'G'], png[..4]);
+        Assert.Equal(new ControlsMessage(new DrivingControls(0.25, 0.5, 0), 7), Frames.AwaitMessage(bridge));
+    }
+
+    [Fact]
+    public void Publish_without_a_reader_never_waits_and_the_newest_frame_wins()
+    {
+        using var bridge = new SocketBridge(AnyPort, Frames.Size);
+        for (int frame = 0; frame < 1000; frame++)
+        {
+            bridge.Publish(Frames.State(frame), Frames.Picture((byte)frame));
+        }
+
+        using var peer = new SocketClient(bridge.EndPoint);
+        peer.Send("""{"type":"requestFrame"}""");
+        Frames.AwaitMessage(bridge);
+        bridge.Publish(Frames.State(1000), Frames.Picture(1));
+
+        ReceiveUntil(peer, 1000);
+    }
+
+    [Fact]
+    public void Of_a_peer_that_goes_away_nothing_is_left_but_that_it_is_gone()
+    {
+        using var bridge = new SocketBridge(AnyPort, Frames.Size);
+        using (var first = new SocketClient(bridge.EndPoint))
+        {
+            first.Send("""{"type":"requestFrame"}""");
+            Frames.AwaitMessage(bridge);
+
+            // More than there is room for.
+            for (int i = 0; i < 300; i++)
+            {
+                first.Send("""{"type":"pause","paused":true}""");
+            }
+
+            Frames.Await(() => bridge.Problem is not null, "the box to be full");
+        }
+
+        // The last pauses may be under way still, and be taken before; after it none is.
+        PeerMessage message = Frames.AwaitMessage(bridge);
+        while (message is PauseMessage)
+        {
+            message = Frames.AwaitMessage(bridge);
+        }
+
+        Assert.IsType<PeerGoneMessage>(message);
+        Assert.False(bridge.TryReceive(out _));
+    }
+
+    [Fact]
+    public void Newer_peer_takes_the_place_of_the_older()
+    {
+        using var bridge = new SocketBridge(AnyPort, Frames.Size);
+        using var first = new SocketClient(bridge.EndPoint);
+        first.Send("""{"type":"requestFrame"}""");
+        Frames.AwaitMessage(bridge);
+        using var second = new SocketClient(bridge.EndPoint);
+        second.Send("""{"type":"pause","paused":true}""");
+        Assert.True(first.IsCutOff());
+
+        Assert.Equal(new PeerGoneMessage(), Frames.AwaitMessage(bridge));
+        Assert.Equal(new PauseMessage(true), Frames.AwaitMessage(bridge));
+    }
+
+    [Theory]
+    [InlineData("{")]
+    [InlineData("[]")]
+    [InlineData("""{"type":"fly"}""")]
+    [InlineData("""{"type":"controls","steering":"left","throttle":0,"brake":0}""")]
+    [InlineData("""{"type":"controls","steering":1e999,"throttle":0,"brake":0}""")]
+    [InlineData("""{"type":"step","seconds":-1}""")]
+    [InlineData("""{"type":"reset","position":[1,2],"headingDegrees":0}""")]
+    [InlineData("""{"type":"reset","position":[1,2,3],"headingDegrees":1e300}""")]
+    [InlineData("""{"type":"reset","position":[1,2,3],"headingDegrees":-360.5}""")]
+    [InlineData("""{"type":"reset","position":[1e39,2,3],"headingDegrees":0}""")]
+    [InlineData("""{"type":"environment","timeOfDay":"25:00"}""")]
+    [InlineData("""{"type":"environment","weather":"hail"}""")]
+    public void Peer_that_sends_nonsense_is_told_and_cut_off_and_the_next_is_served(string nonsense)
+    {
+        using var bridge = new SocketBridge(AnyPort, Frames.Size);
+        using (var peer = new SocketClient(bridge.EndPoint))
+        {
+            peer.Send(nonsense);
+            Assert.Equal("error", peer.Receive().Header.GetProperty("type").GetString());
+            Assert.True(peer.IsCutOff());
+        }
+
+        using var next = new SocketClient(bridge.EndPoint);
+        next.Send("""{"type":"requestFrame"}""");
+
+        Assert.IsType<RequestFrameMessage>(Frames.AwaitWord(bridge));
+        Assert.NotNull(bridge.Problem);
+    }
+
+    [Fact]
+    public void Peers_that_send_random_bytes_never_stop_the_bridge()
+    {
+        var random = new Random(11);
+        using var bridge = new SocketBridge(AnyPort, Frames.Size);
+        for (int i = 0; i < 100; i++)
+        {
+            using var peer = new SocketClient(bridge.EndPoint);
+            byte[] bytes = new byte[random.Next(1, 300)];
+            random.NextBytes(bytes);
+            peer.TryWrite(bytes);
+            bridge.Publish(Frames.State(i), Frames.Picture(1));
+        }
+
+        using var last = new SocketClient(bridge.EndPoint);
+        last.Send("""{"type":"requestFrame"}""");
+
+        Assert.IsType<RequestFrameMessage>(Frames.AwaitWord(bridge));
+    }
+
+    [Fact]
+    public void Peer_that_never_reads_does_not_hold_up_the_game()
+    {
+        using var bridge = new SocketBridge(AnyPort, Frames.Size);
+        using var sleeper = new SocketClient(bridge.EndPoint);
+        sleeper.Send("""{"type":"requestFrame"}""");
+        Frames.AwaitMessage(bridge);
+
+        // Publish returns at once whatever the peer does; the newest frame reaches the next peer.
+        for (int frame = 0; frame < 5000; frame++)
+        {
+            bridge.Publish(Frames.State(frame), Frames.Picture((byte)frame));
+        }
+
+        using var next = new SocketClient(bridge.EndPoint);
+        next.Send("""{"type":"requestFrame"}""");
+        Frames.AwaitWord(bridge);
+        bridge.Publish(Frames.State(6000), Frames.Picture(1));
+        ReceiveUntil(next, 6000);
+    }
+
+    [Theory]
+    [InlineData("type")]
+    [InlineData("field")]
+    public void Problem_of_a_long_text_of_several_lines_is_one_short_line(string where)
+    {
+        string text = "a\\nb\\r\\u2028\\u0000" + new string('x', 30_000);
+        using var bridge = new SocketBridge(AnyPort, Frames.Size);
+        using var peer = new SocketClient(bridge.EndPoint);
+        peer.Send(where == "type" ? $"{{\"type\":\"{text}\"}}" : $"{{\"{text}\":1,\"{text}\":2}}");
+
+        Assert.Contains("'a?b???xxx", peer.Receive().Header.GetProperty("reason").GetString(), StringComparison.Ordinal);
+        Frames.Await(() => bridge.Problem is not null, "the problem");
+        Assert.InRange(bridge.Problem!.Length, 1, 250);
+        Assert.DoesNotContain(bridge.Problem, letter => char.IsControl(letter) || letter == '\u2028');
+    }
+
+    [Fact]
+    public void Connection_that_ended_before_it_could_be_served_is_given_back()
+    {
+        using var nobody = new System.Net.Sockets.TcpClient();
+
+        Assert.ThrowsAny<Exception>(() => SocketPeer.Serve(
+            nobody,
+            new SocketReception(AnyPort, new PeerInbox<SocketPeer>(), new WaitingRoom<SocketPeer>(1), new FrameOutbox(Frames.Size), static _ => { })));
+        Assert.Null(nobody.Client);
+    }
+
+    [Fact]
+    public void Oversized_message_is_refused_before_it_is_read()
+    {
+        using var bridge = new SocketBridge(AnyPort, Frames.Size);
+        using var peer = new SocketClient(bridge.EndPoint);
+
+        peer.Stream.Write([0x7F, 0xFF, 0xFF, 0xFF, 0, 0, 0, 0]);
+
+        Assert.Contains("2147483647", peer.Receive().Header.GetProperty("reason").GetString()!, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Parser_survives_mutated_messages()
+    {
+        var random = new Random(5);
+        const string good = """{"type":"controls","steering":-0.25,"throttle":0.5,"brake":0.1,"frame":12}""";
+        for (int i = 0; i < 20_000; i++)
+        {
+            var text = new StringBuilder(good);
+            for (int change = random.Next(1, 5); change > 0; change--)
+            {
+                text[random.Next(text.Length)] = (char)random.Next(1, 128);
+            }
+
+            try
+            {
+                PeerMessageParser.Parse(text.ToString());
+            }
+            catch (BridgeException e)
+            {
+                Assert.NotEmpty(e.Message);
+            }
+        }
+    }
+
+    /// <summary>Frames in their order to one that must come; which of the earlier ones come depends on how fast the sender's thread is.</summary>
+    private static void ReceiveUntil(SocketClient peer, long wanted)
+    {
+        long last = -1;
+        while (last < wanted)
+        {
+            long frame = peer.Receive().Header.GetProperty("frame").GetInt64();
+            Assert.InRange(frame, last + 1, wanted);
+            last = frame;
+        }
+    }
+}

@@ -1,0 +1,88 @@
+using System.Net;
+using Harvester.Driving.Bridge;
+using Harvester.TestSupport;
+
+namespace Harvester.Driving.Tests.Bridge;
+
+/// <summary>Who may drive over a socket that asks for a token, and how long and how many of the others are borne with.</summary>
+public sealed class SocketTokenTests
+{
+    private static readonly SocketBridgeOptions AnyPort = SocketBridgeOptions.Loopback with { Port = 0 };
+
+    [Fact]
+    public void Peer_without_the_token_is_cut_off_and_does_not_displace_the_welcome_one()
+    {
+        using var bridge = new SocketBridge(AnyPort with { Token = "open sesame", TokenPatience = Timeout.InfiniteTimeSpan }, Frames.Size);
+        using var friend = new SocketClient(bridge.EndPoint);
+        friend.Send("""{"type":"hello","token":"open sesame"}""");
+        friend.Send("""{"type":"requestFrame"}""");
+        Frames.AwaitMessage(bridge);
+
+        using var stranger = new SocketClient(bridge.EndPoint);
+        stranger.Send("""{"type":"hello","token":"open"}""");
+
+        Assert.Equal("error", stranger.Receive().Header.GetProperty("type").GetString());
+        Assert.True(stranger.IsCutOff());
+        bridge.Publish(Frames.State(3), Frames.Picture(3));
+        Assert.Equal(3, friend.Receive().Header.GetProperty("frame").GetInt64());
+    }
+
+    [Fact]
+    public void Connections_without_the_token_are_so_many_at_most_and_a_friend_comes_through()
+    {
+        // Nobody's time runs out here: who is cut off has made room.
+        SocketBridgeOptions options = AnyPort with { Token = "open sesame", MostStrangers = 4, TokenPatience = Timeout.InfiniteTimeSpan };
+        using var bridge = new SocketBridge(options, Frames.Size);
+        SocketClient[] strangers = [.. Enumerable.Range(0, 40).Select(_ => new SocketClient(bridge.EndPoint))];
+        Assert.All(strangers.Take(36), stranger => Assert.True(stranger.IsCutOff()));
+        Assert.Equal(4, bridge.Strangers);
+
+        using var friend = new SocketClient(bridge.EndPoint);
+        friend.Send("""{"type":"hello","token":"open sesame"}""");
+        friend.Send("""{"type":"requestFrame"}""");
+        Assert.IsType<RequestFrameMessage>(Frames.AwaitMessage(bridge));
+
+        // The friend had a place among them for a moment.
+        Assert.True(strangers[36].IsCutOff());
+        Assert.Equal(3, bridge.Strangers);
+        bridge.Dispose();
+        Assert.All(strangers, stranger => Assert.True(stranger.IsCutOff()));
+        Assert.All(strangers, stranger => stranger.Dispose());
+    }
+
+    [Fact]
+    public void Connections_that_do_not_show_the_token_in_time_are_cut_off()
+    {
+        using var bridge = new SocketBridge(AnyPort with { Token = "open sesame", TokenPatience = TimeSpan.FromMilliseconds(50) }, Frames.Size);
+        using var silent = new SocketClient(bridge.EndPoint);
+        using var slow = new SocketClient(bridge.EndPoint);
+        slow.TryWrite([0, 0]);
+
+        Assert.True(silent.IsCutOff());
+        Assert.True(slow.IsCutOff());
+        Frames.Await(() => bridge.Strangers == 0, "the places of those who are cut off to be free");
+    }
+
+    [Fact]
+    public void Empty_token_is_none()
+    {
+        using var bridge = new SocketBridge(AnyPort with { Token = "" }, Frames.Size);
+        using var peer = new SocketClient(bridge.EndPoint);
+        peer.Send("""{"type":"requestFrame"}""");
+
+        Assert.IsType<RequestFrameMessage>(Frames.AwaitMessage(bridge));
+    }
+
+    [Fact]
+    public void Peer_that_says_nothing_is_told_that_a_token_is_asked_for()
+    {
+        using var bridge = new SocketBridge(AnyPort with { Token = "open sesame" }, Frames.Size);
+        using var stranger = new SocketClient(bridge.EndPoint);
+
+        Assert.Contains("a hello with the right token", stranger.Receive().Header.GetProperty("reason").GetString(), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Listening_where_others_can_reach_needs_a_token() =>
+        Assert.Throws<ArgumentException>(() => new SocketBridge(new SocketBridgeOptions(IPAddress.Any, 0, null), Frames.Size));
+}

@@ -1,0 +1,97 @@
+using Harvester.Driving.Bridge;
+using Harvester.Driving.Session;
+using Harvester.TestSupport;
+
+namespace Harvester.Driving.Tests.Session;
+
+/// <summary>When the world of a drive stands, steps and is seen: lock-step and frames that the peer asks for.</summary>
+public sealed class DrivingSessionPacingTests : DrivenGame
+{
+    [Fact]
+    public void Step_lets_the_world_go_on_for_so_long_and_sends_one_frame_of_the_world_that_stands()
+    {
+        Game.FreezeDelay = 2;
+        Game.PictureLag = 3;
+        using DrivingSession session = Session();
+        Bridge.Say(new PauseMessage(true));
+        Run(session, 20);
+        long stood = Game.State;
+        Bridge.Frames.Clear();
+
+        Bridge.Say(new ControlsMessage(Left, null), new StepMessage(0.5));
+        Run(session, 100);
+
+        // 0.5 s are 30 ticks, and the fake game needs 2 more until it stands.
+        Assert.Equal(stood + 32, Game.State);
+        (BridgeState state, long shown) = Assert.Single(Bridge.Frames);
+        Assert.Equal(Game.State, shown);
+        Assert.Equal(Game.State, FakeGame.StateAt(state.TimeSeconds));
+    }
+
+    [Fact]
+    public void Controls_hold_through_steps_however_long_the_peer_thinks_between_them()
+    {
+        using DrivingSession session = Session();
+        Bridge.Say(new PauseMessage(true), new ControlsMessage(Left, null));
+        Run(session, 1);
+        Run(session, 1_000);
+        Bridge.Say(new StepMessage(0.4));
+        Run(session, 60);
+
+        Assert.Equal(Enumerable.Repeat(Left, Car.Driven.Count), Car.Driven);
+        Assert.Equal(24, Game.State);
+    }
+
+    [Fact]
+    public void Commands_wait_for_the_frame_of_the_step_before_them()
+    {
+        using DrivingSession session = Session();
+        Bridge.Say(new PauseMessage(true));
+        Run(session, 20);
+        Bridge.Frames.Clear();
+        long stood = Game.State;
+        Bridge.Say(new StepMessage(0.1), new StepMessage(0.1), new StepMessage(0.1), new PauseMessage(false));
+        Run(session, 3 * (6 + 6));
+
+        Assert.Equal([stood + 6, stood + 12, stood + 18], Bridge.Frames.Take(3).Select(frame => frame.Shown));
+        Run(session, 60);
+        Assert.False(Game.WantsFrozen);
+        Assert.True(Game.State > stood + 18);
+    }
+
+    [Fact]
+    public void Requested_frame_comes_when_nothing_drawn_before_can_be_in_it()
+    {
+        using DrivingSession session = Session(options: new DrivingOptions { RateHz = 1 });
+        Run(session, 3);
+        Bridge.Say(new RequestFrameMessage());
+        Run(session, 20);
+
+        // Asked for in tick 3: from then on nothing is drawn, and four ticks later the picture shows none of what was.
+        Assert.Equal([0L, 7], Bridge.Frames.Select(frame => frame.Shown));
+    }
+
+    [Fact]
+    public void Requested_frame_comes_at_once_where_pictures_are_never_behind()
+    {
+        using DrivingSession session = Session(options: new DrivingOptions { RateHz = 1, SettleTicks = 0 });
+        Run(session, 3);
+        Bridge.Say(new RequestFrameMessage());
+        Run(session, 5);
+
+        Assert.Equal([0L, 3], Bridge.Frames.Select(frame => frame.Shown));
+    }
+
+    [Fact]
+    public void Requested_frame_of_a_world_that_stands_comes_when_it_stands()
+    {
+        Game.PictureLag = 3;
+        using DrivingSession session = Session();
+        Run(session, 1);
+        Bridge.Say(new PauseMessage(true), new RequestFrameMessage());
+        Run(session, 30);
+
+        Assert.Equal([0L, 1], Bridge.Frames.Select(frame => frame.Shown));
+        Assert.Equal(1, FakeGame.StateAt(Bridge.Frames[^1].State.TimeSeconds));
+    }
+}

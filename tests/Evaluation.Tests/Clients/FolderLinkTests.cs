@@ -1,0 +1,105 @@
+using System.Text.RegularExpressions;
+using Harvester.Capture.Ports;
+using Harvester.Evaluation.Clients;
+
+namespace Harvester.Evaluation.Tests.Clients;
+
+public sealed class FolderLinkTests : IDisposable
+{
+    private const string Indicators = "0 -7 3.5 7 75 75 -9.5 -2 2 9.5 75 75 75\n";
+    private static readonly TimeSpan Ample = TimeSpan.FromSeconds(30);
+    private static readonly TimeSpan Little = TimeSpan.FromMilliseconds(10);
+    private readonly string _folder = Directory.CreateTempSubdirectory().FullName;
+
+    [Fact]
+    public void Folder_that_is_not_there_is_told()
+    {
+        string missing = Path.Combine(_folder, "none");
+
+        Assert.Contains(missing, Assert.Throws<IOException>(() => new FolderLink(missing)).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Peer_begins_with_a_hello_so_that_a_world_which_another_has_stopped_goes_on()
+    {
+        using FolderLink link = new(_folder);
+
+        Assert.Equal("""{"type":"hello"}""", File.ReadAllText(Path.Combine(_folder, "command.json")).TrimEnd());
+    }
+
+    [Fact]
+    public void Frame_is_asked_for_by_a_hello_until_the_first_has_come()
+    {
+        using FolderLink link = new(_folder);
+        string first = File.ReadAllText(Path.Combine(_folder, "command.json"));
+        link.AskForFrame();
+        string again = File.ReadAllText(Path.Combine(_folder, "command.json"));
+        Assert.NotEqual(first, again);
+        Assert.Equal("""{"type":"hello"}""", again.TrimEnd());
+
+        Write(Indicators + "3 0.3 5 1 frame_00000003.png -0.05\n");
+        Assert.NotNull(link.Receive(Ample));
+        link.AskForFrame();
+        Assert.Equal("""{"type":"requestFrame"}""", File.ReadAllText(Path.Combine(_folder, "command.json")).TrimEnd());
+    }
+
+    [Fact]
+    public void Receive_gives_each_new_state_once_and_none_from_before()
+    {
+        Write(Indicators + "3 0.3 5 1 frame_00000003.png -0.05\n");
+        using FolderLink link = new(_folder);
+        Assert.Null(link.Receive(Little));
+        Write(Indicators + "0 0.1 5 1 frame_00000000.png -0.05\n");
+        PeerFrame frame = link.Receive(Ample)!;
+
+        Assert.Equal((0, 0.1, 5, true), (frame.Frame, frame.TimeSeconds, frame.State.SpeedMetresPerSecond, frame.State.IsFast));
+        Assert.Equal((-0.05, 0), (frame.State.Indicators.Angle.Value, frame.State.TorcsEquivalent.Angle.Value));
+        Assert.Null(link.Receive(Little));
+    }
+
+    [Theory]
+    [InlineData("")]
+    [InlineData("0 -7 3.5")]
+    [InlineData("0 -7 3.5 7 75 75 -9.5 -2 2 9.5 75 75 seventy\n3 0.3 5 1 frame_00000003.png -0.05\n")]
+    public void Receive_passes_over_a_state_that_is_not_whole(string state)
+    {
+        using FolderLink link = new(_folder);
+        Write(state);
+        Assert.Null(link.Receive(Little));
+        Write(Indicators + "4 0.4 5 1 frame_00000004.png -0.05\n");
+
+        Assert.Equal(4, link.Receive(Ample)!.Frame);
+    }
+
+    [Fact]
+    public void Answers_and_steps_are_told_from_those_before()
+    {
+        using FolderLink link = new(_folder);
+        link.Send(new DrivingControls(-0.5, 0.25, 0), 12);
+        Assert.Equal("-0.5 0.25 0 12\n", File.ReadAllText(Path.Combine(_folder, "controls.txt")));
+
+        HashSet<string> commands = [];
+        for (int i = 0; i < 3; i++)
+        {
+            link.Step(0.1);
+            commands.Add(File.ReadAllText(Path.Combine(_folder, "command.json")));
+        }
+
+        Assert.Equal(3, commands.Count);
+        Assert.All(commands, command => Assert.Matches(new Regex("""^\{"type":"step","seconds":0.1\} *$"""), command));
+    }
+
+    [Fact]
+    public void Folder_that_is_gone_is_told_and_not_tried_for_ever()
+    {
+        using FolderLink link = new(_folder);
+        Directory.Delete(_folder, recursive: true);
+
+        Assert.ThrowsAny<IOException>(() => link.Step(0.1));
+        Directory.CreateDirectory(_folder);
+    }
+
+    public void Dispose() => Directory.Delete(_folder, recursive: true);
+
+    private void Write(string state) => File.WriteAllText(Path.Combine(_folder, "state.txt"), state);
+}

@@ -1,0 +1,65 @@
+using System.Globalization;
+using System.Text.RegularExpressions;
+using Harvester.Evaluation.Figures;
+using Harvester.Evaluation.Reports;
+using Harvester.Evaluation.Tests.Figures;
+
+namespace Harvester.Evaluation.Tests.Reports;
+
+public sealed class DriveReportTests : IDisposable
+{
+    private readonly string _folder = Directory.CreateTempSubdirectory().FullName;
+
+    [Fact]
+    public void Write_shows_the_figures_of_the_record_and_a_ring_for_each_event()
+    {
+        DriveSample[] samples = [Drives.At(0), Drives.At(1) with { Touching = [4] }, Drives.At(2), Drives.At(3)];
+        DriveRecord record = RecordOf(samples);
+        string page = PageOf(record, samples);
+
+        Assert.All(record.Figures.Rows(), row => Assert.Contains($"<tr><td>{row.Name}</td><td>{row.Value}</td></tr>", page, StringComparison.Ordinal));
+        Assert.Single(record.Collisions);
+        Assert.Single(Regex.Matches(page, "<circle class=\"collision\""));
+        Assert.DoesNotContain("<circle class=\"departure\"", page, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Write_plots_speed_jerk_and_progress_to_scale()
+    {
+        // Speeds 0, 1, 3, 6, 10: second differences of 1 m/s in a tenth of a second, 100 m/s³ each.
+        double[] speeds = [0, 1, 3, 6, 10];
+        DriveSample[] samples = [.. speeds.Select((speed, i) => Drives.At(i) with { Speed = speed })];
+        string[] plots = [.. Regex.Matches(PageOf(RecordOf(samples), samples), "<svg.*?</svg>", RegexOptions.Singleline).Select(match => match.Value)];
+
+        Assert.Equal(5, plots.Length);
+        (double X, double Y)[] speed = PointsOf(plots[2]);
+        Assert.All(Enumerable.Range(0, 5), i => Assert.Equal(speeds[i] / 10, (speed[0].Y - speed[i].Y) / (speed[0].Y - speed[4].Y), 0.01));
+        (double X, double Y)[] jerk = PointsOf(plots[3]);
+        Assert.Equal(3, jerk.Length);
+        Assert.All(jerk, point => Assert.Equal(jerk[0].Y, point.Y));
+
+        // A metre in each tenth of a second: a straight line.
+        (double X, double Y)[] progress = PointsOf(plots[4]);
+        Assert.All(Enumerable.Range(0, 5), i => Assert.Equal(i / 4.0, (progress[i].X - progress[0].X) / (progress[4].X - progress[0].X), 0.01));
+        Assert.All(Enumerable.Range(0, 5), i => Assert.Equal(i / 4.0, (progress[0].Y - progress[i].Y) / (progress[0].Y - progress[4].Y), 0.01));
+    }
+
+    public void Dispose() => Directory.Delete(_folder, recursive: true);
+
+    private static DriveRecord RecordOf(DriveSample[] samples) =>
+        DriveRecord.Of(new Dictionary<string, string> { ["controller"] = "stanley" }, samples);
+
+    private static (double X, double Y)[] PointsOf(string plot) =>
+    [
+        .. Regex.Match(plot, "<polyline class=\"controller\" points=\"([^\"]*) \"").Groups[1].Value.Split(' ')
+            .Select(point => point.Split(','))
+            .Select(point => (double.Parse(point[0], CultureInfo.InvariantCulture), double.Parse(point[1], CultureInfo.InvariantCulture))),
+    ];
+
+    private string PageOf(DriveRecord record, DriveSample[] samples)
+    {
+        string path = Path.Combine(_folder, DriveReport.FileName);
+        DriveReport.Write(path, record, samples);
+        return File.ReadAllText(path);
+    }
+}

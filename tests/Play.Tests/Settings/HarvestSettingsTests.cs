@@ -1,0 +1,105 @@
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Ports;
+using Harvester.Geometry.Cameras;
+using Harvester.Play.Settings;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Play.Tests.Settings;
+
+public sealed class HarvestSettingsTests
+{
+    [Fact]
+    public void Empty_file_gives_the_defaults()
+    {
+        Assert.Equal(Defaults, HarvestSettings.Read(IniFile.Read(TextReader.Null)));
+    }
+
+    [Fact]
+    public void Every_setting_reaches_its_option()
+    {
+        IniFile ini = Read("""
+            [Harvest]
+            Width = 280
+            Height = 210
+            ImageFormat = jpeg
+            JpegQuality = 80
+            Rate = 2.5
+            Range = 70
+            IgnoreRange = 140
+            Classes = car, bus
+            Mode = Live
+            Freeze = timeScale
+            Masks = On
+            Rays = 3000
+            RayReach = 120.5
+            OcclusionRays = 9
+            ProbeLag = Off
+            MaxPictureLagTicks = 7
+            TickBudget = 1.5
+            Queue = 3
+            [Lens]
+            MaxError = 0.4
+            FocalScale = 1.008
+            CentreOffsetX = 0.01
+            CentreOffsetY = -0.02
+            K1 = -0.1
+            K2 = 0.03
+            """);
+        HarvestOptions options = HarvestSettings.Read(ini);
+
+        Assert.Empty(ini.Complaints);
+        Assert.Equal([ObjectClass.Car, ObjectClass.Bus], options.Classes);
+        var expected = new HarvestOptions
+        {
+            Image = new ImageSize(280, 210),
+            Format = ImageFormat.Jpeg,
+            JpegQuality = 80,
+            RateHz = 2.5,
+            RangeMetres = 70,
+            IgnoreRangeMetres = 140,
+            Classes = options.Classes,
+            Freeze = false,
+            FreezeBy = FreezeMethod.TimeScale,
+            Masks = true,
+            RayBudget = 3000,
+            RayReachMetres = 120.5,
+            OcclusionSamples = 9,
+            ProbeLag = false,
+            MaxPictureLagTicks = 7,
+            TickBudgetMilliseconds = 1.5,
+            QueueCapacity = 3,
+            MaxCalibrationErrorPixels = 0.4,
+            Lens = new Lens(1.008, 0.01, -0.02, -0.1, 0.03),
+        };
+        Assert.Equal(expected, options);
+    }
+
+    [Theory]
+    [InlineData("Paused", FreezeMethod.Paused)]
+    [InlineData("TimeScale", FreezeMethod.TimeScale)]
+    [InlineData("Auto", null)]
+    public void Freeze_names_a_way_or_leaves_the_choice_to_a_trial(string value, FreezeMethod? expected) =>
+        Assert.Equal(expected, HarvestSettings.Read(Read($"[Harvest]\nFreeze = {value}\n")).FreezeBy);
+
+    [Fact]
+    public void Error_of_the_lens_of_zero_means_that_it_is_not_checked()
+    {
+        Assert.Null(HarvestSettings.Read(Read("[Lens]\nMaxError = 0\n")).MaxCalibrationErrorPixels);
+    }
+
+    [Fact]
+    public void Bad_setting_names_its_line_and_what_is_expected()
+    {
+        IniFile ini = Read("[Harvest]\nMode = Freezing\nClasses = car, lorry\n");
+        Assert.Equal(Defaults, HarvestSettings.Read(ini));
+
+        Assert.Equal("Line 2: Mode = Freezing is not Freeze or Live; the default is used.", ini.Complaints[0]);
+        Assert.StartsWith("Line 3: Classes = car, lorry is not a list of Car, Truck, Bus", ini.Complaints[1], StringComparison.Ordinal);
+    }
+
+    /// <summary>A player's game is frozen in the way that a trial finds better; for a program, the way is paused unless it says otherwise.</summary>
+    private static HarvestOptions Defaults => new() { FreezeBy = null };
+
+    private static IniFile Read(string text) => IniFile.Read(new StringReader(text));
+}

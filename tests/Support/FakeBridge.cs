@@ -1,0 +1,37 @@
+using System.Diagnostics.CodeAnalysis;
+using Harvester.Driving.Bridge;
+using Harvester.Sessions.Imaging;
+
+namespace Harvester.TestSupport;
+
+/// <summary>A bridge in memory, to a peer that is the test. It gives messages out as the real ones do: commands first, of controls the newest.</summary>
+internal sealed class FakeBridge : IDrivingBridge
+{
+    private readonly PeerInbox<FakeBridge> _inbox = new();
+
+    public FakeBridge() => _inbox.Welcome(this);
+
+    public string? Problem { get; set; }
+
+    public string? Peer => null;
+
+    /// <summary>What was published, and the number of the state that the picture shows.</summary>
+    public List<(BridgeState State, long Shown)> Frames { get; } = [];
+
+    public void Say(params PeerMessage[] messages) => Assert.All(messages, message => Assert.True(_inbox.TryPut(this, message)));
+
+    /// <summary>The peer goes, and another comes.</summary>
+    public void ReplacePeer()
+    {
+        _inbox.Leave(this);
+        _inbox.Welcome(this);
+    }
+
+    public void Publish(BridgeState state, PixelBuffer picture) => Frames.Add((state, FakeGame.StateOf(picture)));
+
+    public bool TryReceive([NotNullWhen(true)] out PeerMessage? message) => _inbox.TryTake(out message);
+
+    public void Dispose()
+    {
+    }
+}

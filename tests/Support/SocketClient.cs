@@ -1,0 +1,101 @@
+using System.Buffers.Binary;
+using System.Net;
+using System.Net.Sockets;
+using System.Text;
+using System.Text.Json;
+
+namespace Harvester.TestSupport;
+
+/// <summary>A peer written from docs/bridge.md alone.</summary>
+internal sealed class SocketClient : IDisposable
+{
+    private readonly TcpClient _client = new();
+
+    public SocketClient(IPEndPoint server)
+    {
+        _client.Connect(server);
+        _client.NoDelay = true;
+        _client.ReceiveTimeout = 30_000;
+        Stream = _client.GetStream();
+    }
+
+    public NetworkStream Stream { get; }
+
+    public void Send(string header)
+    {
+        byte[] text = Encoding.UTF8.GetBytes(header);
+        byte[] lengths = new byte[8];
+        BinaryPrimitives.WriteInt32BigEndian(lengths, text.Length);
+        Stream.Write(lengths);
+        Stream.Write(text);
+    }
+
+    /// <summary>Writes bytes as they are.</summary>
+    /// <returns>False where the other side was quicker to cut the connection off.</returns>
+    public bool TryWrite(ReadOnlySpan<byte> bytes)
+    {
+        try
+        {
+            Stream.Write(bytes);
+            return true;
+        }
+        catch (IOException)
+        {
+            return false;
+        }
+    }
+
+    public (JsonElement Header, byte[] Payload) Receive()
+    {
+        byte[] lengths = new byte[8];
+        Stream.ReadExactly(lengths);
+        byte[] header = new byte[BinaryPrimitives.ReadInt32BigEndian(lengths)];
+        byte[] payload = new byte[BinaryPrimitives.ReadInt32BigEndian(lengths.AsSpan(4))];
+        Stream.ReadExactly(header);
+        Stream.ReadExactly(payload);
+        return (JsonDocument.Parse(header).RootElement, payload);
+    }
+
+    /// <summary>Ends this side of the connection, and gives all that came until the other side's end.</summary>
+    public string SayNoMore()
+    {
+        _client.Client.Shutdown(SocketShutdown.Send);
+        using var rest = new MemoryStream();
+        try
+        {
+            Stream.CopyTo(rest);
+        }
+        catch (IOException e) when (e.InnerException is SocketException { SocketErrorCode: SocketError.ConnectionReset })
+        {
+            // Cut off with something unread.
+        }
+
+        return Encoding.UTF8.GetString(rest.ToArray());
+    }
+
+    public bool IsCutOff()
+    {
+        try
+        {
+            byte[] rest = new byte[4096];
+            while (Stream.Read(rest) > 0)
+            {
+            }
+
+            return true;
+        }
+        catch (IOException e) when (e.InnerException is SocketException { SocketErrorCode: SocketError.ConnectionReset })
+        {
+            return true;
+        }
+    }
+
+    /// <summary>Ends as a process does that is killed with something unread.</summary>
+    public void Kill()
+    {
+        _client.LingerState = new LingerOption(true, 0);
+        _client.Close();
+    }
+
+    public void Dispose() => _client.Dispose();
+}
