@@ -18,7 +18,7 @@ namespace Harvester.Benchmarks;
 
 /// <summary>
 /// Time from the tick that takes a frame to the tick that drives the car by the answer to it, over the socket, with a simulated game of
-/// 60 ticks and 10 frames a second and a peer that answers at once. The steering of an answer tells which frame it is for. The picture
+/// 60 ticks and 10 frames a second and a client that answers at once. The steering of an answer tells which frame it is for. The picture
 /// is rendered once: how long the simulated game draws is no matter of the bridge. The exit code is 1 where one of a hundred takes as
 /// long as the time from frame to frame.
 /// </summary>
@@ -73,9 +73,9 @@ internal sealed class BridgeLatency : IDrivenCar, IScreen
 
     private static void Answer(IPEndPoint place)
     {
-        using var client = new TcpClient { NoDelay = true };
-        client.Connect(place);
-        NetworkStream stream = client.GetStream();
+        using var connection = new TcpClient { NoDelay = true };
+        connection.Connect(place);
+        NetworkStream stream = connection.GetStream();
         byte[] lengths = new byte[8];
         while (stream.ReadAtLeast(lengths, lengths.Length, throwOnEndOfStream: false) == lengths.Length)
         {
@@ -106,8 +106,8 @@ internal sealed class BridgeLatency : IDrivenCar, IScreen
             game.Ports with { Car = this, Screen = this, Roads = new FixedRoads(game.Roads, "simulation") },
             bridge,
             static () => new DeepDrivingController());
-        var peer = new Thread(() => Answer(bridge.EndPoint)) { IsBackground = true };
-        peer.Start();
+        var client = new Thread(() => Answer(bridge.EndPoint)) { IsBackground = true };
+        client.Start();
         for (long tick = 0; session.Status.Frames < frames; tick++)
         {
             double start = _clock.Elapsed.TotalMilliseconds;

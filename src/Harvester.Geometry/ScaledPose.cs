@@ -9,7 +9,7 @@ public readonly record struct ScaledPose(Pose Pose, Vector3D Scale)
     private const double UnitTolerance = 1e-3;
 
     /// <summary>Below this factor a thing is no larger than a grain: it is hidden, not scaled.</summary>
-    private const double SmallestScale = 1e-3;
+    private const double MinScale = 1e-3;
 
     /// <summary>
     /// Splits a matrix into a rotation and a scale along the axes of its own frame. Lengths within 0.001 of 1 are taken for 1, so that a rigid
@@ -38,5 +38,5 @@ public readonly record struct ScaledPose(Pose Pose, Vector3D Scale)
         return System.Math.Abs(length - 1) <= UnitTolerance ? 1 : length;
     }
 
-    private static bool IsUsable(double scale) => scale >= SmallestScale && !double.IsInfinity(scale);
+    private static bool IsUsable(double scale) => scale >= MinScale && !double.IsInfinity(scale);
 }

@@ -13,7 +13,7 @@ namespace Harvester.Mod;
 internal sealed class GameStage(IModels models, GameRays rays) : ISurveyStage
 {
     private const double MetresOverPlayer = 40;
-    private const int MostHeads = 4;
+    private const int MaxHeads = 4;
 
     /// <inheritdoc/>
     public IRayCaster Rays => rays;
@@ -45,7 +45,7 @@ internal sealed class GameStage(IModels models, GameRays rays) : ISurveyStage
         Pose pose = Natives.EntityPose(entity);
         (Vector3D min, Vector3D max) = models.DimensionsOf(ModelHash.Of(model));
         var heads = new List<Vector3D>();
-        for (int head = 0; head < MostHeads; head++)
+        for (int head = 0; head < MaxHeads; head++)
         {
             int bone = Natives.Call<int>(Hash.GET_ENTITY_BONE_INDEX_BY_NAME, entity, "traffic_light_" + head);
             if (bone >= 0)

@@ -18,10 +18,10 @@ internal sealed class GameWorld : IWorld, IProps
     private readonly GameTime _time;
     private readonly GameRays _rays;
     private readonly IModels _models;
-    private readonly Func<SpaceTable> _spaces;
+    private readonly Func<FaceTable> _faces;
     private readonly ReadingRecord _reading;
     private readonly NearbyEntities _nearby;
-    private SpaceTable _table = SpaceTable.Empty;
+    private FaceTable _table = FaceTable.Empty;
     private KnownModels _known;
 
     /// <summary>Reads the game around a camera.</summary>
@@ -29,10 +29,10 @@ internal sealed class GameWorld : IWorld, IProps
     /// <param name="time">The game's time.</param>
     /// <param name="rays">Where the entities are made known.</param>
     /// <param name="models">The game's models.</param>
-    /// <param name="spaces">Gives the models of signs and traffic lights that are in use: the only props that are read.</param>
+    /// <param name="faces">Gives the models of signs and traffic lights that are in use: the only props that are read.</param>
     /// <param name="nearby">Lists the entities.</param>
     /// <param name="reading">Told of entities that are left out.</param>
-    public GameWorld(CameraMount mount, GameTime time, GameRays rays, IModels models, Func<SpaceTable> spaces, NearbyEntities nearby, ReadingRecord reading)
+    public GameWorld(CameraMount mount, GameTime time, GameRays rays, IModels models, Func<FaceTable> faces, NearbyEntities nearby, ReadingRecord reading)
     {
         _nearby = nearby;
         _reading = reading;
@@ -40,7 +40,7 @@ internal sealed class GameWorld : IWorld, IProps
         _time = time;
         _rays = rays;
         _models = models;
-        _spaces = spaces;
+        _faces = faces;
         _known = new KnownModels(models, _table);
     }
 
@@ -131,12 +131,12 @@ internal sealed class GameWorld : IWorld, IProps
     /// <summary>What is known of models stems from the table in use, which may have become another since.</summary>
     private void TakeTable()
     {
-        SpaceTable table = _spaces();
+        FaceTable table = _faces();
         if (table != _table)
         {
             _table = table;
             _known = new KnownModels(_models, table);
-            _nearby.PropModels = [.. table.Spaces.Select(space => space.Hash).Distinct()];
+            _nearby.PropModels = [.. table.Faces.Select(face => face.Hash).Distinct()];
         }
     }
 

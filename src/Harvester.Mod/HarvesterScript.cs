@@ -31,8 +31,8 @@ public sealed class HarvesterScript : Script
     private readonly ModFolder _folder;
     private readonly Harvest _harvest;
     private readonly LensCalibration _calibration;
-    private readonly BridgeDrive _drive;
-    private readonly SpaceSurveying _signs;
+    private readonly BridgeDriving _drive;
+    private readonly FaceSurveying _signs;
     private readonly FeatureSet _features;
     private readonly KeyBindings<Keys> _keys;
     private bool _greeted;
@@ -51,7 +51,7 @@ public sealed class HarvesterScript : Script
         _folder = new ModFolder(BaseDirectory);
         _messages = new PlayerMessages(BaseDirectory, message => Notification.Show(message), clock);
         PlayerSettings player = PlayerSettings.Read(_folder.Settings, BaseDirectory);
-        var measured = new MeasuredSpaces(player.SpacesFolder, _folder.ShippedSpaces, _folder.SpacesWith(player.SpacesFolder));
+        var measured = new MeasuredFaces(player.FacesFolder, _folder.ShippedFaces, _folder.FacesWith(player.FacesFolder));
         var display = new GameDisplay();
         var time = new GameTime(GameFreeze.Set, () => Natives.Call<int>(Hash.GET_GAME_TIMER)) { Method = player.Options.FreezeBy ?? FreezeMethod.Paused };
         var rays = new GameRays();
@@ -65,16 +65,16 @@ public sealed class HarvesterScript : Script
         var car = new TestCar(player, _messages, models, vehicles, clock);
         var mount = new CameraMount(player, _messages, cameras, vehicles);
         var nearby = new NearbyEntities(build, new NativeLists(time, rays), reading, _messages);
-        var world = new GameWorld(mount, time, rays, models, () => _harvest!.Spaces, nearby, reading);
+        var world = new GameWorld(mount, time, rays, models, () => _harvest!.Faces, nearby, reading);
         var lights = new LightDriving(
             world, new GameTrafficLights(), player.LightOrder, player.Options.RangeMetres, player.Options.MaxPictureLagTicks + 2)
         {
             IsWanted = () => player.DrivesLights && _harvest!.IsOn,
         };
         var game = new GamePorts(world, rays, screen, time, clock, markers) { Roads = roads, Lights = lights, MountedCamera = mount, Calls = calls, Reading = reading };
-        var driven = new DrivenCar(new GameCarControls(), vehicles, mount, world);
-        _drive = new BridgeDrive(player.Bridge, game, driven, mount, display, _messages) { Obstacle = DriveObstacle };
-        _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, display, () => Origin(player)) { Problem = Problem, SpacesInUse = () => measured.InUse };
+        var driven = new PlayerCar(new GameCarControls(), vehicles, mount, world);
+        _drive = new BridgeDriving(player.Bridge, game, driven, mount, display, _messages) { Obstacle = DriveObstacle };
+        _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, display, () => Origin(player)) { Problem = Problem, FacesInUse = () => measured.InUse };
         _calibration = new LensCalibration(_harvest, game, mount, display, _messages, _folder.SettingsPath);
         var overlay = new Overlay(_harvest, game, _messages, new Sight(new GameSight(mount, world)), display) { IsPictureNear = IsPictureNear };
         var survey = new RoadSurveying(
@@ -83,13 +83,13 @@ public sealed class HarvesterScript : Script
             GivesLanes = player.RoadFile is null,
             AreLanesWanted = () => player.RoadFile is null && (overlay.IsOn || _drive.IsOn || _harvest.IsOn),
         };
-        _signs = new SpaceSurveying(
+        _signs = new FaceSurveying(
             new GameStage(models, rays),
             player.TakesPhotographs ? new SurveyCamera(cameras, screen, () => world.ReadCamera().WindowAspect) : null,
-            SignModels.ToMeasure(_folder.ShippedSpaces, player.FurtherModels),
+            SignModels.ToMeasure(_folder.ShippedFaces, player.FurtherModels),
             measured, _harvest, mount, display, _messages, clock, player.SurveyBudgetMilliseconds);
-        var marking = new SpaceMarking(game, world, SignName.Choices(player.SignNames, _folder.ShippedSpaces), _folder.ShippedSpaces, measured, display, _messages) { IsPictureNear = IsPictureNear, IsHarvesting = () => _harvest.IsOn };
-        var unknown = new UnknownModelsList(world, world, () => measured.InUse, player.SpacesFolder, _messages) { Problem = Problem };
+        var marking = new FaceMarking(game, world, SignName.Choices(player.SignNames, _folder.ShippedFaces), _folder.ShippedFaces, measured, display, _messages) { IsPictureNear = IsPictureNear, IsHarvesting = () => _harvest.IsOn };
+        var unknown = new UnknownModelsList(world, world, () => measured.InUse, player.FacesFolder, _messages) { Problem = Problem };
         var line = new HarvestLine(_harvest, player.Folder, clock, display) { IsPictureNear = IsPictureNear, SurveyLines = [() => survey.Line, () => _signs.Line, () => marking.Line] };
         var frozen = new FrozenWorld(time, () => _harvest.IsOn || _calibration.IsOn || _drive.IsOn);
         _features = new FeatureSet(_messages, calls, clock, frozen, car, mount, _harvest, lights, _calibration, markers, survey, _signs, marking, unknown, _drive, line, overlay);
@@ -110,7 +110,7 @@ public sealed class HarvesterScript : Script
     internal bool IsBusy => _features.IsBusy;
 
     private void BindKeys(
-        TestCar car, CameraMount mount, Overlay overlay, RoadSurveying survey, SpaceMarking marking, UnknownModelsList unknown)
+        TestCar car, CameraMount mount, Overlay overlay, RoadSurveying survey, FaceMarking marking, UnknownModelsList unknown)
     {
         _keys.Add("SpawnTestCar", Keys.NumPad0, car, car.Spawn);
         _keys.Add("MountCamera", Keys.I, mount, mount.Mount);
@@ -121,7 +121,7 @@ public sealed class HarvesterScript : Script
         _keys.Add("Calibrate", Keys.NumPad1, _calibration, _calibration.Toggle);
         _keys.Add("RoadSurvey", Keys.U, survey, survey.Toggle);
         _keys.Add("Drive", Keys.N, _drive, _drive.Toggle);
-        _keys.Add("SpaceSurvey", Keys.Multiply, _signs, _signs.Toggle);
+        _keys.Add("FaceSurvey", Keys.Multiply, _signs, _signs.Toggle);
         _keys.Add("MarkCorner", Keys.NumPad2, marking, marking.Mark);
         _keys.Add("NextName", Keys.NumPad3, marking, marking.NextName);
         _keys.Add("KeepFace", Keys.Y, marking, marking.Keep);
@@ -198,7 +198,7 @@ public sealed class HarvesterScript : Script
         : _signs.IsOn ? "The survey of signs is running: wait for its end, or end it by its key."
         : null;
 
-    private string? DriveObstacle() => _harvest.IsOn ? "End the harvest first, then let a peer drive." : Problem();
+    private string? DriveObstacle() => _harvest.IsOn ? "End the harvest first, then let a client drive." : Problem();
 
     private SessionOrigin Origin(PlayerSettings player) => new()
     {

@@ -23,10 +23,10 @@ internal sealed class NativeLists(GameTime time, GameRays rays)
     private const double SecondsBetweenSearches = 0.2;
 
     /// <summary>The people who are asked what is near them: the player first, then those whom others named.</summary>
-    private const int MostPeopleAsked = 24;
+    private const int MaxPeopleAsked = 24;
 
     /// <summary>Room for one answer. The game itself names fewer.</summary>
-    private const int MostNamed = 64;
+    private const int MaxNamed = 64;
 
     private const int RayColumns = 16;
     private const int RayRows = 9;
@@ -91,7 +91,7 @@ internal sealed class NativeLists(GameTime time, GameRays rays)
     {
         var waiting = new Queue<int>([Natives.PlayerPed()]);
         var known = new HashSet<int>(waiting);
-        for (int asked = 0; waiting.Count > 0 && asked < MostPeopleAsked; asked++)
+        for (int asked = 0; waiting.Count > 0 && asked < MaxPeopleAsked; asked++)
         {
             int ped = waiting.Dequeue();
             foreach (int vehicle in VehiclesNear(ped))
@@ -155,18 +155,18 @@ internal sealed class NativeLists(GameTime time, GameRays rays)
 
     private static int[] VehiclesNear(int ped)
     {
-        using var list = NativeOutput.Holding(MostNamed, 1 + MostNamed);
+        using var list = NativeOutput.Holding(MaxNamed, 1 + MaxNamed);
         return Named(list, Natives.Call<int>(Hash.GET_PED_NEARBY_VEHICLES, ped, list));
     }
 
     private static int[] PedsNear(int ped)
     {
         const int nobody = -1;
-        using var list = NativeOutput.Holding(MostNamed, 1 + MostNamed);
+        using var list = NativeOutput.Holding(MaxNamed, 1 + MaxNamed);
         return Named(list, Natives.Call<int>(Hash.GET_PED_NEARBY_PEDS, ped, list, nobody));
     }
 
     /// <summary>The first slot of a list is its room, each further one a handle.</summary>
     private static int[] Named(NativeOutput list, int count) =>
-        [.. Enumerable.Range(1, Math.Min(count, MostNamed)).Select(list.IntegerAt).Where(Natives.EntityExists)];
+        [.. Enumerable.Range(1, Math.Min(count, MaxNamed)).Select(list.IntegerAt).Where(Natives.EntityExists)];
 }

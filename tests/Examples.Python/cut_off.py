@@ -1,4 +1,4 @@
-"""A game that closes the bridge in the middle of its first frame: cut_off.py BYTES, less than 0 from its end. It prints its port, and serves one peer."""
+"""A game that closes the bridge in the middle of its first frame: cut_off.py BYTES, less than 0 from its end. It prints its port, and serves one client."""
 
 import json
 import socket
@@ -14,6 +14,6 @@ MESSAGE = struct.pack(">II", len(HEADER), len(PICTURE) + 100) + HEADER + PICTURE
 with socket.create_server(("127.0.0.1", 0)) as listener:
     listener.settimeout(60)
     print(listener.getsockname()[1], flush=True)
-    peer, _ = listener.accept()
-    with peer:
-        peer.sendall(MESSAGE[:int(sys.argv[1])])
+    client, _ = listener.accept()
+    with client:
+        client.sendall(MESSAGE[:int(sys.argv[1])])

@@ -6,8 +6,8 @@ using Harvester.TestSupport;
 
 namespace Harvester.Mod.Tests;
 
-/// <summary>Peers that do wrong, and bridges that cannot be opened: the player is told, and the next try works.</summary>
-public sealed class BridgeFaultTests : BridgedGame
+/// <summary>Clients that do wrong, and bridges that cannot be opened: the player is told, and the next try works.</summary>
+public sealed class BridgeFaultTests : ServedGame
 {
     [Fact]
     public void Problem_of_one_drive_is_logged_again_when_it_comes_in_the_next()
@@ -15,8 +15,8 @@ public sealed class BridgeFaultTests : BridgedGame
         using ScriptDriver driver = Driven();
         for (int drive = 1; drive <= 2; drive++)
         {
-            using SocketClient peer = Connect();
-            peer.Send("""{"type":"wrong"}""");
+            using SocketClient client = Connect();
+            client.Send("""{"type":"wrong"}""");
             Until(driver, () => driver.Log().Split('\n').Count(line => line.Contains("type 'wrong'", StringComparison.Ordinal)) == drive);
             driver.Press(Keys.N);
             Start(driver);
@@ -24,16 +24,16 @@ public sealed class BridgeFaultTests : BridgedGame
     }
 
     [Fact]
-    public void Malformed_peers_are_cut_off_while_the_car_brakes_and_the_next_is_served()
+    public void Malformed_clients_are_cut_off_while_the_car_brakes_and_the_next_is_served()
     {
         using ScriptDriver driver = Driven();
         var random = new Random(7);
         for (int i = 0; i < 20; i++)
         {
-            using SocketClient peer = Connect();
+            using SocketClient client = Connect();
             byte[] bytes = new byte[random.Next(8, 200)];
             random.NextBytes(bytes);
-            peer.Stream.Write(bytes);
+            client.Stream.Write(bytes);
             driver.Tick();
             Assert.Equal((0f, 1f), (driver.Game.Controls.GetValueOrDefault(Accelerate), driver.Game.Controls.GetValueOrDefault(Brake, 1f)));
         }
@@ -44,14 +44,14 @@ public sealed class BridgeFaultTests : BridgedGame
     }
 
     [Fact]
-    public void Peers_that_do_wrong_without_end_do_not_fill_the_log()
+    public void Clients_that_do_wrong_without_end_do_not_fill_the_log()
     {
         using ScriptDriver driver = Driven();
         for (int i = 0; i < 150; i++)
         {
-            using SocketClient peer = Connect();
-            peer.Send(string.Create(CultureInfo.InvariantCulture, $$"""{"type":"wrong {{i}}"}"""));
-            Assert.True(peer.IsCutOff());
+            using SocketClient client = Connect();
+            client.Send(string.Create(CultureInfo.InvariantCulture, $$"""{"type":"wrong {{i}}"}"""));
+            Assert.True(client.IsCutOff());
             driver.Tick();
         }
 

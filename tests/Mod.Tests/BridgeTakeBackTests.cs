@@ -3,8 +3,8 @@ using Harvester.TestSupport;
 
 namespace Harvester.Mod.Tests;
 
-/// <summary>The player takes the car back from a peer, and nothing that the peer does is taken for the player.</summary>
-public sealed class BridgeTakeBackTests : BridgedGame
+/// <summary>The player takes the car back from a client, and nothing that the client does is taken for the player.</summary>
+public sealed class BridgeTakeBackTests : ServedGame
 {
     [Theory]
     [InlineData(63)]
@@ -68,11 +68,11 @@ public sealed class BridgeTakeBackTests : BridgedGame
     }
 
     [Fact]
-    public void Full_lock_full_throttle_and_handbrake_of_the_peer_are_not_taken_for_the_players()
+    public void Full_lock_full_throttle_and_handbrake_of_the_client_are_not_taken_for_the_players()
     {
         using ScriptDriver driver = Driven();
-        using SocketClient peer = Connect();
-        Say(driver, peer, """{"type":"controls","steering":1,"throttle":1,"brake":0}""", () => driver.Game.Controls[Steer] != 0);
+        using SocketClient client = Connect();
+        Say(driver, client, """{"type":"controls","steering":1,"throttle":1,"brake":0}""", () => driver.Game.Controls[Steer] != 0);
         driver.Tick(5);
         Assert.Equal((-1f, 1f), (driver.Game.Controls[Steer], driver.Game.Controls[Accelerate]));
         driver.Game.Entities[driver.Game.PlayersVehicle].Velocity = default;
@@ -82,14 +82,14 @@ public sealed class BridgeTakeBackTests : BridgedGame
     }
 
     [Fact]
-    public void Handbrake_of_the_peer_that_is_let_go_is_not_taken_for_the_players_and_the_players_is_after_it()
+    public void Handbrake_of_the_client_that_is_let_go_is_not_taken_for_the_players_and_the_players_is_after_it()
     {
         using ScriptDriver driver = Driven();
-        using SocketClient peer = Connect();
+        using SocketClient client = Connect();
         driver.Game.Entities[driver.Game.PlayersVehicle].Velocity = default;
         driver.Tick(2);
         Assert.Equal(1f, driver.Game.Controls[Handbrake]);
-        Say(driver, peer, """{"type":"controls","steering":0,"throttle":1,"brake":0}""", () => driver.Game.Controls[Accelerate] == 1);
+        Say(driver, client, """{"type":"controls","steering":0,"throttle":1,"brake":0}""", () => driver.Game.Controls[Accelerate] == 1);
         driver.Tick(3);
         Assert.False(driver.Game.Controls.ContainsKey(Handbrake));
         driver.Game.PlayersControls.Add(Handbrake);

@@ -60,7 +60,7 @@ public sealed class BrokenListTests
     [Fact]
     public void Build_that_the_api_does_not_know_is_read_by_natives_from_the_start()
     {
-        using var driver = new ScriptDriver(prepare: game => game.Build = TestGame.Legacy(3258), spaces: LightTests.TableOfOne);
+        using var driver = new ScriptDriver(prepare: game => game.Build = TestGame.Legacy(3258), faces: LightTests.TableOfOne);
         HarvestTests.Street(driver.Game);
         driver.Game.AfterListing = () => Assert.Fail("The API was asked to list what is near.");
         driver.Press(Keys.L);
@@ -75,7 +75,7 @@ public sealed class BrokenListTests
     [Fact]
     public void Prop_that_was_found_once_is_remembered_while_a_closer_one_of_its_model_is_near()
     {
-        using var driver = new ScriptDriver(spaces: LightTests.TableOfOne);
+        using var driver = new ScriptDriver(faces: LightTests.TableOfOne);
         HarvestTests.Street(driver.Game);
         driver.Game.BrokenList = Throw;
         int first = driver.Game.Add(LightTests.LightAt(new Vector3D(103, 215, 0), Axes.Identity));
@@ -93,7 +93,7 @@ public sealed class BrokenListTests
 
     private static JsonElement[] HarvestWith(Func<PoolKind, int[]?>? broken, out TestGame game, out JsonElement reading)
     {
-        using var driver = new ScriptDriver(spaces: LightTests.TableOfOne);
+        using var driver = new ScriptDriver(faces: LightTests.TableOfOne);
         HarvestTests.Street(driver.Game);
         driver.Game.Add(LightTests.LightAt(new Vector3D(104, 230, 0), Axes.Identity));
         driver.Game.BrokenList = broken;

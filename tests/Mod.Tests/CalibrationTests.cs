@@ -18,7 +18,7 @@ public sealed class CalibrationTests
     public void Harvest_refuses_a_lens_that_is_off_until_the_key_has_calibrated_it()
     {
         var options = new SimulationOptions { Seed = 9, Lens = new RenderLens(1.008, 0, 0, -0.02, 0) };
-        var scene = new SimulatedScene(options, SpaceTable.Empty);
+        var scene = new SimulatedScene(options, FaceTable.Empty);
         using var driver = new ScriptDriver(Ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock);
         driver.Press(Keys.J);
         driver.UntilTold("The camera model is off by");
@@ -47,7 +47,7 @@ public sealed class CalibrationTests
     public void Single_frame_with_a_lens_that_is_off_is_refused_however_often_it_is_asked_for()
     {
         var options = new SimulationOptions { Seed = 9, Lens = new RenderLens(1.008, 0, 0, -0.02, 0) };
-        var scene = new SimulatedScene(options, SpaceTable.Empty);
+        var scene = new SimulatedScene(options, FaceTable.Empty);
         using var driver = new ScriptDriver(Ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock);
         for (int press = 0; press < 2; press++)
         {
@@ -58,7 +58,7 @@ public sealed class CalibrationTests
     [Fact]
     public void Single_frames_with_a_lens_found_in_between_begin_a_new_session()
     {
-        var scene = new SimulatedScene(new SimulationOptions { Seed = 9 }, SpaceTable.Empty);
+        var scene = new SimulatedScene(new SimulationOptions { Seed = 9 }, FaceTable.Empty);
         using var driver = new ScriptDriver(Ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock);
         Assert.Contains("ended: 1 frame", EndOfOneFrame(driver), StringComparison.Ordinal);
         driver.Press(Keys.NumPad1);

@@ -15,7 +15,7 @@ public sealed class FaultTests
     [MemberData(nameof(EveryNativeThatTheModCalls))]
     public void Native_that_throws_is_told_and_all_works_again_when_it_does(Hash native)
     {
-        using var driver = new ScriptDriver(Playthrough.Ini, spaces: LightTests.TableOfOne);
+        using var driver = new ScriptDriver(Playthrough.Ini, faces: LightTests.TableOfOne);
         driver.Game.Fault = called => called == native ? new InvalidOperationException("The native is broken.") : null;
         Playthrough.Of(driver);
         Assert.Contains(driver.Game.Notifications, message => message.Contains("The native is broken.", StringComparison.Ordinal));
@@ -258,7 +258,7 @@ public sealed class FaultTests
 
     private static Hash[] PlayedNatives()
     {
-        using var driver = new ScriptDriver(Playthrough.Ini, spaces: LightTests.TableOfOne);
+        using var driver = new ScriptDriver(Playthrough.Ini, faces: LightTests.TableOfOne);
         Playthrough.Of(driver);
         return driver.Game.Calls.Distinct().Order().ToArray();
     }

@@ -64,7 +64,7 @@ public sealed class LightTests
     public void Pictures_show_the_lamps_that_the_mod_has_set()
     {
         // The mod sets the lights and then is not asked: what the picture shows must be read as what was set.
-        var scene = new SimulatedScene(Town(), ModelSpaces.Table);
+        var scene = new SimulatedScene(Town(), ModelFaces.Table);
         using var driver = new ScriptDriver(Image, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock, Table());
         foreach (int light in driver.Game.Entities.Where(entity => entity.Value.Name.StartsWith("prop_traffic", StringComparison.Ordinal)).Select(entity => entity.Key))
         {
@@ -145,14 +145,14 @@ public sealed class LightTests
 
     private static ScriptDriver InTown(string ini)
     {
-        var scene = new SimulatedScene(Town(), ModelSpaces.Table);
+        var scene = new SimulatedScene(Town(), ModelFaces.Table);
         return new ScriptDriver(ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock, Table());
     }
 
     /// <summary>The player's car on a street with a light for its own road, and one for the road that crosses.</summary>
     private static ScriptDriver OnStreet(string ini, out int along, out int across)
     {
-        var driver = new ScriptDriver(ini, spaces: TableOfOne);
+        var driver = new ScriptDriver(ini, faces: TableOfOne);
         HarvestTests.Street(driver.Game);
         along = driver.Game.Add(LightAt(new Vector3D(104, 230, 0), Axes.Identity));
         across = driver.Game.Add(LightAt(new Vector3D(96, 240, 0), Axes.FromHeading(90)));
@@ -166,7 +166,7 @@ public sealed class LightTests
     private static string Table()
     {
         var text = new StringWriter();
-        SpaceTableWriter.Write(ModelSpaces.Table, text);
+        FaceTableWriter.Write(ModelFaces.Table, text);
         return text.ToString();
     }
 
@@ -199,7 +199,7 @@ public sealed class LightTests
 
     private static int Nearest(TestGame game, Vector3D head, string model) => game.Entities
         .Where(entity => entity.Value.Name == model)
-        .MinBy(entity => ModelSpaces.Table.Of(model).Min(space => (space.CuboidAt(entity.Value.Pose).Centre - head).Length)).Key;
+        .MinBy(entity => ModelFaces.Table.Of(model).Min(face => (face.CuboidAt(entity.Value.Pose).Centre - head).Length)).Key;
 
     private static string State(JsonElement light) => light.GetProperty("state").GetString()!;
 

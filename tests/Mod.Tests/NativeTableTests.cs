@@ -24,7 +24,7 @@ public sealed class NativeTableTests
     [Fact]
     public void Every_call_of_a_play_has_the_tables_arguments_and_result()
     {
-        using var driver = new ScriptDriver(Playthrough.Ini, spaces: LightTests.TableOfOne);
+        using var driver = new ScriptDriver(Playthrough.Ini, faces: LightTests.TableOfOne);
         Playthrough.Of(driver);
 
         Assert.Empty(Enum.GetValues<Hash>().Except(driver.Game.Calls));

@@ -21,7 +21,7 @@ public sealed class OverlayTests
     [Fact]
     public void Tick_of_the_overlay_calls_fewer_than_six_natives_per_entity()
     {
-        using var driver = new ScriptDriver(NoRoads, spaces: LightTests.TableOfOne);
+        using var driver = new ScriptDriver(NoRoads, faces: LightTests.TableOfOne);
         int seen = Fill(driver.Game);
         driver.Press(Keys.I);
         driver.Press(Keys.L);
@@ -45,7 +45,7 @@ public sealed class OverlayTests
     [Fact]
     public void Log_says_how_many_natives_a_tick_of_the_overlay_calls()
     {
-        using var driver = new ScriptDriver(NoRoads, spaces: LightTests.TableOfOne);
+        using var driver = new ScriptDriver(NoRoads, faces: LightTests.TableOfOne);
         int seen = Fill(driver.Game);
         driver.Press(Keys.I);
         driver.UntilTold("Reading the roads failed");

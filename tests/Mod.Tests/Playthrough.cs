@@ -2,7 +2,7 @@ using System.Windows.Forms;
 using GTA.Native;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
-using Harvester.Simulation.Tests.Spaces.Survey;
+using Harvester.Simulation.Tests.Faces.Survey;
 using Harvester.TestSupport;
 
 namespace Harvester.Mod.Tests;
@@ -76,12 +76,12 @@ internal static class Playthrough
         driver.Press(Keys.N);
         Until(Hash.SET_CONTROL_VALUE_NEXT_FRAME);
         Directory.CreateDirectory(folder);
-        BridgedGame.Drop(folder, "command.json", """{"type":"reset","position":[1,2,3],"headingDegrees":0}""");
+        ServedGame.Drop(folder, "command.json", """{"type":"reset","position":[1,2,3],"headingDegrees":0}""");
         Until(Hash.SET_ENTITY_VELOCITY);
-        BridgedGame.Drop(folder, "command.json", """{"type":"environment","weather":"rain","timeOfDay":"08:15"}""");
+        ServedGame.Drop(folder, "command.json", """{"type":"environment","weather":"rain","timeOfDay":"08:15"}""");
         Until(Hash.SET_CLOCK_TIME);
 
-        void Until(Hash native) => driver.Until(() => driver.Game.Calls.Contains(native) || IsToldSince(driver, told, Failed, Stopped), BridgedGame.PeersPauseMilliseconds);
+        void Until(Hash native) => driver.Until(() => driver.Game.Calls.Contains(native) || IsToldSince(driver, told, Failed, Stopped), ServedGame.ClientsPauseMilliseconds);
     }
 
     private static bool IsToldSince(ScriptDriver driver, int told, params string[] words) =>

@@ -11,7 +11,7 @@ public sealed class PlaythroughTests
     public void Every_feature_works_with_bools_of_any_size(int bytes)
     {
         TestGame game;
-        using (var driver = new ScriptDriver(Playthrough.Ini, made => made.BoolBytes = bytes, spaces: LightTests.TableOfOne))
+        using (var driver = new ScriptDriver(Playthrough.Ini, made => made.BoolBytes = bytes, faces: LightTests.TableOfOne))
         {
             game = driver.Game;
             Playthrough.Of(driver);

@@ -18,13 +18,13 @@ internal sealed class ScriptDriver : IDisposable
     private readonly IClock _clock;
 
     public ScriptDriver(
-        string ini = "", Action<TestGame>? prepare = null, IScreen? screen = null, IClock? clock = null, string? spaces = "# none\n")
+        string ini = "", Action<TestGame>? prepare = null, IScreen? screen = null, IClock? clock = null, string? faces = "# none\n")
     {
         string freeze = ini.Contains("Freeze =", StringComparison.Ordinal) ? string.Empty : "Freeze = Paused\n";
         File.WriteAllText(Path.Combine(_folder.Path, "GtaDataHarvester.ini"), $"{ini}\n[Harvest]\nFolder = out\nProbeLag = Off\n{freeze}[Lens]\nMaxError = 0\n");
-        if (spaces is not null)
+        if (faces is not null)
         {
-            File.WriteAllText(Path.Combine(_folder.Path, "spaces_of_interest.csv"), spaces);
+            File.WriteAllText(Path.Combine(_folder.Path, "spaces_of_interest.csv"), faces);
         }
 
         Game = new TestGame(_folder.Path);
@@ -96,7 +96,7 @@ internal sealed class ScriptDriver : IDisposable
 
     /// <summary>Lets ticks go by until something is so, however slow the machine is.</summary>
     /// <param name="isSo">Asked before each tick.</param>
-    /// <param name="pauseMilliseconds">Time between ticks for those who are outside the script: the peers of a drive.</param>
+    /// <param name="pauseMilliseconds">Time between ticks for those who are outside the script: the clients of a drive.</param>
     public void Until(Func<bool> isSo, int pauseMilliseconds = 0)
     {
         var hanging = Stopwatch.StartNew();

@@ -18,12 +18,12 @@ public sealed class SessionComparisonTests
     [Fact]
     public void Session_by_the_mod_equals_the_session_without_it()
     {
-        SpaceTable spaces = ReadSpaces(out string table);
+        FaceTable faces = ReadFaces(out string table);
         using var folder = new TemporaryFolder();
         string direct = Path.Combine(folder.Path, "direct");
-        HarvestDirectly(new SimulatedScene(Options(), spaces), spaces, direct);
+        HarvestDirectly(new SimulatedScene(Options(), faces), faces, direct);
 
-        var scene = new SimulatedScene(Options(), spaces);
+        var scene = new SimulatedScene(Options(), faces);
         using var driver = new ScriptDriver(Ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock, table);
         driver.Script.RaiseKeyUp(Keys.J);
         driver.WaitForDisk();
@@ -57,9 +57,9 @@ public sealed class SessionComparisonTests
 
     private static SimulationOptions Options() => new() { Seed = 12, TrafficDensity = 2, PedestrianDensity = 2 };
 
-    private static void HarvestDirectly(SimulatedScene scene, SpaceTable spaces, string directory)
+    private static void HarvestDirectly(SimulatedScene scene, FaceTable faces, string directory)
     {
-        var options = new HarvestOptions { Image = new ImageSize(64, 48), RateHz = 5, Masks = true, OcclusionSamples = 16, ProbeLag = false, Spaces = spaces };
+        var options = new HarvestOptions { Image = new ImageSize(64, 48), RateHz = 5, Masks = true, OcclusionSamples = 16, ProbeLag = false, Faces = faces };
         using var writer = new SessionWriter(directory, new SessionOrigin { Game = "test", Tool = "test" });
         using var session = new HarvestSession(options, scene.Ports, writer);
         for (int tick = 0; tick < Ticks; tick++)
@@ -75,10 +75,10 @@ public sealed class SessionComparisonTests
         .Select(path => Path.GetRelativePath(session, path))
         .Order(StringComparer.Ordinal);
 
-    private static SpaceTable ReadSpaces(out string text)
+    private static FaceTable ReadFaces(out string text)
     {
         text = File.ReadAllText(Path.Combine(BuiltMod.RepositoryRoot, "data", "spaces_of_interest.csv"));
         using var reader = new StringReader(text);
-        return SpaceTableReader.Read(reader).Table;
+        return FaceTableReader.Read(reader).Table;
     }
 }

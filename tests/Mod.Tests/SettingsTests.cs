@@ -63,7 +63,7 @@ public sealed class SettingsTests
         [
             ("SpawnTestCar", Keys.NumPad0), ("MountCamera", Keys.I), ("RestoreCamera", Keys.O), ("Harvest", Keys.J),
             ("OneFrame", Keys.K), ("Overlay", Keys.L), ("Calibrate", Keys.NumPad1), ("RoadSurvey", Keys.U),
-            ("SpaceSurvey", Keys.Multiply), ("MarkCorner", Keys.NumPad2), ("NextName", Keys.NumPad3), ("KeepFace", Keys.Y), ("UnknownModels", Keys.Divide), ("Drive", Keys.N),
+            ("FaceSurvey", Keys.Multiply), ("MarkCorner", Keys.NumPad2), ("NextName", Keys.NumPad3), ("KeepFace", Keys.Y), ("UnknownModels", Keys.Divide), ("Drive", Keys.N),
         ];
         Assert.All(keys, key => Assert.Equal(key.Key, shipped.Choice("Keys", key.Name, Keys.None, "a key")));
         Assert.Equal([Keys.W, Keys.A, Keys.S, Keys.D, Keys.Space], shipped.Choices<Keys>("Bridge", "TakeBackKeys", [], "keys"));
@@ -73,7 +73,7 @@ public sealed class SettingsTests
     [Fact]
     public void Missing_table_of_signs_is_told_and_the_rest_works()
     {
-        using var driver = new ScriptDriver(spaces: null);
+        using var driver = new ScriptDriver(faces: null);
         driver.Tick();
 
         Assert.StartsWith("GtaDataHarvester: spaces_of_interest.csv cannot be read", Assert.Single(driver.Game.Notifications), StringComparison.Ordinal);

@@ -4,7 +4,7 @@ using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Mod.Tests.Games;
 using Harvester.Sessions.Faces;
-using Harvester.Simulation.Tests.Spaces.Survey;
+using Harvester.Simulation.Tests.Faces.Survey;
 using Harvester.Surveys.Faces;
 using Harvester.TestSupport;
 
@@ -29,7 +29,7 @@ public sealed class SurveyPhotoTests
 
         driver.WaitForDisk();
         string folder = Path.Combine(driver.Output, "spaces");
-        SpaceOfInterest face = Assert.Single(new SurveyFolder(folder).Table.Of(Sign));
+        ModelFace face = Assert.Single(new SurveyFolder(folder).Table.Of(Sign));
         foreach (SurveyPhoto photo in SurveyPhoto.ReadAll(folder))
         {
             PngDecoder picture = PngDecoder.Decode(File.ReadAllBytes(Path.Combine(folder, SurveyPhoto.FolderName, photo.File)));

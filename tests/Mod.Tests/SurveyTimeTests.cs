@@ -1,10 +1,10 @@
 using System.Windows.Forms;
 using GTA.Native;
-using Harvester.Simulation.Tests.Spaces.Survey;
+using Harvester.Simulation.Tests.Faces.Survey;
 
 namespace Harvester.Mod.Tests;
 
-/// <summary>How long the survey takes, in ticks, when natives cost what they were measured to cost. docs/spaces.md tells the figures.</summary>
+/// <summary>How long the survey takes, in ticks, when natives cost what they were measured to cost. docs/faces.md tells the figures.</summary>
 public sealed class SurveyTimeTests
 {
     private const double TicksPerSecond = 60;

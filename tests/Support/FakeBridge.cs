@@ -4,24 +4,24 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.TestSupport;
 
-/// <summary>A bridge in memory, to a peer that is the test. It gives messages out as the real ones do: commands first, of controls the newest.</summary>
+/// <summary>A bridge in memory, to a client that is the test. It gives messages out as the real ones do: commands first, of controls the newest.</summary>
 internal sealed class FakeBridge : IDrivingBridge
 {
-    private readonly PeerInbox<FakeBridge> _inbox = new();
+    private readonly ClientInbox<FakeBridge> _inbox = new();
 
     public FakeBridge() => _inbox.Welcome(this);
 
     public string? Problem { get; set; }
 
-    public string? Peer => null;
+    public string? Client => null;
 
     /// <summary>What was published, and the number of the state that the picture shows.</summary>
     public List<(BridgeState State, long Shown)> Frames { get; } = [];
 
-    public void Say(params PeerMessage[] messages) => Assert.All(messages, message => Assert.True(_inbox.TryPut(this, message)));
+    public void Say(params ClientMessage[] messages) => Assert.All(messages, message => Assert.True(_inbox.TryPut(this, message)));
 
-    /// <summary>The peer goes, and another comes.</summary>
-    public void ReplacePeer()
+    /// <summary>The client goes, and another comes.</summary>
+    public void ReplaceClient()
     {
         _inbox.Leave(this);
         _inbox.Welcome(this);
@@ -29,7 +29,7 @@ internal sealed class FakeBridge : IDrivingBridge
 
     public void Publish(BridgeState state, PixelBuffer picture) => Frames.Add((state, FakeGame.StateOf(picture)));
 
-    public bool TryReceive([NotNullWhen(true)] out PeerMessage? message) => _inbox.TryTake(out message);
+    public bool TryReceive([NotNullWhen(true)] out ClientMessage? message) => _inbox.TryTake(out message);
 
     public void Dispose()
     {

@@ -32,18 +32,18 @@ internal static class Frames
         }
     }
 
-    public static PeerMessage AwaitMessage(IDrivingBridge bridge)
+    public static ClientMessage AwaitMessage(IDrivingBridge bridge)
     {
-        PeerMessage? message = null;
+        ClientMessage? message = null;
         Await(() => bridge.TryReceive(out message), $"a message; the bridge says: {bridge.Problem}");
         return message!;
     }
 
-    /// <summary>The next message of a peer; that an earlier one is gone is passed over.</summary>
-    public static PeerMessage AwaitWord(IDrivingBridge bridge)
+    /// <summary>The next message of a client; that an earlier one is gone is passed over.</summary>
+    public static ClientMessage AwaitWord(IDrivingBridge bridge)
     {
-        PeerMessage message = AwaitMessage(bridge);
-        while (message is PeerGoneMessage)
+        ClientMessage message = AwaitMessage(bridge);
+        while (message is ClientGoneMessage)
         {
             message = AwaitMessage(bridge);
         }

@@ -6,17 +6,17 @@ using System.Text.Json;
 
 namespace Harvester.TestSupport;
 
-/// <summary>A peer written from docs/bridge.md alone.</summary>
+/// <summary>A client written from docs/bridge.md alone.</summary>
 internal sealed class SocketClient : IDisposable
 {
-    private readonly TcpClient _client = new();
+    private readonly TcpClient _connection = new();
 
     public SocketClient(IPEndPoint server)
     {
-        _client.Connect(server);
-        _client.NoDelay = true;
-        _client.ReceiveTimeout = 30_000;
-        Stream = _client.GetStream();
+        _connection.Connect(server);
+        _connection.NoDelay = true;
+        _connection.ReceiveTimeout = 30_000;
+        Stream = _connection.GetStream();
     }
 
     public NetworkStream Stream { get; }
@@ -59,7 +59,7 @@ internal sealed class SocketClient : IDisposable
     /// <summary>Ends this side of the connection, and gives all that came until the other side's end.</summary>
     public string SayNoMore()
     {
-        _client.Client.Shutdown(SocketShutdown.Send);
+        _connection.Client.Shutdown(SocketShutdown.Send);
         using var rest = new MemoryStream();
         try
         {
@@ -93,9 +93,9 @@ internal sealed class SocketClient : IDisposable
     /// <summary>Ends as a process does that is killed with something unread.</summary>
     public void Kill()
     {
-        _client.LingerState = new LingerOption(true, 0);
-        _client.Close();
+        _connection.LingerState = new LingerOption(true, 0);
+        _connection.Close();
     }
 
-    public void Dispose() => _client.Dispose();
+    public void Dispose() => _connection.Dispose();
 }

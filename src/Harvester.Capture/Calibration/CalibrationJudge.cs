@@ -10,16 +10,16 @@ namespace Harvester.Capture.Calibration;
 internal static class CalibrationJudge
 {
     // A marker that is partly hidden seems to lie beside its place by less than its radius. As in the fit, most must be whole.
-    private const double LeastAgreeing = 0.5;
+    private const double MinAgreeing = 0.5;
 
     // A spot farther off belongs to another marker, or is a chance change of the image where a marker is expected.
-    private const double MostElsewhere = 0.1;
+    private const double MaxTeleported = 0.1;
 
     // As in the fit: noise does not reach so far.
     private const double NoiseBound = 6;
 
     // Markers cannot be located better than this, pixels.
-    private const double SmallestNoise = 0.02;
+    private const double MinNoise = 0.02;
 
     /// <summary>The error over those markers, without the few that are partly hidden.</summary>
     /// <param name="fit">The fit, with a result.</param>
@@ -46,10 +46,10 @@ internal static class CalibrationJudge
                 $"Of {shown} markers that would check the fit {others.Count} were seen: give the camera a free view, or a smaller field of view, and calibrate again.");
         }
 
-        double noise = Math.Max(SmallestNoise, fit.Error.RmsPixels / Math.Sqrt(2));
+        double noise = Math.Max(MinNoise, fit.Error.RmsPixels / Math.Sqrt(2));
         Sighting[] agreeing = [.. others.Where(sighting => ErrorOf(camera, sighting) <= NoiseBound * noise + fit.UncertaintyPixels)];
         int elsewhere = others.Count(sighting => ErrorOf(camera, sighting) > options.MarkerRadiusPixels);
-        if (agreeing.Length < LeastAgreeing * others.Count || elsewhere > MostElsewhere * others.Count)
+        if (agreeing.Length < MinAgreeing * others.Count || elsewhere > MaxTeleported * others.Count)
         {
             throw new CalibrationException(
                 $"Of {others.Count} markers that the lens was not fitted to {Math.Max(others.Count - agreeing.Length, elsewhere)} are seen elsewhere than it puts them, as when markers are taken for one another: {CauseOf(camera, others)}");

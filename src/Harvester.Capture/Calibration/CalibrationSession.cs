@@ -142,7 +142,7 @@ public sealed class CalibrationSession : IDisposable
 
     private string CauseOf(IReadOnlyList<Sighting> sightings) =>
         _survey.UnknownSpots > sightings.Count ? "much else changes in the picture. Choose clear weather and a place where nothing moves."
-        : sightings.Count >= LensFitter.FewestSightings ? "they disagree. Check that no other mod moves the camera."
+        : sightings.Count >= LensFitter.MinSightings ? "they disagree. Check that no other mod moves the camera."
         : "something hides them or the lens shows them outside the image. Give the camera a free view.";
 
     private void End(CalibrationPhase phase)

@@ -13,14 +13,14 @@ namespace Harvester.Capture.Calibration;
 internal sealed class MarkerDetector
 {
     // Noise, drizzle and creeping light change a channel by less; a bright ball before the world changes one by far more.
-    private const int SmallestChange = 40;
+    private const int MinChange = 40;
 
     // The pixels that changed nearly as much as the most changed one are wholly covered and show the ball's colour.
     private const double WholeFraction = 0.8;
 
     // A ball at the edge of a wide view is a narrow ellipse of a third of the area, before a lens shrinks it.
-    private const double SmallestArea = 0.25;
-    private const double LargestArea = 2.5;
+    private const double MinArea = 0.25;
+    private const double MaxArea = 2.5;
     private readonly PixelBuffer _without;
     private readonly PixelBuffer _with;
     private readonly double _expectedArea;
@@ -58,7 +58,7 @@ internal sealed class MarkerDetector
         var patch = new List<int>();
         for (int pixel = 0; pixel < _isDone.Length; pixel++)
         {
-            if (!_isDone[pixel] && Change(pixel) >= SmallestChange)
+            if (!_isDone[pixel] && Change(pixel) >= MinChange)
             {
                 Collect(pixel, patch);
                 if (SpotOf(patch) is { } spot)
@@ -96,7 +96,7 @@ internal sealed class MarkerDetector
 
         void Visit(int pixel)
         {
-            if (pixel >= 0 && pixel < _isDone.Length && !_isDone[pixel] && Change(pixel) >= SmallestChange)
+            if (pixel >= 0 && pixel < _isDone.Length && !_isDone[pixel] && Change(pixel) >= MinChange)
             {
                 _isDone[pixel] = true;
                 patch.Add(pixel);
@@ -106,7 +106,7 @@ internal sealed class MarkerDetector
 
     private MarkerSpot? SpotOf(List<int> patch)
     {
-        if (patch.Count < SmallestArea * _expectedArea || patch.Count > LargestArea * _expectedArea)
+        if (patch.Count < MinArea * _expectedArea || patch.Count > MaxArea * _expectedArea)
         {
             return null;
         }

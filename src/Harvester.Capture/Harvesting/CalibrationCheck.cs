@@ -26,7 +26,7 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
     // Markers as large as a calibration's in an image of 600 rows, and smaller in smaller ones, so that they fit, narrow ones too; below
     // 1.5 pixels a picture hardly shows them.
     private const double SidesPerRadius = 100;
-    private const double SmallestRadiusPixels = 1.5;
+    private const double MinRadiusPixels = 1.5;
 
     /// <summary>By how much the model was off, here or when it was checked earlier, pixels; null when it was not checked.</summary>
     public double? ErrorPixels { get; private set; } = options.KnownCalibrationErrorPixels;
@@ -47,7 +47,7 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
         {
             Image = options.Image,
             MaxPictureLagTicks = options.MaxPictureLagTicks,
-            MarkerRadiusPixels = Math.Max(SmallestRadiusPixels, Math.Min(options.Image.Width, options.Image.Height) / SidesPerRadius),
+            MarkerRadiusPixels = Math.Max(MinRadiusPixels, Math.Min(options.Image.Width, options.Image.Height) / SidesPerRadius),
         };
         var survey = new MarkerSurvey(settings, game, markers);
         game.Pause.Freeze();

@@ -33,7 +33,7 @@ internal sealed class CaptureFlows(
         return new FrameLabeller(options, rays, registry)
         {
             Lanes = game.Roads is { } roads ? new LaneLabeller(roads, game.Paint, rays, registry) : null,
-            Spaces = options.Spaces is { } spaces ? new SpaceLabeller(spaces, options, rays, game.Lights, registry) : null,
+            Faces = options.Faces is { } faces ? new FaceLabeller(faces, options, rays, game.Lights, registry) : null,
         };
     }
 }

@@ -19,7 +19,7 @@ public sealed record HarvestOptions : LabellingOptions
     public ImageFormat Format { get; init; } = ImageFormat.Png;
 
     /// <summary>Quality of the saved images where they are JPEG, 1 to 100; 95 as most datasets have.</summary>
-    public int JpegQuality { get; init => field = OptionCheck.InRange(value, JpegEncoder.LowestQuality, JpegEncoder.HighestQuality, nameof(JpegQuality)); } = JpegEncoder.DefaultQuality;
+    public int JpegQuality { get; init => field = OptionCheck.InRange(value, JpegEncoder.MinQuality, JpegEncoder.MaxQuality, nameof(JpegQuality)); } = JpegEncoder.DefaultQuality;
 
     /// <summary>Frames per second of the game's time; greater than 0. A game that ticks slower gives a frame a tick.</summary>
     public double RateHz { get; init => field = OptionCheck.Positive(value, nameof(RateHz)); } = 10;

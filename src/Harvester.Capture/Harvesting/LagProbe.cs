@@ -17,7 +17,7 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
     private const int RunningTicks = 4;
 
     private const int Agreement = 3;
-    private const int MostAttempts = 20;
+    private const int MaxAttempts = 20;
 
     /// <summary>After so many attempts in vain a harvest that does not rest on the lag goes on without it.</summary>
     private const int VainAttemptsOfCheck = 2;
@@ -42,7 +42,7 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
     {
         var votes = new Dictionary<PictureLag, int>();
         int measured = 0;
-        for (int attempt = 0; attempt < MostAttempts && Lag is null; attempt++)
+        for (int attempt = 0; attempt < MaxAttempts && Lag is null; attempt++)
         {
             if (isCheckOnly && measured == 0 && attempt == VainAttemptsOfCheck)
             {

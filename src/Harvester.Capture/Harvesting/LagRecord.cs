@@ -20,10 +20,10 @@ internal sealed class LagRecord
     public const double MovementOverNoise = 3;
 
     // The greatest share of the differences between the changes that the movement may leave unexplained; noise is a third at most.
-    private const double LargestUnexplained = 0.25;
+    private const double MaxUnexplained = 0.25;
 
     // By how much of the differences the best lag must be better than any other: less is decided by noise.
-    private const double SmallestMargin = 0.01;
+    private const double MinMargin = 0.01;
 
     private readonly List<SceneSnapshot> _states = [];
     private readonly List<double> _changes = [];
@@ -84,7 +84,7 @@ internal sealed class LagRecord
 
         (PictureLag lag, double cost) = costs.OrderBy(entry => entry.Cost).First();
         double next = costs.Where(entry => entry.Lag != lag).Min(entry => entry.Cost);
-        return cost <= LargestUnexplained * spread && next - cost >= SmallestMargin * spread ? lag : null;
+        return cost <= MaxUnexplained * spread && next - cost >= MinMargin * spread ? lag : null;
     }
 
     private double[] Motions(Func<SceneSnapshot, SceneSnapshot, double> motion) =>

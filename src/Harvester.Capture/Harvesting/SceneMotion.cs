@@ -13,7 +13,7 @@ internal static class SceneMotion
     private const double RotationArmMetres = 10;
 
     /// <summary>Entities nearer than this count as if they were as far, metres, so that one beside the camera does not drown all others.</summary>
-    private const double NearestMetres = 5;
+    private const double MinMetres = 5;
 
     /// <summary>Movement and rotation of the camera, metres.</summary>
     public static double OfCamera(SceneSnapshot before, SceneSnapshot after)
@@ -34,7 +34,7 @@ internal static class SceneMotion
         {
             if (known.TryGetValue(entity.Handle, out Pose pose))
             {
-                sum += (entity.Pose.Position - pose.Position).Length / Math.Max(NearestMetres, (entity.Pose.Position - eye).Length);
+                sum += (entity.Pose.Position - pose.Position).Length / Math.Max(MinMetres, (entity.Pose.Position - eye).Length);
             }
         }
 

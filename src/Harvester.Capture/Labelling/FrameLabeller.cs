@@ -9,7 +9,7 @@ namespace Harvester.Capture.Labelling;
 
 /// <summary>Makes the labels of one snapshot, phase by phase: objects, their faces, what lies beyond the labelling range, lanes.</summary>
 /// <param name="options">What to label.</param>
-/// <param name="rays">What rays meet; also those of <see cref="Lanes"/> and <see cref="Spaces"/>.</param>
+/// <param name="rays">What rays meet; also those of <see cref="Lanes"/> and <see cref="Faces"/>.</param>
 /// <param name="registry">The objects' numbers.</param>
 internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, ObjectRegistry registry)
 {
@@ -21,7 +21,7 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     public LaneLabeller? Lanes { get; init; }
 
     /// <summary>Labels the parts of objects that matter; null for labels without.</summary>
-    public SpaceLabeller? Spaces { get; init; }
+    public FaceLabeller? Faces { get; init; }
 
     /// <summary>The camera of the saved image.</summary>
     public static Camera CameraOf(LabellingOptions options, CameraState state) =>
@@ -48,7 +48,7 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
         }
 
         rays.Begin(RayPhase.Faces);
-        foreach (bool _ in Spaces?.Label(camera, snapshot, findings, mayCastRays) ?? [])
+        foreach (bool _ in Faces?.Label(camera, snapshot, findings, mayCastRays) ?? [])
         {
             yield return null;
         }
@@ -56,7 +56,7 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
         rays.Begin(RayPhase.IgnoreRegions);
         foreach (DistantCandidate candidate in _distant.CandidatesOf(camera, snapshot.Distant))
         {
-            Sight sight = mayCastRays() && rays.Left >= SightFinder.MostRays ? _distant.Look(camera, candidate, snapshot.Ego.Handle, rays) : Sight.NotAsked;
+            Sight sight = mayCastRays() && rays.Left >= SightFinder.MaxRays ? _distant.Look(camera, candidate, snapshot.Ego.Handle, rays) : Sight.NotAsked;
             findings.Add(new DistantEntity(candidate.Entity, sight), DistantLabeller.RegionOf(camera, candidate, sight));
             yield return null;
         }
@@ -79,7 +79,7 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     {
         Camera camera = CameraOf(options, snapshot.Camera);
         _objects.CandidatesOf(camera, snapshot);
-        Spaces?.Pass(camera, snapshot);
+        Faces?.Pass(camera, snapshot);
         Lanes?.Pass(snapshot);
     }
 
@@ -91,7 +91,7 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
         {
             OcclusionEstimate occlusion =
                 !options.IsWithinReach(camera, candidate.Cuboid) ? new OcclusionEstimate { Sight = Sight.Undetermined }
-                : mayCastRays() && rays.Left >= _occlusion.MostRays
+                : mayCastRays() && rays.Left >= _occlusion.MaxRays
                     ? _occlusion.Estimate(camera, candidate.Cuboid, candidate.Projection, candidate.Entity.Handle, egoHandle, rays)
                 : default;
             findings.Add(

@@ -22,7 +22,7 @@ public sealed class FrameRelabeller
     private readonly ObjectLabeller _objects;
     private readonly RecordedLights _lights = new();
     private readonly DistantLabeller _distant;
-    private readonly SpaceLabeller? _spaces;
+    private readonly FaceLabeller? _faces;
     private readonly LaneLabeller? _lanes;
 
     /// <summary>Prepares for the scenes of one session.</summary>
@@ -37,7 +37,7 @@ public sealed class FrameRelabeller
         _registry = new ObjectRegistry((ids ?? throw new ArgumentNullException(nameof(ids))).Greatest + 1) { Recorded = ids };
         _objects = new ObjectLabeller(options, _registry);
         _distant = new DistantLabeller(options);
-        _spaces = options.Spaces is { } table ? new SpaceLabeller(table, options, null, _lights, _registry) : null;
+        _faces = options.Faces is { } table ? new FaceLabeller(table, options, null, _lights, _registry) : null;
         _lanes = roads is null ? null : new LaneLabeller(roads, null, null, _registry);
     }
 
@@ -86,9 +86,9 @@ public sealed class FrameRelabeller
                 ObjectLabeller.RegionOf(camera, candidate, occlusion));
         }
 
-        foreach (SpaceCandidate candidate in (_spaces?.CandidatesOf(camera, snapshot) ?? []).OfType<SpaceCandidate>())
+        foreach (FaceCandidate candidate in (_faces?.CandidatesOf(camera, snapshot) ?? []).OfType<FaceCandidate>())
         {
-            _spaces!.Add(findings, camera, snapshot, candidate, occlusions.Of(candidate));
+            _faces!.Add(findings, camera, snapshot, candidate, occlusions.Of(candidate));
         }
 
         foreach (DistantEntity distant in DistantIn(scene))
@@ -124,7 +124,7 @@ public sealed class FrameRelabeller
 
         SceneSnapshot snapshot = Begin(scene, out Camera camera);
         _objects.CandidatesOf(camera, snapshot);
-        _spaces?.Pass(camera, snapshot);
+        _faces?.Pass(camera, snapshot);
         _lanes?.Pass(snapshot);
     }
 

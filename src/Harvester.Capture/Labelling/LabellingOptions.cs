@@ -15,7 +15,7 @@ namespace Harvester.Capture.Labelling;
 public record LabellingOptions
 {
     /// <summary>The greatest <see cref="RayBudget"/>: more than a ray for every pixel of a large image.</summary>
-    public const int MostRays = 10_000_000;
+    public const int MaxRays = 10_000_000;
 
     /// <summary>Size of the saved images, pixels; 800 x 600 as in the thesis.</summary>
     public ImageSize Image { get; init; } = new(800, 600);
@@ -33,7 +33,7 @@ public record LabellingOptions
     public IReadOnlyCollection<ObjectClass>? Classes { get; init; }
 
     /// <summary>The parts of models that are labelled as objects of their own: faces of signs, heads of traffic lights; null for none.</summary>
-    public SpaceTable? Spaces { get; init; }
+    public FaceTable? Faces { get; init; }
 
     /// <summary>Whether instance masks are made.</summary>
     public bool Masks { get; init; }
@@ -42,7 +42,7 @@ public record LabellingOptions
     /// Rays that a frame may take in all, 0 to 10,000,000: for the mask first, then for objects, faces, ignore regions and lanes. When they are
     /// used up the mask is finished from what is known, and what is left is not determined.
     /// </summary>
-    public int RayBudget { get; init => field = OptionCheck.InRange(value, 0, MostRays, nameof(RayBudget)); } = 50_000;
+    public int RayBudget { get; init => field = OptionCheck.InRange(value, 0, MaxRays, nameof(RayBudget)); } = 50_000;
 
     /// <summary>
     /// Distance beyond which the game's rays are known not to meet entities, metres; greater than 0. Whether those are seen is not determined:

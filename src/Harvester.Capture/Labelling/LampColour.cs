@@ -8,10 +8,10 @@ namespace Harvester.Capture.Labelling;
 internal static class LampColour
 {
     /// <summary>A lamp that is off, in full sun, is darker.</summary>
-    private const int LeastBrightness = 130;
+    private const int MinBrightness = 130;
 
     /// <summary>Share of the brightest channel that the darkest one must be below it; sky and walls have less.</summary>
-    private const double LeastSaturation = 0.35;
+    private const double MinSaturation = 0.35;
 
     /// <summary>The lamp whose colour a pixel has; unknown for any other colour.</summary>
     public static LightState Of(PixelBuffer picture, int column, int row)
@@ -22,7 +22,7 @@ internal static class LampColour
         int blue = picture.Bytes[at + 2];
         int brightest = Math.Max(red, Math.Max(green, blue));
         int darkest = Math.Min(red, Math.Min(green, blue));
-        if (brightest < LeastBrightness || brightest - darkest < LeastSaturation * brightest)
+        if (brightest < MinBrightness || brightest - darkest < MinSaturation * brightest)
         {
             return LightState.Unknown;
         }

@@ -49,7 +49,7 @@ internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? r
 
         IReadOnlyList<LaneLineView> Project(LaneLine line) =>
             LaneLineProjector.Project(
-                camera, line, snapshot.Ego.Handle, mayCastRays() && rays?.Left >= LaneLineProjector.MostRays(line) ? rays : null);
+                camera, line, snapshot.Ego.Handle, mayCastRays() && rays?.Left >= LaneLineProjector.MaxRays(line) ? rays : null);
     }
 
     /// <summary>Passes over a snapshot that is not labelled: the road and the vehicles' numbers are remembered as if it were.</summary>

@@ -13,16 +13,16 @@ namespace Harvester.Capture.Labelling;
 internal static class LightObserver
 {
     /// <summary>A lens of a lower head is less than three pixels wide, and edges take their share of it.</summary>
-    private const double LowestHeadPixels = 12;
+    private const double MinHeadPixels = 12;
 
     /// <summary>Beyond this visors hide the lenses.</summary>
-    private const double GreatestFacingAngleDegrees = 70;
+    private const double MaxFacingAngleDegrees = 70;
 
     /// <summary>By how much of a head may be hidden or outside the image.</summary>
-    private const double GreatestHiddenFraction = 0.05;
+    private const double MaxHiddenFraction = 0.05;
 
     /// <summary>A lens takes about a tenth of its head's box, less from aside; a twentieth of that is a reflection or nothing.</summary>
-    private const double SmallestLitFraction = 0.005;
+    private const double MinLitFraction = 0.005;
 
     /// <summary>The lamp that burns must have so many times the pixels of the next.</summary>
     private const double Prominence = 2;
@@ -37,11 +37,11 @@ internal static class LightObserver
     public static bool NeedsPicture(FrameLabelling labelling) => labelling.Objects.Any(IsReadable);
 
     private static bool IsReadable(ObjectLabel label) =>
-        label.Space is { Light.Method: LightMethod.Unknown } space
-        && space.FacingAngleDegrees <= GreatestFacingAngleDegrees
-        && label.Box2D.Height >= LowestHeadPixels
-        && label.TruncatedFraction <= GreatestHiddenFraction
-        && label.OccludedFraction <= GreatestHiddenFraction;
+        label.Face is { Light.Method: LightMethod.Unknown } face
+        && face.FacingAngleDegrees <= MaxFacingAngleDegrees
+        && label.Box2D.Height >= MinHeadPixels
+        && label.TruncatedFraction <= MaxHiddenFraction
+        && label.OccludedFraction <= MaxHiddenFraction;
 
     private static ObjectLabel WithState(ObjectLabel label, PixelBuffer picture)
     {
@@ -63,11 +63,11 @@ internal static class LightObserver
 
         int most = lit.Max();
         int next = lit.OrderByDescending(count => count).ElementAt(1);
-        return most < SmallestLitFraction * pixels || most == 0 || most < Prominence * next
+        return most < MinLitFraction * pixels || most == 0 || most < Prominence * next
             ? label
             : label with
             {
-                Space = label.Space! with
+                Face = label.Face! with
                 {
                     Light = new LightLabel((LightState)(1 + lit.ToList().IndexOf(most)), LightMethod.Observed, (double)most / pixels),
                 },

@@ -44,7 +44,7 @@ internal sealed class ObjectLabeller(LabellingOptions options, ObjectRegistry re
             Id = candidate.Id,
             Class = entity.Class,
             Model = entity.Model,
-            KnownParts = options.Spaces?.Of(entity.Model).Count,
+            KnownParts = options.Faces?.Of(entity.Model).Count,
             HasRider = entity.HasRider,
             Box2D = candidate.Box,
             Box2DAmodal = candidate.AmodalBox,

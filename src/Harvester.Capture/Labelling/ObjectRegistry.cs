@@ -12,7 +12,7 @@ namespace Harvester.Capture.Labelling;
 internal sealed class ObjectRegistry(int firstId)
 {
     /// <summary>The greatest number that a 16-bit mask can hold.</summary>
-    public const int GreatestId = ushort.MaxValue;
+    public const int MaxId = ushort.MaxValue;
 
     private readonly Dictionary<(int Handle, int? Face), (string Model, ObjectClass Class, ushort Id)> _objects = [];
     private int _nextId = firstId;
@@ -33,7 +33,7 @@ internal sealed class ObjectRegistry(int firstId)
 
         if (Recorded?.Find(entity, face) is not { } id)
         {
-            if (_nextId > GreatestId)
+            if (_nextId > MaxId)
             {
                 throw new HarvestFaultException("This session has used all 65,535 object numbers. Start a new session to go on.");
             }

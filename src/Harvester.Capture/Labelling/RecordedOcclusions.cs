@@ -30,15 +30,15 @@ internal sealed class RecordedOcclusions(RecordedScene scene, FrameLabel recorde
     }
 
     /// <summary>The occlusion of a face in the image.</summary>
-    public OcclusionEstimate Of(SpaceCandidate candidate)
+    public OcclusionEstimate Of(FaceCandidate candidate)
     {
-        SpaceOfInterest space = candidate.Space;
-        SpaceOfInterest? before = recordedOptions.Spaces?.Of(space.Hash).FirstOrDefault(each => each.Face == space.Face);
+        ModelFace face = candidate.Face;
+        ModelFace? before = recordedOptions.Faces?.Of(face.Hash).FirstOrDefault(each => each.Number == face.Number);
         bool isPlaceSame = before is not null
             && (before.FrontUpperLeft, before.BackLowerRight, before.Facing, before.Provenance)
-                == (space.FrontUpperLeft, space.BackLowerRight, space.Facing, space.Provenance);
-        ObjectLabel? label = LabelOf(candidate.Face.Id);
-        return isPlaceSame ? ImportedIn(label) ?? Found(candidate.Face, space.Face, label) : default;
+                == (face.FrontUpperLeft, face.BackLowerRight, face.Facing, face.Provenance);
+        ObjectLabel? label = LabelOf(candidate.Seen.Id);
+        return isPlaceSame ? ImportedIn(label) ?? Found(candidate.Seen, face.Number, label) : default;
     }
 
     private OcclusionEstimate? ImportedIn(ObjectLabel? label) =>

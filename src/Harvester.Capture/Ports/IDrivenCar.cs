@@ -3,7 +3,7 @@ using Harvester.Geometry;
 
 namespace Harvester.Capture.Ports;
 
-/// <summary>The ego as a car that can be driven from outside: by a peer of the live bridge or by a controller.</summary>
+/// <summary>The ego as a car that can be driven from outside: by a client of the live bridge or by a controller.</summary>
 public interface IDrivenCar
 {
     /// <summary>Whether the player pressed a driving key since the last tick; the car is then the player's again.</summary>

@@ -74,10 +74,10 @@ internal static class SessionJson
             .Key("rateHz").Number(options.RateHz, LabelDecimals.Seconds)
             .Key("rangeMetres").Number(options.RangeMetres, LabelDecimals.Metres)
             .Key("ignoreRangeMetres").Number(options.IgnoreRangeMetres, LabelDecimals.Metres)
-            .Key("freeze").Truth(options.Freeze)
+            .Key("freeze").Boolean(options.Freeze)
             .Key("freezeBy").String(options.FreezeBy is { } method ? JsonName.Of(method) : "auto")
-            .Key("masks").Truth(options.Masks)
-            .Key("scenes").Truth(options.Scenes)
+            .Key("masks").Boolean(options.Masks)
+            .Key("scenes").Boolean(options.Scenes)
             .Key("rayBudget").Integer(options.RayBudget)
             .Key("rayReachMetres").Number(options.RayReachMetres, LabelDecimals.Metres)
             .Key("minBoxAreaPixels").Number(options.MinBoxAreaPixels, LabelDecimals.Pixels)
@@ -96,10 +96,10 @@ internal static class SessionJson
         {
             json.BeginObject()
                 .Key("method").String(JsonName.Of(finding.Method))
-                .Key("sawMovement").Truth(finding.SawMovement)
+                .Key("sawMovement").Boolean(finding.SawMovement)
                 .Key("settleTicks").Integer(finding.SettleTicks)
-                .Key("holdsEnvironment").Truth(finding.HoldsEnvironment)
-                .Key("movesCamera").Truth(finding.MovesCamera)
+                .Key("holdsEnvironment").Boolean(finding.HoldsEnvironment)
+                .Key("movesCamera").Boolean(finding.MovesCamera)
                 .Key("pictureChange").Number(finding.PictureChange, LabelDecimals.Fraction)
                 .EndObject();
         }

@@ -147,9 +147,9 @@ public sealed class SessionWriter : IFrameSink
         if (_start.Options.Scenes)
         {
             _files.MakeFolder(FramePaths.Scenes);
-            if (_start.Options.Spaces is { } spaces)
+            if (_start.Options.Faces is { } faces)
             {
-                WriteText(FramePaths.Spaces, SpaceTableWriter.Text(spaces));
+                WriteText(FramePaths.Faces, FaceTableWriter.Text(faces));
             }
         }
 

@@ -8,7 +8,7 @@ using Harvester.Driving.Session;
 
 namespace Harvester.Cli.Arguments;
 
-/// <summary>The options that say over what a peer drives, the same wherever a command has them.</summary>
+/// <summary>The options that say over what a client drives, the same wherever a command has them.</summary>
 internal sealed class BridgeOptions
 {
     private readonly Option<string?> _folder = new("--folder") { Description = "Share this folder instead of listening at a socket", HelpName = "DIR" };
@@ -20,7 +20,7 @@ internal sealed class BridgeOptions
     };
 
     private readonly Option<int> _port = ValueParsers.Integer("--port", "N", "The socket's port; 0 for any free one", 0, IPEndPoint.MaxPort);
-    private readonly Option<string?> _token = new("--token") { Description = "What a peer must show", HelpName = "WORD" };
+    private readonly Option<string?> _token = new("--token") { Description = "What a client must show", HelpName = "WORD" };
 
     public BridgeOptions()
     {
@@ -39,7 +39,7 @@ internal sealed class BridgeOptions
     /// <summary>Opens the bridge of a command line.</summary>
     /// <param name="parsed">The command line.</param>
     /// <param name="driving">Size of the pictures.</param>
-    /// <param name="place">Where a peer finds it.</param>
+    /// <param name="place">Where a client finds it.</param>
     /// <exception cref="Datasets.Files.OccupiedFolderException">The folder holds something else.</exception>
     /// <exception cref="UsageException">The address is none or needs a token.</exception>
     /// <exception cref="IOException">The folder cannot be made, or the address or port cannot be had.</exception>

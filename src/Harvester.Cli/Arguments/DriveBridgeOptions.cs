@@ -13,10 +13,10 @@ namespace Harvester.Cli.Arguments;
 internal static class DriveBridgeOptions
 {
     private static readonly Option<string> Bridge = Word("--bridge", "B", "What lies between game and controller: direct, folder, socket", "direct");
-    private static readonly Option<string> Role = Word("--role", "R", "What this process is of a bridge: both, game, peer", "both");
+    private static readonly Option<string> Role = Word("--role", "R", "What this process is of a bridge: both, game, client", "both");
     private static readonly Option<DirectoryInfo?> Folder = new("--folder") { Description = "The shared folder of a folder bridge [default: bridge in the folder of --out]", HelpName = "DIR" };
     private static readonly Option<string?> At = new("--at") { Description = "Where a socket bridge listens, or where the game is [default: 127.0.0.1:4567]", HelpName = "ADDRESS:PORT" };
-    private static readonly Option<string?> Token = new("--token") { Description = "What a peer on another machine has to show", HelpName = "WORD" };
+    private static readonly Option<string?> Token = new("--token") { Description = "What a client on another machine has to show", HelpName = "WORD" };
 
     private static readonly Option<double> Patience = Patient();
 
@@ -38,12 +38,12 @@ internal static class DriveBridgeOptions
         {
             "both" => DriveRole.Both,
             "game" => DriveRole.Game,
-            "peer" => DriveRole.Peer,
-            string other => throw new UsageException($"--role takes both, game or peer, not '{other}'."),
+            "client" or "peer" => DriveRole.Client,
+            string other => throw new UsageException($"--role takes both, game or client, not '{other}'."),
         };
         if (kind == BridgeName.Direct && role != DriveRole.Both)
         {
-            throw new UsageException("--role game and peer need a bridge: --bridge folder or socket.");
+            throw new UsageException("--role game and client need a bridge: --bridge folder or socket.");
         }
 
         Option? stray = All.Skip(2).FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false });
@@ -58,7 +58,7 @@ internal static class DriveBridgeOptions
             throw new UsageException("--bridge folder needs --folder.");
         }
 
-        if (kind == BridgeName.Folder && role != DriveRole.Peer)
+        if (kind == BridgeName.Folder && role != DriveRole.Client)
         {
             BridgeFolder.Check(folder!);
         }

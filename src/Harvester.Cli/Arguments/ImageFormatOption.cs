@@ -17,9 +17,9 @@ internal static class ImageFormatOption
     public static Option<int?> Quality() => ValueParsers.Optional<int>(
         "--quality",
         "N",
-        FormattableString.Invariant($"Quality of jpg images, {JpegEncoder.LowestQuality} to {JpegEncoder.HighestQuality} [default: {JpegEncoder.DefaultQuality}]"),
+        FormattableString.Invariant($"Quality of jpg images, {JpegEncoder.MinQuality} to {JpegEncoder.MaxQuality} [default: {JpegEncoder.DefaultQuality}]"),
         ParseQuality,
-        FormattableString.Invariant($"a whole number from {JpegEncoder.LowestQuality} to {JpegEncoder.HighestQuality}"));
+        FormattableString.Invariant($"a whole number from {JpegEncoder.MinQuality} to {JpegEncoder.MaxQuality}"));
 
     /// <summary>The quality that was asked for, or the usual one.</summary>
     /// <exception cref="UsageException">It was asked for images that have none.</exception>
@@ -40,5 +40,5 @@ internal static class ImageFormatOption
 
     private static int? ParseQuality(string text) =>
         int.TryParse(text, System.Globalization.NumberStyles.None, System.Globalization.CultureInfo.InvariantCulture, out int quality)
-            && quality is >= JpegEncoder.LowestQuality and <= JpegEncoder.HighestQuality ? quality : null;
+            && quality is >= JpegEncoder.MinQuality and <= JpegEncoder.MaxQuality ? quality : null;
 }

@@ -7,8 +7,8 @@ namespace Harvester.Cli.Arguments;
 /// <summary>The options that say how lanes are measured, the same wherever a command has them.</summary>
 internal static class LaneOptions
 {
-    private const double FarthestMetres = 70;
-    private const double LongestSeconds = 5;
+    private const double MaxMetres = 70;
+    private const double MaxSeconds = 5;
 
     private const string LookAheadName = "--look-ahead";
     private const string LookAheadForm = "M|Ss";
@@ -51,7 +51,7 @@ internal static class LaneOptions
     {
         // At one metre a second a time is as many metres as seconds.
         const double speed = 1;
-        return Geometry.Lanes.LookAhead.Parse(text) is { } asked && asked.DistanceAt(speed) <= (text.EndsWith('s') ? LongestSeconds : FarthestMetres) ? asked : null;
+        return Geometry.Lanes.LookAhead.Parse(text) is { } asked && asked.DistanceAt(speed) <= (text.EndsWith('s') ? MaxSeconds : MaxMetres) ? asked : null;
     }
 
     private static Option<T> WithDefault<T>(Option<T> option, T value)

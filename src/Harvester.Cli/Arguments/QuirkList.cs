@@ -11,7 +11,7 @@ internal static class QuirkList
     private const string Form =
         "lag=N, lateCamera, vanish=P, boxRays, missedRays=P; of the frozen world creep=N, restless, heldCamera, weather, visibility, each also with "
         + "'paused.' or 'timeScale.' before it for one way of freezing only (N ticks, 0 to 60; P 0 to 1)";
-    private const int MostTicks = 60;
+    private const int MaxTicks = 60;
 
     public static Option<string?> Option() => new("--quirks")
     {
@@ -72,7 +72,7 @@ internal static class QuirkList
     };
 
     private static int? Ticks(string text) =>
-        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int ticks) && ticks <= MostTicks ? ticks : null;
+        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int ticks) && ticks <= MaxTicks ? ticks : null;
 
     private static double? Fraction(string text) =>
         double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double fraction) && fraction <= 1 ? fraction : null;

@@ -53,7 +53,7 @@ internal static class BoxSceneReader
             "fx", "fy", "cx", "cy", "distortion");
         Camera made = camera.Checked(() =>
         {
-            var size = new ImageSize(camera.WholeNumber("width"), camera.WholeNumber("height"));
+            var size = new ImageSize(camera.Integer("width"), camera.Integer("height"));
             var intrinsics = new CameraIntrinsics(
                 camera.Number("verticalFovDegrees"),
                 size,

@@ -8,7 +8,7 @@ using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Cli.Commands.Masks;
 using Harvester.Cli.Commands.Roads;
-using Harvester.Cli.Commands.Spaces;
+using Harvester.Cli.Commands.Faces;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;

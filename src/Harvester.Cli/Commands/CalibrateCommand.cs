@@ -15,12 +15,12 @@ namespace Harvester.Cli.Commands;
 internal static class CalibrateCommand
 {
     private const double SecondsPerTick = 1 / 30.0;
-    private const int MostTicks = 10_000;
+    private const int MaxTicks = 10_000;
 
     // A calibration's markers, fifteen in a row and eleven rows three radii apart and from the edges, do not fit into less.
-    private const int SmallestWidth = 288;
-    private const int SmallestHeight = 216;
-    private const int GreatestSide = 8192;
+    private const int MinWidth = 288;
+    private const int MinHeight = 216;
+    private const int MaxSide = 8192;
 
     private const string Notes =
         "The simulated game's camera gets the lens that the options describe; the calibration sees nothing but its pictures, in which it\n"
@@ -33,7 +33,7 @@ internal static class CalibrateCommand
         Option<int> seed = ValueParsers.Integer("--seed", "N", "Decides the simulated town", 0, int.MaxValue);
         Option<double> fov = CameraOptions.Fov();
         fov.DefaultValueFactory = _ => new SimulationOptions().VerticalFovDegrees;
-        Option<ImageSize> size = ValueParsers.Size("--size", "The images' width and height, pixels", new ImageSize(SmallestWidth, SmallestHeight), GreatestSide);
+        Option<ImageSize> size = ValueParsers.Size("--size", "The images' width and height, pixels", new ImageSize(MinWidth, MinHeight), MaxSide);
         size.DefaultValueFactory = _ => new CalibrationOptions().Image;
         var lens = new LensOptions();
         Option<double> threshold = ValueParsers.Number("--threshold", "PX", "Largest error allowed, pixels", value => value > 0, "a number greater than 0");
@@ -63,7 +63,7 @@ internal static class CalibrateCommand
     private static int Run(SimulatedGame game, CalibrationOptions options, Terminal terminal)
     {
         using var session = new CalibrationSession(options, game.Ports);
-        for (int tick = 0; tick < MostTicks && session.Step() == CalibrationPhase.Settling; tick++)
+        for (int tick = 0; tick < MaxTicks && session.Step() == CalibrationPhase.Settling; tick++)
         {
             game.Tick(SecondsPerTick);
         }

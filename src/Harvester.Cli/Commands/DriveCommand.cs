@@ -29,7 +29,7 @@ internal static class DriveCommand
         + "Examples:\n"
         + "  harvester drive --out drive\n"
         + "  harvester drive --controller deepdriving --noise --distance 3000 --out drive\n"
-        + "  harvester drive --bridge socket --role game --out drive        and elsewhere: harvester drive --bridge socket --role peer\n"
+        + "  harvester drive --bridge socket --role game --out drive        and elsewhere: harvester drive --bridge socket --role client\n"
         + "  harvester drive --roads nodes.zip --near=-500,1000 --near=0,2700 --out drive";
 
     private static readonly Option<string?> Out = new("--out") { Description = "Folder to write drive.json and report.html to", HelpName = "DIR" };
@@ -96,9 +96,9 @@ internal static class DriveCommand
         string? folder = parsed.GetValue(Out);
         BridgePlan bridge = DriveBridgeOptions.Parse(parsed, folder);
         DrivePlan plan = PlanOf(parsed) with { Bridge = bridge.Kind == BridgeName.Direct ? null : bridge };
-        if (bridge.Role == DriveRole.Peer)
+        if (bridge.Role == DriveRole.Client)
         {
-            return RunPeer(terminal, plan, bridge, cancellation);
+            return RunClient(terminal, plan, bridge, cancellation);
         }
 
         if (folder is null)
@@ -149,9 +149,9 @@ internal static class DriveCommand
         }
     }
 
-    private static int RunPeer(Terminal terminal, DrivePlan plan, BridgePlan bridge, CancellationToken cancellation)
+    private static int RunClient(Terminal terminal, DrivePlan plan, BridgePlan bridge, CancellationToken cancellation)
     {
-        PeerDriver driver = new BridgedDrives(bridge, terminal.Out).RunPeer(() => new SimulatedDrives(plan, terminal.Out).ControllerOf(plan.Seed), plan.Seconds, cancellation);
+        ClientDriver driver = new RemoteDrives(bridge, terminal.Out).RunClient(() => new SimulatedDrives(plan, terminal.Out).ControllerOf(plan.Seed), plan.Seconds, cancellation);
         string ending = driver.IsEndedByGame ? "; the game has closed the bridge" : "";
         terminal.Out.WriteLine(FormattableString.Invariant($"{Counted.Of(driver.Frames, "frame")} answered, {driver.Metres:0} m driven in {driver.Seconds:0} s{ending}"));
         return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;

@@ -26,8 +26,8 @@ namespace Harvester.Cli.Commands;
 /// <summary>harvester harvest: a labelled session from a simulated game, with a report.</summary>
 internal static class HarvestCommand
 {
-    private const int MostFrames = 1_000_000;
-    private const double GreatestRange = 100_000;
+    private const int MaxFrames = 1_000_000;
+    private const double MaxRange = 100_000;
     private const string DistanceForm = "a number greater than 0, 100000 at most";
     private static readonly TimeSpan Noon = TimeSpan.FromHours(12);
 
@@ -44,7 +44,7 @@ internal static class HarvestCommand
 
     private static readonly Option<string> Out = new("--out") { Description = "Folder to write the session to", HelpName = "DIR", Required = true };
     private static readonly Option<bool> Overwrite = new("--overwrite") { Description = "Replace the session that lies in the folder" };
-    private static readonly Option<int> Frames = WithDefault(ValueParsers.Integer("--frames", "N", "Frames to take", 1, MostFrames), 100);
+    private static readonly Option<int> Frames = WithDefault(ValueParsers.Integer("--frames", "N", "Frames to take", 1, MaxFrames), 100);
     private static readonly Option<int> Seed = WithDefault(
         ValueParsers.Integer("--seed", "N", "Decides everything that is left to chance", 0, int.MaxValue), 1);
 
@@ -74,7 +74,7 @@ internal static class HarvestCommand
         DefaultValueFactory = _ => [],
     };
 
-    private static readonly Option<FileSystemInfo?> Spaces = SpacesOption.Create("the simulated game's own");
+    private static readonly Option<FileSystemInfo?> Faces = SpacesOption.Create("the simulated game's own");
 
     private static readonly Option<Vector2D?> Near = ValueParsers.Point("--near", "X,Y", "Where to start, metres [default: the middle of the roads]");
     private static readonly Option<string> WeatherName = new("--weather")
@@ -89,7 +89,7 @@ internal static class HarvestCommand
 
     private static readonly Option<bool> Masks = new("--masks") { Description = "Write instance masks too" };
     private static readonly Option<int> Rays = WithDefault(
-        ValueParsers.Integer("--rays", "N", "Rays that a frame may take in all: for masks first, then objects, faces and lanes", 0, LabellingOptions.MostRays),
+        ValueParsers.Integer("--rays", "N", "Rays that a frame may take in all: for masks first, then objects, faces and lanes", 0, LabellingOptions.MaxRays),
         new HarvestOptions().RayBudget);
 
     private static readonly Option<double> RayReach = WithDefault(
@@ -105,7 +105,7 @@ internal static class HarvestCommand
             "--ignore-range",
             "M",
             "Mark objects that are seen beyond the range, up to this distance, as regions to ignore, metres; 0 marks none",
-            value => value is >= 0 and <= GreatestRange,
+            value => value is >= 0 and <= MaxRange,
             "a number from 0 to 100000"),
         new HarvestOptions().IgnoreRangeMetres);
 
@@ -142,7 +142,7 @@ internal static class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Spaces, Near, WeatherName, Time, Masks, Rays, RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, Quirks, FreezeBy, MaxPictureLag, MaxCameraError, ShardOf, NoReport,
+            Out, Overwrite, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, WeatherName, Time, Masks, Rays, RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, Quirks, FreezeBy, MaxPictureLag, MaxCameraError, ShardOf, NoReport,
         };
         LensOf.AddTo(command);
         HelpWithNotes.AddTo(command, Notes);
@@ -212,7 +212,7 @@ internal static class HarvestCommand
             RateHz = parsed.GetValue(Hz),
             Roads = parsed.GetValue(Roads)?.FullName,
             Props = [.. parsed.GetRequiredValue(Props).Select(file => file.FullName)],
-            Spaces = parsed.GetValue(Spaces) is { } spaces ? Path.TrimEndingDirectorySeparator(spaces.FullName) : null,
+            Faces = parsed.GetValue(Faces) is { } spaces ? Path.TrimEndingDirectorySeparator(spaces.FullName) : null,
             Near = parsed.GetValue(Near),
             Weather = WeatherNames.IsKnown(weather)
                 ? weather
@@ -236,7 +236,7 @@ internal static class HarvestCommand
         };
     }
 
-    private static bool IsDistance(double value) => value is > 0 and <= GreatestRange;
+    private static bool IsDistance(double value) => value is > 0 and <= MaxRange;
 
     private static TimeSpan? ParseTime(string text) =>
         TimeSpan.TryParseExact(text, [@"hh\:mm", @"h\:mm"], CultureInfo.InvariantCulture, out TimeSpan time) ? time : null;

@@ -5,7 +5,7 @@ using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Relabelling;
-using Harvester.Cli.Spaces;
+using Harvester.Cli.Faces;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Relabelling;
@@ -38,7 +38,7 @@ internal static class RelabelCommand
     private static readonly Option<double?> MinSide = Number("--min-box-side", "PX", "Label objects whose box in the image has at least these sides, pixels", value => value >= 0, "a number of at least 0");
     private static readonly Option<double?> MaxOccluded = Number("--max-occluded", "S", "Label objects that are hidden by at most this share, 0 to 1", value => value is >= 0 and <= 1, "a number from 0 to 1");
     private static readonly Option<FileInfo?> Calibration = File("--calibration", "Label through the lens of this calibration");
-    private static readonly Option<FileSystemInfo?> Spaces = SpacesOption.Create("the recorded one");
+    private static readonly Option<FileSystemInfo?> Faces = SpacesOption.Create("the recorded one");
     private static readonly Option<FileInfo?> Roads = File("--roads", "Measure lanes on the roads of this file or folder");
     private static readonly Option<LookAhead?> LaneLookAhead = LaneOptions.OtherLookAhead();
     private static readonly Option<double?> LaneWidth = LaneOptions.OtherLaneWidth();
@@ -51,7 +51,7 @@ internal static class RelabelCommand
     {
         var command = new Command("relabel", "Make the labels of a recorded session again in another way.")
         {
-            Session, Out, Overwrite, Range, Classes, MinArea, MinSide, MaxOccluded, Calibration, Spaces, Roads, LaneLookAhead, LaneWidth, NarrowLaneWidth, Images, ShardOf, NoReport,
+            Session, Out, Overwrite, Range, Classes, MinArea, MinSide, MaxOccluded, Calibration, Faces, Roads, LaneLookAhead, LaneWidth, NarrowLaneWidth, Images, ShardOf, NoReport,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
@@ -95,8 +95,8 @@ internal static class RelabelCommand
         MinBoxSidePixels = parsed.GetValue(MinSide),
         MaxOccludedFraction = parsed.GetValue(MaxOccluded),
         Lens = parsed.GetValue(Calibration) is { } calibration ? LensFile.Read(calibration.FullName) : null,
-        Spaces = parsed.GetValue(Spaces) is { } spaces ? SpaceFile.AsWritten(SpaceFile.ReadGood(spaces.FullName, terminal.WriteError)) : null,
-        SpacesName = parsed.GetValue(Spaces)?.Name,
+        Faces = parsed.GetValue(Faces) is { } faces ? FaceFile.AsWritten(FaceFile.ReadGood(faces.FullName, terminal.WriteError)) : null,
+        FacesName = parsed.GetValue(Faces)?.Name,
         Roads = parsed.GetValue(Roads) is { } roads ? RoadImporter.Import(roads.FullName).Network : null,
         RoadsName = parsed.GetValue(Roads)?.Name,
         LookAhead = parsed.GetValue(LaneLookAhead),

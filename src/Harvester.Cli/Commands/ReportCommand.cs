@@ -21,7 +21,7 @@ internal static class ReportCommand
         + "  harvester report out --frames 300 --out report.html\n"
         + "  harvester report out --still 12 --out frame.png";
 
-    private const int MostFrames = 10_000;
+    private const int MaxFrames = 10_000;
 
     public static Command Create(Terminal terminal)
     {
@@ -31,7 +31,7 @@ internal static class ReportCommand
             Description = $"File to write [default: {ReportWriter.FileName} in the session; with --still, frame-N.png in the working folder]",
             HelpName = "FILE",
         };
-        Option<int> frames = ValueParsers.Integer("--frames", "N", "Frames to show at most, evenly chosen", 1, MostFrames);
+        Option<int> frames = ValueParsers.Integer("--frames", "N", "Frames to show at most, evenly chosen", 1, MaxFrames);
         frames.DefaultValueFactory = _ => new ReportLimits().Frames;
         Option<int?> still = ValueParsers.Optional<int>(
             "--still", "FRAME", "Draw this frame with its boxes as a PNG picture instead", FrameNumber, "a frame's number, as 12");

@@ -91,7 +91,7 @@ internal static class ServeCommand
         using IDrivingBridge bridge = Bridge.Open(parsed, options, out string place);
         terminal.Out.WriteLine($"Serving at {place}");
         terminal.Out.Flush();
-        using var game = new BridgedGame(simulated, roads, options, bridge, controller.New, !parsed.GetValue(Unassisted));
+        using var game = new GameEndpoint(simulated, roads, options, bridge, controller.New, !parsed.GetValue(Unassisted));
         DrivingStatus status = new ServedGame(simulated, game) { Visits = new VisitLog(bridge, terminal) }.Run(parsed.GetValue(Duration) ?? double.PositiveInfinity, cancellation);
         terminal.Out.WriteLine(string.Create(
             CultureInfo.InvariantCulture, $"{Counted.Of(status.Frames, "frame")}, {game.Metres:0} m driven in {simulated.Ports.World.TimeSeconds:0.0} s"));

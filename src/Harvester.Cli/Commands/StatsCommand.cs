@@ -48,7 +48,7 @@ internal static class StatsCommand
         yield return Text($"for comparison, {kitti.Name}: {kitti.TrainingImages} images for training, {kitti.TestImages} for testing, {kitti.Labels} labelled objects, {kitti.LabelsPerImage:0.0} an image; it has neither signs nor lights, without which there are {Counted.Of(statistics.LabelsAsKitti, "label")} here, {statistics.LabelsAsKittiPerFrame:0.0} a frame");
         foreach ((ObjectClass kind, ClassStatistics figures) in statistics.Classes)
         {
-            yield return Text($"class {JsonName.Of(kind)}: {Counted.Of(figures.Labels, "label")}, {Counted.Of(figures.Objects, "object")}{PartsOf(figures)}, nearest {figures.NearestMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m");
+            yield return Text($"class {JsonName.Of(kind)}: {Counted.Of(figures.Labels, "label")}, {Counted.Of(figures.Objects, "object")}{PartsOf(figures)}, nearest {figures.MinMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m");
         }
 
         yield return Bins("distance, m", statistics.Distances);

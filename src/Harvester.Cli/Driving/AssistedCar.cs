@@ -8,28 +8,28 @@ using Harvester.Simulation.Game;
 namespace Harvester.Cli.Driving;
 
 /// <summary>
-/// The simulated car behind a bridge: in junctions and where it has to give way its own driver drives, whatever the peer says, as long as a
-/// peer is there. Without one it brakes everywhere.
+/// The simulated car behind a bridge: in junctions and where it has to give way its own driver drives, whatever the client says, as long as a
+/// client is there. Without one it brakes everywhere.
 /// </summary>
 /// <param name="game">The game with the car.</param>
 /// <param name="roads">Its roads.</param>
-/// <param name="isPeerAlive">Whether a peer has spoken lately.</param>
-internal sealed class AssistedCar(SimulatedGame game, IRoads roads, Func<bool> isPeerAlive) : IDrivenCar
+/// <param name="isClientAlive">Whether a client has spoken lately.</param>
+internal sealed class AssistedCar(SimulatedGame game, IRoads roads, Func<bool> isClientAlive) : IDrivenCar
 {
     private readonly IDrivenCar _car = game.Ports.Car!;
     private readonly LaneTracker _lanes = new(roads, entity => entity.Handle);
     private Handover _handover = new();
 
-    /// <summary>Whether what the peer says drives, the brake too when it says nothing.</summary>
-    public bool IsByPeer { get; private set; }
+    /// <summary>Whether what the client says drives, the brake too when it says nothing.</summary>
+    public bool IsByClient { get; private set; }
 
     public bool IsTakenByPlayer => _car.IsTakenByPlayer;
 
     public void Drive(DrivingControls controls)
     {
         LaneObservation? seen = _lanes.Observe(game.Ports.World.ReadEgo(), [])?.Seen;
-        IsByPeer = _handover.Decide(seen, game.MustEgoGiveWay) || !isPeerAlive();
-        if (IsByPeer)
+        IsByClient = _handover.Decide(seen, game.MustEgoGiveWay) || !isClientAlive();
+        if (IsByClient)
         {
             _car.Drive(controls);
         }

@@ -16,7 +16,7 @@ internal static class BridgeFolder
 
     private const string Picture = "frame_";
 
-    // What the game and its peer write, under these names or temporary ones made of them; docs/bridge.md. Pictures are no sign: other tools number theirs so too.
+    // What the game and its client write, under these names or temporary ones made of them; docs/bridge.md. Pictures are no sign: other tools number theirs so too.
     private static readonly string[] Signs = ["state.txt", "indicators.txt", "controls.txt", "command.json", "alive.txt", "writing.part"];
 
     /// <summary>Checks that a bridge may be opened in a folder, and changes nothing.</summary>

@@ -9,7 +9,7 @@ namespace Harvester.Cli.Driving;
 /// <param name="Role">Which sides.</param>
 /// <param name="Folder">The shared folder of a folder bridge.</param>
 /// <param name="At">Where a socket bridge listens or is reached; null for a free port of this machine, or the usual one.</param>
-/// <param name="Token">What a peer shows; null for none.</param>
+/// <param name="Token">What a client shows; null for none.</param>
 /// <param name="Patience">How long, on the clock, one side waits for the other.</param>
 internal sealed record BridgePlan(BridgeName Kind, DriveRole Role, string Folder, IPEndPoint? At, string? Token, TimeSpan Patience)
 {

@@ -6,9 +6,9 @@ internal enum DriveRole
     /// <summary>Game and controller, in lock-step.</summary>
     Both,
 
-    /// <summary>The simulated game, for a peer elsewhere.</summary>
+    /// <summary>The simulated game, for a client elsewhere.</summary>
     Game,
 
     /// <summary>The controller, for a game elsewhere.</summary>
-    Peer,
+    Client,
 }

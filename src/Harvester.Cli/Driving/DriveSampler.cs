@@ -12,7 +12,7 @@ namespace Harvester.Cli.Driving;
 /// <summary>Takes samples of the truth about the ego of a simulated game.</summary>
 internal sealed class DriveSampler(SimulatedGame game)
 {
-    private const double LargestBody = 25;
+    private const double MaxBody = 25;
 
     private readonly List<DriveSample> _samples = [];
     private double _metres;
@@ -31,17 +31,17 @@ internal sealed class DriveSampler(SimulatedGame game)
         double time = game.Ports.World.TimeSeconds;
         DriveSample? before = _samples.LastOrDefault();
         double way = before is null ? 0 : (body.Centre - before.Position).Length;
-        bool isElsewhere = before is null || Relocation.Is(way, before.Speed, ego.Velocity.Length, time - before.TimeSeconds);
-        _metres += isElsewhere ? 0 : way;
+        bool isTeleported = before is null || Relocation.Is(way, before.Speed, ego.Velocity.Length, time - before.TimeSeconds);
+        _metres += isTeleported ? 0 : way;
         _samples.Add(new DriveSample
         {
             TimeSeconds = time,
             Position = body.Centre,
             Speed = ego.Velocity.Length,
             IsByController = isByController,
-            IsElsewhere = isElsewhere,
+            IsTeleported = isTeleported,
             Lane = LaneOf(ego, body),
-            Touching = [.. game.Ports.World.ReadEntities(ego.Pose.Position, LargestBody)
+            Touching = [.. game.Ports.World.ReadEntities(ego.Pose.Position, MaxBody)
                 .Where(entity => LaneTracker.IsVehicle(entity) && body.Overlaps(GroundBox.Of(entity.Pose, entity.ModelMin, entity.ModelMax)))
                 .Select(entity => entity.Handle)],
         });

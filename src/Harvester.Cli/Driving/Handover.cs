@@ -9,8 +9,8 @@ namespace Harvester.Cli.Driving;
 /// </summary>
 internal sealed class Handover
 {
-    private const double LargestAngle = 0.15;
-    private const double LargestOffset = 0.8;
+    private const double MaxAngle = 0.15;
+    private const double MaxOffset = 0.8;
 
     /// <summary>Whether the controller drives.</summary>
     public bool IsToController { get; private set; } = true;
@@ -25,7 +25,7 @@ internal sealed class Handover
     }
 
     private static bool IsInLane(LaneIndicators at) =>
-        Math.Abs(at.Angle.Value) < LargestAngle
+        Math.Abs(at.Angle.Value) < MaxAngle
         && at.ToMarkingML.IsValid
-        && Math.Abs(at.ToMarkingML.Value + at.ToMarkingMR.Value) / 2 < LargestOffset;
+        && Math.Abs(at.ToMarkingML.Value + at.ToMarkingMR.Value) / 2 < MaxOffset;
 }

@@ -17,7 +17,7 @@ namespace Harvester.Cli.Driving;
 
 /// <summary>Builds the simulated games of a plan, one for each start, and has them driven through.</summary>
 /// <param name="plan">What is asked for.</param>
-/// <param name="messages">Is told where a peer is waited for.</param>
+/// <param name="messages">Is told where a client is waited for.</param>
 internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
 {
     private readonly List<DriveSample> _samples = [];
@@ -42,12 +42,12 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
             SimulatedGame game = Build(plan.Starts.Count > 0 ? plan.Starts[i] : null, seed);
             if (plan.Bridge is { } bridge)
             {
-                new BridgedDrives(bridge, messages).Run(
+                new RemoteDrives(bridge, messages).Run(
                     game, RoadsOf(game), () => ControllerOf(seed), () => ControllerAtCar(seed), plan.Metres, plan.Seconds, _samples, cancellation);
             }
             else
             {
-                _samples.AddRange(new DirectDrive(game, RoadsOf(game), () => ControllerOf(seed)).Run(plan.Metres, plan.Seconds, metres => report((int)(before + metres)), cancellation));
+                _samples.AddRange(new LocalDrive(game, RoadsOf(game), () => ControllerOf(seed)).Run(plan.Metres, plan.Seconds, metres => report((int)(before + metres)), cancellation));
             }
         }
     }

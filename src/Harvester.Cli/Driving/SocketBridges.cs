@@ -17,7 +17,7 @@ internal static class SocketBridges
     {
         if (!IPAddress.IsLoopback(at.Address) && string.IsNullOrEmpty(token))
         {
-            throw new UsageException($"Others can reach {at.Address}: give a --token that peers must show.");
+            throw new UsageException($"Others can reach {at.Address}: give a --token that clients must show.");
         }
 
         try

@@ -8,7 +8,7 @@ namespace Harvester.Cli.Driving;
 /// <param name="clock">The clock on the wall.</param>
 internal sealed class WallPace(double tickSeconds, TimeProvider clock)
 {
-    /// <summary>A world that stands hears its peer so often.</summary>
+    /// <summary>A world that stands hears its client so often.</summary>
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(1);
 
     private readonly TimeSpan _tick = TimeSpan.FromSeconds(tickSeconds);
@@ -16,7 +16,7 @@ internal sealed class WallPace(double tickSeconds, TimeProvider clock)
     private TimeSpan _due;
 
     /// <summary>Waits until the next tick is due.</summary>
-    /// <param name="isStanding">Whether the world stands still; only the peer is heard then.</param>
+    /// <param name="isStanding">Whether the world stands still; only the client is heard then.</param>
     /// <param name="isHurried">Whether it is due at once.</param>
     /// <param name="cancellation">Ends the waiting.</param>
     public void Wait(bool isStanding, bool isHurried, CancellationToken cancellation)

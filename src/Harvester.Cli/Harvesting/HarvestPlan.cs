@@ -54,7 +54,7 @@ internal sealed record HarvestPlan
     public required IReadOnlyList<string> Props { get; init; }
 
     /// <summary>File of spaces of interest that goes before the simulated game's own; null for none.</summary>
-    public required string? Spaces { get; init; }
+    public required string? Faces { get; init; }
 
     /// <summary>Where to start, metres, world; null for the middle of the roads.</summary>
     public required Vector2D? Near { get; init; }

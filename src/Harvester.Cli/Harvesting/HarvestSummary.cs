@@ -50,7 +50,7 @@ internal static class HarvestSummary
         JsonName.Of(kind.Key),
         kind.Value.Labels.ToString(CultureInfo.InvariantCulture),
         kind.Value.Objects.ToString(CultureInfo.InvariantCulture),
-        string.Create(CultureInfo.InvariantCulture, $"{kind.Value.NearestMetres:0.0} m"),
+        string.Create(CultureInfo.InvariantCulture, $"{kind.Value.MinMetres:0.0} m"),
         string.Create(CultureInfo.InvariantCulture, $"{kind.Value.MedianDistanceMetres:0.0} m"),
     ];
 
@@ -76,7 +76,7 @@ internal static class HarvestSummary
         {
             terminal.Out.WriteLine(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{JsonName.Of(kind)}: {Counted.Of(figures.Labels, "label")}, {Counted.Of(figures.Objects, "object")}, nearest {figures.NearestMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m"));
+                $"{JsonName.Of(kind)}: {Counted.Of(figures.Labels, "label")}, {Counted.Of(figures.Objects, "object")}, nearest {figures.MinMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m"));
         }
     }
 

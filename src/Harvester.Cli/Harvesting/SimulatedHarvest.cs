@@ -9,7 +9,7 @@ using System.Threading;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
-using Harvester.Cli.Spaces;
+using Harvester.Cli.Faces;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Props;
@@ -34,22 +34,22 @@ internal sealed class SimulatedHarvest
 
     private readonly HarvestPlan _plan;
     private readonly SimulatedGame _game;
-    private readonly SpaceTable _spaces;
+    private readonly FaceTable _faces;
 
-    private SimulatedHarvest(HarvestPlan plan, SimulatedGame game, SpaceTable spaces)
+    private SimulatedHarvest(HarvestPlan plan, SimulatedGame game, FaceTable faces)
     {
         _plan = plan;
         _game = game;
-        _spaces = spaces;
+        _faces = faces;
     }
 
     /// <summary>Reads roads and props, if any are named, and builds the world.</summary>
-    /// <exception cref="DatasetFormatException">A file of roads, props or spaces is malformed.</exception>
+    /// <exception cref="DatasetFormatException">A file of roads, props or faces is malformed.</exception>
     /// <exception cref="UsageException">There is no road where the harvest is to begin.</exception>
     public static SimulatedHarvest Build(HarvestPlan plan, Action<string> warn)
     {
         RoadNetwork? roads = plan.Roads is null ? null : RoadImporter.Import(plan.Roads).Network;
-        SpaceTable spaces = SpaceFile.AsWritten(plan.Spaces is null ? ModelSpaces.Table : ModelSpaces.Table.OverriddenBy(SpaceFile.ReadGood(plan.Spaces, warn)));
+        FaceTable faces = FaceFile.AsWritten(plan.Faces is null ? ModelFaces.Table : ModelFaces.Table.OverriddenBy(FaceFile.ReadGood(plan.Faces, warn)));
         List<PropPlacement> props = [.. plan.Props.SelectMany(PropPlacementImporter.Import)];
         try
         {
@@ -65,7 +65,7 @@ internal sealed class SimulatedHarvest
                 WindowAspect = plan.Image.Aspect,
                 Lens = new RenderLens(plan.Lens.FocalScale, plan.Lens.CentreOffsetX, plan.Lens.CentreOffsetY, plan.Lens.K1, plan.Lens.K2),
                 Quirks = plan.Quirks,
-            }), spaces);
+            }), faces);
         }
         catch (ArgumentException e)
         {
@@ -149,7 +149,7 @@ internal sealed class SimulatedHarvest
         MaxPictureLagTicks = _plan.MaxPictureLagTicks,
         FreezeBy = _plan.FreezeBy,
         Scenes = _plan.Scenes,
-        Spaces = _spaces,
+        Faces = _faces,
     };
 
     private SessionOrigin Origin() => new()
@@ -177,9 +177,9 @@ internal sealed class SimulatedHarvest
             yield return new("props", string.Join(", ", _plan.Props.Select(Path.GetFileName)));
         }
 
-        if (_plan.Spaces is { } spaces)
+        if (_plan.Faces is { } faces)
         {
-            yield return new("spaces", Path.GetFileName(spaces));
+            yield return new("spaces", Path.GetFileName(faces));
         }
 
         if (_plan.QuirksAsked is { } quirks)

@@ -12,7 +12,7 @@ using Harvester.Sessions.Faces;
 using Harvester.Sessions.Text;
 using Harvester.Surveys.Faces;
 
-namespace Harvester.Cli.Spaces;
+namespace Harvester.Cli.Faces;
 
 /// <summary>A survey's photographs as figures of a page, each with the cuboids of its model's faces drawn where its camera saw them.</summary>
 internal sealed class PhotoFigures
@@ -33,7 +33,7 @@ internal sealed class PhotoFigures
     public IReadOnlyList<SurveyPhoto> Photos { get; }
 
     /// <summary>The figures of a model.</summary>
-    public string Of(string model, IReadOnlyList<SpaceOfInterest> faces)
+    public string Of(string model, IReadOnlyList<ModelFace> faces)
     {
         var figures = new StringBuilder();
         foreach (SurveyPhoto photo in Photos.Where(photo => photo.Model == model))
@@ -50,7 +50,7 @@ internal sealed class PhotoFigures
     }
 
     /// <summary>The edges of a face's cuboid; apart from them those that both of their sides turn away from the camera.</summary>
-    private static string Edges(SurveyPhoto photo, SpaceOfInterest face)
+    private static string Edges(SurveyPhoto photo, ModelFace face)
     {
         var camera = new Camera(photo.Camera, new CameraIntrinsics(photo.VerticalFovDegrees, Shown, Shown.Aspect, NearClip, Lens.Ideal));
         Cuboid cuboid = face.CuboidAt(new Pose(Vector3D.Zero, Axes.Identity));

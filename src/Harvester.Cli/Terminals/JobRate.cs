@@ -9,7 +9,7 @@ namespace Harvester.Cli.Terminals;
 internal sealed class JobRate
 {
     /// <summary>Over less time than this, a rate is as good as any guess.</summary>
-    private static readonly TimeSpan ShortestTime = TimeSpan.FromSeconds(1);
+    private static readonly TimeSpan MinTime = TimeSpan.FromSeconds(1);
 
     private (int Done, TimeSpan At)? _first;
 
@@ -21,6 +21,6 @@ internal sealed class JobRate
     {
         _first ??= (done, at);
         (int firstDone, TimeSpan firstAt) = _first.Value;
-        return done > firstDone && at - firstAt >= ShortestTime ? (done - firstDone) / (at - firstAt).TotalSeconds : null;
+        return done > firstDone && at - firstAt >= MinTime ? (done - firstDone) / (at - firstAt).TotalSeconds : null;
     }
 }

@@ -15,7 +15,7 @@ internal sealed record Terminal(TextReader In, TextWriter Out, TextWriter Error,
 {
     /// <summary>A width for output that goes to a file or pipe, which has none of its own.</summary>
     private const int PlainWidth = 120;
-    private const int LongestError = 600;
+    private const int MaxErrorLength = 600;
 
     /// <summary>The process's own streams, UTF-8 and line feeds on every system.</summary>
     public static Terminal OfProcess()
@@ -41,7 +41,7 @@ internal sealed record Terminal(TextReader In, TextWriter Out, TextWriter Error,
     {
         string line = string.Join(' ', text.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
         line = string.Concat(line.Where(character => !char.IsControl(character)));
-        return line.Length <= LongestError ? line : line[..LongestError] + "...";
+        return line.Length <= MaxErrorLength ? line : line[..MaxErrorLength] + "...";
     }
 
     /// <summary>Tables and progress over the same output; without colours and motion when nobody watches.</summary>

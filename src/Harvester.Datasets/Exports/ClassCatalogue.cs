@@ -63,5 +63,5 @@ internal sealed class ClassCatalogue
         _ => [],
     };
 
-    private static string? DetailOf(ObjectLabel label) => label.Space is { Light: { } light } ? JsonName.Of(light.State) : label.Space?.MutcdCode;
+    private static string? DetailOf(ObjectLabel label) => label.Face is { Light: { } light } ? JsonName.Of(light.State) : label.Face?.MutcdCode;
 }

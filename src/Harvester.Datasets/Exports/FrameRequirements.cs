@@ -25,7 +25,7 @@ internal static class FrameRequirements
             throw frame.Problem($"its camera has another calibration than the session's first frame, and {format.Name} has one a sequence. Choose another format.");
         }
 
-        if (format.NeedsRectilinear && LensBend.PixelsOf(frame.Label.Camera) is var bend and > LensBend.MostPixels)
+        if (format.NeedsRectilinear && LensDistortion.PixelsOf(frame.Label.Camera) is var bend and > LensDistortion.MaxPixels)
         {
             throw frame.Problem(FormattableString.Invariant(
                 $"its lens bends straight lines by {bend:0.0} pixels, and {format.Name} cannot represent lens distortion. Choose another format."));

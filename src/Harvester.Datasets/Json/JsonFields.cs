@@ -47,7 +47,7 @@ public readonly struct JsonFields
     public double? OptionalNumber(string name) => Has(name) ? Number(name) : null;
 
     /// <summary>A whole number that fits 64 bits.</summary>
-    public long LargeWholeNumber(string name)
+    public long LongInteger(string name)
     {
         JsonElement field = Field(name);
         return field.ValueKind == JsonValueKind.Number && field.TryGetInt64(out long value)
@@ -56,9 +56,9 @@ public readonly struct JsonFields
     }
 
     /// <summary>A whole number that fits 32 bits.</summary>
-    public int WholeNumber(string name)
+    public int Integer(string name)
     {
-        long value = LargeWholeNumber(name);
+        long value = LongInteger(name);
         return value is >= int.MinValue and <= int.MaxValue ? (int)value : throw Wrong(Path(name), "a whole number of 32 bits", Field(name));
     }
 
@@ -104,13 +104,13 @@ public readonly struct JsonFields
     public bool IsList(string name) => Field(name).ValueKind == JsonValueKind.Array;
 
     /// <summary>Either true or false.</summary>
-    public bool Truth(string name) => TruthOf(Field(name), name);
+    public bool Boolean(string name) => BooleanOf(Field(name), name);
 
     /// <summary>A truth, or null where it is null or missing.</summary>
-    public bool? OptionalTruth(string name) => Has(name) ? Truth(name) : null;
+    public bool? OptionalBoolean(string name) => Has(name) ? Boolean(name) : null;
 
     /// <summary>A list of true, false and null.</summary>
-    public bool?[] OptionalTruths(string name)
+    public bool?[] OptionalBooleans(string name)
     {
         JsonElement list = Field(name);
         if (list.ValueKind != JsonValueKind.Array)
@@ -121,7 +121,7 @@ public readonly struct JsonFields
         var truths = new List<bool?>(list.GetArrayLength());
         foreach (JsonElement item in list.EnumerateArray())
         {
-            truths.Add(item.ValueKind == JsonValueKind.Null ? null : TruthOf(item, name, truths.Count));
+            truths.Add(item.ValueKind == JsonValueKind.Null ? null : BooleanOf(item, name, truths.Count));
         }
 
         return [.. truths];
@@ -242,7 +242,7 @@ public readonly struct JsonFields
         return field.ValueKind == JsonValueKind.Number && field.TryGetDouble(out value) && double.IsFinite(value);
     }
 
-    private bool TruthOf(JsonElement field, string name, params ReadOnlySpan<int> places) =>
+    private bool BooleanOf(JsonElement field, string name, params ReadOnlySpan<int> places) =>
         field.ValueKind is JsonValueKind.True or JsonValueKind.False ? field.GetBoolean() : throw Wrong(Place(name, places), "true or false", field);
 
     /// <summary>The path of a field's item, as camera.position[2]; made for errors only.</summary>

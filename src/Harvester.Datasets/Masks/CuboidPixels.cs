@@ -13,7 +13,7 @@ namespace Harvester.Datasets.Masks;
 internal sealed class CuboidPixels
 {
     /// <summary>Shares of fewer samples would be coarse, and a face a few pixels wide may hold no pixel's centre at all.</summary>
-    private const int FewestSamples = 16;
+    private const int MinSamples = 16;
 
     /// <summary>Samples along each side of the box of a cuboid that is so small.</summary>
     private const int SamplesAlongSide = 16;
@@ -38,7 +38,7 @@ internal sealed class CuboidPixels
             }
         }
 
-        Samples = Distances.Count >= FewestSamples ? [.. Distances.Select(pixel => (pixel.Key, pixel.Value))] : [.. FineSamples(label.Box2D)];
+        Samples = Distances.Count >= MinSamples ? [.. Distances.Select(pixel => (pixel.Key, pixel.Value))] : [.. FineSamples(label.Box2D)];
     }
 
     /// <summary>The object's number.</summary>

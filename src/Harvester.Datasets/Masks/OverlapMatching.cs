@@ -13,7 +13,7 @@ namespace Harvester.Datasets.Masks;
 internal static class OverlapMatching
 {
     /// <summary>An object hardly reaches out of its cuboid; a number with less than this share of its pixels within is another thing.</summary>
-    private const double LeastFractionWithin = 0.5;
+    private const double MinFractionWithin = 0.5;
 
     /// <summary>The objects' ids by the map's numbers; numbers that are no object's are missing.</summary>
     /// <param name="map">The map.</param>
@@ -27,7 +27,7 @@ internal static class OverlapMatching
         {
             foreach ((ushort number, int shared) in item.Distances.Keys.CountBy(index => map.Ids[index]))
             {
-                if (number != 0 && shared >= LeastFractionWithin * areas[number])
+                if (number != 0 && shared >= MinFractionWithin * areas[number])
                 {
                     pairs.Add(((double)shared / (areas[number] + item.Distances.Count - shared), ownerOf(item.Id), number));
                 }

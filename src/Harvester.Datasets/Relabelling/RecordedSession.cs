@@ -48,7 +48,7 @@ internal sealed class RecordedSession
     public double NarrowLaneWidthMetres { get; }
 
     /// <summary>Opens a session.</summary>
-    /// <exception cref="DatasetFormatException">It has no scenes, or its session.json or table of spaces is not as it should be.</exception>
+    /// <exception cref="DatasetFormatException">It has no scenes, or its session.json or table of faces is not as it should be.</exception>
     public static RecordedSession Open(SessionReader session)
     {
         if (!Directory.Exists(session.PathOf(FramePaths.Scenes)))
@@ -74,12 +74,12 @@ internal sealed class RecordedSession
                 Format = header.Fields("image").Name<ImageFormat>("format"),
                 RangeMetres = options.Number("rangeMetres"),
                 IgnoreRangeMetres = options.OptionalNumber("ignoreRangeMetres") ?? 0,
-                Masks = options.Truth("masks"),
+                Masks = options.Boolean("masks"),
                 MinBoxAreaPixels = options.Number("minBoxAreaPixels"),
                 MinBoxSidePixels = options.Number("minBoxSidePixels"),
                 MaxOccludedFraction = options.Number("maxOccludedFraction"),
                 Classes = [.. classes.Select(ClassOf)],
-                Spaces = Named(session, FramePaths.Spaces, KeptFiles.ReadSpaces),
+                Faces = Named(session, FramePaths.Faces, KeptFiles.ReadFaces),
             }),
             header.Fields("settings"));
     }

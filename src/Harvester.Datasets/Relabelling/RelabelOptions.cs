@@ -31,10 +31,10 @@ public sealed record RelabelOptions
     public Lens? Lens { get; init; }
 
     /// <summary>Faces of signs and heads of lights that go before the recorded ones, model by model.</summary>
-    public SpaceTable? Spaces { get; init; }
+    public FaceTable? Faces { get; init; }
 
     /// <summary>Name of the file of those, for session.json.</summary>
-    public string? SpacesName { get; init; }
+    public string? FacesName { get; init; }
 
     /// <summary>The roads.</summary>
     public RoadNetwork? Roads { get; init; }

@@ -26,7 +26,7 @@ internal sealed class RelabelledHeader(RecordedSession recorded, RelabelOptions 
         Set(settings, "laneWidth", changes.LaneWidthMetres?.ToString(CultureInfo.InvariantCulture));
         Set(settings, "narrowLaneWidth", changes.NarrowLaneWidthMetres?.ToString(CultureInfo.InvariantCulture));
         Set(settings, "roads", changes.RoadsName);
-        Set(settings, "spaces", changes.SpacesName);
+        Set(settings, "spaces", changes.FacesName);
         Set(settings, "relabelledBy", $"harvester {typeof(RelabelledHeader).Assembly.GetName().Version!.ToString(3)}");
         header.Shard = changes.Shard.Count > 1 ? changes.Shard : null;
         JsonObject asked = json["options"]!.AsObject();
@@ -58,7 +58,7 @@ internal sealed class RelabelledHeader(RecordedSession recorded, RelabelOptions 
         var fields = new JsonFields(camera.Deserialize<JsonElement>());
         CameraIntrinsics made = fields.Checked(() => new CameraIntrinsics(
             fields.Number("verticalFovDegrees"),
-            new ImageSize(fields.WholeNumber("width"), fields.WholeNumber("height")),
+            new ImageSize(fields.Integer("width"), fields.Integer("height")),
             fields.Number("windowAspect"),
             fields.Number("nearClip"),
             lens));

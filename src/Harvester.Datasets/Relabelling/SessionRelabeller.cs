@@ -49,7 +49,7 @@ public sealed class SessionRelabeller
             MinBoxAreaPixels = changes.MinBoxAreaPixels ?? recorded.MinBoxAreaPixels,
             MinBoxSidePixels = changes.MinBoxSidePixels ?? recorded.MinBoxSidePixels,
             MaxOccludedFraction = changes.MaxOccludedFraction ?? recorded.MaxOccludedFraction,
-            Spaces = changes.Spaces is { } spaces ? recorded.Spaces?.OverriddenBy(spaces) ?? spaces : recorded.Spaces,
+            Faces = changes.Faces is { } faces ? recorded.Faces?.OverriddenBy(faces) ?? faces : recorded.Faces,
             Shard = changes.Shard,
         };
     }

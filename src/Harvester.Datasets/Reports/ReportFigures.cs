@@ -63,7 +63,7 @@ internal static class ReportFigures
             json.WriteNumber("labels", figures.Labels);
             json.WriteNumber("objects", figures.Objects);
             json.WriteNumber("parts", figures.Parts);
-            json.Number("nearest", figures.NearestMetres, Decimals);
+            json.Number("nearest", figures.MinMetres, Decimals);
             json.Number("medianDistance", figures.MedianDistanceMetres, Decimals);
             json.Number("meanOcclusion", figures.MeanOccludedFraction, Decimals);
             json.WriteEndObject();

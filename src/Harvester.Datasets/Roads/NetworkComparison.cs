@@ -15,7 +15,7 @@ public sealed class NetworkComparison
     private const double SamePlace = 2;
 
     /// <summary>Cosine of the angle by which two links of one road may differ, 20 degrees.</summary>
-    private const double LeastAlong = 0.94;
+    private const double MinAlong = 0.94;
 
     private const double CellMetres = 64;
 
@@ -101,7 +101,7 @@ public sealed class NetworkComparison
             (Vector3D a, Vector3D b) = Ends(_network, link);
             double along = (to - from).Dot(b - a) / ((to - from).Length * (b - a).Length);
             double distance = Distance(middle, a, b);
-            if (Math.Abs(along) >= LeastAlong && distance <= nearest)
+            if (Math.Abs(along) >= MinAlong && distance <= nearest)
             {
                 nearest = distance;
                 found = along > 0 ? link : link.Reversed();

@@ -20,14 +20,14 @@ namespace Harvester.Datasets.Roads;
 public static class RoadImporter
 {
     /// <summary>The most bytes that the files of a folder or an archive have together, unpacked.</summary>
-    private const long LargestImport = 2L << 30;
+    private const long MaxImportBytes = 2L << 30;
 
     /// <summary>Reads a road network.</summary>
     /// <param name="path">A file, a folder, or a zip archive.</param>
     /// <param name="lanesIn">Which way the "lanes in" of paths.ipl and paths.xml are driven; other files say it themselves.</param>
     /// <exception cref="DatasetFormatException">The files are of no known format, or not as their format asks; the message names the place.</exception>
     /// <exception cref="IOException">A file cannot be read.</exception>
-    public static RoadImport Import(string path, LanesIn lanesIn = LanesIn.Forward) => Import(path, lanesIn, LargestImport);
+    public static RoadImport Import(string path, LanesIn lanesIn = LanesIn.Forward) => Import(path, lanesIn, MaxImportBytes);
 
     /// <summary>The same with another limit on the files together, bytes unpacked.</summary>
     internal static RoadImport Import(string path, LanesIn lanesIn, long largest)

@@ -18,7 +18,7 @@ public sealed class RoadMap
     private const double StreetWidthPixels = 1.6;
     private const double MarginFraction = 0.02;
     private const int SvgDecimals = 1;
-    private const int SmallestSideWithLegend = 200;
+    private const int MinSideWithLegend = 200;
 
     /// <summary>Straight pieces in which a curve is drawn.</summary>
     private const int Pieces = 4;
@@ -97,7 +97,7 @@ public sealed class RoadMap
             text.Write("\"/>\n");
         }
 
-        if (Math.Min(Size.Width, Size.Height) >= SmallestSideWithLegend)
+        if (Math.Min(Size.Width, Size.Height) >= MinSideWithLegend)
         {
             WriteLegend(text);
         }

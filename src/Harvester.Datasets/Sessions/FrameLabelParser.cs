@@ -32,10 +32,10 @@ public static class FrameLabelParser
 
     private static FrameLabel ReadFrame(JsonFields frame) =>
         new(
-            frame.WholeNumber("frame"),
-            frame.LargeWholeNumber("gameFrame"),
+            frame.Integer("frame"),
+            frame.LongInteger("gameFrame"),
             frame.Number("timeSeconds"),
-            frame.WholeNumber("lagFrames"),
+            frame.Integer("lagFrames"),
             frame.Number("lagSeconds"),
             frame.Text("image"),
             frame.OptionalText("mask"),
@@ -51,10 +51,10 @@ public static class FrameLabelParser
         };
 
     private static PixelMapLabel ReadPixelMap(JsonFields map) =>
-        new(map.WholeNumber("resolutionPixels"), map.WholeNumber("interpolatedPixels"), map.WholeNumber("raysCast"));
+        new(map.Integer("resolutionPixels"), map.Integer("interpolatedPixels"), map.Integer("raysCast"));
 
     private static RayCounts ReadRays(JsonFields rays) => new(
-        rays.WholeNumber("map"), rays.WholeNumber("occlusion"), rays.WholeNumber("faces"), rays.WholeNumber("ignoreRegions"), rays.WholeNumber("lanes"));
+        rays.Integer("map"), rays.Integer("occlusion"), rays.Integer("faces"), rays.Integer("ignoreRegions"), rays.Integer("lanes"));
 
     private static CameraLabel ReadCamera(JsonFields camera)
     {
@@ -62,8 +62,8 @@ public static class FrameLabelParser
         return new CameraLabel(
             new Pose(camera.Vector("position"), camera.Axes()),
             camera.Number("verticalFovDegrees"),
-            camera.WholeNumber("width"),
-            camera.WholeNumber("height"),
+            camera.Integer("width"),
+            camera.Integer("height"),
             camera.Number("windowAspect"),
             camera.Number("nearClip"),
             camera.Number("fx"),
@@ -93,13 +93,13 @@ public static class FrameLabelParser
         JsonFields box3D = label.Fields("box3d");
         return new ObjectLabel
         {
-            Id = label.WholeNumber("id"),
+            Id = label.Integer("id"),
             Class = label.Name<ObjectClass>("class"),
             Model = label.Text("model"),
             Name = label.OptionalText("name"),
-            Parent = label.Has("parent") ? label.WholeNumber("parent") : null,
-            KnownParts = label.Has("knownParts") ? label.WholeNumber("knownParts") : null,
-            HasRider = label.OptionalTruth("hasRider"),
+            Parent = label.Has("parent") ? label.Integer("parent") : null,
+            KnownParts = label.Has("knownParts") ? label.Integer("knownParts") : null,
+            HasRider = label.OptionalBoolean("hasRider"),
             Box2D = ReadBox(label, "box2d"),
             Box2DAmodal = ReadBox(label, "box2dAmodal"),
             Box2DVisible = label.Has("box2dVisible") ? ReadBox(label, "box2dVisible") : null,
@@ -109,7 +109,7 @@ public static class FrameLabelParser
             Box3D = box3D.Checked(() => new Cuboid(box3D.Vector("centre"), box3D.Vector("halfExtents"), box3D.Axes())),
             DistanceMetres = label.Number("distanceMetres"),
             Velocity = label.Vector("velocity"),
-            Space = label.Has("space") ? ReadSpace(label.Fields("space")) : null,
+            Face = label.Has("space") ? ReadFace(label.Fields("space")) : null,
         };
     }
 
@@ -119,12 +119,12 @@ public static class FrameLabelParser
         ReadBox(region, "box2d"),
         region.Number("distanceMetres"));
 
-    private static SpaceLabel ReadSpace(JsonFields space) => new(
-        space.WholeNumber("face"),
-        space.OptionalText("mutcd"),
-        space.Number("facingAngleDegrees"),
-        space.Name<Provenance>("provenance"),
-        space.Has("light") ? ReadLight(space.Fields("light")) : null);
+    private static FaceLabel ReadFace(JsonFields face) => new(
+        face.Integer("face"),
+        face.OptionalText("mutcd"),
+        face.Number("facingAngleDegrees"),
+        face.Name<Provenance>("provenance"),
+        face.Has("light") ? ReadLight(face.Fields("light")) : null);
 
     private static LightLabel ReadLight(JsonFields light) =>
         new(light.Name<LightState>("state"), light.Name<LightMethod>("method"), light.OptionalNumber("litFraction"));

@@ -34,16 +34,16 @@ internal static class KeptFiles
 
     /// <summary>The table of faces and heads; null for a session that keeps none.</summary>
     /// <exception cref="DatasetFormatException">The file is malformed; the message says where in it.</exception>
-    public static SpaceTable? ReadSpaces(SessionReader session)
+    public static FaceTable? ReadFaces(SessionReader session)
     {
-        string path = session.PathOf(FramePaths.Spaces);
+        string path = session.PathOf(FramePaths.Faces);
         if (!File.Exists(path))
         {
             return null;
         }
 
         using StreamReader text = File.OpenText(path);
-        SpaceTableContent content = SpaceTableReader.Read(text);
+        FaceTableContent content = FaceTableReader.Read(text);
         return content.Problems.Count == 0 ? content.Table : throw new DatasetFormatException(content.Problems[0].ToString());
     }
 }

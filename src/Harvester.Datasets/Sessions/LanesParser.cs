@@ -16,15 +16,15 @@ internal static class LanesParser
         Status = lanes.Name<LaneStatus>("status"),
         Source = lanes.Text("source"),
         Confidence = lanes.Number("confidence"),
-        InJunction = lanes.Truth("inJunction"),
-        LaneCount = lanes.Has("laneCount") ? lanes.WholeNumber("laneCount") : null,
-        Lane = lanes.Has("lane") ? lanes.WholeNumber("lane") : null,
+        InJunction = lanes.Boolean("inJunction"),
+        LaneCount = lanes.Has("laneCount") ? lanes.Integer("laneCount") : null,
+        Lane = lanes.Has("lane") ? lanes.Integer("lane") : null,
         LaneWidthMetres = lanes.OptionalNumber("laneWidthMetres"),
         LaneWidthSource = lanes.Has("laneWidthSource") ? lanes.Name<LaneWidthSource>("laneWidthSource") : null,
         OffsetFromLaneCentreMetres = lanes.OptionalNumber("offsetFromLaneCentreMetres"),
         LookAheadMetres = lanes.Number("lookAheadMetres"),
         CurvaturePerMetre = lanes.Number("curvaturePerMetre"),
-        IsFast = lanes.Truth("fast"),
+        IsFast = lanes.Boolean("fast"),
         Indicators = ReadIndicators(lanes.Fields("indicators"), lanes.Fields("valid")),
         TorcsEquivalent = ReadIndicators(lanes.Fields("torcsEquivalent"), lanes.Fields("valid")),
         IndicatorsAtCar = ReadIndicators(lanes.Fields("atCar").Fields("indicators"), lanes.Fields("atCar").Fields("valid")),
@@ -34,20 +34,20 @@ internal static class LanesParser
     };
 
     private static LaneIndicators ReadIndicators(JsonFields values, JsonFields valid) =>
-        NamedIndicators.From(name => new Indicator(values.Number(name), valid.Truth(name)));
+        NamedIndicators.From(name => new Indicator(values.Number(name), valid.Boolean(name)));
 
     private static VehicleInLane ReadVehicle(JsonFields vehicle) =>
         new(
-            vehicle.WholeNumber("id"),
-            vehicle.WholeNumber("lane"),
-            vehicle.Truth("oncoming"),
+            vehicle.Integer("id"),
+            vehicle.Integer("lane"),
+            vehicle.Boolean("oncoming"),
             vehicle.Number("distanceMetres"),
             vehicle.Number("bumperDistanceMetres"));
 
     private static LaneLineView ReadMarking(JsonFields marking)
     {
         LaneLineView line = ReadLine(marking);
-        bool?[] painted = marking.OptionalTruths("painted");
+        bool?[] painted = marking.OptionalBooleans("painted");
         return painted.Length != line.Points.Count
             ? throw new DatasetFormatException("painted and points of a marking must be of one length.")
             : line with
@@ -63,14 +63,14 @@ internal static class LanesParser
         double[][] points = line.Rows("points", 3);
         double[][] inCamera = line.Rows("inCamera", 3);
         double[][] pixels = line.Rows("pixels", 2);
-        bool?[] hidden = line.OptionalTruths("hidden");
+        bool?[] hidden = line.OptionalBooleans("hidden");
         if (inCamera.Length != points.Length || pixels.Length != points.Length || hidden.Length != points.Length)
         {
             throw new DatasetFormatException("points, inCamera, pixels and hidden of a boundary or marking must be of one length.");
         }
 
         return new LaneLineView(
-            line.WholeNumber("index"),
+            line.Integer("index"),
             line.Text("side") == "left",
             [
                 .. points.Select((point, i) => new LaneLinePoint(

@@ -40,7 +40,7 @@ internal static class SceneParser
             label.GameFrame,
             label.TimeSeconds,
             new CameraState(PoseOf(camera), camera.Number("verticalFovDegrees"), camera.Number("nearClip"), camera.Number("windowAspect")),
-            new EgoState(ego.WholeNumber("handle"), ego.Text("model"), PoseOf(ego), ego.Vector("velocity"))
+            new EgoState(ego.Integer("handle"), ego.Text("model"), PoseOf(ego), ego.Vector("velocity"))
             {
                 ModelMin = ego.Vector("modelMin"),
                 ModelMax = ego.Vector("modelMax"),
@@ -49,7 +49,7 @@ internal static class SceneParser
             [.. entities.Select(EntityOf)],
             label.Environment);
         Dictionary<int, int> ids = entities.Where(entity => entity.Has("id"))
-            .ToDictionary(entity => entity.WholeNumber("handle"), entity => entity.WholeNumber("id"));
+            .ToDictionary(entity => entity.Integer("handle"), entity => entity.Integer("id"));
         RecordedOcclusion[] occlusions = [.. scene.List("occlusions").Select(OcclusionOf)];
         HashSet<int> handles = [.. snapshot.Entities.Select(entity => entity.Handle)];
         return occlusions.FirstOrDefault(found => !handles.Contains(found.Handle)) is { } stray
@@ -67,7 +67,7 @@ internal static class SceneParser
     }
 
     private static EntityState EntityOf(JsonFields entity) => new(
-        entity.WholeNumber("handle"),
+        entity.Integer("handle"),
         entity.Name<ObjectClass>("class"),
         entity.Text("model"),
         PoseOf(entity),
@@ -75,15 +75,15 @@ internal static class SceneParser
         entity.Vector("modelMax"),
         entity.Vector("velocity"))
     {
-        HasRider = entity.OptionalTruth("hasRider"),
+        HasRider = entity.OptionalBoolean("hasRider"),
     };
 
     private static DistantEntity DistantOf(JsonFields entity) => new(EntityOf(entity), entity.Name<Sight>("sight"));
 
     private static RecordedOcclusion OcclusionOf(JsonFields found) => new(
-        found.WholeNumber("handle"),
-        found.Has("face") ? found.WholeNumber("face") : null,
-        found.WholeNumber("id"),
+        found.Integer("handle"),
+        found.Has("face") ? found.Integer("face") : null,
+        found.Integer("id"),
         found.Name<Sight>("sight"),
         found.Name<OcclusionMethod>("method"),
         found.Number("occludedFraction"),

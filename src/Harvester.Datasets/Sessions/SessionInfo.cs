@@ -65,11 +65,11 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
     }
 
     private static KeyValuePair<string, int>[] DiscardsOf(JsonFields discards) =>
-        [.. discards.Names.Select(reason => KeyValuePair.Create(reason, discards.WholeNumber(reason)))];
+        [.. discards.Names.Select(reason => KeyValuePair.Create(reason, discards.Integer(reason)))];
 
     private static SessionInfo Read(JsonFields session)
     {
-        int version = session.WholeNumber("formatVersion");
+        int version = session.Integer("formatVersion");
         if (version != KnownFormatVersion)
         {
             throw new DatasetFormatException($"formatVersion is {version}; this program knows version {KnownFormatVersion} only.");
@@ -78,12 +78,12 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
         JsonFields image = session.Fields("image");
         return new SessionInfo(
             session.Text("game"),
-            session.Has("seed") ? session.LargeWholeNumber("seed") : null,
-            image.Checked(() => new ImageSize(image.WholeNumber("width"), image.WholeNumber("height"))),
-            session.Has("counters") ? session.Fields("counters").WholeNumber("captured") : null,
+            session.Has("seed") ? session.LongInteger("seed") : null,
+            image.Checked(() => new ImageSize(image.Integer("width"), image.Integer("height"))),
+            session.Has("counters") ? session.Fields("counters").Integer("captured") : null,
             session.OptionalText("fault"))
         {
-            KeepsScenes = session.Has("options") && session.Fields("options").Has("scenes") ? session.Fields("options").Truth("scenes") : null,
+            KeepsScenes = session.Has("options") && session.Fields("options").Has("scenes") ? session.Fields("options").Boolean("scenes") : null,
             Discards = session.Has("counters") && session.Fields("counters").Has("discards") ? DiscardsOf(session.Fields("counters").Fields("discards")) : [],
             IsFreezeGiven = session.Has("options") && session.Fields("options").OptionalText("freezeBy") is not (null or "auto"),
             Unchecked = session.Has("counters") && session.Has("start") ? [.. UncheckedOf(session)] : [],

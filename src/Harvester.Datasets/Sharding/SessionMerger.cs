@@ -50,7 +50,7 @@ public static class SessionMerger
                 frames++;
             }
         });
-        foreach (string name in (string[])[FramePaths.Spaces, FramePaths.Roads])
+        foreach (string name in (string[])[FramePaths.Faces, FramePaths.Roads])
         {
             PlaceIfThere(folder, name, sources[0].Session, transfer);
         }

@@ -22,7 +22,7 @@ public sealed class ClassStatistics
     public int Parts => _parts.Count;
 
     /// <summary>Distance of the nearest, metres.</summary>
-    public double NearestMetres => _distances.Least;
+    public double MinMetres => _distances.Least;
 
     /// <summary>Median of the distances, metres, to 1/4096 of it: of an even number, the mean of the two in the middle.</summary>
     public double MedianDistanceMetres => _distances.Median;

@@ -56,9 +56,9 @@ internal static class DerivedFieldCheck
             yield return $"object {item.Id}: boxes is [{string.Join(", ", boxes)}], but the label has [{string.Join(", ", item.Boxes.Select(JsonName.Of))}].";
         }
 
-        if (item.Space is { FacingAngleDegrees: >= 0 and <= 180 and var angle }
+        if (item.Face is { FacingAngleDegrees: >= 0 and <= 180 and var angle }
             && Math.Abs(angle - 90) > RoundingDegrees
-            && fields.Fields("space").Truth("facesCamera") != angle < 90)
+            && fields.Fields("space").Boolean("facesCamera") != angle < 90)
         {
             yield return FormattableString.Invariant($"object {item.Id}: facesCamera contradicts facingAngleDegrees, which is {angle}.");
         }

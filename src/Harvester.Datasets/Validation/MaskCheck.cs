@@ -14,7 +14,7 @@ namespace Harvester.Datasets.Validation;
 /// <summary>What must hold between a label and its mask: every number in the mask is an object's, and visible boxes are the bounds of pixels.</summary>
 internal static class MaskCheck
 {
-    private const int MostNumbersNamed = 5;
+    private const int MaxNamedNumbers = 5;
 
     public static IEnumerable<string> Problems(FrameLabel label, InstanceMap map)
     {
@@ -83,7 +83,7 @@ internal static class MaskCheck
     }
 
     private static string Text(int[] numbers) =>
-        string.Join(", ", numbers.Take(MostNumbersNamed)) + (numbers.Length > MostNumbersNamed ? $" and {numbers.Length - MostNumbersNamed} more" : "");
+        string.Join(", ", numbers.Take(MaxNamedNumbers)) + (numbers.Length > MaxNamedNumbers ? $" and {numbers.Length - MaxNamedNumbers} more" : "");
 
     private static string Text(Box2D? box) => box is { } some ? ObjectCheck.Text(some) : "null";
 }

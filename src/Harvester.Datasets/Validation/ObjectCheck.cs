@@ -18,15 +18,15 @@ internal static class ObjectCheck
     /// <summary>Distances are rounded in files, to centimetres at worst.</summary>
     private const double RoundingMetres = 0.01;
 
-    private const int GreatestId = ushort.MaxValue;
+    private const int MaxId = ushort.MaxValue;
 
     public static IEnumerable<string> Problems(ObjectLabel item, FrameLabel frame)
     {
         CameraLabel camera = frame.Camera;
         var image = new Box2D(0, 0, camera.Width, camera.Height);
-        if (item.Id is < 1 or > GreatestId)
+        if (item.Id is < 1 or > MaxId)
         {
-            yield return $"an object has the id {item.Id}; ids are 1 to {GreatestId}.";
+            yield return $"an object has the id {item.Id}; ids are 1 to {MaxId}.";
         }
 
         foreach ((string name, Box2D box) in Boxes(item))
@@ -70,7 +70,7 @@ internal static class ObjectCheck
                 $"distanceMetres is {item.DistanceMetres}, but box3d.centre is {distance:0.###} m from the camera."));
         }
 
-        foreach (string problem in SpaceCheck.Problems(item))
+        foreach (string problem in FaceCheck.Problems(item))
         {
             yield return Of(item, problem);
         }

@@ -2,7 +2,7 @@ using System;
 
 namespace Harvester.Driving.Bridge;
 
-/// <summary>A peer has sent something that is no message; its line says what.</summary>
+/// <summary>A client has sent something that is no message; its line says what.</summary>
 public sealed class BridgeException : Exception
 {
     /// <summary>Makes one without a reason.</summary>

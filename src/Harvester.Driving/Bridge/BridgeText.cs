@@ -42,15 +42,15 @@ internal static class BridgeText
             .Key("speedMetresPerSecond").Number(state.SpeedMetresPerSecond, Decimals)
             .Key("position").Vector(state.Position, Decimals)
             .Key("headingDegrees").Number(state.HeadingDegrees, Decimals)
-            .Key("fast").Truth(state.IsFast)
-            .Key("lanesKnown").Truth(state.AreLanesKnown);
+            .Key("fast").Boolean(state.IsFast)
+            .Key("lanesKnown").Boolean(state.AreLanesKnown);
         AppendIndicators(json.Key("indicators"), state.Indicators);
         AppendIndicators(json.Key("torcsEquivalent"), state.TorcsEquivalent);
         json.EndObject();
         return Encoding.UTF8.GetBytes(json.ToString());
     }
 
-    /// <summary>A header that tells the peer what it did wrong.</summary>
+    /// <summary>A header that tells the client what it did wrong.</summary>
     public static byte[] Error(string reason)
     {
         var json = new JsonText();

@@ -11,26 +11,26 @@ namespace Harvester.Driving.Bridge;
 /// <summary>
 /// The bridge of Figure 23 of the thesis: two machines share a folder. Out go a picture a frame and state.txt with the thirteen
 /// indicators; in come indicators.txt or controls.txt, and commands as command.json. Every file appears whole, by renaming. All of the
-/// disk's work is done by a thread of its own. A folder does not tell who writes or that nobody does any more: a peer counts as gone when
+/// disk's work is done by a thread of its own. A folder does not tell who writes or that nobody does any more: a client counts as gone when
 /// nothing has been written for long, and another begins with a hello.
 /// </summary>
 public sealed class FolderBridge : IDrivingBridge
 {
-    /// <summary>How long a peer may give no sign of life, seconds, when nothing else is said: enough for a learner to think between two steps.</summary>
+    /// <summary>How long a client may give no sign of life, seconds, when nothing else is said: enough for a learner to think between two steps.</summary>
     public const double DefaultPatienceSeconds = 30;
 
     private const double MillisecondsPerSecond = 1000;
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(5);
 
     /// <summary>Another machine's folder may keep the thread waiting for minutes.</summary>
-    private static readonly TimeSpan LongestWaitForTheThread = TimeSpan.FromSeconds(5);
+    private static readonly TimeSpan MaxWaitForThread = TimeSpan.FromSeconds(5);
 
     private readonly string _folder;
     private readonly double _patienceSeconds;
     private readonly IClock _clock;
     private readonly FrameOutbox _outbox;
     private readonly FrameFiles _frames;
-    private readonly PeerInbox<FolderBridge> _inbox = new();
+    private readonly ClientInbox<FolderBridge> _inbox = new();
     private readonly WatchedFile _indicators;
     private readonly WatchedFile _controls;
     private readonly WatchedFile _command;
@@ -40,10 +40,10 @@ public sealed class FolderBridge : IDrivingBridge
     private volatile bool _stopping;
     private volatile string? _problem;
 
-    /// <summary>Opens the bridge; what a peer left in the folder earlier is not taken for new.</summary>
+    /// <summary>Opens the bridge; what a client left in the folder earlier is not taken for new.</summary>
     /// <param name="folder">The shared folder; it is made where it is not there.</param>
     /// <param name="picture">Size of the pictures, pixels.</param>
-    /// <param name="patienceSeconds">After how long without a sign of life the peer counts as gone, seconds of the player's time.</param>
+    /// <param name="patienceSeconds">After how long without a sign of life the client counts as gone, seconds of the player's time.</param>
     /// <exception cref="IOException">The folder cannot be made.</exception>
     /// <exception cref="UnauthorizedAccessException">The folder may not be made.</exception>
     public FolderBridge(string folder, ImageSize picture, double patienceSeconds = DefaultPatienceSeconds)
@@ -71,20 +71,20 @@ public sealed class FolderBridge : IDrivingBridge
     public string? Problem => _problem;
 
     /// <inheritdoc/>
-    public string? Peer => _inbox.Peer is null ? null : _folder;
+    public string? Client => _inbox.Client is null ? null : _folder;
 
     /// <inheritdoc/>
     public void Publish(BridgeState state, PixelBuffer picture) => _outbox.Put(state, picture);
 
     /// <inheritdoc/>
-    public bool TryReceive([NotNullWhen(true)] out PeerMessage? message) => _inbox.TryTake(out message);
+    public bool TryReceive([NotNullWhen(true)] out ClientMessage? message) => _inbox.TryTake(out message);
 
     /// <summary>Ends the bridge's thread; the last files stay in the folder.</summary>
     public void Dispose()
     {
         _stopping = true;
         _outbox.Close();
-        _thread.Join(LongestWaitForTheThread);
+        _thread.Join(MaxWaitForThread);
     }
 
     private WatchedFile Watched(string name)
@@ -108,7 +108,7 @@ public sealed class FolderBridge : IDrivingBridge
         }
     }
 
-    /// <summary>A disk that fails now may work a moment later, and a peer's bad file is followed by a good one: the bridge goes on.</summary>
+    /// <summary>A disk that fails now may work a moment later, and a client's bad file is followed by a good one: the bridge goes on.</summary>
     private void Try(Action action)
     {
         try
@@ -151,15 +151,15 @@ public sealed class FolderBridge : IDrivingBridge
         }
         else
         {
-            Put(PeerMessageParser.Parse(text));
+            Put(ClientMessageParser.Parse(text));
         }
     }
 
-    private void Put(PeerMessage message)
+    private void Put(ClientMessage message)
     {
         if (!_inbox.TryPut(this, message))
         {
-            _problem = "the peer sends commands faster than the game takes them; the newest are dropped.";
+            _problem = "the client sends commands faster than the game takes them; the newest are dropped.";
         }
     }
 
@@ -171,7 +171,7 @@ public sealed class FolderBridge : IDrivingBridge
         }
         else if (_clock.Milliseconds - _heardMilliseconds > _patienceSeconds * MillisecondsPerSecond && _inbox.Leave(this))
         {
-            _problem = FormattableString.Invariant($"the peer has given no sign of life for {_patienceSeconds} s and counts as gone.");
+            _problem = FormattableString.Invariant($"the client has given no sign of life for {_patienceSeconds} s and counts as gone.");
         }
     }
 

@@ -6,7 +6,7 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// The text files by which a peer of the shared folder drives: indicators.txt with thirteen numbers, controls.txt with three
+/// The text files by which a client of the shared folder drives: indicators.txt with thirteen numbers, controls.txt with three
 /// (steering, throttle, brake); numbers with a point, separated by blanks or line ends. One number more is the frame that is answered.
 /// The last character is a line end, or the file may be cut off within a number: 0.2 for 0.25.
 /// </summary>
@@ -14,19 +14,19 @@ internal static class FolderMessages
 {
     private const int ControlsCount = 3;
 
-    public static PeerMessage ParseIndicators(string text)
+    public static ClientMessage ParseIndicators(string text)
     {
         double[] numbers = Numbers(text, IndicatorOrder.Count, "indicators.txt");
         return new IndicatorsMessage([.. new ArraySegment<double>(numbers, 0, IndicatorOrder.Count)], FrameOf(numbers, IndicatorOrder.Count));
     }
 
-    public static PeerMessage ParseControls(string text)
+    public static ClientMessage ParseControls(string text)
     {
         double[] numbers = Numbers(text, ControlsCount, "controls.txt");
         return new ControlsMessage(new DrivingControls(numbers[0], numbers[1], numbers[2]), FrameOf(numbers, ControlsCount));
     }
 
-    private static long? FrameOf(double[] numbers, int count) => numbers.Length > count ? PeerMessageParser.FrameOf(numbers[count]) : null;
+    private static long? FrameOf(double[] numbers, int count) => numbers.Length > count ? ClientMessageParser.FrameOf(numbers[count]) : null;
 
     private static double[] Numbers(string text, int count, string file)
     {
@@ -44,6 +44,6 @@ internal static class FolderMessages
         return Array.ConvertAll(words, word =>
             double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) && Math.Abs(number) <= 1e15
                 ? number
-                : throw new BridgeException($"{file}: {PeerText.Quoted(word)} is not a number."));
+                : throw new BridgeException($"{file}: {ClientText.Quoted(word)} is not a number."));
     }
 }

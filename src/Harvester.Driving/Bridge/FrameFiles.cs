@@ -9,14 +9,14 @@ namespace Harvester.Driving.Bridge;
 
 /// <summary>
 /// The files that go out over a shared folder: a picture a frame, of which the last ones stay, and state.txt. Each appears whole, by
-/// renaming, state.txt after its picture. A frame that cannot be written now, as when a peer holds state.txt open, is kept for another try.
+/// renaming, state.txt after its picture. A frame that cannot be written now, as when a client holds state.txt open, is kept for another try.
 /// </summary>
 internal sealed class FrameFiles(string folder) : IDisposable
 {
     private const int PicturesKept = 10;
 
     /// <summary>Where so many cannot be deleted, writing more would fill the disk.</summary>
-    private const int MostPictures = 100;
+    private const int MaxPictures = 100;
 
     private readonly List<string> _pictures = [];
     private readonly PngEncoder _encoder = new();
@@ -75,9 +75,9 @@ internal sealed class FrameFiles(string folder) : IDisposable
     private void WritePicture(string name)
     {
         DeleteOldPictures();
-        if (_pictures.Count >= MostPictures)
+        if (_pictures.Count >= MaxPictures)
         {
-            throw new BridgeException(FormattableString.Invariant($"{MostPictures} old pictures cannot be deleted; no frame is written until they can."));
+            throw new BridgeException(FormattableString.Invariant($"{MaxPictures} old pictures cannot be deleted; no frame is written until they can."));
         }
 
         // The folder may have been taken away.

@@ -6,7 +6,7 @@ namespace Harvester.Driving.Bridge;
 
 /// <summary>
 /// The game's end of a bridge to whoever drives. Both calls come from the game's thread and never wait: for a disk, a network or a
-/// peer. What a peer does wrong is never thrown here; it is in <see cref="Problem"/>.
+/// client. What a client does wrong is never thrown here; it is in <see cref="Problem"/>.
 /// </summary>
 public interface IDrivingBridge : IDisposable
 {
@@ -14,16 +14,16 @@ public interface IDrivingBridge : IDisposable
     string? Problem { get; }
 
     /// <summary>Who is connected, for people: the address of a socket or the folder; null for nobody.</summary>
-    string? Peer { get; }
+    string? Client { get; }
 
-    /// <summary>Offers a frame. The newest wins: one that the peer has not been given yet is dropped for it.</summary>
+    /// <summary>Offers a frame. The newest wins: one that the client has not been given yet is dropped for it.</summary>
     /// <param name="state">What is known.</param>
     /// <param name="picture">The picture; it is copied and free again at once.</param>
     void Publish(BridgeState state, PixelBuffer picture);
 
     /// <summary>
-    /// The next message of the peer. Of controls and indicators only the newest is kept; commands come in their order. When the peer is gone
-    /// or replaced a <see cref="PeerGoneMessage"/> comes before anything that another says, and nothing of the earlier one's after it.
+    /// The next message of the client. Of controls and indicators only the newest is kept; commands come in their order. When the client is gone
+    /// or replaced a <see cref="ClientGoneMessage"/> comes before anything that another says, and nothing of the earlier one's after it.
     /// </summary>
-    bool TryReceive([NotNullWhen(true)] out PeerMessage? message);
+    bool TryReceive([NotNullWhen(true)] out ClientMessage? message);
 }

@@ -6,7 +6,7 @@ using System.Text;
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// Reads one flat JSON object (RFC 8259) whose values are strings, numbers, true, false, null or arrays of numbers: what peers send.
+/// Reads one flat JSON object (RFC 8259) whose values are strings, numbers, true, false, null or arrays of numbers: what clients send.
 /// The library that would do it is not to be had in the game. Anything else is refused.
 /// </summary>
 internal sealed class JsonFields
@@ -33,7 +33,7 @@ internal sealed class JsonFields
     public double Number(string name) =>
         _values.TryGetValue(name, out object? value) && value is double number ? number : throw new BridgeException($"field {name} must be a number.");
 
-    public bool Truth(string name) =>
+    public bool Boolean(string name) =>
         _values.TryGetValue(name, out object? value) && value is bool truth ? truth : throw new BridgeException($"field {name} must be true or false.");
 
     public double[] Numbers(string name, int count) =>
@@ -52,7 +52,7 @@ internal sealed class JsonFields
                 Expect(':');
                 if (_values.ContainsKey(name))
                 {
-                    throw Wrong($"the field {PeerText.Quoted(name)} again");
+                    throw Wrong($"the field {ClientText.Quoted(name)} again");
                 }
 
                 _values.Add(name, ReadValue());

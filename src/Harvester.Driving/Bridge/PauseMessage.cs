@@ -2,4 +2,4 @@ namespace Harvester.Driving.Bridge;
 
 /// <summary>Stops the world or lets it go on.</summary>
 /// <param name="IsPaused">Whether it is to stand still.</param>
-public sealed record PauseMessage(bool IsPaused) : PeerMessage;
+public sealed record PauseMessage(bool IsPaused) : ClientMessage;

@@ -2,7 +2,7 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Driving.Bridge;
 
-/// <summary>Holds the last controls while the peer speaks, and the brake when it has been silent too long.</summary>
+/// <summary>Holds the last controls while the client speaks, and the brake when it has been silent too long.</summary>
 /// <param name="clock">The time that counts.</param>
 /// <param name="patienceSeconds">How long controls hold.</param>
 public sealed class SilenceWatch(IClock clock, double patienceSeconds = SilenceWatch.DefaultPatienceSeconds)
@@ -13,12 +13,12 @@ public sealed class SilenceWatch(IClock clock, double patienceSeconds = SilenceW
     private DrivingControls _controls = DrivingControls.Stop;
     private double? _heardMilliseconds;
 
-    /// <summary>Whether the peer has spoken lately.</summary>
-    public bool IsPeerAlive =>
+    /// <summary>Whether the client has spoken lately.</summary>
+    public bool IsClientAlive =>
         _heardMilliseconds is { } heard && clock.Milliseconds - heard <= patienceSeconds * 1000;
 
     /// <summary>What the car is to do now.</summary>
-    public DrivingControls Controls => IsPeerAlive ? _controls : DrivingControls.Stop;
+    public DrivingControls Controls => IsClientAlive ? _controls : DrivingControls.Stop;
 
     /// <summary>Takes new controls.</summary>
     public void Hear(DrivingControls controls)
@@ -27,6 +27,6 @@ public sealed class SilenceWatch(IClock clock, double patienceSeconds = SilenceW
         _heardMilliseconds = clock.Milliseconds;
     }
 
-    /// <summary>Forgets the peer, as after a change of driver: the brake until it speaks again.</summary>
+    /// <summary>Forgets the client, as after a change of driver: the brake until it speaks again.</summary>
     public void Forget() => _heardMilliseconds = null;
 }

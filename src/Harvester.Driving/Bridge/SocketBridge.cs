@@ -10,9 +10,9 @@ using Harvester.Sessions.Imaging.Pictures;
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// A bridge over TCP, to one peer at a time: a newer peer takes the place of the older, once it has shown the token where one is asked
+/// A bridge over TCP, to one client at a time: a newer client takes the place of the older, once it has shown the token where one is asked
 /// for. Frames go out as a JSON header and a PNG, messages come in as JSON headers; docs/bridge.md has the protocol. Threads of its own do
-/// all the waiting, and a peer that sends nonsense or does not take a frame is cut off, never waited for. A peer is sent the newest frame when
+/// all the waiting, and a client that sends nonsense or does not take a frame is cut off, never waited for. A client is sent the newest frame when
 /// it has answered the last one.
 /// </summary>
 public sealed class SocketBridge : IDrivingBridge
@@ -42,7 +42,7 @@ public sealed class SocketBridge : IDrivingBridge
         }
 
         _reception = new SocketReception(
-            options, new PeerInbox<SocketPeer>(), new WaitingRoom<SocketPeer>(options.MostStrangers), new FrameOutbox(picture), problem => _problem = problem);
+            options, new ClientInbox<BridgeClient>(), new PendingClients<BridgeClient>(options.MaxPending), new FrameOutbox(picture), problem => _problem = problem);
         _listener = new TcpListener(options.Address, options.Port);
         _listener.Start();
         _acceptor = Start(Accept, "Harvester socket bridge: accept");
@@ -56,16 +56,16 @@ public sealed class SocketBridge : IDrivingBridge
     public string? Problem => _problem;
 
     /// <inheritdoc/>
-    public string? Peer => _reception.Inbox.Peer?.Place;
+    public string? Client => _reception.Inbox.Client?.Place;
 
     /// <summary>How many connections have yet to show the token.</summary>
-    internal int Strangers => _reception.Strangers.Count;
+    internal int Pending => _reception.Pending.Count;
 
     /// <inheritdoc/>
     public void Publish(BridgeState state, PixelBuffer picture) => _reception.Outbox.Put(state, picture);
 
     /// <inheritdoc/>
-    public bool TryReceive([NotNullWhen(true)] out PeerMessage? message) => _reception.Inbox.TryTake(out message);
+    public bool TryReceive([NotNullWhen(true)] out ClientMessage? message) => _reception.Inbox.TryTake(out message);
 
     /// <summary>Ends all connections, the listening and the threads; waits for a frame that is being sent, at most <see cref="SocketBridgeOptions.SendPatience"/>.</summary>
     public void Dispose()
@@ -74,10 +74,10 @@ public sealed class SocketBridge : IDrivingBridge
         _listener.Stop();
         _reception.Outbox.Close();
 
-        // A frame that is on its way is sent whole, if the peer takes it.
+        // A frame that is on its way is sent whole, if the client takes it.
         _sender.Join(_reception.Options.SendPatience);
         _reception.Inbox.Close()?.Dispose();
-        foreach (SocketPeer stranger in _reception.Strangers.Close())
+        foreach (BridgeClient stranger in _reception.Pending.Close())
         {
             stranger.Dispose();
         }
@@ -99,7 +99,7 @@ public sealed class SocketBridge : IDrivingBridge
         {
             try
             {
-                SocketPeer.Serve(_listener.AcceptTcpClient(), _reception);
+                BridgeClient.Serve(_listener.AcceptTcpClient(), _reception);
             }
 #pragma warning disable CA1031 // An exception that leaves a thread ends the game, whatever its type.
             catch (Exception e) when (e is not ThreadAbortException)
@@ -121,18 +121,18 @@ public sealed class SocketBridge : IDrivingBridge
         while (!_stopping)
         {
             // A frame that nobody is there for is taken too, and dropped.
-            SocketPeer? peer = null;
-            if (_reception.Outbox.TryTake(TimeSpan.FromSeconds(1), MayGo, out BridgeState? state, out PixelBuffer picture) && peer is not null)
+            BridgeClient? client = null;
+            if (_reception.Outbox.TryTake(TimeSpan.FromSeconds(1), MayGo, out BridgeState? state, out PixelBuffer picture) && client is not null)
             {
                 png.SetLength(0);
                 encoder.Write(picture, png);
-                peer.Send(BridgeText.Header(state), new ArraySegment<byte>(png.GetBuffer(), 0, (int)png.Length));
+                client.Send(BridgeText.Header(state), new ArraySegment<byte>(png.GetBuffer(), 0, (int)png.Length));
             }
 
             bool MayGo(BridgeState waiting)
             {
-                peer = _reception.Inbox.Peer;
-                return peer is null || peer.MayGet(waiting);
+                client = _reception.Inbox.Client;
+                return client is null || client.MayGet(waiting);
             }
         }
     }

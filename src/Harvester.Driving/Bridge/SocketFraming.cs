@@ -8,7 +8,7 @@ namespace Harvester.Driving.Bridge;
 internal static class SocketFraming
 {
     /// <summary>The longest header that is read.</summary>
-    public const int LongestHeader = 65_536;
+    public const int MaxHeaderLength = 65_536;
 
     private const int LengthBytes = 8;
 
@@ -28,9 +28,9 @@ internal static class SocketFraming
         stream.Flush();
     }
 
-    /// <summary>Reads a peer's header; peers send no payload.</summary>
+    /// <summary>Reads a client's header; clients send no payload.</summary>
     /// <returns>Null at the end of the stream.</returns>
-    /// <exception cref="BridgeException">The lengths are none that a peer may send.</exception>
+    /// <exception cref="BridgeException">The lengths are none that a client may send.</exception>
     /// <exception cref="IOException">The stream broke off.</exception>
     public static string? ReadHeader(Stream stream)
     {
@@ -44,9 +44,9 @@ internal static class SocketFraming
         Fill(stream, lengths, 1);
         int headerLength = GetInt(lengths, 0);
         int payloadLength = GetInt(lengths, 4);
-        if (headerLength is < 2 or > LongestHeader || payloadLength != 0)
+        if (headerLength is < 2 or > MaxHeaderLength || payloadLength != 0)
         {
-            throw new BridgeException(FormattableString.Invariant($"a message with a header of {headerLength} and a payload of {payloadLength} bytes; 2 to {LongestHeader} and 0 are allowed."));
+            throw new BridgeException(FormattableString.Invariant($"a message with a header of {headerLength} and a payload of {payloadLength} bytes; 2 to {MaxHeaderLength} and 0 are allowed."));
         }
 
         byte[] header = new byte[headerLength];
@@ -61,7 +61,7 @@ internal static class SocketFraming
             int read = stream.Read(buffer, from, buffer.Length - from);
             if (read == 0)
             {
-                throw new EndOfStreamException("The peer went away in the middle of a message.");
+                throw new EndOfStreamException("The client went away in the middle of a message.");
             }
 
             from += read;

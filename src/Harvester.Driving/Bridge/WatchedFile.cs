@@ -9,7 +9,7 @@ namespace Harvester.Driving.Bridge;
 /// <summary>A small text file that somebody else writes again and again; each writing is read once. Never more is read than it may hold.</summary>
 internal sealed class WatchedFile(string path)
 {
-    private const int LargestBytes = 65_536;
+    private const int MaxBytes = 65_536;
 
     /// <summary>A writer may keep a file to itself for a moment.</summary>
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(1);
@@ -56,9 +56,9 @@ internal sealed class WatchedFile(string path)
 
         _seen = version;
         _failed = null;
-        if (bytes.Length > LargestBytes)
+        if (bytes.Length > MaxBytes)
         {
-            throw new BridgeException(FormattableString.Invariant($"{Path.GetFileName(path)} is too large; at most {LargestBytes} bytes are read."));
+            throw new BridgeException(FormattableString.Invariant($"{Path.GetFileName(path)} is too large; at most {MaxBytes} bytes are read."));
         }
 
         using var reader = new StreamReader(bytes, Encoding.UTF8);
@@ -79,7 +79,7 @@ internal sealed class WatchedFile(string path)
         try
         {
             using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
-            byte[] bytes = new byte[LargestBytes + 1];
+            byte[] bytes = new byte[MaxBytes + 1];
             int length = 0;
             for (int read = -1; read != 0; length += read)
             {

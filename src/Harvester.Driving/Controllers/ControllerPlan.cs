@@ -41,5 +41,5 @@ public sealed record ControllerPlan
             Speed is { } speed ? options with { CruiseSpeed = speed, CautiousSpeed = Math.Min(speed, options.CautiousSpeed) } : options);
     }
 
-    private DeepDrivingController NewDeepDriving() => new(Car, LookAheadMetres, VehicleAllowance, Speed ?? DeepDrivingController.MostSpeed);
+    private DeepDrivingController NewDeepDriving() => new(Car, LookAheadMetres, VehicleAllowance, Speed ?? DeepDrivingController.MaxSpeed);
 }

@@ -19,12 +19,12 @@ public sealed class DeepDrivingController : IController
     private const double RoadWidth = 8.0;
     private const double SteeringLockRadians = 0.541052;
     private const double BlockedWithinMetres = 15;
-    private const double WidestLane = 5.5;
+    private const double MaxLaneWidth = 5.5;
     private const double NoLaneBeyond = 8;
     private const double SteadySteering = 0.2;
 
     /// <summary>The published greatest speed, m/s.</summary>
-    public const double MostSpeed = 20;
+    public const double MaxSpeed = 20;
 
     private const int FramesToClear = 60;
     private const int FramesCarriedOver = 30;
@@ -52,7 +52,7 @@ public sealed class DeepDrivingController : IController
     /// short cars of TORCS only.
     /// </param>
     /// <param name="mostSpeed">Metres per second; the published controller drives 20.</param>
-    public DeepDrivingController(double steeringLockRadians = SteeringLockRadians, double vehicleAllowanceMetres = 0, double mostSpeed = MostSpeed)
+    public DeepDrivingController(double steeringLockRadians = SteeringLockRadians, double vehicleAllowanceMetres = 0, double mostSpeed = MaxSpeed)
     {
         _mostSpeed = mostSpeed;
         _lockShare = SteeringLockRadians / steeringLockRadians;
@@ -97,7 +97,7 @@ public sealed class DeepDrivingController : IController
 
     private DrivingControls Controls(double steering, DrivingState state, double mostBehind)
     {
-        double desired = state.IsFast ? MostSpeed : Math.Max(10, MostSpeed - (4.5 * Math.Abs(_steerings.Sum())));
+        double desired = state.IsFast ? MaxSpeed : Math.Max(10, MaxSpeed - (4.5 * Math.Abs(_steerings.Sum())));
         double error = Math.Min(Math.Min(desired, _mostSpeed), mostBehind) - state.SpeedMetresPerSecond;
         double cut = Math.Max(-1, Math.Min(1, steering));
         double onWheel = cut * _lockShare;
@@ -114,7 +114,7 @@ public sealed class DeepDrivingController : IController
     {
         const double c = 2.772;
         const double d = -0.693;
-        return Math.Max(0, MostSpeed * (1 - Math.Exp((-c / MostSpeed * distance) - d)));
+        return Math.Max(0, MaxSpeed * (1 - Math.Exp((-c / MaxSpeed * distance) - d)));
     }
 
     private bool TryChangeLane(LaneIndicators at)
@@ -142,7 +142,7 @@ public sealed class DeepDrivingController : IController
     /// <summary>Finds the line to steer to, metres to the right of the car, and how gently.</summary>
     private double Steer(LaneIndicators at, out double centre)
     {
-        bool isInLane = at.ToMarkingMR.Value - at.ToMarkingML.Value < WidestLane;
+        bool isInLane = at.ToMarkingMR.Value - at.ToMarkingML.Value < MaxLaneWidth;
         bool isOnLeftMarking = at.ToMarkingL.Value > -5 && at.ToMarkingM.Value < 1.5;
         bool isOnRightMarking = at.ToMarkingR.Value < 5 && at.ToMarkingM.Value < 1.5;
         double lane = (at.ToMarkingML.Value + at.ToMarkingMR.Value) / 2;

@@ -20,7 +20,7 @@ public sealed class EmergencyBrake : IController
     private const double PeriodSeconds = 0.1;
 
     /// <summary>Whatever is left of the way, it is not taken for less, metres.</summary>
-    private const double LeastWay = 1;
+    private const double MinDistance = 1;
 
     private readonly IController _controller;
     private readonly CarTraits _car;
@@ -46,8 +46,8 @@ public sealed class EmergencyBrake : IController
 
         double way = gap - StandingDistance;
         double needed = way <= 0
-            ? Math.Max(2 * Comfortable, speed * speed / (2 * LeastWay))
-            : ((speed * speed) - (_leader.Speed * _leader.Speed)) / (2 * Math.Max(LeastWay, way));
+            ? Math.Max(2 * Comfortable, speed * speed / (2 * MinDistance))
+            : ((speed * speed) - (_leader.Speed * _leader.Speed)) / (2 * Math.Max(MinDistance, way));
         return needed > Comfortable
             ? new DrivingControls(controls.Steering, 0, Math.Max(controls.Brake, needed / _car.FullBraking))
             : controls;

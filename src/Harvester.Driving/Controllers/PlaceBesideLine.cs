@@ -10,8 +10,8 @@ namespace Harvester.Driving.Controllers;
 internal sealed class PlaceBesideLine
 {
     /// <summary>However sharp the bend, the way is not taken for shorter or longer than by these factors on the line.</summary>
-    private const double LeastOfLine = 0.4;
-    private const double MostOfLine = 2;
+    private const double MinOfLine = 0.4;
+    private const double MaxOfLine = 2;
 
     private double _carRightOfLine;
     private double _laneRightOfLine;
@@ -40,5 +40,5 @@ internal sealed class PlaceBesideLine
     public double BendOfLane(double curvature) => curvature / WayByLine(curvature, _laneRightOfLine);
 
     private static double WayByLine(double curvature, double rightOfLine) =>
-        Math.Max(LeastOfLine, Math.Min(MostOfLine, 1 + (curvature * rightOfLine)));
+        Math.Max(MinOfLine, Math.Min(MaxOfLine, 1 + (curvature * rightOfLine)));
 }

@@ -15,7 +15,7 @@ namespace Harvester.Driving.Controllers;
 internal sealed class RoadAhead(double lookAheadMetres, double periodSeconds, CarTraits car, PlaceBesideLine? place = null)
 {
     /// <summary>No car turns by more between two frames, radians; it was put elsewhere.</summary>
-    private const double LargestTurn = 0.5;
+    private const double MaxTurn = 0.5;
 
     private readonly RoadMemory _memory = new(lookAheadMetres);
     private double? _headingRadians;
@@ -32,7 +32,7 @@ internal sealed class RoadAhead(double lookAheadMetres, double periodSeconds, Ca
             ? Angles.WrapRadians(now - before)
             : metres * CurvatureOfCar(state.SpeedMetresPerSecond);
         _headingRadians = state.HeadingRadians;
-        if (Math.Abs(turned) > LargestTurn)
+        if (Math.Abs(turned) > MaxTurn)
         {
             _memory.Forget();
         }

@@ -8,7 +8,7 @@ namespace Harvester.Driving.Session;
 
 /// <summary>
 /// The game's side of a drive over a bridge: call <see cref="Tick"/> once in every tick of the game, from the game's own thread. It
-/// sends frames at their rate, drives the car by what the peer says, and brakes when the peer is silent. Where the peer sends
+/// sends frames at their rate, drives the car by what the client says, and brakes when the client is silent. Where the client sends
 /// indicators, a controller here makes controls of them. Nothing waits, and nothing is thrown to the caller after construction: a fault of
 /// a port ends the drive with a sentence, and so does the player at the wheel. The bridge stays its maker's to dispose.
 /// </summary>
@@ -22,7 +22,7 @@ public sealed class DrivingSession : IDisposable
     private readonly DrivingView _view;
     private readonly WorldPace _pace;
     private readonly FramePublisher _frames;
-    private readonly PeerAgenda _agenda;
+    private readonly ClientAgenda _agenda;
     private IController _controller;
     private string? _bridgeProblem;
     private double _nowSeconds;
@@ -31,8 +31,8 @@ public sealed class DrivingSession : IDisposable
     /// <summary>Makes a drive; nothing is asked of the game before the first tick.</summary>
     /// <param name="options">How.</param>
     /// <param name="game">The game, with a car that can be driven.</param>
-    /// <param name="bridge">To the peer; made for pictures of the size in the options.</param>
-    /// <param name="newController">Makes what drives by the indicators that a peer sends; asked again after each reset.</param>
+    /// <param name="bridge">To the client; made for pictures of the size in the options.</param>
+    /// <param name="newController">Makes what drives by the indicators that a client sends; asked again after each reset.</param>
     /// <exception cref="ArgumentException">The game has no car that can be driven.</exception>
     public DrivingSession(DrivingOptions options, GamePorts game, IDrivingBridge bridge, Func<IController> newController)
     {
@@ -44,7 +44,7 @@ public sealed class DrivingSession : IDisposable
         _game = game ?? throw new ArgumentNullException(nameof(game));
         _car = game.Car ?? throw new ArgumentException("This game has no car that can be driven.", nameof(game));
         _bridge = bridge ?? throw new ArgumentNullException(nameof(bridge));
-        _agenda = new PeerAgenda(bridge, problem => Problem = problem);
+        _agenda = new ClientAgenda(bridge, problem => Problem = problem);
         _newController = newController ?? throw new ArgumentNullException(nameof(newController));
         _controller = newController();
         _watch = new SilenceWatch(new WorldClock(game.World), options.PatienceSeconds);
@@ -62,7 +62,7 @@ public sealed class DrivingSession : IDisposable
     /// <summary>Whether a picture may be grabbed so soon that nothing may be drawn now that does not belong into it.</summary>
     public bool IsPictureNear => _ending is null && _frames.IsPictureNear;
 
-    /// <summary>Whether the world goes on only to the end of a step that a peer asked for.</summary>
+    /// <summary>Whether the world goes on only to the end of a step that a client asked for.</summary>
     public bool IsStepping => _pace.IsStepping;
 
     /// <summary>Does one tick's share of the drive. After the end it does nothing.</summary>
@@ -84,7 +84,7 @@ public sealed class DrivingSession : IDisposable
         _controller = _newController();
     }
 
-    /// <summary>Sends a frame as soon as there is one, as if the peer had asked for it: for a world that stands until somebody drives.</summary>
+    /// <summary>Sends a frame as soon as there is one, as if the client had asked for it: for a world that stands until somebody drives.</summary>
     public void AskForFrame() => _frames.Ask();
 
     /// <summary>Ends the drive and lets the world go on. Again is no harm.</summary>
@@ -115,17 +115,17 @@ public sealed class DrivingSession : IDisposable
         _car.Drive(controls);
         Problem = _frames.PublishIfTime() ?? Problem;
         ReadProblem();
-        Status = new DrivingStatus(_frames.Frames, _watch.IsPeerAlive, controls, _view.AreLanesKnown, null);
+        Status = new DrivingStatus(_frames.Frames, _watch.IsClientAlive, controls, _view.AreLanesKnown, null);
     }
 
     private void Receive()
     {
         if (_agenda.Receive())
         {
-            LosePeer();
+            LoseClient();
         }
 
-        while (!_frames.IsStepOpen && _agenda.TryTakeCommand(out PeerMessage? command))
+        while (!_frames.IsStepOpen && _agenda.TryTakeCommand(out ClientMessage? command))
         {
             Obey(command);
         }
@@ -133,8 +133,8 @@ public sealed class DrivingSession : IDisposable
         Hear(_agenda.TakeNewest());
     }
 
-    /// <summary>As if the peer had never been: what it asked for is void, the car brakes and the world goes on.</summary>
-    private void LosePeer()
+    /// <summary>As if the client had never been: what it asked for is void, the car brakes and the world goes on.</summary>
+    private void LoseClient()
     {
         _frames.Forget();
         _controller = _newController();
@@ -142,7 +142,7 @@ public sealed class DrivingSession : IDisposable
         _pace.GoOn();
     }
 
-    private void Hear(PeerMessage? message)
+    private void Hear(ClientMessage? message)
     {
         if (message is ControlsMessage controls)
         {
@@ -161,7 +161,7 @@ public sealed class DrivingSession : IDisposable
         }
     }
 
-    private void Obey(PeerMessage command)
+    private void Obey(ClientMessage command)
     {
         switch (command)
         {

@@ -4,11 +4,11 @@ namespace Harvester.Driving.Session;
 
 /// <summary>A drive over a bridge as it stands.</summary>
 /// <param name="Frames">Frames given to the bridge so far.</param>
-/// <param name="IsPeerAlive">Whether a peer has driven lately; otherwise the car brakes.</param>
+/// <param name="IsClientAlive">Whether a client has driven lately; otherwise the car brakes.</param>
 /// <param name="Controls">What the car was last told to do.</param>
 /// <param name="AreLanesKnown">Whether the lanes were known at the last frame; they are not in junctions and off the road.</param>
 /// <param name="Ending">Why the drive is over, as a sentence; null while it goes on.</param>
-public readonly record struct DrivingStatus(long Frames, bool IsPeerAlive, DrivingControls Controls, bool AreLanesKnown, string? Ending)
+public readonly record struct DrivingStatus(long Frames, bool IsClientAlive, DrivingControls Controls, bool AreLanesKnown, string? Ending)
 {
     /// <summary>Whether the drive is over. The car is not driven any more.</summary>
     public bool IsOver => Ending is not null;

@@ -17,7 +17,7 @@ namespace Harvester.Driving.Session;
 internal sealed class DrivingView
 {
     /// <summary>Vehicles whose origins lie so far beyond the indicators' range may still reach into it, metres.</summary>
-    private const double LongestHalfVehicle = 10;
+    private const double MaxHalfVehicle = 10;
 
     private readonly GamePorts _game;
     private readonly LaneTracker? _lanes;
@@ -65,7 +65,7 @@ internal sealed class DrivingView
         };
     }
 
-    /// <summary>What a controller knows when a peer has read the indicators off a picture. Lane width and straightness are those last seen on the road.</summary>
+    /// <summary>What a controller knows when a client has read the indicators off a picture. Lane width and straightness are those last seen on the road.</summary>
     public DrivingState StateOf(LaneIndicators torcsEquivalent)
     {
         EgoState ego = _game.World.ReadEgo();
@@ -90,7 +90,7 @@ internal sealed class DrivingView
         }
 
         IReadOnlyList<EntityState> entities =
-            _game.World.ReadEntities(ego.Pose.Position, IndicatorCalculator.VehicleRange + LongestHalfVehicle);
+            _game.World.ReadEntities(ego.Pose.Position, IndicatorCalculator.VehicleRange + MaxHalfVehicle);
         if (_lanes.Observe(ego, entities) is not { } known)
         {
             return null;

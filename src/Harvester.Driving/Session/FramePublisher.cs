@@ -3,9 +3,9 @@ using Harvester.Driving.Bridge;
 
 namespace Harvester.Driving.Session;
 
-/// <summary>Publishes frames for the peer: at their rate while the world goes on, and those that are asked for, once the picture shows what is.</summary>
+/// <summary>Publishes frames for the client: at their rate while the world goes on, and those that are asked for, once the picture shows what is.</summary>
 /// <param name="options">The rate, and how long a picture takes to settle.</param>
-/// <param name="bridge">To the peer.</param>
+/// <param name="bridge">To the client.</param>
 /// <param name="view">What is shown.</param>
 /// <param name="pace">Whether the world goes on.</param>
 internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge bridge, DrivingView view, WorldPace pace)
@@ -68,7 +68,7 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
         IsStepOpen = false;
         if (view.Take(Frames, out string? refusal) is not { } state)
         {
-            // Commands go on, or the peer could not let the world go on; the frame is sent as soon as there is a picture.
+            // Commands go on, or the client could not let the world go on; the frame is sent as soon as there is a picture.
             _isAskedFor |= isStepOver;
             _isMissed = true;
             return $"the game's picture cannot be used: {refusal}.";

@@ -2,7 +2,7 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Driving.Session;
 
-/// <summary>Stops the world and lets it go on as a peer asks, for good or for a step. The world is left alone until it asks.</summary>
+/// <summary>Stops the world and lets it go on as a client asks, for good or for a step. The world is left alone until it asks.</summary>
 /// <param name="pause">The game's.</param>
 /// <param name="settleTicks">Ticks that a stopped world must have stood.</param>
 internal sealed class WorldPace(IPause pause, int settleTicks)

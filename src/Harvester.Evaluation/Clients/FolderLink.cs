@@ -14,7 +14,7 @@ namespace Harvester.Evaluation.Clients;
 /// The far end of a folder bridge: state.txt in, controls.txt and command.json out, each whole by renaming. It tells neither where the car
 /// is, where it points nor how wide its lane is; the latter is taken for that of ordinary roads. A state that stood there before does not count.
 /// </summary>
-public sealed class FolderLink : IPeerLink
+public sealed class FolderLink : IBridgeLink
 {
     private const int Values = IndicatorOrder.Count + 4;
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(3);
@@ -42,7 +42,7 @@ public sealed class FolderLink : IPeerLink
     public bool MayLose => true;
 
     /// <inheritdoc/>
-    public PeerFrame? Receive(TimeSpan patience)
+    public ClientFrame? Receive(TimeSpan patience)
     {
         var waited = Stopwatch.StartNew();
         do
@@ -65,7 +65,7 @@ public sealed class FolderLink : IPeerLink
     public void Send(DrivingControls controls, long frame) => WriteWhole(
         "controls.txt", FormattableString.Invariant($"{controls.Steering:0.######} {controls.Throttle:0.######} {controls.Brake:0.######} {frame}\n"));
 
-    /// <summary>Asks for a frame; until the first has come by a hello, with which a world goes on that an earlier peer has stopped.</summary>
+    /// <summary>Asks for a frame; until the first has come by a hello, with which a world goes on that an earlier client has stopped.</summary>
     public void AskForFrame() => Command(_isHeard ? "{\"type\":\"requestFrame\"}" : "{\"type\":\"hello\"}");
 
     /// <inheritdoc/>
@@ -90,7 +90,7 @@ public sealed class FolderLink : IPeerLink
     }
 
     /// <summary>What a state says; null for one that is not whole.</summary>
-    private static PeerFrame? FrameOf(string state)
+    private static ClientFrame? FrameOf(string state)
     {
         string[] words = state.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries);
         double[] numbers = new double[Values];
@@ -108,11 +108,11 @@ public sealed class FolderLink : IPeerLink
             return null;
         }
 
-        LaneIndicators torcs = PeerIndicators.Of(numbers[..IndicatorOrder.Count]);
+        LaneIndicators torcs = ClientIndicators.Of(numbers[..IndicatorOrder.Count]);
         const int frame = IndicatorOrder.Count, time = frame + 1, speed = frame + 2, fast = frame + 3;
         DrivingState seen = new(
-            PeerIndicators.InMetres(torcs, PeerIndicators.Ordinary, angleAhead), torcs, numbers[fast] > 0, numbers[speed]);
-        return new PeerFrame((long)numbers[frame], numbers[time], seen, null);
+            ClientIndicators.InMetres(torcs, ClientIndicators.Ordinary, angleAhead), torcs, numbers[fast] > 0, numbers[speed]);
+        return new ClientFrame((long)numbers[frame], numbers[time], seen, null);
     }
 
     private static bool TryNumber(string word, out double number) =>

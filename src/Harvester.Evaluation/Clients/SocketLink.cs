@@ -13,11 +13,11 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Evaluation.Clients;
 
 /// <summary>The far end of a socket bridge.</summary>
-public sealed class SocketLink : IPeerLink
+public sealed class SocketLink : IBridgeLink
 {
-    private const int LargestMessage = 64 << 20;
+    private const int MaxMessageLength = 64 << 20;
 
-    private readonly TcpClient _client = new() { NoDelay = true };
+    private readonly TcpClient _connection = new() { NoDelay = true };
     private readonly NetworkStream _stream;
 
     /// <summary>Connects.</summary>
@@ -31,7 +31,7 @@ public sealed class SocketLink : IPeerLink
         try
         {
             Connect(host, port, patience);
-            _stream = _client.GetStream();
+            _stream = _connection.GetStream();
             _stream.ReadTimeout = _stream.WriteTimeout = (int)patience.TotalMilliseconds;
             if (token is not null)
             {
@@ -42,7 +42,7 @@ public sealed class SocketLink : IPeerLink
         }
         catch
         {
-            _client.Dispose();
+            _connection.Dispose();
             throw;
         }
     }
@@ -51,16 +51,16 @@ public sealed class SocketLink : IPeerLink
     public bool MayLose => false;
 
     /// <inheritdoc/>
-    public PeerFrame? Receive(TimeSpan patience)
+    public ClientFrame? Receive(TimeSpan patience)
     {
-        if (!_client.Client.Poll(patience, SelectMode.SelectRead))
+        if (!_connection.Client.Poll(patience, SelectMode.SelectRead))
         {
             return null;
         }
 
         // Of what has come while nobody looked the last counts: the newest frame, or why the game closes the bridge.
         byte[] newest = ReadHeader();
-        while (_client.Available > 0)
+        while (_connection.Available > 0)
         {
             newest = ReadHeader();
         }
@@ -87,9 +87,9 @@ public sealed class SocketLink : IPeerLink
     public void Step(double seconds) => Write(new { type = "step", seconds });
 
     /// <inheritdoc/>
-    public void Dispose() => _client.Dispose();
+    public void Dispose() => _connection.Dispose();
 
-    private static PeerFrame FrameOf(JsonElement root)
+    private static ClientFrame FrameOf(JsonElement root)
     {
         if (root.GetProperty("type").GetString() == "error")
         {
@@ -99,16 +99,16 @@ public sealed class SocketLink : IPeerLink
         double[] torcs = Numbers(root, "torcsEquivalent");
         double[] metres = Numbers(root, "indicators");
         double[] position = Numbers(root, "position");
-        LaneIndicators indicators = PeerIndicators.Of(torcs);
+        LaneIndicators indicators = ClientIndicators.Of(torcs);
         DrivingState seen = new(
-            PeerIndicators.InMetres(indicators, PeerIndicators.SectionOf(torcs, metres), angleAhead: metres[0]),
+            ClientIndicators.InMetres(indicators, ClientIndicators.SectionOf(torcs, metres), angleAhead: metres[0]),
             indicators,
             root.GetProperty("fast").GetBoolean(),
             root.GetProperty("speedMetresPerSecond").GetDouble())
         {
             HeadingRadians = Angles.ToRadians(root.GetProperty("headingDegrees").GetDouble()),
         };
-        return new PeerFrame(
+        return new ClientFrame(
             root.GetProperty("frame").GetInt64(), root.GetProperty("timeSeconds").GetDouble(), seen, new Vector3D(position[0], position[1], position[2]));
     }
 
@@ -118,7 +118,7 @@ public sealed class SocketLink : IPeerLink
     {
         try
         {
-            if (!_client.ConnectAsync(host, port).Wait(patience))
+            if (!_connection.ConnectAsync(host, port).Wait(patience))
             {
                 throw new IOException(FormattableString.Invariant($"No bridge is to be reached at {host}:{port}: no answer for {patience.TotalSeconds} s."));
             }
@@ -180,7 +180,7 @@ public sealed class SocketLink : IPeerLink
 
     private byte[] Read(int length)
     {
-        if (length is < 0 or > LargestMessage)
+        if (length is < 0 or > MaxMessageLength)
         {
             throw new IOException($"The game announces a message of {length} bytes.");
         }

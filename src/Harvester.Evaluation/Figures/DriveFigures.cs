@@ -67,7 +67,7 @@ public sealed record DriveFigures
         double judgedMetres = 0;
         for (int i = 1; i < samples.Count; i++)
         {
-            if (samples[i].IsElsewhere)
+            if (samples[i].IsTeleported)
             {
                 continue;
             }
@@ -102,7 +102,7 @@ public sealed record DriveFigures
             CollisionsOfOwnDriver = collisions[(false, false)].Count(),
             CollisionsOfOwnDriverInJunctions = collisions[(false, true)].Count(),
             RmsJerk = Rounded(RootMeanSquare([.. Jerk.Of(samples).Select(at => at.Jerk)])),
-            Relocations = samples.Skip(1).Count(sample => sample.IsElsewhere),
+            Relocations = samples.Skip(1).Count(sample => sample.IsTeleported),
         };
     }
 

@@ -19,7 +19,7 @@ public sealed record DriveSample
     public required bool IsByController { get; init; }
 
     /// <summary>Whether the car was put there and did not drive there from the sample before.</summary>
-    public bool IsElsewhere { get; init; }
+    public bool IsTeleported { get; init; }
 
     /// <summary>Where the car is among the lanes; null in junctions, where none are painted.</summary>
     public LanePlacement? Lane { get; init; }

@@ -12,7 +12,7 @@ public static class Jerk
         ArgumentNullException.ThrowIfNull(samples);
         for (int i = 2; i < samples.Count; i++)
         {
-            if (samples[i].IsElsewhere || samples[i - 1].IsElsewhere
+            if (samples[i].IsTeleported || samples[i - 1].IsTeleported
                 || !(samples[i].IsByController && samples[i - 1].IsByController && samples[i - 2].IsByController))
             {
                 continue;

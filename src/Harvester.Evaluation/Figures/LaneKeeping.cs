@@ -63,11 +63,11 @@ public sealed class LaneKeeping
     /// <summary>Follows the car from where it is over a marking to where it is not.</summary>
     private int Judge(int first)
     {
-        LanePlacement? before = first > 0 && !_samples[first].IsElsewhere ? LaneOf(_samples[first - 1]) : null;
+        LanePlacement? before = first > 0 && !_samples[first].IsTeleported ? LaneOf(_samples[first - 1]) : null;
         bool isBeyond = false;
         int last = first;
         LanePlacement? after = null;
-        for (int i = first; i < _samples.Count && !(i > first && _samples[i].IsElsewhere); i++)
+        for (int i = first; i < _samples.Count && !(i > first && _samples[i].IsTeleported); i++)
         {
             after = LaneOf(_samples[i]);
             if (after is null || !(after.IsBeyondLanes || after.IsOverLeft || after.IsOverRight))

@@ -144,7 +144,7 @@ public static class DriveReport
         foreach (List<int> piece in Pieces(samples, sample => sample.IsByController))
         {
             // A piece begins where the one before ended, so that there is no gap between them.
-            IEnumerable<int> joined = piece[0] > 0 && !samples[piece[0]].IsElsewhere ? piece.Prepend(piece[0] - 1) : piece;
+            IEnumerable<int> joined = piece[0] > 0 && !samples[piece[0]].IsTeleported ? piece.Prepend(piece[0] - 1) : piece;
             plot.Add(new PlotLine(samples[piece[0]].IsByController ? ByController : ByOwnDriver, [.. joined.Select(i => place(samples[i], i))]));
         }
     }
@@ -156,7 +156,7 @@ public static class DriveReport
         for (int i = 0; i < samples.Count; i++)
         {
             T? kind = kindOf(samples[i]);
-            if (piece.Count > 0 && (samples[i].IsElsewhere || !Equals(kind, kindOf(samples[piece[0]]))))
+            if (piece.Count > 0 && (samples[i].IsTeleported || !Equals(kind, kindOf(samples[piece[0]]))))
             {
                 yield return piece;
                 piece = [];
@@ -179,7 +179,7 @@ public static class DriveReport
         double[] way = new double[samples.Count];
         for (int i = 1; i < way.Length; i++)
         {
-            way[i] = way[i - 1] + (samples[i].IsElsewhere ? 0 : (samples[i].Position - samples[i - 1].Position).Length);
+            way[i] = way[i - 1] + (samples[i].IsTeleported ? 0 : (samples[i].Position - samples[i - 1].Position).Length);
         }
 
         return way;

@@ -15,7 +15,7 @@ internal sealed class Plot
     private const double Right = 12;
     private const double Top = 10;
     private const double Bottom = 42;
-    private const int MostTicks = 8;
+    private const int MaxTicks = 8;
 
     private readonly string _xName;
     private readonly string _yName;
@@ -100,7 +100,7 @@ internal sealed class Plot
 
     private static IEnumerable<double> Ticks((double Min, double Max) range)
     {
-        double least = (range.Max - range.Min) / MostTicks;
+        double least = (range.Max - range.Min) / MaxTicks;
         double power = Math.Pow(10, Math.Floor(Math.Log10(least)));
         double step = power * (least <= power ? 1 : least <= 2 * power ? 2 : least <= 5 * power ? 5 : 10);
         for (double tick = Math.Ceiling(range.Min / step); tick * step <= range.Max; tick++)

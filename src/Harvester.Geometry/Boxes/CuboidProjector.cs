@@ -37,7 +37,7 @@ public static class CuboidProjector
 
         IReadOnlyList<Vector2D> outline = camera.Intrinsics.Lens.IsRectilinear
             ? ConvexPolygon.Hull(ends.ConvertAll(camera.PixelOf))
-            : BentOutline.Of(camera, ends);
+            : DistortedOutline.Of(camera, ends);
         if (isAround)
         {
             outline = ConvexPolygon.Hull(

@@ -6,7 +6,7 @@ public enum LensFitOutcome
     /// <summary>The lens is found.</summary>
     Fitted,
 
-    /// <summary>Fewer sightings agree than <see cref="LensFitter.FewestSightings"/>, or fewer than half of those given.</summary>
+    /// <summary>Fewer sightings agree than <see cref="LensFitter.MinSightings"/>, or fewer than half of those given.</summary>
     TooFewSightings,
 
     /// <summary>The sightings do not determine the lens: they lie in one place or on a circle about the image's middle, say.</summary>

@@ -15,7 +15,7 @@ namespace Harvester.Geometry.Calibration;
 public static class LensFitter
 {
     /// <summary>The fewest sightings that must agree for a result: five parameters, two equations each, and something to check them by.</summary>
-    public const int FewestSightings = 10;
+    public const int MinSightings = 10;
 
     // The median distance of noise that is normal in both axes, in standard deviations of one axis: √(2 ln 2).
     private const double MedianOfRayleigh = 1.1774100225154747;
@@ -27,7 +27,7 @@ public static class LensFitter
     private const double BiweightBound = 6;
 
     // Markers cannot be located better than this, pixels; sightings without noise then do not reject each other for rounding.
-    private const double SmallestNoise = 0.01;
+    private const double MinNoise = 0.01;
     private const int Rounds = 30;
 
     /// <summary>Fits a lens.</summary>
@@ -40,7 +40,7 @@ public static class LensFitter
         Guard.NotNull(sightings, nameof(sightings));
         CameraIntrinsics ideal = WithLens(camera, Lens.Ideal);
         double[] distances = DistancesOf(ideal, sightings);
-        if (sightings.Count < FewestSightings)
+        if (sightings.Count < MinSightings)
         {
             return Without(LensFitOutcome.TooFewSightings);
         }
@@ -55,7 +55,7 @@ public static class LensFitter
             }
 
             distances = DistancesOf(WithLens(camera, lens), sightings);
-            double noise = Math.Max(SmallestNoise, Median(distances) / MedianOfRayleigh);
+            double noise = Math.Max(MinNoise, Median(distances) / MedianOfRayleigh);
             Func<double, double> weight = round < Rounds ? HuberWeight : BiweightWeight;
             weights = [.. distances.Select(distance => weight(distance / noise))];
         }
@@ -66,7 +66,7 @@ public static class LensFitter
     private static LensFit Result(CameraIntrinsics camera, LensEquations equations, IReadOnlyList<Sighting> sightings, double[] weights)
     {
         List<Sighting> used = [.. sightings.Where((_, i) => weights[i] > 0)];
-        if (used.Count < FewestSightings || 2 * used.Count < sightings.Count)
+        if (used.Count < MinSightings || 2 * used.Count < sightings.Count)
         {
             return Without(LensFitOutcome.TooFewSightings);
         }

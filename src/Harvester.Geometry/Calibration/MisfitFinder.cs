@@ -11,7 +11,7 @@ namespace Harvester.Geometry.Calibration;
 /// </summary>
 public static class MisfitFinder
 {
-    private const double LeastExplained = 0.5;
+    private const double MinExplained = 0.5;
 
     private delegate Vector2D Pattern(Vector2D point, double depth);
 
@@ -46,7 +46,7 @@ public static class MisfitFinder
         Residual[] residuals = [.. sightings.Select(sighting => Residual.Of(camera, sighting))];
         double all = LeftBy([], camera, residuals);
         (Misfit cause, double left) = Causes.Select(cause => (cause.Cause, Left: LeftBy(cause.Patterns, camera, residuals))).OrderBy(cause => cause.Left).First();
-        return left < (1 - LeastExplained) * all ? cause : Misfit.Noise;
+        return left < (1 - MinExplained) * all ? cause : Misfit.Noise;
     }
 
     /// <summary>

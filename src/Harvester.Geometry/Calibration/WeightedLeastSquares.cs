@@ -9,7 +9,7 @@ namespace Harvester.Geometry.Calibration;
 internal sealed class WeightedLeastSquares
 {
     // With unit columns a pivot is the squared sine of a column's angle to the ones before; below this, noise of 1e-16 decides.
-    private const double SmallestPivot = 1e-10;
+    private const double MinPivot = 1e-10;
     private readonly int _count;
     private readonly double[,] _normal;
     private readonly double[] _right;
@@ -107,7 +107,7 @@ internal sealed class WeightedLeastSquares
                     rest -= _factor[i, k] * _factor[j, k];
                 }
 
-                if (i == j && rest < SmallestPivot)
+                if (i == j && rest < MinPivot)
                 {
                     return false;
                 }

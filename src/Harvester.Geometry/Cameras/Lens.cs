@@ -11,7 +11,7 @@ namespace Harvester.Geometry.Cameras;
 /// </summary>
 public readonly record struct Lens
 {
-    private const double SmallestSlope = 0.1;
+    private const double MinSlope = 0.1;
     private const int NewtonSteps = 60;
     private readonly double _polynomialEnd;
 
@@ -69,8 +69,8 @@ public readonly record struct Lens
 
     private static double EndOfPolynomial(double k1, double k2)
     {
-        // The slope 1 + 3 k1 q + 5 k2 q², q = r², first reaches SmallestSlope at the smallest positive root of 5 k2 q² + 3 k1 q + c.
-        const double c = 1 - SmallestSlope;
+        // The slope 1 + 3 k1 q + 5 k2 q², q = r², first reaches MinSlope at the smallest positive root of 5 k2 q² + 3 k1 q + c.
+        const double c = 1 - MinSlope;
         double a = 5 * k2;
         double b = 3 * k1;
         double discriminant = (b * b) - (4 * a * c);
@@ -93,18 +93,18 @@ public readonly record struct Lens
     private double DistortRadius(double radius) =>
         radius <= _polynomialEnd
             ? Polynomial(radius)
-            : Polynomial(_polynomialEnd) + (SmallestSlope * (radius - _polynomialEnd));
+            : Polynomial(_polynomialEnd) + (MinSlope * (radius - _polynomialEnd));
 
     private double UndistortRadius(double shown)
     {
         if (!double.IsInfinity(_polynomialEnd) && shown >= Polynomial(_polynomialEnd))
         {
-            return _polynomialEnd + ((shown - Polynomial(_polynomialEnd)) / SmallestSlope);
+            return _polynomialEnd + ((shown - Polynomial(_polynomialEnd)) / MinSlope);
         }
 
-        // The slope is at least SmallestSlope below the polynomial's end, so the root lies within [0, shown / SmallestSlope].
+        // The slope is at least MinSlope below the polynomial's end, so the root lies within [0, shown / MinSlope].
         double low = 0;
-        double high = Math.Min(_polynomialEnd, shown / SmallestSlope);
+        double high = Math.Min(_polynomialEnd, shown / MinSlope);
         double radius = Math.Min(shown, high);
         for (int step = 0; step < NewtonSteps; step++)
         {

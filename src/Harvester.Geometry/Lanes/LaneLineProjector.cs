@@ -58,7 +58,7 @@ public static class LaneLineProjector
     }
 
     /// <summary>The greatest number of rays that a marking may take: one for each point, and one for each place where it enters or leaves the image.</summary>
-    public static int MostRays(LaneLine line) => 2 * Guard.NotNull(line, nameof(line)).Points.Count;
+    public static int MaxRays(LaneLine line) => 2 * Guard.NotNull(line, nameof(line)).Points.Count;
 
     private static void Close(List<LaneLineView> views, LaneLine line, ref List<LaneLinePoint> run)
     {

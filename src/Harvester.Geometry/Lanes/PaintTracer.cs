@@ -11,7 +11,7 @@ public static class PaintTracer
     private const double FurthestFromBoundary = 1;
 
     /// <summary>Cosine of the angle by which paint along a boundary may differ from it, 30 degrees; what crosses it is another road's.</summary>
-    private const double LeastAlong = 0.87;
+    private const double MinAlong = 0.87;
 
     /// <summary>A carriageway is no wider than this, metres: room beyond the reach along the road.</summary>
     private const double FurthestBeside = 50;
@@ -81,7 +81,7 @@ public static class PaintTracer
     {
         Vector2D road = place.Piece.DirectionAt(place.Piece.ParameterAt(place.Station));
         var paint = new Vector2D(along.X, along.Y);
-        if (Math.Abs(road.Dot(paint)) < LeastAlong * paint.Length)
+        if (Math.Abs(road.Dot(paint)) < MinAlong * paint.Length)
         {
             return null;
         }

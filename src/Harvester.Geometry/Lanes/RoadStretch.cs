@@ -11,7 +11,7 @@ namespace Harvester.Geometry.Lanes;
 public sealed class RoadStretch
 {
     /// <summary>A point further above or below the road than this is on another road, metres.</summary>
-    private const double LargestHeightDifference = 4;
+    private const double MaxHeightDifference = 4;
 
     /// <summary>A point this far beyond an end of a link is not beside it, metres: room for the bend between two links.</summary>
     private const double OvershootTolerance = 0.5;
@@ -107,7 +107,7 @@ public sealed class RoadStretch
             Vector3D onLine = piece.Curve.PointAt(parameter);
             Vector2D direction = piece.DirectionAt(parameter);
             Vector2D apart = place - new Vector2D(onLine.X, onLine.Y);
-            if (Math.Abs(world.Z - onLine.Z) <= LargestHeightDifference
+            if (Math.Abs(world.Z - onLine.Z) <= MaxHeightDifference
                 && Math.Abs(apart.Dot(direction)) <= OvershootTolerance
                 && apart.Length < nearest)
             {

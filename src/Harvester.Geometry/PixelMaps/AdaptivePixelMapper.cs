@@ -17,7 +17,7 @@ public sealed class AdaptivePixelMapper
     private const int FragmentSearches = 2;
 
     /// <summary>How often the cells at the ends of objects are divided: from a first cell down to the pixel.</summary>
-    private const int MostSearches = FragmentSearches + 1 + 5;
+    private const int MaxSearches = FragmentSearches + 1 + 5;
 
     private readonly Camera _camera;
     private readonly PixelMapOptions _options;
@@ -35,7 +35,7 @@ public sealed class AdaptivePixelMapper
     private IEnumerator<Place> _places;
     private int _openPixels;
     private MapCell? _current;
-    private MapperPhase _phase = MapperPhase.FirstPlaces;
+    private MapperPhase _phase = MapperPhase.SeedSamples;
     private UnseenTargets? _unseen;
     private int _searches;
 
@@ -76,7 +76,7 @@ public sealed class AdaptivePixelMapper
         _settled = new SettledCells(_examiner, _queue, _options.CellErrorFraction);
         var grid = new CellGrid(camera.Image, _options.CellSize, _views);
         grid.Cells.ForEach(cell => _queue.Add(double.PositiveInfinity, cell));
-        _places = new FirstPlaces(camera, _views, _samples, grid).InTurn().GetEnumerator();
+        _places = new SeedSamples(camera, _views, _samples, grid).InTurn().GetEnumerator();
     }
 
     /// <summary>The number of rays cast so far.</summary>
@@ -173,7 +173,7 @@ public sealed class AdaptivePixelMapper
                 }
             }
 
-            if (_phase == MapperPhase.FirstPlaces)
+            if (_phase == MapperPhase.SeedSamples)
             {
                 _views.ForEach(view => view.EstimateVisible(_samples));
                 _phase = MapperPhase.Cells;
@@ -231,7 +231,7 @@ public sealed class AdaptivePixelMapper
     // A search that finds nothing is followed by a review all the same, since the visible pixels have been counted anew.
     private bool Search()
     {
-        if (_searches == MostSearches)
+        if (_searches == MaxSearches)
         {
             return false;
         }

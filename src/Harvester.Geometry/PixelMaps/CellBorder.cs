@@ -10,7 +10,7 @@ namespace Harvester.Geometry.PixelMaps;
 internal sealed class CellBorder
 {
     /// <summary>The middle of a shorter side is asked rather than assumed: about 1 in 10 would be wrong, and 1 in 40 of longer ones.</summary>
-    private const int ShortestAssumedSide = 4;
+    private const int MinAssumedSide = 4;
 
     private readonly PixelSamples _samples;
     private readonly IReadOnlyList<SilhouetteSpans> _silhouettes;
@@ -91,7 +91,7 @@ internal sealed class CellBorder
     /// </summary>
     public void AssumeMiddles()
     {
-        if (Math.Min(Cell.Width, Cell.Height) < ShortestAssumedSide)
+        if (Math.Min(Cell.Width, Cell.Height) < MinAssumedSide)
         {
             return;
         }

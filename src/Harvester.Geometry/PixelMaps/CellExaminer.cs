@@ -10,11 +10,11 @@ namespace Harvester.Geometry.PixelMaps;
 internal sealed class CellExaminer
 {
     /// <summary>A cell whose border shows more runs than this is divided at once.</summary>
-    private const int MostRuns = 8;
+    private const int MaxRuns = 8;
 
     /// <summary>The mean distance, in pixels, of a line between two changes known to the pixel from the true one.</summary>
     private const double MeanLineError = 0.2;
-    private const int MostHalvings = 3;
+    private const int MaxHalvings = 3;
 
     /// <summary>A chord that runs along a row or column to within this many pixels gains nothing from knowing its ends better.</summary>
     private const double AlignedPixels = 0.9;
@@ -56,13 +56,13 @@ internal sealed class CellExaminer
             return CellVerdict.Understood(weight);
         }
 
-        if (_border.Runs.Count <= MostRuns && StripSearch.Wanted(_border, _samples) is { } towards)
+        if (_border.Runs.Count <= MaxRuns && StripSearch.Wanted(_border, _samples) is { } towards)
         {
             return CellVerdict.Ask(towards, weight);
         }
 
         bool outlineTooLong = _border.Runs.Count > 1 && cell.Width * cell.Height * weight > _options.StraightCellFraction;
-        if (outlineTooLong || _border.Runs.Count > MostRuns)
+        if (outlineTooLong || _border.Runs.Count > MaxRuns)
         {
             return CellVerdict.Divide(weight);
         }
@@ -74,7 +74,7 @@ internal sealed class CellExaminer
     }
 
     /// <summary>The simplest picture of the inside of the border's cell that fits all that is known, or null.</summary>
-    public CellModel? AgreeingModel(int halvings = MostHalvings)
+    public CellModel? AgreeingModel(int halvings = MaxHalvings)
     {
         foreach (int front in NumbersByDistance())
         {
@@ -116,7 +116,7 @@ internal sealed class CellExaminer
     {
         int halvings = 0;
         double error = MeanLineError * Math.Max(cell.Width, cell.Height) * weight;
-        while (halvings < MostHalvings && error > _options.CellErrorFraction)
+        while (halvings < MaxHalvings && error > _options.CellErrorFraction)
         {
             halvings++;
             error /= 2;

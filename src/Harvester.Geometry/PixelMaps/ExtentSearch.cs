@@ -11,7 +11,7 @@ namespace Harvester.Geometry.PixelMaps;
 internal sealed class ExtentSearch(IReadOnlyList<TargetView> views, PixelSamples samples, HiddenPlaces hiddenPlaces)
 {
     /// <summary>Objects of fewer pixels are found, not outlined.</summary>
-    private const int FewestPixels = 64;
+    private const int MinPixels = 64;
 
     /// <summary>By how much a box may be off, pixels.</summary>
     private const int Tolerance = 2;
@@ -70,7 +70,7 @@ internal sealed class ExtentSearch(IReadOnlyList<TargetView> views, PixelSamples
     }
 
     private static PixelExtent? ExtentOf(InstanceMap map, TargetView view) =>
-        PixelExtent.Of(map, view.Target.Number, view.Spans) is { Pixels: >= FewestPixels } extent ? extent : null;
+        PixelExtent.Of(map, view.Target.Number, view.Spans) is { Pixels: >= MinPixels } extent ? extent : null;
 
     private IEnumerable<Place> Beyond(InstanceMap map, TargetView view, PixelExtent extent, (int Column, int Row) outwards)
     {

@@ -4,7 +4,7 @@ namespace Harvester.Geometry.PixelMaps;
 internal enum MapperPhase
 {
     /// <summary>A coarse grid and a few places in every silhouette.</summary>
-    FirstPlaces,
+    SeedSamples,
 
     /// <summary>Cells, the worst first.</summary>
     Cells,

@@ -36,7 +36,7 @@ internal sealed class TargetView
     public double Weight => 1 / CountedPixels;
 
     /// <summary>The first pixels to ask: the middle of the silhouette and a few spread over it.</summary>
-    public IEnumerable<Place> FirstPlaces()
+    public IEnumerable<Place> SeedSamples()
     {
         for (int i = 0; i <= Seeds; i++)
         {

@@ -11,17 +11,17 @@ namespace Harvester.Geometry.Roads;
 internal static class EdgeEvidence
 {
     /// <summary>Widths lie between these, metres; others come from an edge of something else.</summary>
-    private const double NarrowestLane = 3;
-    private const double WidestLane = 7;
+    private const double MinLaneWidth = 3;
+    private const double MaxLaneWidth = 7;
 
     /// <summary>Tangent of the angle, 11 degrees, by which a point may miss the square to its link: camber, and the start of a bend.</summary>
-    private const double MostSlant = 0.2;
+    private const double MaxSlant = 0.2;
 
     /// <summary>By how much widths of one link may differ, metres: more would show in labels.</summary>
-    private const double MostDisagreement = 0.2;
+    private const double MaxDisagreement = 0.2;
 
     /// <summary>How often each side has to be told.</summary>
-    private const int FewestAnswers = 2;
+    private const int MinAnswers = 2;
 
     /// <summary>The width of a link's lanes, metres; null when the points do not prove one.</summary>
     /// <param name="network">The roads.</param>
@@ -45,7 +45,7 @@ internal static class EdgeEvidence
         {
             Vector3D apart = edge.Point - (edge.IsAtStart ? start : end);
             double offset = apart.Dot(right);
-            if (!((apart - (right * offset)).Length <= MostSlant * Math.Abs(offset)))
+            if (!((apart - (right * offset)).Length <= MaxSlant * Math.Abs(offset)))
             {
                 return null;
             }
@@ -57,8 +57,8 @@ internal static class EdgeEvidence
             onLeft += offset > 0 ? 0 : 1;
         }
 
-        bool isProven = onRight >= FewestAnswers && onLeft >= FewestAnswers
-            && least > NarrowestLane && most < WidestLane && most - least <= MostDisagreement;
+        bool isProven = onRight >= MinAnswers && onLeft >= MinAnswers
+            && least > MinLaneWidth && most < MaxLaneWidth && most - least <= MaxDisagreement;
         return isProven ? (least + most) / 2 : null;
     }
 

@@ -21,7 +21,7 @@ public sealed class JunctionExtents
     private const double MergingAngle = 0.6;
 
     /// <summary>The greatest length of a link between two carriageways, metres: enough to cross a median and two lanes at an angle.</summary>
-    private const double LongestTie = 40;
+    private const double MaxTie = 40;
 
     private readonly RoadCurves _curves;
     private readonly RoadNetwork _network;
@@ -97,7 +97,7 @@ public sealed class JunctionExtents
     private bool IsTie(int link)
     {
         RoadLink road = _network.Links[link];
-        return _curves.Of(link).Length <= LongestTie
+        return _curves.Of(link).Length <= MaxTie
             && DirectionThrough(road.From, link) is { } here && DirectionThrough(road.To, link) is { } there
             && Math.Abs(here.Cross(there)) < Math.Sin(MergingAngle);
     }

@@ -9,8 +9,8 @@ namespace Harvester.Geometry.Roads;
 /// </summary>
 public sealed class RoadIndex
 {
-    private const double SmallestCell = 16;
-    private const int MostCellsPerSide = 2048;
+    private const double MinCell = 16;
+    private const int MaxCellsPerSide = 2048;
 
     /// <summary>Points between which a curve stays within its box, measured at these steps, with the margin of a cubic's bulge.</summary>
     private const int BoxSteps = 8;
@@ -47,7 +47,7 @@ public sealed class RoadIndex
 
         if (boxes.Count == 0)
         {
-            _cell = SmallestCell;
+            _cell = MinCell;
             _starts = [0];
             _links = [];
             return;
@@ -55,7 +55,7 @@ public sealed class RoadIndex
 
         _west = west;
         _south = south;
-        _cell = Math.Max(SmallestCell, Math.Max(east - west, north - south) / MostCellsPerSide);
+        _cell = Math.Max(MinCell, Math.Max(east - west, north - south) / MaxCellsPerSide);
         _columns = (int)((east - west) / _cell) + 1;
         _rows = (int)((north - south) / _cell) + 1;
         (_starts, _links) = Fill(boxes);

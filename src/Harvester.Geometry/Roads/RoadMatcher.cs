@@ -13,7 +13,7 @@ public sealed class RoadMatcher
     private const double CostOfLaneEdge = 0.5;
 
     /// <summary>However far beside the lanes: an overtaking car still follows its road, only worse than one in the lanes.</summary>
-    private const double MostCostOfBeside = 14;
+    private const double MaxCostOfBeside = 14;
 
     /// <summary>Links along the road within which two explanations are the same road.</summary>
     private const int LinksOfSameRoad = 3;
@@ -66,7 +66,7 @@ public sealed class RoadMatcher
         double heading = Angles.ToRadians(Guard.Finite(headingDegrees, nameof(headingDegrees)));
         var forward = new Vector2D(-Math.Sin(heading), Math.Cos(heading));
         RoadCandidate? best = null;
-        RoadCandidate? rival = null;
+        RoadCandidate? runnerUp = null;
         double crossing = double.PositiveInfinity; // What the best way through a junction costs, whichever road was followed.
         bool isRoadNear = false;
         ArraySegment<int> near = _index.Near(position);
@@ -77,18 +77,18 @@ public sealed class RoadMatcher
                 crossing = IsInJunction(candidate) ? Math.Min(crossing, candidate.CostOfPlace) : crossing;
                 if (best is null || candidate.Cost < best.Value.Cost)
                 {
-                    rival = Rival(rival, best, candidate);
+                    runnerUp = RunnerUp(runnerUp, best, candidate);
                     best = candidate;
                 }
                 else
                 {
-                    rival = Rival(rival, candidate, best.Value);
+                    runnerUp = RunnerUp(runnerUp, candidate, best.Value);
                 }
             }
         }
 
         return best is { } found && found.Cost < _options.CostOfUnknownRoad
-            ? Result(Beside(found, position, forward, previous), rival, crossing)
+            ? Result(Beside(found, position, forward, previous), runnerUp, crossing)
             : new RoadMatch { Outcome = isRoadNear ? RoadMatchOutcome.NotAlongAnyRoad : RoadMatchOutcome.NoRoadNear };
     }
 
@@ -113,9 +113,9 @@ public sealed class RoadMatcher
     }
 
     /// <summary>The better of two candidates that are not the road that won.</summary>
-    private RoadCandidate? Rival(RoadCandidate? rival, RoadCandidate? other, RoadCandidate winner)
+    private RoadCandidate? RunnerUp(RoadCandidate? runnerUp, RoadCandidate? other, RoadCandidate winner)
     {
-        RoadCandidate? old = rival is { } r && !IsSameRoad(r.Link, r.IsForward, winner) ? rival : null;
+        RoadCandidate? old = runnerUp is { } r && !IsSameRoad(r.Link, r.IsForward, winner) ? runnerUp : null;
         return other is { } o && !IsSameRoad(o.Link, o.IsForward, winner) && (old is null || o.Cost < old.Value.Cost) ? other : old;
     }
 
@@ -130,7 +130,7 @@ public sealed class RoadMatcher
 
         double parameter = curve.ClosestParameter(place);
         double height = (position.Z - curve.HeightAt(parameter)) / _options.HeightDeviation;
-        if (Math.Abs(height) * _options.HeightDeviation > _options.LargestHeightDifference)
+        if (Math.Abs(height) * _options.HeightDeviation > _options.MaxHeightDifference)
         {
             return null;
         }
@@ -165,7 +165,7 @@ public sealed class RoadMatcher
 
         double withinLane = offset / there.Section.LaneWidth;
         double fromMiddle = outside > 0 ? 1 : Math.Abs(withinLane - Math.Floor(withinLane) - 0.5) * 2;
-        double cost = Math.Min(Square(outside / _options.LateralDeviation), MostCostOfBeside)
+        double cost = Math.Min(Square(outside / _options.LateralDeviation), MaxCostOfBeside)
             + Square(headingError / _headingDeviation)
             + Square(height)
             + Square(along.Dot(apart) / OvershootDeviation)
@@ -226,10 +226,10 @@ public sealed class RoadMatcher
         return false;
     }
 
-    private RoadMatch Result(RoadCandidate found, RoadCandidate? rival, double crossing)
+    private RoadMatch Result(RoadCandidate found, RoadCandidate? runnerUp, double crossing)
     {
         double unknown = Math.Exp((found.Cost - _options.CostOfUnknownRoad) / 2);
-        double other = rival is { } second ? Math.Exp((found.Cost - second.Cost) / 2) : 0;
+        double other = runnerUp is { } second ? Math.Exp((found.Cost - second.Cost) / 2) : 0;
         double confidence = 1 / (1 + unknown + other);
         double width = found.Section.LaneCount * found.Section.LaneWidth;
         double outside = Math.Max(-found.Offset, found.Offset - width);

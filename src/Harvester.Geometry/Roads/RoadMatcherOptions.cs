@@ -19,7 +19,7 @@ public sealed record RoadMatcherOptions
     public double LargestHeadingErrorDegrees { get; init; } = 60;
 
     /// <summary>A road whose height differs by more is another one, metres.</summary>
-    public double LargestHeightDifference { get; init; } = 4;
+    public double MaxHeightDifference { get; init; } = 4;
 
     /// <summary>How far beside the carriageway a car still follows its road, metres.</summary>
     public double LargestDistanceBeside { get; init; } = 6;

@@ -23,7 +23,7 @@ public sealed class OcclusionEstimator
     public OcclusionEstimator(int samples = 64) => _samples = Guard.AtLeast(samples, 1, nameof(samples));
 
     /// <summary>The greatest number of rays that one estimate may take.</summary>
-    public int MostRays => (2 * MoreSamples * _samples) + SightFinder.Probes;
+    public int MaxRays => (2 * MoreSamples * _samples) + SightFinder.Probes;
 
     /// <summary>Estimates how much of an entity is hidden.</summary>
     /// <param name="camera">The camera.</param>
@@ -98,7 +98,7 @@ public sealed class OcclusionEstimator
             return new OcclusionEstimate(0, 0, 0, OcclusionMethod.None) { Sight = Sight.Unseen };
         }
 
-        Sight sight = SightFinder.FindUnmet(probe, out int probes);
+        Sight sight = SightFinder.FindUnhit(probe, out int probes);
         return new OcclusionEstimate(0, 0, cast + probes, OcclusionMethod.None) { Sight = sight };
     }
 }

@@ -14,13 +14,13 @@ public static class SightFinder
     private const int StoppedRays = 8;
 
     /// <summary>Masts with an arm fill a twentieth of their cuboid's silhouette: all of so many rays miss them once in 700 times.</summary>
-    private const int MostSamples = 128;
+    private const int MaxSamples = 128;
 
     /// <summary>Rays that start at the cuboid, before the object counts as one that rays do not meet.</summary>
     internal const int Probes = 64;
 
     /// <summary>The greatest number of rays that one look may take.</summary>
-    public const int MostRays = MostSamples + Probes;
+    public const int MaxRays = MaxSamples + Probes;
 
     /// <summary>Looks at an entity.</summary>
     /// <param name="camera">The camera.</param>
@@ -43,7 +43,7 @@ public static class SightFinder
 
         int asked = 0;
         bool allStopped = true;
-        foreach (Vector2D pixel in SilhouetteSamples.Of(projection, box, MostSamples))
+        foreach (Vector2D pixel in SilhouetteSamples.Of(projection, box, MaxSamples))
         {
             Ray ray = camera.RayThrough(pixel.X, pixel.Y);
             if (cuboid.Intersect(ray) is not { } span)
@@ -65,14 +65,14 @@ public static class SightFinder
             }
         }
 
-        return allStopped ? Sight.Unseen : FindUnmet(new CuboidProbe(camera.Pose.Position, cuboid, entity, ignoredEntity, rays), out _);
+        return allStopped ? Sight.Unseen : FindUnhit(new CuboidProbe(camera.Pose.Position, cuboid, entity, ignoredEntity, rays), out _);
     }
 
     /// <summary>Tells an object that is not seen from one that rays do not meet, by rays all over its cuboid, in the image or not.</summary>
     /// <param name="probe">The object's probe.</param>
     /// <param name="cast">The number of rays cast.</param>
     /// <returns>Unseen or undetermined.</returns>
-    internal static Sight FindUnmet(CuboidProbe probe, out int cast)
+    internal static Sight FindUnhit(CuboidProbe probe, out int cast)
     {
         cast = 0;
         foreach (Ray ray in probe.Through(Probes))

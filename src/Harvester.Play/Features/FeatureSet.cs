@@ -14,7 +14,7 @@ namespace Harvester.Play.Features;
 /// <param name="features">The features, in the order of their ticks.</param>
 public sealed class FeatureSet(PlayerMessages messages, ICallCounter calls, IClock clock, params IFeature[] features)
 {
-    private static readonly TimeSpan LongestWaitForTheLog = TimeSpan.FromSeconds(2);
+    private static readonly TimeSpan MaxWaitForLog = TimeSpan.FromSeconds(2);
 
     private readonly FeatureWatch[] _watches = [.. features.Select(feature => new FeatureWatch(feature, messages, calls, clock))];
 
@@ -50,7 +50,7 @@ public sealed class FeatureSet(PlayerMessages messages, ICallCounter calls, IClo
             watch.LogEnd();
         }
 
-        messages.Wait(LongestWaitForTheLog);
+        messages.Wait(MaxWaitForLog);
     }
 
     /// <summary>Lets a feature work; it is stopped when it fails.</summary>

@@ -13,7 +13,7 @@ namespace Harvester.Play.Features;
 /// <summary>Starts, drives and ends harvests by the keys.</summary>
 public sealed class Harvest : ILastingFeature, IDisposable
 {
-    private static readonly TimeSpan LongestWaitForTheDisk = TimeSpan.FromSeconds(10);
+    private static readonly TimeSpan MaxWaitForDisk = TimeSpan.FromSeconds(10);
     private readonly string _folder;
     private readonly PlayerMessages _messages;
     private readonly IMount _mount;
@@ -55,10 +55,10 @@ public sealed class Harvest : ILastingFeature, IDisposable
     public HarvestOptions Options { get; set; }
 
     /// <summary>The faces of signs and heads of lights that are in use now.</summary>
-    public Func<SpaceTable> SpacesInUse { get; init; } = static () => SpaceTable.Empty;
+    public Func<FaceTable> FacesInUse { get; init; } = static () => FaceTable.Empty;
 
     /// <summary>The faces to label: those in use, and while a harvest is on those that were when it began.</summary>
-    public SpaceTable Spaces => IsOn ? _startedWith!.Spaces! : SpacesInUse();
+    public FaceTable Faces => IsOn ? _startedWith!.Faces! : FacesInUse();
 
     /// <summary>Why this game cannot be harvested; null when it can.</summary>
     public Func<string?> Problem { get; init; } = static () => null;
@@ -86,7 +86,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         {
             SessionOrigin origin = _origin();
             _isSingle = false;
-            Start(Options with { Spaces = SpacesInUse() }, () => new SessionWriter(NewFolder("session"), origin));
+            Start(Options with { Faces = FacesInUse() }, () => new SessionWriter(NewFolder("session"), origin));
         }
         else
         {
@@ -103,10 +103,10 @@ public sealed class Harvest : ILastingFeature, IDisposable
             return;
         }
 
-        HarvestOptions options = Options with { MaxFrames = 1, ProbeLag = false, Spaces = SpacesInUse(), KnownFreezing = _freezing is { IsConclusive: true } ? _freezing : null };
+        HarvestOptions options = Options with { MaxFrames = 1, ProbeLag = false, Faces = FacesInUse(), KnownFreezing = _freezing is { IsConclusive: true } ? _freezing : null };
         SessionOrigin origin = _origin();
         _isSingle = true;
-        if (_singles is { } singles && singles.Lens == options.Lens && singles.Spaces == options.Spaces)
+        if (_singles is { } singles && singles.Lens == options.Lens && singles.Faces == options.Faces)
         {
             Start(
                 singles.CalibrationErrorPixels is { } known ? options with { MaxCalibrationErrorPixels = null, KnownCalibrationErrorPixels = known } : options,
@@ -162,7 +162,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
     public void Finish()
     {
         Stop();
-        _writer.Wait(LongestWaitForTheDisk);
+        _writer.Wait(MaxWaitForDisk);
         TellLateFault();
     }
 
@@ -225,7 +225,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         _lastWriter = status.Fault is null ? writer : null;
         if (_isSingle && status.Captured > 0)
         {
-            _singles = new SingleFrames(writer.Folder, _startedWith!.Lens, _startedWith.Spaces!, session.CalibrationErrorPixels);
+            _singles = new SingleFrames(writer.Folder, _startedWith!.Lens, _startedWith.Faces!, session.CalibrationErrorPixels);
         }
 
         Tell(session);
@@ -279,5 +279,5 @@ public sealed class Harvest : ILastingFeature, IDisposable
     }
 
     /// <summary>The session that single frames make together, once it has one. Its camera model is checked until that could be done once.</summary>
-    private sealed record SingleFrames(string Folder, Lens Lens, SpaceTable Spaces, double? CalibrationErrorPixels);
+    private sealed record SingleFrames(string Folder, Lens Lens, FaceTable Faces, double? CalibrationErrorPixels);
 }

@@ -3,7 +3,7 @@ using Harvester.Geometry;
 
 namespace Harvester.Play.Features;
 
-/// <summary>The game's controls of the vehicle that the player sits in, and what else a peer may ask of the game.</summary>
+/// <summary>The game's controls of the vehicle that the player sits in, and what else a client may ask of the game.</summary>
 public interface ICarControls
 {
     /// <summary>Whether the player now holds anything by which vehicles are driven or left. What was set here does not count.</summary>

@@ -10,8 +10,8 @@ namespace Harvester.Play.Features;
 
 /// <summary>What is known of the models met so far; the game is asked for each once.</summary>
 /// <param name="models">The game's models.</param>
-/// <param name="spaces">The models of signs and traffic lights.</param>
-public sealed class KnownModels(IModels models, SpaceTable spaces)
+/// <param name="table">The models of signs and traffic lights.</param>
+public sealed class KnownModels(IModels models, FaceTable table)
 {
     private readonly Dictionary<int, ModelFacts> _known = [];
 
@@ -27,7 +27,7 @@ public sealed class KnownModels(IModels models, SpaceTable spaces)
     /// <summary>A prop's model, by its hash.</summary>
     public ModelFacts OfProp(int hash) => Find(hash, () =>
     {
-        IReadOnlyList<SpaceOfInterest> faces = spaces.Of(hash);
+        IReadOnlyList<ModelFace> faces = table.Of(hash);
         return faces.Count == 0
             ? SignModels.UnnamedBy(hash) is { } name ? (ObjectClass.Sign, name) : (ObjectClass.Other, Hexadecimal(hash))
             : (faces[0].Class, faces[0].Model.Length > 0 ? faces[0].Model : Hexadecimal(hash));

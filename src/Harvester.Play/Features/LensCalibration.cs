@@ -11,7 +11,7 @@ namespace Harvester.Play.Features;
 /// <summary>Calibrates the camera at a key, for the harvests to come, and writes the lens into the settings file.</summary>
 public sealed class LensCalibration : ILastingFeature, IDisposable
 {
-    private static readonly TimeSpan LongestWaitForTheDisk = TimeSpan.FromSeconds(10);
+    private static readonly TimeSpan MaxWaitForDisk = TimeSpan.FromSeconds(10);
     private readonly Harvest _harvest;
     private readonly GamePorts _game;
     private readonly IMount _mount;
@@ -109,7 +109,7 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
     public void Finish()
     {
         Stop();
-        _disk.Wait(LongestWaitForTheDisk);
+        _disk.Wait(MaxWaitForDisk);
         ThrowIfNotWritten();
     }
 

@@ -13,7 +13,7 @@ namespace Harvester.Play.Features;
 public sealed class ModFolder
 {
     private const string SettingsFile = "GtaDataHarvester.ini";
-    private const string SpacesFile = "spaces_of_interest.csv";
+    private const string FacesFile = "spaces_of_interest.csv";
     private readonly string _folder;
     private readonly List<string> _complaints = [];
 
@@ -23,7 +23,7 @@ public sealed class ModFolder
     {
         _folder = folder;
         Settings = Read(ReadSettings, () => IniFile.Read(TextReader.Null), SettingsFile);
-        ShippedSpaces = ReadSpaces(Path.Combine(folder, SpacesFile), SpacesFile);
+        ShippedFaces = ReadFaces(Path.Combine(folder, FacesFile), FacesFile);
     }
 
     /// <summary>Where the settings stand.</summary>
@@ -33,17 +33,17 @@ public sealed class ModFolder
     public IniFile Settings { get; }
 
     /// <summary>The faces of signs and traffic lights that came with the mod.</summary>
-    public SpaceTable ShippedSpaces { get; }
+    public FaceTable ShippedFaces { get; }
 
     /// <summary>What is wrong with the files, a sentence each; to be asked after all settings.</summary>
     public IEnumerable<string> Complaints => _complaints.Concat(Settings.Complaints.Select(Told));
 
     /// <summary>The faces of signs and traffic lights: those that the player has measured, and for other models those that came with the mod.</summary>
     /// <param name="measured">The folder of what the player has measured; it need not be there.</param>
-    public SpaceTable SpacesWith(string measured)
+    public FaceTable FacesWith(string measured)
     {
         string table = Path.Combine(measured, SurveyFolder.TableName);
-        return File.Exists(table) ? ShippedSpaces.OverriddenBy(ReadSpaces(table, table)) : ShippedSpaces;
+        return File.Exists(table) ? ShippedFaces.OverriddenBy(ReadFaces(table, table)) : ShippedFaces;
     }
 
     /// <summary>Complains of a setting.</summary>
@@ -57,15 +57,15 @@ public sealed class ModFolder
         return IniFile.Read(reader);
     }
 
-    private SpaceTable ReadSpaces(string path, string name)
+    private FaceTable ReadFaces(string path, string name)
     {
-        SpaceTableContent content = Read(
+        FaceTableContent content = Read(
             () =>
             {
                 using var reader = new StreamReader(path);
-                return SpaceTableReader.Read(reader);
+                return FaceTableReader.Read(reader);
             },
-            () => new SpaceTableContent(SpaceTable.Empty, []),
+            () => new FaceTableContent(FaceTable.Empty, []),
             name);
         _complaints.AddRange(content.Problems.Select(problem => $"{name}: {problem}"));
         return content.Table;

@@ -161,7 +161,7 @@ public sealed class Overlay : IFeature
 
     private IEnumerable<Cuboid> CuboidsOf(SeenEntity entity)
     {
-        IReadOnlyList<SpaceOfInterest> faces = _harvest.Spaces.Of(entity.Model.Name);
+        IReadOnlyList<ModelFace> faces = _harvest.Faces.Of(entity.Model.Name);
         return faces.Count > 0
             ? faces.Select(face => face.CuboidAt(entity.Place.Pose))
             : [entity.Cuboid];

@@ -17,7 +17,7 @@ public sealed class RoadSurveying : ILastingFeature
 {
     private const double SaveEveryMilliseconds = 30_000;
     private const double PrepareEveryMilliseconds = 5_000;
-    private static readonly TimeSpan LongestWaitForTheDisk = TimeSpan.FromSeconds(10);
+    private static readonly TimeSpan MaxWaitForDisk = TimeSpan.FromSeconds(10);
     private readonly IRoadSource _source;
     private readonly Func<Vector3D> _place;
     private readonly string _path;
@@ -146,7 +146,7 @@ public sealed class RoadSurveying : ILastingFeature
     public void Finish()
     {
         Stop();
-        _disk.Wait(LongestWaitForTheDisk);
+        _disk.Wait(MaxWaitForDisk);
         ThrowIfNotSaved();
     }
 

@@ -14,7 +14,7 @@ public readonly record struct SignName(string Name, string MutcdCode)
     /// <param name="list">Names separated by semicolons, each with its code after a bar where it has one: STOP|R1-1; ONE WAY|R6-1.</param>
     /// <param name="table">The faces that are known.</param>
     /// <exception cref="ArgumentNullException">Something is not given.</exception>
-    public static IReadOnlyList<SignName> Choices(string list, SpaceTable table)
+    public static IReadOnlyList<SignName> Choices(string list, FaceTable table)
     {
         if (list is null)
         {
@@ -27,9 +27,9 @@ public readonly record struct SignName(string Name, string MutcdCode)
         }
 
         SignName[] listed = [.. list.Split(';').Where(part => part.Trim().Length > 0).Select(Parse)];
-        IEnumerable<SignName> known = table.Spaces
-            .Where(space => space.Name.Length > 0)
-            .Select(space => new SignName(space.Name, space.MutcdCode))
+        IEnumerable<SignName> known = table.Faces
+            .Where(face => face.Name.Length > 0)
+            .Select(face => new SignName(face.Name, face.MutcdCode))
             .Distinct()
             .OrderBy(name => name.Name, StringComparer.Ordinal);
         return [new SignName(string.Empty, string.Empty), .. listed.Length > 0 ? listed : known];

@@ -11,7 +11,7 @@ public sealed class TickTimes
 {
     private const int PerDecade = 50;
     private const int Decades = 8;
-    private const double LeastMilliseconds = 0.001;
+    private const double MinMilliseconds = 0.001;
     private readonly int[] _counts = new int[(PerDecade * Decades) + 1];
 
     /// <summary>Ticks added.</summary>
@@ -21,7 +21,7 @@ public sealed class TickTimes
     /// <param name="milliseconds">0 or more; what is shorter than a microsecond counts as one.</param>
     public void Add(double milliseconds)
     {
-        double place = PerDecade * Math.Log10(Math.Max(milliseconds, LeastMilliseconds) / LeastMilliseconds);
+        double place = PerDecade * Math.Log10(Math.Max(milliseconds, MinMilliseconds) / MinMilliseconds);
         _counts[Math.Min((int)Math.Ceiling(place), _counts.Length - 1)]++;
         Count++;
     }
@@ -33,6 +33,6 @@ public sealed class TickTimes
         int wanted = Math.Max(1, (int)Math.Ceiling(share * Count));
         int sum = 0;
         int place = Enumerable.Range(0, _counts.Length).FirstOrDefault(index => (sum += _counts[index]) >= wanted);
-        return Count == 0 ? 0 : LeastMilliseconds * Math.Pow(10, (double)place / PerDecade);
+        return Count == 0 ? 0 : MinMilliseconds * Math.Pow(10, (double)place / PerDecade);
     }
 }

@@ -13,7 +13,7 @@ namespace Harvester.Play.Features;
 public sealed class UnknownModelsList : ILastingFeature
 {
     private const double RangeMetres = 100;
-    private static readonly TimeSpan LongestWaitForTheDisk = TimeSpan.FromSeconds(10);
+    private static readonly TimeSpan MaxWaitForDisk = TimeSpan.FromSeconds(10);
     private readonly IWorld _world;
     private readonly IProps _props;
     private readonly UnknownModels _unknown;
@@ -28,7 +28,7 @@ public sealed class UnknownModelsList : ILastingFeature
     /// <param name="table">Gives what is known now.</param>
     /// <param name="folder">Where the file goes.</param>
     /// <param name="messages">Tells what was found.</param>
-    public UnknownModelsList(IWorld world, IProps props, Func<SpaceTable> table, string folder, PlayerMessages messages)
+    public UnknownModelsList(IWorld world, IProps props, Func<FaceTable> table, string folder, PlayerMessages messages)
     {
         _world = world;
         _props = props;
@@ -88,7 +88,7 @@ public sealed class UnknownModelsList : ILastingFeature
     /// <inheritdoc/>
     public void Finish()
     {
-        _disk.Wait(LongestWaitForTheDisk);
+        _disk.Wait(MaxWaitForDisk);
         Tick();
     }
 }

@@ -1,6 +1,6 @@
 namespace Harvester.Play.Settings;
 
-/// <summary>Over what a peer drives.</summary>
+/// <summary>Over what a client drives.</summary>
 public enum BridgeKind
 {
     /// <summary>Over nothing: nobody drives.</summary>

@@ -12,25 +12,28 @@ public sealed record BridgeSettings
 {
     private const string Bridge = "Bridge";
 
-    /// <summary>Over what a peer drives.</summary>
+    // What ClientPatience was called before; files with the old name are still read.
+    private const string OldClientPatience = "PeerPatience";
+
+    /// <summary>Over what a client drives.</summary>
     public required BridgeKind Kind { get; init; }
 
     /// <summary>The shared folder.</summary>
     public required string Folder { get; init; }
 
-    /// <summary>After how long without a sign of life the peer of a shared folder counts as gone, seconds.</summary>
-    public required double PeerPatienceSeconds { get; init; }
+    /// <summary>After how long without a sign of life the client of a shared folder counts as gone, seconds.</summary>
+    public required double ClientPatienceSeconds { get; init; }
 
     /// <summary>Where the socket listens, and to whom.</summary>
     public required SocketBridgeOptions Socket { get; init; }
 
-    /// <summary>What drives by the indicators that a peer sends.</summary>
+    /// <summary>What drives by the indicators that a client sends.</summary>
     public required ControllerPlan Controller { get; init; }
 
     /// <summary>Rate and size of the pictures.</summary>
     public required DrivingOptions Driving { get; init; }
 
-    /// <summary>Where a peer finds the bridge, for people.</summary>
+    /// <summary>Where a client finds the bridge, for people.</summary>
     public string Place => Kind == BridgeKind.Folder ? Folder : $"{Socket.Address}:{Socket.Port}";
 
     /// <summary>Opens the bridge. It may take a while, as when the folder is another machine's.</summary>
@@ -41,7 +44,7 @@ public sealed record BridgeSettings
     /// <exception cref="InvalidOperationException">The bridge is off.</exception>
     public IDrivingBridge Open() => Kind switch
     {
-        BridgeKind.Folder => new FolderBridge(Folder, Driving.Picture, PeerPatienceSeconds),
+        BridgeKind.Folder => new FolderBridge(Folder, Driving.Picture, ClientPatienceSeconds),
         BridgeKind.Socket => new SocketBridge(Socket, Driving.Picture),
         _ => throw new InvalidOperationException("The bridge is off."),
     };
@@ -63,7 +66,8 @@ public sealed record BridgeSettings
         {
             Kind = ini.Choice(Bridge, "Kind", BridgeKind.Socket, "Socket, Folder or Off"),
             Folder = pathOf(ini.Text(Bridge, "Folder", defaultFolder)),
-            PeerPatienceSeconds = ini.Number(Bridge, "PeerPatience", FolderBridge.DefaultPatienceSeconds, 1, 86_400),
+            ClientPatienceSeconds = ini.Number(
+                Bridge, "ClientPatience", ini.Number(Bridge, OldClientPatience, FolderBridge.DefaultPatienceSeconds, 1, 86_400), 1, 86_400),
             Socket = new SocketBridgeOptions(
                 ini.Address(Bridge, "Address", IPAddress.Loopback),
                 ini.Whole(Bridge, "Port", SocketBridgeOptions.DefaultPort, 1, 65_535),

@@ -39,7 +39,7 @@ public static class HarvestSettings
             Image = new ImageSize(
                 ini.Whole(Harvest, "Width", fallback.Image.Width, 16, 7680), ini.Whole(Harvest, "Height", fallback.Image.Height, 16, 4320)),
             Format = ini.Choice(Harvest, "ImageFormat", fallback.Format, "Png, Bmp or Jpeg"),
-            JpegQuality = ini.Whole(Harvest, "JpegQuality", fallback.JpegQuality, JpegEncoder.LowestQuality, JpegEncoder.HighestQuality),
+            JpegQuality = ini.Whole(Harvest, "JpegQuality", fallback.JpegQuality, JpegEncoder.MinQuality, JpegEncoder.MaxQuality),
             RateHz = ini.Number(Harvest, "Rate", fallback.RateHz, 0.01, 60),
             RangeMetres = ini.Number(Harvest, "Range", fallback.RangeMetres, 1, 1000),
             IgnoreRangeMetres = ini.Number(Harvest, "IgnoreRange", fallback.IgnoreRangeMetres, 0, 1000),
@@ -47,7 +47,7 @@ public static class HarvestSettings
             Freeze = ini.Choice(Harvest, "Mode", CaptureMode.Freeze, "Freeze or Live") == CaptureMode.Freeze,
             FreezeBy = FreezeByOf(ini.Choice(Harvest, "Freeze", FreezeChoice.Auto, "Paused, TimeScale or Auto")),
             Masks = ini.Choice(Harvest, "Masks", Switch.Off, "On or Off") == Switch.On,
-            RayBudget = ini.Whole(Harvest, "Rays", fallback.RayBudget, 0, LabellingOptions.MostRays),
+            RayBudget = ini.Whole(Harvest, "Rays", fallback.RayBudget, 0, LabellingOptions.MaxRays),
             RayReachMetres = ini.Number(Harvest, "RayReach", fallback.RayReachMetres, 1, 100_000),
             OcclusionSamples = ini.Whole(Harvest, "OcclusionRays", fallback.OcclusionSamples, 1, 10_000),
             ProbeLag = ini.Choice(Harvest, "ProbeLag", Switch.On, "On or Off") == Switch.On,

@@ -12,7 +12,7 @@ namespace Harvester.Play.Settings;
 /// <summary>What a player's settings file says, its keys apart. What it means and which values it takes stands in that file.</summary>
 public sealed record PlayerSettings
 {
-    private const double LargestOffsetMetres = 20;
+    private const double MaxOffsetMetres = 20;
 
     /// <summary>The game's name of the test car's model.</summary>
     public required string CarModel { get; init; }
@@ -52,11 +52,11 @@ public sealed record PlayerSettings
     /// <summary>The file of the road survey.</summary>
     public required string SurveyFile { get; init; }
 
-    /// <summary>Over what a peer drives, and how.</summary>
+    /// <summary>Over what a client drives, and how.</summary>
     public required BridgeSettings Bridge { get; init; }
 
     /// <summary>The folder of what the player has measured of signs and lights.</summary>
-    public required string SpacesFolder { get; init; }
+    public required string FacesFolder { get; init; }
 
     /// <summary>Whether the survey of signs takes photographs.</summary>
     public required bool TakesPhotographs { get; init; }
@@ -103,7 +103,7 @@ public sealed record PlayerSettings
             NarrowLaneWidthMetres = ini.Number("Roads", "NarrowLaneWidth", RoadGeometry.NarrowLaneWidth, 2, 10),
             SurveyFile = Path.Combine(folder, "roads.csv"),
             Bridge = BridgeSettings.Read(ini, Path.Combine(folder, "bridge"), PathOf),
-            SpacesFolder = Path.Combine(folder, "spaces"),
+            FacesFolder = Path.Combine(folder, "spaces"),
             TakesPhotographs = ini.Choice("Signs", "Photographs", Switch.On, "On or Off") == Switch.On,
             FurtherModels = ini.Text("Signs", "Models", string.Empty),
             SignNames = ini.Text("Signs", "Names", string.Empty),
@@ -114,6 +114,6 @@ public sealed record PlayerSettings
 
         string PathOf(string text) => Path.Combine(modFolder, Environment.ExpandEnvironmentVariables(text));
 
-        double Offset(string name, double fallback) => ini.Number("Camera", name, fallback, -LargestOffsetMetres, LargestOffsetMetres);
+        double Offset(string name, double fallback) => ini.Number("Camera", name, fallback, -MaxOffsetMetres, MaxOffsetMetres);
     }
 }

@@ -16,7 +16,7 @@ public static class FramePaths
     public const string Scenes = "scenes";
 
     /// <summary>Path of the table of spaces that was labelled with.</summary>
-    public const string Spaces = Scenes + "/spaces.csv";
+    public const string Faces = Scenes + "/spaces.csv";
 
     /// <summary>Path of the roads that was labelled with, where the session keeps them.</summary>
     public const string Roads = Scenes + "/roads.csv";

@@ -74,7 +74,7 @@ internal static class SceneJson
             .Key("modelMin").Exact(entity.ModelMin)
             .Key("modelMax").Exact(entity.ModelMax)
             .Key("velocity").Exact(entity.Velocity)
-            .Key("hasRider").Truth(entity.HasRider);
+            .Key("hasRider").Boolean(entity.HasRider);
     }
 
     private static JsonText Append(JsonText json, Pose pose) =>

@@ -15,7 +15,7 @@ public static class IndicatorOrder
     public const int Count = 13;
 
     /// <summary>Far beyond what an indicator can be, metres or radians: what is more is no reading of a road.</summary>
-    private const double LargestValue = 1000;
+    private const double MaxValue = 1000;
 
     /// <summary>Their names, in order.</summary>
     public static IReadOnlyList<string> Names { get; } =
@@ -62,9 +62,9 @@ public static class IndicatorOrder
             throw new ArgumentException("There are thirteen indicators.", nameof(values));
         }
 
-        if (!values.All(static value => Math.Abs(value) <= LargestValue))
+        if (!values.All(static value => Math.Abs(value) <= MaxValue))
         {
-            throw new ArgumentException(FormattableString.Invariant($"An indicator is beyond -{LargestValue} to {LargestValue}."), nameof(values));
+            throw new ArgumentException(FormattableString.Invariant($"An indicator is beyond -{MaxValue} to {MaxValue}."), nameof(values));
         }
 
         return new LaneIndicators

@@ -161,7 +161,7 @@ public static class JsonLabelWriter
             .Key("name").String(label.Name)
             .Key("parent").Integer(label.Parent)
             .Key("knownParts").Integer(label.KnownParts)
-            .Key("hasRider").Truth(label.HasRider)
+            .Key("hasRider").Boolean(label.HasRider)
             .Key("box2d").Box(label.Box2D, LabelDecimals.Pixels)
             .Key("box2dAmodal").Box(label.Box2DAmodal, LabelDecimals.Pixels)
             .Key("box2dVisible").Box(label.Box2DVisible, LabelDecimals.Pixels)
@@ -179,7 +179,7 @@ public static class JsonLabelWriter
         Append(json.Key("box3d"), label.Box3D);
         json.Key("distanceMetres").Number(label.DistanceMetres, LabelDecimals.Metres)
             .Key("velocity").Vector(label.Velocity, LabelDecimals.Speed);
-        Append(json.Key("space"), label.Space);
+        Append(json.Key("space"), label.Face);
         json.EndObject();
     }
 
@@ -191,22 +191,22 @@ public static class JsonLabelWriter
             .Key("distanceMetres").Number(region.DistanceMetres, LabelDecimals.Metres)
             .EndObject();
 
-    private static void Append(JsonText json, SpaceLabel? space)
+    private static void Append(JsonText json, FaceLabel? face)
     {
-        if (space is null)
+        if (face is null)
         {
             json.Null();
             return;
         }
 
         json.BeginObject()
-            .Key("face").Integer(space.Face)
-            .Key("mutcd").String(space.MutcdCode)
-            .Key("facesCamera").Truth(space.FacesCamera)
-            .Key("facingAngleDegrees").Number(space.FacingAngleDegrees, LabelDecimals.Degrees)
-            .Key("provenance").String(JsonName.Of(space.Provenance));
+            .Key("face").Integer(face.Number)
+            .Key("mutcd").String(face.MutcdCode)
+            .Key("facesCamera").Boolean(face.FacesCamera)
+            .Key("facingAngleDegrees").Number(face.FacingAngleDegrees, LabelDecimals.Degrees)
+            .Key("provenance").String(JsonName.Of(face.Provenance));
         json.Key("light");
-        if (space.Light is { } light)
+        if (face.Light is { } light)
         {
             json.BeginObject()
                 .Key("state").String(JsonName.Of(light.State))

@@ -17,7 +17,7 @@ internal static class LanesJson
             .Key("status").String(JsonName.Of(lanes.Status))
             .Key("source").String(lanes.Source)
             .Key("confidence").Number(lanes.Confidence, LabelDecimals.Fraction)
-            .Key("inJunction").Truth(lanes.InJunction)
+            .Key("inJunction").Boolean(lanes.InJunction)
             .Key("laneCount").Integer(lanes.LaneCount)
             .Key("lane").Integer(lanes.Lane)
             .Key("laneWidthMetres").Number(lanes.LaneWidthMetres, LabelDecimals.Metres)
@@ -25,7 +25,7 @@ internal static class LanesJson
             .Key("offsetFromLaneCentreMetres").Number(lanes.OffsetFromLaneCentreMetres, LabelDecimals.Metres)
             .Key("lookAheadMetres").Number(lanes.LookAheadMetres, LabelDecimals.Metres)
             .Key("curvaturePerMetre").Number(lanes.CurvaturePerMetre, CurvatureDecimals)
-            .Key("fast").Truth(lanes.IsFast);
+            .Key("fast").Boolean(lanes.IsFast);
         AppendValues(json.Key("indicators"), lanes.Indicators);
         AppendFlags(json.Key("valid"), lanes.Indicators);
         AppendValues(json.Key("torcsEquivalent"), lanes.TorcsEquivalent);
@@ -63,7 +63,7 @@ internal static class LanesJson
         json.BeginObject();
         foreach ((string name, Indicator indicator) in NamedIndicators.Of(indicators))
         {
-            json.Key(name).Truth(indicator.IsValid);
+            json.Key(name).Boolean(indicator.IsValid);
         }
 
         json.EndObject();
@@ -77,7 +77,7 @@ internal static class LanesJson
             json.BeginObject()
                 .Key("id").Integer(vehicle.Id)
                 .Key("lane").Integer(vehicle.Lane)
-                .Key("oncoming").Truth(vehicle.IsOncoming)
+                .Key("oncoming").Boolean(vehicle.IsOncoming)
                 .Key("distanceMetres").Number(vehicle.DistanceMetres, LabelDecimals.Metres)
                 .Key("bumperDistanceMetres").Number(vehicle.BumperDistanceMetres, LabelDecimals.Metres)
                 .EndObject();
@@ -99,14 +99,14 @@ internal static class LanesJson
                 json.Key("style").String(JsonName.Of(paint.Style))
                     .Key("colour").String(JsonName.Of(paint.Colour))
                     .Key("widthMetres").Number(paint.WidthMetres, LabelDecimals.Metres);
-                AppendEach(json.Key("painted"), line, point => json.Truth(point.IsPainted));
+                AppendEach(json.Key("painted"), line, point => json.Boolean(point.IsPainted));
             }
 
             AppendEach(json.Key("points"), line, point => json.Vector(point.World, LabelDecimals.Metres));
             AppendEach(json.Key("inCamera"), line, point => json.Vector(point.InCamera, LabelDecimals.Metres));
             AppendEach(json.Key("pixels"), line, point =>
                 json.BeginArray().Number(point.Pixel.X, LabelDecimals.Pixels).Number(point.Pixel.Y, LabelDecimals.Pixels).EndArray());
-            AppendEach(json.Key("hidden"), line, point => json.Truth(point.IsHidden));
+            AppendEach(json.Key("hidden"), line, point => json.Boolean(point.IsHidden));
             json.EndObject();
         }
 

@@ -67,5 +67,5 @@ public sealed record ObjectLabel
     public required Vector3D Velocity { get; init; }
 
     /// <summary>What it has as a part of another object; null for an object of its own.</summary>
-    public SpaceLabel? Space { get; init; }
+    public FaceLabel? Face { get; init; }
 }

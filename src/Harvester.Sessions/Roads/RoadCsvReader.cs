@@ -11,11 +11,11 @@ namespace Harvester.Sessions.Roads;
 /// <summary>Reads roads in the form of <see cref="RoadCsv"/>, strictly: the first thing that is wrong ends it with its line.</summary>
 public sealed class RoadCsvReader
 {
-    private const int MostLanes = 7;
-    private const int MostDensity = 15;
+    private const int MaxLanes = 7;
+    private const int MaxDensity = 15;
 
     /// <summary>No coordinate of the game's world is as large, metres; larger ones would not survive being written again.</summary>
-    private const double LargestCoordinate = 100_000;
+    private const double MaxCoordinate = 100_000;
 
     private readonly List<RoadNode> _nodes = [];
     private readonly List<RoadLink> _links = [];
@@ -75,7 +75,7 @@ public sealed class RoadCsvReader
                     (RoadNodeFlags)(RoadCsv.NodeFlags.Read(fields[7]) ?? throw Wrong("unknown flags: " + fields[7] + ".")))
                 {
                     Speed = Speed(fields[8]),
-                    Density = fields[9].Length == 0 ? null : Whole(fields[9], "density", 0, MostDensity),
+                    Density = fields[9].Length == 0 ? null : Whole(fields[9], "density", 0, MaxDensity),
                 });
                 break;
             case "link":
@@ -87,8 +87,8 @@ public sealed class RoadCsvReader
                 _links.Add(new RoadLink(
                     from,
                     to,
-                    Whole(fields[3], "lanesForward", 0, MostLanes),
-                    Whole(fields[4], "lanesBackward", 0, MostLanes),
+                    Whole(fields[3], "lanesForward", 0, MaxLanes),
+                    Whole(fields[4], "lanesBackward", 0, MaxLanes),
                     fields[5].Length == 0 ? null : Metres(fields[5], "medianWidth"),
                     (RoadLinkFlags)(RoadCsv.LinkFlags.Read(fields[6]) ?? throw Wrong("unknown flags: " + fields[6] + "."))));
                 break;
@@ -136,9 +136,9 @@ public sealed class RoadCsvReader
 
     private double Metres(string text, string name) =>
         double.TryParse(text, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double value)
-        && Math.Abs(value) <= LargestCoordinate
+        && Math.Abs(value) <= MaxCoordinate
             ? value
-            : throw Wrong(FormattableString.Invariant($"{name} must be a number of at most {LargestCoordinate}, not {text}."));
+            : throw Wrong(FormattableString.Invariant($"{name} must be a number of at most {MaxCoordinate}, not {text}."));
 
     private void Require(bool condition, string what)
     {

@@ -12,10 +12,10 @@ namespace Harvester.Sessions.Text;
 public static class InvariantNumber
 {
     /// <summary>The most decimals.</summary>
-    public const int MostDecimals = 12;
+    public const int MaxDecimals = 12;
 
     /// <summary>Below this, doubles hold every whole number and every half.</summary>
-    private const double LargestScaled = 4_503_599_627_370_496;
+    private const double MaxScaled = 4_503_599_627_370_496;
 
     private static readonly double[] PowersOfTen = [1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12];
 
@@ -31,13 +31,13 @@ public static class InvariantNumber
             throw new ArgumentNullException(nameof(target));
         }
 
-        if (decimals is < 0 or > MostDecimals)
+        if (decimals is < 0 or > MaxDecimals)
         {
             throw new ArgumentOutOfRangeException(nameof(decimals), decimals, "A number is written with 0 to 12 decimals.");
         }
 
         double scaled = Math.Floor((Math.Abs(value) * PowersOfTen[decimals]) + 0.5);
-        if (!(scaled <= LargestScaled))
+        if (!(scaled <= MaxScaled))
         {
             throw new ArgumentOutOfRangeException(nameof(value), value, FormattableString.Invariant($"{value} cannot be written with {decimals} decimals."));
         }

@@ -82,9 +82,9 @@ internal sealed class JsonText(bool indented = false)
 
     public JsonText Integer(long? value) => value is { } known ? Integer(known) : Word("null");
 
-    public JsonText Truth(bool value) => Word(value ? "true" : "false");
+    public JsonText Boolean(bool value) => Word(value ? "true" : "false");
 
-    public JsonText Truth(bool? value) => value is { } known ? Truth(known) : Word("null");
+    public JsonText Boolean(bool? value) => value is { } known ? Boolean(known) : Word("null");
 
     public JsonText Null() => Word("null");
 

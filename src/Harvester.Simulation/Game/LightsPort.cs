@@ -8,7 +8,7 @@ namespace Harvester.Simulation.Game;
 internal sealed class LightsPort(SimulatedGame game) : ILights
 {
     /// <summary>No scene is labelled later than this after it was read, seconds.</summary>
-    private const double LongestDelay = PictureLag.MaxTicks / 60.0;
+    private const double MaxDelay = PictureLag.MaxTicks / 60.0;
 
     public LightState? SetStateOf(int entity, long gameFrame)
     {
@@ -17,6 +17,6 @@ internal sealed class LightsPort(SimulatedGame game) : ILights
 
         // A world that stands still shows what it showed when it was read. In one that goes on a light may have changed since.
         bool isOfNow = game.IsFrozen || gameFrame == game.GameFrame;
-        return isOfNow || now == world.LightAt(entity, world.TimeSeconds - LongestDelay) ? now : null;
+        return isOfNow || now == world.LightAt(entity, world.TimeSeconds - MaxDelay) ? now : null;
     }
 }

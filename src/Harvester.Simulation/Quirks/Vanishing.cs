@@ -6,7 +6,7 @@ namespace Harvester.Simulation.Quirks;
 /// <summary>Lets an entity be gone right after it has been read, and brings it back some ticks later. One is gone at a time.</summary>
 internal sealed class Vanishing(int seed, double fraction)
 {
-    private const int LongestTicks = 50;
+    private const int MaxTicks = 50;
 
     private readonly Random _random = new(seed);
     private long _backAt;
@@ -24,7 +24,7 @@ internal sealed class Vanishing(int seed, double fraction)
         }
 
         Handle = handles[_random.Next(handles.Count)];
-        _backAt = gameFrame + 1 + _random.Next(LongestTicks);
+        _backAt = gameFrame + 1 + _random.Next(MaxTicks);
         return true;
     }
 

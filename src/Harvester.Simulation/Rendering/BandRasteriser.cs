@@ -20,7 +20,7 @@ internal static class BandRasteriser
             }
             else
             {
-                DrawBentRow(triangle, id, row, view.Camera.Width, view.Grid, nearness, ids);
+                DrawDistortedRow(triangle, id, row, view.Camera.Width, view.Grid, nearness, ids);
             }
         }
     }
@@ -76,7 +76,7 @@ internal static class BandRasteriser
         return left < right;
     }
 
-    private static void DrawBentRow(
+    private static void DrawDistortedRow(
         in ScreenTriangle triangle, int id, int row, int width, SampleGrid grid, float[] nearness, int[] ids)
     {
         int offset = row * width;

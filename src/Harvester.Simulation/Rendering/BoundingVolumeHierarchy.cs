@@ -7,7 +7,7 @@ namespace Harvester.Simulation.Rendering;
 /// <summary>A tree of boxes over items, for rays and for what lies in a camera's view. Items are named by their place in <see cref="Order"/>.</summary>
 internal sealed class BoundingVolumeHierarchy
 {
-    private const int DeepestTree = 128;
+    private const int MaxTreeDepth = 128;
     private readonly HierarchyNode[] _nodes;
 
     public BoundingVolumeHierarchy(IReadOnlyList<Bounds> items) => (_nodes, Order) = new HierarchyBuilder(items).Build();
@@ -23,8 +23,8 @@ internal sealed class BoundingVolumeHierarchy
         where TVisitor : struct, ILeafVisitor
     {
         var inverse = new Vector3D(Inverse(direction.X), Inverse(direction.Y), Inverse(direction.Z));
-        Span<int> stack = stackalloc int[DeepestTree];
-        Span<double> entries = stackalloc double[DeepestTree];
+        Span<int> stack = stackalloc int[MaxTreeDepth];
+        Span<double> entries = stackalloc double[MaxTreeDepth];
         int depth = 0;
         double rootEntry = Entry(_nodes[0].Bounds, origin, inverse, limit);
         if (Order.Length > 0 && rootEntry <= limit)
@@ -70,7 +70,7 @@ internal sealed class BoundingVolumeHierarchy
     /// <summary>Adds the ranges of the order whose boxes are not wholly outside one of the planes; a range may hold items that are.</summary>
     public void AddRangesInside(ReadOnlySpan<Plane> planes, List<(int First, int Count)> ranges)
     {
-        Span<int> stack = stackalloc int[DeepestTree];
+        Span<int> stack = stackalloc int[MaxTreeDepth];
         int depth = 0;
         if (Order.Length > 0)
         {

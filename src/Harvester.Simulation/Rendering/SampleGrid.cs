@@ -9,8 +9,8 @@ namespace Harvester.Simulation.Rendering;
 /// </summary>
 internal sealed class SampleGrid
 {
-    private const double SmallestSlope = 0.1;
-    private const double LargestRadius = 64;
+    private const double MinSlope = 0.1;
+    private const double MaxRadius = 64;
     private readonly RenderLens _lens;
     private readonly double _end;
 
@@ -65,13 +65,13 @@ internal sealed class SampleGrid
     {
         const double step = 1.0 / 4096;
         double radius = 0;
-        while (radius < LargestRadius && SlopeAt(radius) >= SmallestSlope)
+        while (radius < MaxRadius && SlopeAt(radius) >= MinSlope)
         {
             radius += step;
         }
 
-        return radius < LargestRadius
-            ? Halve(Math.Max(0, radius - step), radius, middle => SlopeAt(middle) < SmallestSlope)
+        return radius < MaxRadius
+            ? Halve(Math.Max(0, radius - step), radius, middle => SlopeAt(middle) < MinSlope)
             : double.PositiveInfinity;
     }
 
@@ -81,7 +81,7 @@ internal sealed class SampleGrid
         double radius = Math.Min(shown, _end);
         for (int step = 0; step < 20; step++)
         {
-            double next = radius - (((radius * FactorAt(radius)) - shown) / (radius <= _end ? SlopeAt(radius) : SmallestSlope));
+            double next = radius - (((radius * FactorAt(radius)) - shown) / (radius <= _end ? SlopeAt(radius) : MinSlope));
             if (Math.Abs(next - radius) <= 1e-13 * shown)
             {
                 return next;
@@ -90,7 +90,7 @@ internal sealed class SampleGrid
             radius = Math.Max(0, next);
         }
 
-        return Halve(0, Math.Max(LargestRadius, shown / SmallestSlope), middle => middle * FactorAt(middle) > shown);
+        return Halve(0, Math.Max(MaxRadius, shown / MinSlope), middle => middle * FactorAt(middle) > shown);
     }
 
     private static double Halve(double low, double high, Func<double, bool> isAbove)
@@ -111,7 +111,7 @@ internal sealed class SampleGrid
             return Polynomial(radius);
         }
 
-        return ((Polynomial(_end) * _end) + (SmallestSlope * (radius - _end))) / radius;
+        return ((Polynomial(_end) * _end) + (MinSlope * (radius - _end))) / radius;
     }
 
     private double Polynomial(double radius) => 1 + (radius * radius * (_lens.K1 + (_lens.K2 * radius * radius)));

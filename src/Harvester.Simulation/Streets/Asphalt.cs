@@ -12,7 +12,7 @@ internal sealed class Asphalt(RoadIndex index)
     private const double SameLevel = 2.5;
 
     /// <summary>What lies less above another road's asphalt is not seen for sure, metres.</summary>
-    private const double LeastAbove = 0.005;
+    private const double MinAbove = 0.005;
 
     private readonly Dictionary<Road, RoadFacets> _facets = [];
 
@@ -24,6 +24,6 @@ internal sealed class Asphalt(RoadIndex index)
     {
         Vector3D place = Of(road).At(distance, rightOffset) + (Horizontal.Up * above);
         return index.PlacesAt(place).Any(other => other.Road != road && Math.Abs(other.Height) < SameLevel
-            && (other.IsOnCarriageway(0) || (other.IsOnCarriageway(other.Road.Shoulder) && Of(other.Road).At(other.Distance, other.RightOffset).Z + LeastAbove > place.Z)));
+            && (other.IsOnCarriageway(0) || (other.IsOnCarriageway(other.Road.Shoulder) && Of(other.Road).At(other.Distance, other.RightOffset).Z + MinAbove > place.Z)));
     }
 }

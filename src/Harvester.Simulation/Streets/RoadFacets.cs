@@ -10,8 +10,8 @@ namespace Harvester.Simulation.Streets;
 /// </summary>
 internal sealed class RoadFacets
 {
-    private const double LongestStep = 5;
-    private const double ShortestStep = 0.75;
+    private const double MaxStep = 5;
+    private const double MinStep = 0.75;
 
     /// <summary>Largest deviation of a facet's straight edge from the curve on the ground, metres.</summary>
     private const double Deviation = 0.01;
@@ -20,7 +20,7 @@ internal sealed class RoadFacets
     /// In a bend one side of a facet is longer than the other by no more than this, metres: on a slope, its two triangles lean
     /// differently, and the wider it is, the further it is off the curve.
     /// </summary>
-    private const double LargestTwist = 0.25;
+    private const double MaxTwist = 0.25;
 
     private readonly Road _road;
     private readonly List<double> _stations = [0];
@@ -31,8 +31,8 @@ internal sealed class RoadFacets
         double distance = 0;
         while (distance < road.Length)
         {
-            double curvature = Math.Max(Math.Abs(road.Curve.CurvatureAt(distance)), Math.Abs(road.Curve.CurvatureAt(distance + ShortestStep)));
-            double step = Math.Clamp(Math.Sqrt(8 * Deviation / Math.Max(curvature, 1e-6)), ShortestStep, LongestStep);
+            double curvature = Math.Max(Math.Abs(road.Curve.CurvatureAt(distance)), Math.Abs(road.Curve.CurvatureAt(distance + MinStep)));
+            double step = Math.Clamp(Math.Sqrt(8 * Deviation / Math.Max(curvature, 1e-6)), MinStep, MaxStep);
             distance = distance + (1.5 * step) > road.Length ? road.Length : distance + step;
             _stations.Add(distance);
         }
@@ -107,7 +107,7 @@ internal sealed class RoadFacets
         Vector3D near = _road.Curve.TangentAt(_stations[upper - 1]);
         Vector3D far = _road.Curve.TangentAt(_stations[upper]);
         double turn = Math.Abs(Math.Atan2((near.X * far.Y) - (near.Y * far.X), (near.X * far.X) + (near.Y * far.Y)));
-        return Math.Max(1, (int)Math.Ceiling(turn * (_road.RightKerb - _road.LeftKerb) / LargestTwist));
+        return Math.Max(1, (int)Math.Ceiling(turn * (_road.RightKerb - _road.LeftKerb) / MaxTwist));
     }
 
     private RoadFacet Facet(int upper, int column, int columns)

@@ -11,7 +11,7 @@ namespace Harvester.Simulation.Streets;
 /// <param name="Junctions">In the order of their nodes.</param>
 internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junction> Junctions)
 {
-    private const double LongestTrim = 30;
+    private const double MaxTrim = 30;
     private const double CrossingRoom = 3.5;
     private const double LayoutChange = 10;
     private const double InnerRoadLength = 24;
@@ -115,7 +115,7 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
         double half = arm.Road.Layout.HalfWidth + arm.Road.Shoulder;
         double otherHalf = other.Road.Layout.HalfWidth + other.Road.Shoulder;
         return angle > nearlyStraightOn ? 0
-            : angle < nearlyParallel ? LongestTrim
-            : Math.Clamp((otherHalf + (half * Math.Cos(angle))) / Math.Sin(angle), 0, LongestTrim);
+            : angle < nearlyParallel ? MaxTrim
+            : Math.Clamp((otherHalf + (half * Math.Cos(angle))) / Math.Sin(angle), 0, MaxTrim);
     }
 }

@@ -7,8 +7,8 @@ namespace Harvester.Simulation.Streets;
 /// <summary>Straight pieces joined by arcs, cut into points for the nodes of a road.</summary>
 internal static class RoundedWay
 {
-    private const double LongestStep = 14;
-    private const double LargestTurnOfStep = 0.2;
+    private const double MaxStep = 14;
+    private const double MaxTurnOfStep = 0.2;
 
     /// <summary>Points along the way, its ends included.</summary>
     /// <param name="corners">Ends and corners of the straight pieces, metres; heights are not looked at.</param>
@@ -37,7 +37,7 @@ internal static class RoundedWay
         AddStraight(points, start);
         Vector3D toCentre = Horizontal.RightOf(into) * (turn > 0 ? -actualRadius : actualRadius);
         Vector3D centre = start + toCentre;
-        int steps = Math.Max(1, (int)Math.Ceiling(Math.Max(Math.Abs(turn) / LargestTurnOfStep, actualRadius * Math.Abs(turn) / LongestStep)));
+        int steps = Math.Max(1, (int)Math.Ceiling(Math.Max(Math.Abs(turn) / MaxTurnOfStep, actualRadius * Math.Abs(turn) / MaxStep)));
         for (int i = 1; i <= steps; i++)
         {
             (double sin, double cos) = Math.SinCos(turn * i / steps);
@@ -50,7 +50,7 @@ internal static class RoundedWay
     {
         Vector3D start = points[^1];
         double length = (end - start).Length;
-        int steps = (int)Math.Ceiling(length / LongestStep);
+        int steps = (int)Math.Ceiling(length / MaxStep);
         const double nothing = 0.5;
         for (int i = 1; i <= steps && length > nothing; i++)
         {

@@ -16,7 +16,7 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
     /// <summary>A body this near to a way's line is in the way of who drives there, metres.</summary>
     private const double InTheWay = 2.6;
     private const double HalfOrdinaryLane = 2.7;
-    private const double LargestTurn = 1.2;
+    private const double MaxTurn = 1.2;
 
     private readonly CarLimits _limits = new();
     private LaneFinder? _finder;
@@ -44,7 +44,7 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
         IsLoose = true;
         double yaw = Angles.ToRadians(headingDegrees + 90);
         _controls = null;
-        Take(CarState.At(new Vector2D(position.X, position.Y), yaw, 0, _limits), position.Z, isElsewhere: true);
+        Take(CarState.At(new Vector2D(position.X, position.Y), yaw, 0, _limits), position.Z, isTeleported: true);
         ego.StandingSeconds = 0;
     }
 
@@ -74,11 +74,11 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
         Vector3D forward = ego.Pose.Axes.Forward;
         double slope = forward.Z / Math.Sqrt(1 - (forward.Z * forward.Z));
         DrivingControls controls = _controls ?? OwnDriver.Controls(ego, _state, ownAcceleration, _limits);
-        Take(_state.After(controls, slope, _limits, seconds), Ground.Z, isElsewhere: false);
+        Take(_state.After(controls, slope, _limits, seconds), Ground.Z, isTeleported: false);
         if (isTaken(room))
         {
             // Who has run into something stands; it can drive on when that is gone.
-            Take((wasTouching || _controls is null ? before : _state) with { Speed = 0, YawRate = 0 }, Ground.Z, isElsewhere: false);
+            Take((wasTouching || _controls is null ? before : _state) with { Speed = 0, YawRate = 0 }, Ground.Z, isTeleported: false);
         }
 
         ego.StandingSeconds = _state.Speed > 0 ? 0 : ego.StandingSeconds + seconds;
@@ -89,7 +89,7 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
 
     private Vector3D Ground => ego.Pose.Position + (ego.Pose.Axes.Up * ego.Model.Min.Z);
 
-    private void Take(CarState state, double height, bool isElsewhere)
+    private void Take(CarState state, double height, bool isTeleported)
     {
         _state = state;
         Vector2D origin = state.Origin(_limits);
@@ -97,7 +97,7 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
         Vector3D level = new(state.Forward.X, state.Forward.Y, 0);
         _finder ??= new LaneFinder(lanes);
         List<LanePlace> near = [.. _finder.Near(point)];
-        LanePlace place = Locate(near, point, level, isElsewhere);
+        LanePlace place = Locate(near, point, level, isTeleported);
         Vector3D tangent = place.Path.Line.TangentAt(place.Distance);
         double slope = tangent.Z / Math.Sqrt(1 - (tangent.Z * tangent.Z)) * Math.Cos(Horizontal.Turn(tangent, level));
         Axes axes = Horizontal.AxesAlong((level + (Horizontal.Up * slope)).Normalized());
@@ -113,17 +113,17 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
     }
 
     /// <summary>The place on its route as long as it keeps to that, else on the lane that it drives along.</summary>
-    private LanePlace Locate(List<LanePlace> near, Vector3D point, Vector3D forward, bool isElsewhere)
+    private LanePlace Locate(List<LanePlace> near, Vector3D point, Vector3D forward, bool isTeleported)
     {
         LanePlace onRoute = OnRoute(point);
         double half = onRoute.Path.Road?.Layout.LaneWidth / 2 ?? HalfOrdinaryLane;
-        if (!isElsewhere && Math.Abs(onRoute.RightOffset) <= half)
+        if (!isTeleported && Math.Abs(onRoute.RightOffset) <= half)
         {
             return onRoute;
         }
 
         return near
-            .Where(place => TurnFrom(place) < LargestTurn)
+            .Where(place => TurnFrom(place) < MaxTurn)
             .OrderBy(place => Math.Abs(place.RightOffset) + (HalfOrdinaryLane * TurnFrom(place)))
             .Cast<LanePlace?>()
             .FirstOrDefault() ?? onRoute;

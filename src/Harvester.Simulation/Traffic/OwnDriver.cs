@@ -11,12 +11,12 @@ namespace Harvester.Simulation.Traffic;
 /// </summary>
 internal static class OwnDriver
 {
-    private const double NearestAim = 3;
+    private const double MinAimDistance = 3;
     private const double AimSeconds = 0.5;
 
     public static DrivingControls Controls(Vehicle ego, CarState car, double acceleration, CarLimits limits)
     {
-        double aim = NearestAim + (AimSeconds * car.Speed);
+        double aim = MinAimDistance + (AimSeconds * car.Speed);
         (LanePath path, double distance) = ego.PlaceAhead(aim);
         Vector3D target = path.Line.PositionAt(distance);
         Vector2D toTarget = new Vector2D(target.X, target.Y) - car.RearAxle;

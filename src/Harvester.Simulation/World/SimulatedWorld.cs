@@ -16,7 +16,7 @@ namespace Harvester.Simulation.World;
 /// <summary>Roads with all that stands and moves on and beside them.</summary>
 internal sealed class SimulatedWorld
 {
-    private const double LongestTick = 0.05;
+    private const double MaxTick = 0.05;
 
     private readonly List<Prop> _entities;
     private readonly List<Vehicle> _vehicles;
@@ -131,7 +131,7 @@ internal sealed class SimulatedWorld
 
     public void Advance(double seconds)
     {
-        int steps = (int)Math.Ceiling(seconds / LongestTick);
+        int steps = (int)Math.Ceiling(seconds / MaxTick);
         for (int i = 0; i < steps; i++)
         {
             double step = seconds / steps;

@@ -14,7 +14,7 @@ namespace Harvester.Surveys.Faces;
 internal sealed class EdgeSearch(Func<double, double, bool> isOn, double step, int sign)
 {
     /// <summary>A place is ignored if it extends the edge by less than this, metres.</summary>
-    private const double LeastGain = 0.001;
+    private const double MinGain = 0.001;
 
     /// <summary>Halvings of the step along the direction; and, at the tip, across it.</summary>
     private const int Halvings = 4;
@@ -23,7 +23,7 @@ internal sealed class EdgeSearch(Func<double, double, bool> isOn, double step, i
     private const int Stride = 2;
 
     /// <summary>Steps after which a shape is taken to have no end.</summary>
-    private const int MostSteps = 1000;
+    private const int MaxSteps = 1000;
 
     private double _across;
 
@@ -59,7 +59,7 @@ internal sealed class EdgeSearch(Func<double, double, bool> isOn, double step, i
     /// <summary>Goes on at a place across the direction, if the shape reaches further there.</summary>
     private bool Try(double across)
     {
-        double further = Furthest + (sign * LeastGain);
+        double further = Furthest + (sign * MinGain);
         if (!isOn(across, further))
         {
             return false;
@@ -74,7 +74,7 @@ internal sealed class EdgeSearch(Func<double, double, bool> isOn, double step, i
     private void Follow()
     {
         int steps = 0;
-        while (steps++ < MostSteps && isOn(_across, Furthest + (sign * step)))
+        while (steps++ < MaxSteps && isOn(_across, Furthest + (sign * step)))
         {
             Furthest += sign * step;
         }

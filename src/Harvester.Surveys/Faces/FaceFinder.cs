@@ -11,23 +11,23 @@ namespace Harvester.Surveys.Faces;
 internal sealed class FaceFinder(StageProbe probe, StagedModel model)
 {
     private const double FinestStep = 0.012;
-    private const double MostRays = 30_000;
+    private const double MaxRays = 30_000;
 
     /// <summary>Rows of one plate differ less in depth than this, metres.</summary>
     private const double SamePlane = 0.02;
 
     /// <summary>Lower faces are rims and brackets, metres.</summary>
-    private const double LowestFace = 0.08;
+    private const double MinFaceHeight = 0.08;
 
     /// <summary>The faces found so far.</summary>
-    public List<MeasuredSpace> Faces { get; } = [];
+    public List<MeasuredFace> Faces { get; } = [];
 
     /// <summary>Measures; each element is a few rays.</summary>
     public IEnumerable<bool> Run()
     {
         double area = (model.Max.X - model.Min.X) * (model.Max.Z - model.Min.Z);
         var grid = new DepthGrid(
-            model.Min.X, model.Min.Z, model.Max.X, model.Max.Z, Math.Max(FinestStep, Math.Sqrt(area / MostRays)));
+            model.Min.X, model.Min.Z, model.Max.X, model.Max.Z, Math.Max(FinestStep, Math.Sqrt(area / MaxRays)));
         foreach (bool ray in grid.Fill(probe))
         {
             yield return ray;
@@ -46,7 +46,7 @@ internal sealed class FaceFinder(StageProbe probe, StagedModel model)
                 yield return rays;
             }
 
-            if (plate.Found is { } face && face.Max.Z - face.Min.Z >= LowestFace && !Faces.Any(other => AreOne(face, other)))
+            if (plate.Found is { } face && face.Max.Z - face.Min.Z >= MinFaceHeight && !Faces.Any(other => AreOne(face, other)))
             {
                 Faces.Add(face);
             }
@@ -81,12 +81,12 @@ internal sealed class FaceFinder(StageProbe probe, StagedModel model)
     }
 
     /// <summary>Whether two faces overlap by more than half of the smaller: bands of one plate.</summary>
-    private static bool AreOne(MeasuredSpace one, MeasuredSpace other)
+    private static bool AreOne(MeasuredFace one, MeasuredFace other)
     {
         double width = Math.Min(one.Max.X, other.Max.X) - Math.Max(one.Min.X, other.Min.X);
         double height = Math.Min(one.Max.Z, other.Max.Z) - Math.Max(one.Min.Z, other.Min.Z);
         return width > 0 && height > 0 && 2 * width * height > Math.Min(Area(one), Area(other));
     }
 
-    private static double Area(MeasuredSpace space) => (space.Max.X - space.Min.X) * (space.Max.Z - space.Min.Z);
+    private static double Area(MeasuredFace face) => (face.Max.X - face.Min.X) * (face.Max.Z - face.Min.Z);
 }

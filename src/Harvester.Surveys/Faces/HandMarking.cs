@@ -11,10 +11,10 @@ namespace Harvester.Surveys.Faces;
 public sealed class HandMarking(EntityState prop)
 {
     /// <summary>The least depth of a marked face, metres: both corners may lie in its very plane.</summary>
-    private const double LeastDepth = 0.02;
+    private const double MinDepth = 0.02;
 
     /// <summary>The least width and height of a face, metres.</summary>
-    private const double LeastSide = 0.02;
+    private const double MinSide = 0.02;
 
     private readonly EntityState _prop = prop ?? throw new ArgumentNullException(nameof(prop));
     private Vector3D? _first;
@@ -41,7 +41,7 @@ public sealed class HandMarking(EntityState prop)
             var min = new Vector3D(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Min(a.Z, b.Z));
             var max = new Vector3D(Math.Max(a.X, b.X), Math.Max(a.Y, b.Y), Math.Max(a.Z, b.Z));
             double width = IsAcrossX ? max.X - min.X : max.Y - min.Y;
-            return width < LeastSide || max.Z - min.Z < LeastSide ? null : Deepened(min, max);
+            return width < MinSide || max.Z - min.Z < MinSide ? null : Deepened(min, max);
         }
     }
 
@@ -71,11 +71,11 @@ public sealed class HandMarking(EntityState prop)
     /// <param name="mutcdCode">Its code; empty when it has none or it is unknown.</param>
     /// <param name="face">Number of the face on its model, from 0.</param>
     /// <exception cref="InvalidOperationException">The corners are not both marked.</exception>
-    public SpaceOfInterest ToSpace(string name, string mutcdCode, int face)
+    public ModelFace ToSpace(string name, string mutcdCode, int face)
     {
         (Vector3D min, Vector3D max) = Corners ?? throw new InvalidOperationException("Mark two opposite corners of the face first.");
         bool isHashOnly = ModelHash.TryParse(_prop.Model, out int hash);
-        return new SpaceOfInterest(
+        return new ModelFace(
             isHashOnly ? string.Empty : _prop.Model,
             isHashOnly ? hash : ModelHash.Of(_prop.Model),
             _prop.Class == ObjectClass.TrafficLight ? ObjectClass.TrafficLight : ObjectClass.Sign,
@@ -92,9 +92,9 @@ public sealed class HandMarking(EntityState prop)
     /// <summary>The corners with the least depth, added behind the face.</summary>
     private (Vector3D Min, Vector3D Max) Deepened(Vector3D min, Vector3D max) => _facing switch
     {
-        Facing.Back => (min, max with { Y = Math.Max(max.Y, min.Y + LeastDepth) }),
-        Facing.Front => (min with { Y = Math.Min(min.Y, max.Y - LeastDepth) }, max),
-        Facing.Left => (min, max with { X = Math.Max(max.X, min.X + LeastDepth) }),
-        _ => (min with { X = Math.Min(min.X, max.X - LeastDepth) }, max),
+        Facing.Back => (min, max with { Y = Math.Max(max.Y, min.Y + MinDepth) }),
+        Facing.Front => (min with { Y = Math.Min(min.Y, max.Y - MinDepth) }, max),
+        Facing.Left => (min, max with { X = Math.Max(max.X, min.X + MinDepth) }),
+        _ => (min with { X = Math.Min(min.X, max.X - MinDepth) }, max),
     };
 }

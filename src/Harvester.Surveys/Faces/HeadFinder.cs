@@ -24,10 +24,10 @@ internal sealed class HeadFinder(StageProbe probe, StagedModel model)
     private const double FrontTolerance = 0.06;
 
     /// <summary>A housing is no deeper, metres.</summary>
-    private const double DeepestHousing = 0.6;
+    private const double MaxHousingDepth = 0.6;
 
     /// <summary>The heads found so far.</summary>
-    public List<MeasuredSpace> Heads { get; } = [];
+    public List<MeasuredFace> Heads { get; } = [];
 
     /// <summary>Measures; each element is a ray or so.</summary>
     public IEnumerable<bool> Run()
@@ -47,7 +47,7 @@ internal sealed class HeadFinder(StageProbe probe, StagedModel model)
         }
     }
 
-    private MeasuredSpace? Measure(DepthGrid grid)
+    private MeasuredFace? Measure(DepthGrid grid)
     {
         int middle = grid.Columns / 2;
         int core = (int)(Core / Step);
@@ -64,7 +64,7 @@ internal sealed class HeadFinder(StageProbe probe, StagedModel model)
         double right = grid.XOf(cells.Max(cell => cell.Column) + 1);
         double bottom = grid.ZOf(cells.Min(cell => cell.Row));
         double top = grid.ZOf(cells.Max(cell => cell.Row) + 1);
-        return new MeasuredSpace(
+        return new MeasuredFace(
             new(left, cells.Min(cell => cell.Depth), bottom),
             new(right, BackOf(left, front, (bottom + top) / 2), top),
             Facing.Back,
@@ -76,7 +76,7 @@ internal sealed class HeadFinder(StageProbe probe, StagedModel model)
     {
         const double before = 0.02;
         double back = front;
-        for (double y = front + (Step / 2); y < front + DeepestHousing; y += Step)
+        for (double y = front + (Step / 2); y < front + MaxHousingDepth; y += Step)
         {
             if (probe.ToRight(new Vector3D(left - before, y, z)) is not { } distance || distance > before + Step)
             {

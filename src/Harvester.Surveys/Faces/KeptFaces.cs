@@ -15,16 +15,16 @@ internal static class KeptFaces
     /// </summary>
     /// <param name="found">What was found, at least one face.</param>
     /// <param name="known">The model's faces as known before.</param>
-    public static IReadOnlyList<SpaceOfInterest> BesideFound(IReadOnlyList<SpaceOfInterest> found, IReadOnlyList<SpaceOfInterest> known)
+    public static IReadOnlyList<ModelFace> BesideFound(IReadOnlyList<ModelFace> found, IReadOnlyList<ModelFace> known)
     {
-        List<SpaceOfInterest> all = [.. found];
+        List<ModelFace> all = [.. found];
         if (found[0].Class == ObjectClass.Sign)
         {
-            foreach (SpaceOfInterest face in known.Where(face => face.Provenance == Provenance.Measured || face.Facing != known[0].Facing))
+            foreach (ModelFace face in known.Where(face => face.Provenance == Provenance.Measured || face.Facing != known[0].Facing))
             {
                 if (found.All(other => other.Facing != face.Facing))
                 {
-                    all.Add(all.Any(other => other.Face == face.Face) ? face with { Face = FreeNumber(all) } : face);
+                    all.Add(all.Any(other => other.Number == face.Number) ? face with { Number = FreeNumber(all) } : face);
                 }
             }
         }
@@ -33,6 +33,6 @@ internal static class KeptFaces
     }
 
     /// <summary>The least number that no face has.</summary>
-    public static int FreeNumber(IReadOnlyCollection<SpaceOfInterest> faces) =>
-        Enumerable.Range(0, faces.Count + 1).First(number => faces.All(face => face.Face != number));
+    public static int FreeNumber(IReadOnlyCollection<ModelFace> faces) =>
+        Enumerable.Range(0, faces.Count + 1).First(number => faces.All(face => face.Number != number));
 }

@@ -15,18 +15,18 @@ internal sealed class ModelPhotographer(ISurveyCamera camera, SurveyFolder folde
     /// <summary>Ticks from moving the camera until the picture shows it; the picture may be some ticks behind the game.</summary>
     private const int SettlingTicks = 6;
 
-    private const int MostGrabs = 10;
+    private const int MaxGrabs = 10;
 
     /// <summary>How much more than the faces the picture shows.</summary>
     private const double Surroundings = 1.5;
 
-    private const double LeastDistance = 1;
+    private const double MinDistance = 1;
 
     /// <summary>Whether the screen is the photographer's.</summary>
     public bool IsAtWork { get; private set; }
 
     /// <summary>Takes the photographs, a tick an element.</summary>
-    public IEnumerable<bool> Take(StagedModel model, string name, IReadOnlyList<MeasuredSpace> faces)
+    public IEnumerable<bool> Take(StagedModel model, string name, IReadOnlyList<MeasuredFace> faces)
     {
         Vector3D min = faces.Count == 0 ? model.Min : Least(faces.Select(face => face.Min));
         Vector3D max = faces.Count == 0 ? model.Max : -Least(faces.Select(face => -face.Max));
@@ -46,7 +46,7 @@ internal sealed class ModelPhotographer(ISurveyCamera camera, SurveyFolder folde
             }
 
             PixelBuffer? picture = camera.Grab();
-            for (int grabs = 1; picture is null && grabs < MostGrabs; grabs++)
+            for (int grabs = 1; picture is null && grabs < MaxGrabs; grabs++)
             {
                 yield return true;
                 picture = camera.Grab();
@@ -78,7 +78,7 @@ internal sealed class ModelPhotographer(ISurveyCamera camera, SurveyFolder folde
         double halfWidth = Math.Abs(half.X * right.X) + Math.Abs(half.Y * right.Y);
         double halfDepth = Math.Abs(half.X * forward.X) + Math.Abs(half.Y * forward.Y);
         double distance = Surroundings * Math.Max(halfWidth, half.Z) / Math.Tan(Angles.ToRadians(VerticalFovDegrees) / 2);
-        return new Pose(((min + max) * 0.5) + (outward * (Math.Max(distance, LeastDistance) + halfDepth)), Axes.FromVectors(right, forward, up));
+        return new Pose(((min + max) * 0.5) + (outward * (Math.Max(distance, MinDistance) + halfDepth)), Axes.FromVectors(right, forward, up));
     }
 
     private static Vector3D Outward(Facing facing) => facing switch

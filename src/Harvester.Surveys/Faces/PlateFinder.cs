@@ -22,7 +22,7 @@ internal sealed class PlateFinder(StageProbe probe, DepthGrid grid, SignPost pos
     private bool _looksAhead;
 
     /// <summary>The face; null before the end.</summary>
-    public MeasuredSpace? Found { get; private set; }
+    public MeasuredFace? Found { get; private set; }
 
     /// <summary>Measures; each element is a few rays.</summary>
     public IEnumerable<bool> Run()
@@ -54,7 +54,7 @@ internal sealed class PlateFinder(StageProbe probe, DepthGrid grid, SignPost pos
             edges[i] = edge.Furthest;
         }
 
-        Found = new MeasuredSpace(
+        Found = new MeasuredFace(
             new(edges[2], _plane, edges[0]), new(edges[3], _plane, edges[1]), _looksAhead ? Facing.Front : Facing.Back, post.IsWhole);
     }
 

@@ -40,7 +40,7 @@ public static class SignModels
     /// <param name="table">What is known. Models of which it has only a hash are left out: the survey asks for models by name.</param>
     /// <param name="further">Names of further models, separated by commas or blanks.</param>
     /// <exception cref="ArgumentNullException">Something is not given.</exception>
-    public static IReadOnlyList<SurveyedModel> ToMeasure(SpaceTable table, string further)
+    public static IReadOnlyList<SurveyedModel> ToMeasure(FaceTable table, string further)
     {
         if (table is null)
         {
@@ -52,9 +52,9 @@ public static class SignModels
             throw new ArgumentNullException(nameof(further));
         }
 
-        IEnumerable<SurveyedModel> known = table.Spaces
-            .Where(space => space.Model.Length > 0)
-            .GroupBy(space => space.Model)
+        IEnumerable<SurveyedModel> known = table.Faces
+            .Where(face => face.Model.Length > 0)
+            .GroupBy(face => face.Model)
             .Select(faces => (First: faces.First(), All: faces.ToArray()))
             .Select(faces => new SurveyedModel(faces.First.Model, faces.First.Class, faces.First.Name, faces.First.MutcdCode) { Known = faces.All });
         IEnumerable<SurveyedModel> unnamed = Split(UnnamedModels).Concat(Split(further.ToLowerInvariant()))

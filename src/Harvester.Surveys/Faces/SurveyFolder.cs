@@ -11,7 +11,7 @@ using Harvester.Sessions.Imaging.Pictures;
 namespace Harvester.Surveys.Faces;
 
 /// <summary>
-/// What a user has measured, in a folder: the rows in spaces.csv, one line for each model that a survey is done with in models.txt, and
+/// What a user has measured, in a folder: the rows in faces.csv, one line for each model that a survey is done with in models.txt, and
 /// photographs. Tables are written anew after each model under a temporary name and renamed, so a survey that is cut off goes on
 /// where it was. All writing is on another thread; a failure of it is thrown by the next call that writes.
 /// </summary>
@@ -42,7 +42,7 @@ public sealed class SurveyFolder
         if (File.Exists(table))
         {
             using StreamReader text = File.OpenText(table);
-            SpaceTableContent content = SpaceTableReader.Read(text);
+            FaceTableContent content = FaceTableReader.Read(text);
             Table = content.Problems.Count == 0
                 ? content.Table
                 : throw new IOException($"{table}: {content.Problems[0]} Mend or remove the row, then survey again.");
@@ -55,7 +55,7 @@ public sealed class SurveyFolder
     }
 
     /// <summary>The rows measured so far.</summary>
-    public SpaceTable Table { get; private set; } = SpaceTable.Empty;
+    public FaceTable Table { get; private set; } = FaceTable.Empty;
 
     /// <summary>Whether something is still being written.</summary>
     public bool IsWriting => _disk.IsBusy;
@@ -66,16 +66,16 @@ public sealed class SurveyFolder
     /// <summary>Notes that a model is done.</summary>
     /// <param name="model">The model's name.</param>
     /// <param name="outcome">What came of it, in a few words.</param>
-    /// <param name="spaces">The model's spaces; where there are any they take the place of its earlier ones.</param>
+    /// <param name="faces">The model's faces; where there are any they take the place of its earlier ones.</param>
     /// <exception cref="IOException">Something could not be written.</exception>
-    public void Finish(string model, string outcome, IReadOnlyList<SpaceOfInterest> spaces)
+    public void Finish(string model, string outcome, IReadOnlyList<ModelFace> faces)
     {
         _done.RemoveAll(line => ModelOf(line) == model);
         _done.Add($"{model} {outcome}");
-        Table = spaces.Count > 0 ? Table.OverriddenBy(new SpaceTable(spaces)) : Table;
-        SpaceTable table = Table;
+        Table = faces.Count > 0 ? Table.OverriddenBy(new FaceTable(faces)) : Table;
+        FaceTable table = Table;
         string done = string.Join("\n", _done) + "\n";
-        Write(TableName, text => SpaceTableWriter.Write(table, text));
+        Write(TableName, text => FaceTableWriter.Write(table, text));
         Write(DoneName, text => text.Write(done));
     }
 

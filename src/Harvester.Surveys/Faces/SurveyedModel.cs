@@ -12,5 +12,5 @@ namespace Harvester.Surveys.Faces;
 public sealed record SurveyedModel(string Name, ObjectClass Class, string SignName, string MutcdCode)
 {
     /// <summary>Its faces as a table has them; those that rays cannot find are kept.</summary>
-    public IReadOnlyList<SpaceOfInterest> Known { get; init; } = [];
+    public IReadOnlyList<ModelFace> Known { get; init; } = [];
 }

@@ -12,9 +12,9 @@ namespace Harvester.Surveys.Faces;
 
 /// <summary>Collects the models of signs, lights and props of unknown kind that are met and that a table lacks.</summary>
 /// <param name="table">Gives what is known now.</param>
-public sealed class UnknownModels(Func<SpaceTable> table)
+public sealed class UnknownModels(Func<FaceTable> table)
 {
-    private readonly Func<SpaceTable> _table = table ?? throw new ArgumentNullException(nameof(table));
+    private readonly Func<FaceTable> _table = table ?? throw new ArgumentNullException(nameof(table));
     private readonly SortedDictionary<string, (ObjectClass Class, Vector3D Place)> _met = new(StringComparer.Ordinal);
 
     /// <summary>The models met so far, by name.</summary>

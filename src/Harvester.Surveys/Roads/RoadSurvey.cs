@@ -21,7 +21,7 @@ public sealed class RoadSurvey
     private const int Probes = 8;
     private const double ProbeDistance = 3;
 
-    private const int MostLanes = 7;
+    private const int MaxLanes = 7;
 
     /// <summary>An answer further from its node is of another road, metres.</summary>
     private const double FurthestEdge = 100;
@@ -32,7 +32,7 @@ public sealed class RoadSurvey
     /// <summary>The handle of node 0 of cell 0, for an end of a link that the game does not name.</summary>
     private const int UnknownHandle = 1;
 
-    private const int FewestCalls = 16;
+    private const int MinCalls = 16;
 
     private readonly IRoadSource _source;
     private readonly int _callsPerStep;
@@ -52,7 +52,7 @@ public sealed class RoadSurvey
     public RoadSurvey(IRoadSource source, RoadNetwork? earlier = null, int callsPerStep = 40)
     {
         _source = source ?? throw new ArgumentNullException(nameof(source));
-        if (callsPerStep < FewestCalls)
+        if (callsPerStep < MinCalls)
         {
             throw new ArgumentOutOfRangeException(nameof(callsPerStep), callsPerStep, "A step may ask at least 16 times.");
         }
@@ -199,7 +199,7 @@ public sealed class RoadSurvey
     }
 
     private static bool IsSound(SurveyedRoad road) =>
-        road.First.IsFinite && road.Second.IsFinite && road.LanesToFirst is >= 0 and <= MostLanes && road.LanesToSecond is >= 0 and <= MostLanes;
+        road.First.IsFinite && road.Second.IsFinite && road.LanesToFirst is >= 0 and <= MaxLanes && road.LanesToSecond is >= 0 and <= MaxLanes;
 
     /// <summary>The node at an end of a link. Its own links wait until the car is near, when the game lists it.</summary>
     private int End(Vector3D end, int node, Vector3D stored)

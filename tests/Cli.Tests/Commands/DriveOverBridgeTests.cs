@@ -14,7 +14,7 @@ public sealed class DriveOverBridgeTests : IDisposable
     [Theory]
     [InlineData("socket")]
     [InlineData("folder")]
-    public void Drive_over_a_bridge_is_driven_by_its_peer(string bridge)
+    public void Drive_over_a_bridge_is_driven_by_its_client(string bridge)
     {
         CliRun run = CliRun.Of(
             "drive", "--out", _folder.PathOf("out"), "--bridge", bridge, "--distance", "45", "--traffic", "0", "--seed", "4");
@@ -23,29 +23,29 @@ public sealed class DriveOverBridgeTests : IDisposable
         using JsonDocument record = JsonDocument.Parse(File.ReadAllText(_folder.PathOf("out/drive.json")));
         JsonElement figures = record.RootElement.GetProperty("figures");
 
-        // The car begins in a lane; without its peer it would stand there and brake.
+        // The car begins in a lane; without its client it would stand there and brake.
         Assert.InRange(figures.GetProperty("controllerMetres").GetDouble(), 30, 50);
         Assert.Equal(0, figures.GetProperty("laneDepartures").GetInt32());
         Assert.InRange(figures.GetProperty("largestLateralError").GetDouble(), 0, 0.5);
     }
 
     [Fact]
-    public async Task Peer_and_game_in_processes_of_their_own_drive_and_both_end_well()
+    public async Task Client_and_game_in_processes_of_their_own_drive_and_both_end_well()
     {
         string at = FreePlace();
         Task<CliRun> game = Start(
             "drive", "--out", _folder.PathOf("out"), "--bridge", "socket", "--role", "game", "--at", at, "--distance", "8", "--traffic", "0", "--seed", "4");
-        CliRun peer = await PeerOf(at);
+        CliRun client = await ClientOf(at);
 
-        Assert.Equal((0, ""), (peer.ExitCode, peer.Error));
-        Assert.Matches(@"^\d+ frames answered, \d+ m driven in \d+ s; the game has closed the bridge\n$", peer.Out);
+        Assert.Equal((0, ""), (client.ExitCode, client.Error));
+        Assert.Matches(@"^\d+ frames answered, \d+ m driven in \d+ s; the game has closed the bridge\n$", client.Out);
         CliRun run = await game;
         Assert.Equal((0, ""), (run.ExitCode, run.Error));
-        Assert.StartsWith($"Waiting for a peer at {at}, 60 s at most\n", run.Out, StringComparison.Ordinal);
+        Assert.StartsWith($"Waiting for a client at {at}, 60 s at most\n", run.Out, StringComparison.Ordinal);
     }
 
     [Fact]
-    public async Task Peer_of_a_folder_that_comes_after_the_first_frame_drives_the_game()
+    public async Task Client_of_a_folder_that_comes_after_the_first_frame_drives_the_game()
     {
         string shared = _folder.PathOf("shared");
         Task<CliRun> game = Start(
@@ -56,40 +56,40 @@ public sealed class DriveOverBridgeTests : IDisposable
         }
 
         using CancellationTokenSource stopping = new();
-        Task<CliRun> peer = Start(stopping.Token, "drive", "--bridge", "folder", "--role", "peer", "--folder", shared);
+        Task<CliRun> client = Start(stopping.Token, "drive", "--bridge", "folder", "--role", "client", "--folder", shared);
         CliRun run = await game;
         stopping.Cancel();
-        await peer;
+        await client;
 
         Assert.Equal((0, ""), (run.ExitCode, run.Error));
     }
 
     [Fact]
-    public async Task Peer_with_a_wrong_token_is_told_and_the_game_can_be_stopped()
+    public async Task Client_with_a_wrong_token_is_told_and_the_game_can_be_stopped()
     {
         string at = FreePlace();
         using CancellationTokenSource stopping = new();
         Task<CliRun> game = Start(
             stopping.Token, "drive", "--out", _folder.PathOf("out"), "--bridge", "socket", "--role", "game", "--at", at, "--token", "sesame", "--traffic", "0");
-        CliRun peer = await PeerOf(at, "--token", "simsim");
-        peer.AssertFailed(ExitCode.InputOutput, "the first message must be a hello with the right token");
+        CliRun client = await ClientOf(at, "--token", "simsim");
+        client.AssertFailed(ExitCode.InputOutput, "the first message must be a hello with the right token");
         stopping.Cancel();
 
         Assert.Equal(ExitCode.Cancelled, (await game).ExitCode);
     }
 
     [Fact]
-    public void Game_without_a_peer_gives_up()
+    public void Game_without_a_client_gives_up()
     {
         CliRun run = CliRun.Of(
             "drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--role", "game", "--patience", "0.2", "--traffic", "0");
 
-        Assert.Equal((ExitCode.InputOutput, "harvester: No peer has driven for 0.2 s.\n"), (run.ExitCode, run.Error));
+        Assert.Equal((ExitCode.InputOutput, "harvester: No client has driven for 0.2 s.\n"), (run.ExitCode, run.Error));
     }
 
     [Fact]
     [Trait("Category", "Heavy")]
-    public async Task Game_that_loses_its_peer_leaves_what_was_driven()
+    public async Task Game_that_loses_its_client_leaves_what_was_driven()
     {
         string shared = _folder.PathOf("shared");
         Task<CliRun> game = Start(
@@ -104,7 +104,7 @@ public sealed class DriveOverBridgeTests : IDisposable
         File.Move(_folder.PathOf("new"), Path.Combine(shared, "controls.txt"));
         CliRun run = await game;
 
-        Assert.Equal((ExitCode.InputOutput, "harvester: No peer has driven for 5 s.\n"), (run.ExitCode, run.Error));
+        Assert.Equal((ExitCode.InputOutput, "harvester: No client has driven for 5 s.\n"), (run.ExitCode, run.Error));
         using JsonDocument record = JsonDocument.Parse(File.ReadAllText(_folder.PathOf("out/drive.json")));
         Assert.True(record.RootElement.GetProperty("figures").GetProperty("metres").GetDouble() > 0);
         Assert.True(File.Exists(_folder.PathOf("out/report.html")));
@@ -112,19 +112,19 @@ public sealed class DriveOverBridgeTests : IDisposable
     }
 
     [Fact]
-    public void Peer_without_frames_gives_up()
+    public void Client_without_frames_gives_up()
     {
-        CliRun run = CliRun.Of("drive", "--bridge", "folder", "--role", "peer", "--folder", _folder.Path, "--patience", "0.2");
+        CliRun run = CliRun.Of("drive", "--bridge", "folder", "--role", "client", "--folder", _folder.Path, "--patience", "0.2");
 
         run.AssertFailed(ExitCode.InputOutput, "No frame of the game has come for 0.2 s.");
     }
 
     [Fact]
-    public void Peer_of_nobody_fails() => CliRun.Of("drive", "--bridge", "socket", "--role", "peer", "--at", "127.0.0.1:9")
+    public void Client_of_nobody_fails() => CliRun.Of("drive", "--bridge", "socket", "--role", "client", "--at", "127.0.0.1:9")
         .AssertFailed(ExitCode.InputOutput, "No bridge is to be reached at 127.0.0.1:9");
 
     [Fact]
-    public void Peer_at_a_folder_that_is_not_there_fails() => CliRun.Of("drive", "--bridge", "folder", "--role", "peer", "--folder", _folder.PathOf("none"))
+    public void Client_at_a_folder_that_is_not_there_fails() => CliRun.Of("drive", "--bridge", "folder", "--role", "client", "--folder", _folder.PathOf("none"))
         .AssertFailed(ExitCode.InputOutput, _folder.PathOf("none"));
 
     [Fact]
@@ -147,9 +147,9 @@ public sealed class DriveOverBridgeTests : IDisposable
     }
 
     [Theory]
-    [InlineData("--role and --bridge", "--role game and peer need a bridge", "--role", "peer")]
+    [InlineData("--role and --bridge", "--role game and client need a bridge", "--role", "client")]
     [InlineData("--bridge", "--bridge takes direct, folder or socket, not 'usb'", "--bridge", "usb")]
-    [InlineData("--role", "--role takes both, game or peer, not 'none'", "--role", "none")]
+    [InlineData("--role", "--role takes both, game or client, not 'none'", "--role", "none")]
     [InlineData("--at", "--at takes an address with a port as 127.0.0.1:4567, not 'here'", "--bridge", "socket", "--at", "here")]
     [InlineData("no token", "Others can reach 0.0.0.0: give a --token", "--bridge", "socket", "--role", "game", "--at", "0.0.0.0:4567")]
     [InlineData("no bridge", "--token needs a bridge", "--token", "sesame")]
@@ -167,14 +167,14 @@ public sealed class DriveOverBridgeTests : IDisposable
     private static Task<CliRun> Start(CancellationToken stopping, params string[] arguments) =>
         Task.Run(() => CliRun.StartAsync("", stopping, arguments), CancellationToken.None);
 
-    /// <summary>Runs a peer as soon as the game listens.</summary>
-    private static async Task<CliRun> PeerOf(string at, params string[] more)
+    /// <summary>Runs a client as soon as the game listens.</summary>
+    private static async Task<CliRun> ClientOf(string at, params string[] more)
     {
         DateTime deadline = DateTime.UtcNow.AddSeconds(60);
         CliRun run;
         do
         {
-            run = await Start(["drive", "--bridge", "socket", "--role", "peer", "--at", at, .. more]);
+            run = await Start(["drive", "--bridge", "socket", "--role", "client", "--at", at, .. more]);
         }
         while (run.Error.Contains("No bridge is to be reached", StringComparison.Ordinal) && DateTime.UtcNow < deadline);
         return run;

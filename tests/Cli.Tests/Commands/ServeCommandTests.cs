@@ -20,15 +20,15 @@ public sealed class ServeCommandTests
     }
 
     [Fact]
-    public async Task Served_game_says_who_connects_and_what_a_peer_did_wrong()
+    public async Task Served_game_says_who_connects_and_what_a_client_did_wrong()
     {
         string port = FreePort.Find().ToString(CultureInfo.InvariantCulture);
         Task<CliRun> serve = Task.Run(() => CliRun.Of("serve", "--port", port, "--duration", "3", "--traffic", "0", "--size", "80x60"));
-        int peer = await HailAsync(int.Parse(port, CultureInfo.InvariantCulture), serve);
+        int client = await HailAsync(int.Parse(port, CultureInfo.InvariantCulture), serve);
         CliRun run = await serve;
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.Contains($"\nConnected: 127.0.0.1:{peer}\nDisconnected: 127.0.0.1:{peer}\n", run.Out, StringComparison.Ordinal);
+        Assert.Contains($"\nConnected: 127.0.0.1:{client}\nDisconnected: 127.0.0.1:{client}\n", run.Out, StringComparison.Ordinal);
         Assert.Contains("'hail', which is none of clear, ", run.Error, StringComparison.Ordinal);
     }
 
@@ -71,7 +71,7 @@ public sealed class ServeCommandTests
     [Theory]
     [InlineData("controls.txt.tmp")]
     [InlineData("writing.part")]
-    public void Shared_folder_of_a_waiting_peer_or_a_killed_game_is_taken(string sign)
+    public void Shared_folder_of_a_waiting_client_or_a_killed_game_is_taken(string sign)
     {
         using var folder = new TemporaryFolder();
         folder.File(sign, "");
@@ -94,10 +94,10 @@ public sealed class ServeCommandTests
     {
         while (true)
         {
-            using var client = new TcpClient();
+            using var connection = new TcpClient();
             try
             {
-                await client.ConnectAsync(IPAddress.Loopback, port);
+                await connection.ConnectAsync(IPAddress.Loopback, port);
             }
             catch (SocketException) when (!serve.IsCompleted)
             {
@@ -108,14 +108,14 @@ public sealed class ServeCommandTests
             // Long enough for a tick of the game to see the connection.
             await Task.Delay(300);
             byte[] header = Encoding.UTF8.GetBytes("""{"type":"environment","weather":"hail"}""");
-            NetworkStream stream = client.GetStream();
+            NetworkStream stream = connection.GetStream();
             await stream.WriteAsync((byte[])[0, 0, 0, (byte)header.Length, 0, 0, 0, 0, .. header]);
             byte[] answer = new byte[65_536];
             while (await stream.ReadAsync(answer) > 0)
             {
             }
 
-            return ((IPEndPoint)client.Client.LocalEndPoint!).Port;
+            return ((IPEndPoint)connection.Client.LocalEndPoint!).Port;
         }
     }
 }

@@ -184,7 +184,7 @@ public sealed class SpacesCommandTests : IDisposable
         CliRun run = CliRun.Of("harvest", "--out", session, "--frames", "12", "--hz", "1", "--size", "320x240", "--no-report", "--spaces", file);
         Assert.Equal("", run.Error);
 
-        List<ObjectLabel> parts = [.. new SessionReader(session).ReadLabels().SelectMany(label => label.Objects).Where(item => item.Space is not null)];
+        List<ObjectLabel> parts = [.. new SessionReader(session).ReadLabels().SelectMany(label => label.Objects).Where(item => item.Face is not null)];
         Assert.Contains(parts, part => part.Name == "TRAFFIC LIGHT");
         Assert.All(parts.Where(part => part.Model == "prop_sign_road_01a"), part => Assert.Equal("BIG STOP", part.Name));
         Assert.Equal(ExitCode.Done, CliRun.Of("validate", session).ExitCode);

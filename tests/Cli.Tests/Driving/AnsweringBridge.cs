@@ -4,26 +4,26 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Cli.Tests.Driving;
 
-/// <summary>A bridge within the process to a peer that answers each frame at once.</summary>
+/// <summary>A bridge within the process to a client that answers each frame at once.</summary>
 /// <param name="answer">What it says to a frame.</param>
 /// <param name="first">What it says before the first.</param>
-internal sealed class AnsweringBridge(Func<BridgeState, IEnumerable<PeerMessage>> answer, params PeerMessage[] first) : IDrivingBridge
+internal sealed class AnsweringBridge(Func<BridgeState, IEnumerable<ClientMessage>> answer, params ClientMessage[] first) : IDrivingBridge
 {
-    private readonly Queue<PeerMessage> _messages = new(first);
+    private readonly Queue<ClientMessage> _messages = new(first);
 
     public string? Problem => null;
 
-    public string? Peer => null;
+    public string? Client => null;
 
     public void Publish(BridgeState state, PixelBuffer picture)
     {
-        foreach (PeerMessage message in answer(state))
+        foreach (ClientMessage message in answer(state))
         {
             _messages.Enqueue(message);
         }
     }
 
-    public bool TryReceive([NotNullWhen(true)] out PeerMessage? message) => _messages.TryDequeue(out message);
+    public bool TryReceive([NotNullWhen(true)] out ClientMessage? message) => _messages.TryDequeue(out message);
 
     public void Dispose()
     {

@@ -19,7 +19,7 @@ public sealed class ServedGameTests
     private readonly SimulatedGame _game = new(new SimulationOptions { Seed = 1, TrafficDensity = 0, PedestrianDensity = 0 });
 
     [Fact]
-    public void Peer_in_lock_step_keeps_its_lane_by_the_indicators_that_it_was_told()
+    public void Client_in_lock_step_keeps_its_lane_by_the_indicators_that_it_was_told()
     {
         const int frames = 300;
         List<double> offsetsInLane = [];
@@ -47,15 +47,15 @@ public sealed class ServedGameTests
     }
 
     [Fact]
-    public void Silent_peer_is_answered_with_the_brake()
+    public void Silent_client_is_answered_with_the_brake()
     {
         Serve(30, out _, _ => []);
 
         Assert.InRange(_game.Ports.World.ReadEgo().Velocity.Length, 0, 0.01);
     }
 
-    /// <summary>Serves a peer that takes what it is told for what it sees and asks for a tenth of a second with each answer.</summary>
-    private DrivingStatus Serve(int frames, out double metres, Func<BridgeState, IEnumerable<PeerMessage>> answer)
+    /// <summary>Serves a client that takes what it is told for what it sees and asks for a tenth of a second with each answer.</summary>
+    private DrivingStatus Serve(int frames, out double metres, Func<BridgeState, IEnumerable<ClientMessage>> answer)
     {
         using CancellationTokenSource done = new();
         using AnsweringBridge bridge = new(
@@ -70,7 +70,7 @@ public sealed class ServedGameTests
             },
             new PauseMessage(true),
             new RequestFrameMessage());
-        using BridgedGame bridged = new(
+        using GameEndpoint bridged = new(
             _game,
             new FixedRoads(_game.Roads, "simulation"),
             new DrivingOptions { Picture = new ImageSize(32, 24) },

@@ -11,7 +11,7 @@ using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Tests.Serving;
 
-/// <summary>A world that a peer of the folder has stopped before it went.</summary>
+/// <summary>A world that a client of the folder has stopped before it went.</summary>
 public sealed class StoppedWorldTests
 {
     private static readonly TimeSpan Ample = TimeSpan.FromSeconds(60);
@@ -19,13 +19,13 @@ public sealed class StoppedWorldTests
     [Theory]
     [InlineData(null)]
     [InlineData(0.1)]
-    public async Task Peer_of_the_folder_drives_on_in_a_world_that_another_has_left_stopped(double? stepSeconds)
+    public async Task Client_of_the_folder_drives_on_in_a_world_that_another_has_left_stopped(double? stepSeconds)
     {
         using TemporaryFolder folder = new();
         SimulatedGame game = new(new SimulationOptions { Seed = 1, TrafficDensity = 0, PedestrianDensity = 0 });
         ImageSize picture = new(32, 24);
         using FolderBridge bridge = new(folder.Path, picture);
-        using BridgedGame bridged = new(
+        using GameEndpoint bridged = new(
             game, new FixedRoads(game.Roads, "simulation"), new DrivingOptions { Picture = picture }, bridge, static () => new DeepDrivingController(), isAssisted: true);
         using CancellationTokenSource ending = new();
         Task<DrivingStatus> serving = Task.Run(() => new ServedGame(game, bridged).Run(double.PositiveInfinity, ending.Token));
@@ -39,7 +39,7 @@ public sealed class StoppedWorldTests
 
         using (FolderLink link = new(folder.Path))
         {
-            PeerDriver driver = new(link, static () => new StanleyController(new StanleyOptions()), Ample, TimeProvider.System);
+            ClientDriver driver = new(link, static () => new StanleyController(new StanleyOptions()), Ample, TimeProvider.System);
             driver.Run(stepSeconds, 1, CancellationToken.None);
             Assert.True(driver.Seconds >= 1);
         }

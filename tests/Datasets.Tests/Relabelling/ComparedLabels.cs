@@ -38,5 +38,5 @@ internal static class ComparedLabels
     private static LanesLabel Numberless(LanesLabel lanes) => lanes with { Vehicles = [.. lanes.Vehicles.Select(vehicle => vehicle with { Id = 0 })] };
 
     private static (double X, double Y, double Z, int Face, string Model) PlaceOf(ObjectLabel item) =>
-        (item.Box3D.Centre.X, item.Box3D.Centre.Y, item.Box3D.Centre.Z, item.Space?.Face ?? -1, item.Model);
+        (item.Box3D.Centre.X, item.Box3D.Centre.Y, item.Box3D.Centre.Z, item.Face?.Number ?? -1, item.Model);
 }

@@ -27,14 +27,14 @@ public sealed class RecordedDrive : IDisposable
     }
 
     /// <summary>The simulated game's faces as they are read when they have been written: a session keeps them to the millimetre.</summary>
-    public static SpaceTable Table { get; } = SpaceTableReader.Read(new StringReader(SpaceTableWriter.Text(ModelSpaces.Table))).Table;
+    public static FaceTable Table { get; } = FaceTableReader.Read(new StringReader(FaceTableWriter.Text(ModelFaces.Table))).Table;
 
     public static HarvestOptions Options { get; } = new()
     {
         Image = new ImageSize(320, 240),
         MaxFrames = Frames,
         RateHz = 1,
-        Spaces = Table,
+        Faces = Table,
     };
 
     /// <summary>The drive without masks.</summary>

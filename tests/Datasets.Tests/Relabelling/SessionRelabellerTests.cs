@@ -138,12 +138,12 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     [Fact]
     public void Relabel_with_other_faces_gives_the_faces_of_a_harvest_with_them()
     {
-        SpaceOfInterest[] moved = [.. RecordedDrive.Table.Spaces.Where(space => space.Class == ObjectClass.Sign).Select(space =>
-            space with { Name = "MOVED", FrontUpperLeft = space.FrontUpperLeft + new Vector3D(0, 0, -0.25) })];
-        var table = new SpaceTable(moved);
-        SessionReader harvested = drive.Harvest("moved", RecordedDrive.Options with { Spaces = RecordedDrive.Table.OverriddenBy(table), MaxOccludedFraction = 1 });
+        ModelFace[] moved = [.. RecordedDrive.Table.Faces.Where(face => face.Class == ObjectClass.Sign).Select(face =>
+            face with { Name = "MOVED", FrontUpperLeft = face.FrontUpperLeft + new Vector3D(0, 0, -0.25) })];
+        var table = new FaceTable(moved);
+        SessionReader harvested = drive.Harvest("moved", RecordedDrive.Options with { Faces = RecordedDrive.Table.OverriddenBy(table), MaxOccludedFraction = 1 });
 
-        SessionReader made = Relabel(drive.FullSession, new RelabelOptions { Spaces = table, Roads = drive.Roads });
+        SessionReader made = Relabel(drive.FullSession, new RelabelOptions { Faces = table, Roads = drive.Roads });
 
         Assert.Equal(ComparedLabels.Of(harvested, Blind), ComparedLabels.Of(made, Blind));
         ObjectLabel[] faces = [.. made.ReadLabels().SelectMany(label => label.Objects).Where(item => item.Name == "MOVED")];
@@ -282,7 +282,7 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
 
     // A light's state is read from the picture within its box where it is known to be in sight, which only rays tell.
     private static ObjectLabel Unlit(ObjectLabel item) =>
-        item.Space?.Light is null ? item : item with { Space = item.Space with { Light = LightLabel.Unknown } };
+        item.Face?.Light is null ? item : item with { Face = item.Face with { Light = LightLabel.Unknown } };
 
     private static IEnumerable<LaneLinePoint> Points(FrameLabel label) => label.Lanes?.Boundaries.SelectMany(line => line.Points) ?? [];
 

@@ -21,7 +21,7 @@ public sealed class SessionStatisticsTests : IDisposable
         Assert.Equal((3, 6, 0.5, 2.5), (statistics.Frames, statistics.Labels, statistics.FirstTimeSeconds, statistics.LastTimeSeconds));
         Assert.Equal([ObjectClass.Car, ObjectClass.Pedestrian], statistics.Classes.Keys);
         ClassStatistics cars = statistics.Classes[ObjectClass.Car];
-        Assert.Equal((3, 2, 11.0, 11.0), (cars.Labels, cars.Objects, cars.NearestMetres, cars.MedianDistanceMetres));
+        Assert.Equal((3, 2, 11.0, 11.0), (cars.Labels, cars.Objects, cars.MinMetres, cars.MedianDistanceMetres));
         // Occluded 0.25, 0.25 and 1: the mean is 0.5.
         Assert.Equal(0.5, cars.MeanOccludedFraction);
         Assert.Null(statistics.Classes[ObjectClass.Pedestrian].MeanOccludedFraction);

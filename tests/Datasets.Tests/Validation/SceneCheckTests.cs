@@ -55,7 +55,7 @@ public sealed class SceneCheckTests : IDisposable
     [Theory]
     [InlineData(FramePaths.Roads, "node,1,0,0\n", "line 1")]
     [InlineData(FramePaths.Roads, "\u0089PNG", "line 1")]
-    [InlineData(FramePaths.Spaces, "# faces\nprop_sign_road_01a,0\n", "line 2, row")]
+    [InlineData(FramePaths.Faces, "# faces\nprop_sign_road_01a,0\n", "line 2, row")]
     public void Validate_finds_roads_and_faces_that_cannot_be_read(string name, string content, string place)
     {
         File.WriteAllText(Path.Combine(_folder, name), content);
@@ -67,7 +67,7 @@ public sealed class SceneCheckTests : IDisposable
     public void Validate_reads_roads_and_faces_only_where_they_are()
     {
         File.Delete(Path.Combine(_folder, FramePaths.Roads));
-        File.Delete(Path.Combine(_folder, FramePaths.Spaces));
+        File.Delete(Path.Combine(_folder, FramePaths.Faces));
 
         Assert.Empty(Problems());
     }

@@ -54,7 +54,7 @@ public sealed class FolderBridgeTests : IDisposable
     }
 
     [Fact]
-    public void What_a_dead_peer_left_behind_is_not_taken_for_new()
+    public void What_a_dead_client_left_behind_is_not_taken_for_new()
     {
         Drop("controls.txt", "1 1 0\n");
         using var bridge = new FolderBridge(_folder, Frames.Size);
@@ -109,13 +109,13 @@ public sealed class FolderBridgeTests : IDisposable
     }
 
     [Fact]
-    public void Bridge_survives_a_peer_that_is_killed_and_restarted_100_times()
+    public void Bridge_survives_a_client_that_is_killed_and_restarted_100_times()
     {
         using var bridge = new FolderBridge(_folder, Frames.Size);
         var random = new Random(3);
         for (int life = 0; life < 100; life++)
         {
-            // A peer killed in the middle of a writing leaves half a file in the place of a whole one.
+            // A client killed in the middle of a writing leaves half a file in the place of a whole one.
             // Of another length than the one before, as the times of files are coarse on some systems.
             string whole = string.Create(CultureInfo.InvariantCulture, $"0.{life + 100} 0.5 0 {life}{new string(' ', life % 3)}\n");
             File.WriteAllText(PathOf("controls.txt"), whole[..random.Next(whole.Length)]);

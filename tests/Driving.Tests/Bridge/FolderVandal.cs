@@ -4,7 +4,7 @@ using Harvester.TestSupport;
 
 namespace Harvester.Driving.Tests.Bridge;
 
-/// <summary>Does to a shared folder what peers, other programs, networks and people do to folders, at random.</summary>
+/// <summary>Does to a shared folder what clients, other programs, networks and people do to folders, at random.</summary>
 internal sealed class FolderVandal(string folder, int seed) : IDisposable
 {
     private static readonly string[] Names = ["controls.txt", "indicators.txt", "command.json", "alive.txt", "state.txt", "writing.part"];
@@ -49,7 +49,7 @@ internal sealed class FolderVandal(string folder, int seed) : IDisposable
         }
     }
 
-    /// <summary>Takes back what would keep a good peer from driving.</summary>
+    /// <summary>Takes back what would keep a good client from driving.</summary>
     public void Mend()
     {
         Allow(folder);

@@ -9,7 +9,7 @@ using Harvester.TestSupport;
 namespace Harvester.Driving.Tests.Bridge;
 
 /// <summary>
-/// How many ticks lie between the taking of a frame and the controls that answer it, whatever a thread, the network and the peer take:
+/// How many ticks lie between the taking of a frame and the controls that answer it, whatever a thread, the network and the client take:
 /// they are waited for here between two ticks. What they take the benchmark bridge-latency measures.
 /// </summary>
 public sealed class FrameToControlTests : IDisposable
@@ -26,8 +26,8 @@ public sealed class FrameToControlTests : IDisposable
         const int ticks = 1_200;
         using var session = new DrivingSession(
             new DrivingOptions { SettleTicks = settleTicks }, _game.Ports with { Car = _car }, _bridge, () => new DeepDrivingController());
-        using var peer = new SocketClient(_bridge.EndPoint);
-        peer.Send("""{"type":"controls","steering":0,"throttle":0,"brake":0}""");
+        using var client = new SocketClient(_bridge.EndPoint);
+        client.Send("""{"type":"controls","steering":0,"throttle":0,"brake":0}""");
         _bridge.AwaitMessage();
 
         double answered = 0;
@@ -40,10 +40,10 @@ public sealed class FrameToControlTests : IDisposable
             if (session.Status.Frames > before)
             {
                 // Six ticks a frame; each frame's answer is another steering.
-                JsonElement frame = peer.Receive().Header;
+                JsonElement frame = client.Receive().Header;
                 Assert.Equal(before, frame.GetProperty("frame").GetInt64());
                 answered = ((before % 1_000) + 1) / 1_000.0;
-                peer.Send(FormattableString.Invariant($$"""{"type":"controls","steering":{{answered}},"throttle":0,"brake":0,"frame":{{before}}}"""));
+                client.Send(FormattableString.Invariant($$"""{"type":"controls","steering":{{answered}},"throttle":0,"brake":0,"frame":{{before}}}"""));
                 _bridge.AwaitMessage();
             }
         }
@@ -56,19 +56,19 @@ public sealed class FrameToControlTests : IDisposable
     /// <summary>A bridge whose next message can be waited for before the game asks for it.</summary>
     private sealed class AwaitedBridge(SocketBridge bridge) : IDrivingBridge
     {
-        private readonly Queue<PeerMessage> _there = new();
+        private readonly Queue<ClientMessage> _there = new();
 
         public System.Net.IPEndPoint EndPoint => bridge.EndPoint;
 
         public string? Problem => bridge.Problem;
 
-        public string? Peer => bridge.Peer;
+        public string? Client => bridge.Client;
 
         public void AwaitMessage() => _there.Enqueue(Frames.AwaitMessage(bridge));
 
         public void Publish(BridgeState state, PixelBuffer picture) => bridge.Publish(state, picture);
 
-        public bool TryReceive([NotNullWhen(true)] out PeerMessage? message) => _there.TryDequeue(out message);
+        public bool TryReceive([NotNullWhen(true)] out ClientMessage? message) => _there.TryDequeue(out message);
 
         public void Dispose() => bridge.Dispose();
     }

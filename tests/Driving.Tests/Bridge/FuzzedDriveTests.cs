@@ -8,7 +8,7 @@ using Harvester.TestSupport;
 
 namespace Harvester.Driving.Tests.Bridge;
 
-/// <summary>A whole drive at the end of a real socket, with peers that mean ill or are broken.</summary>
+/// <summary>A whole drive at the end of a real socket, with clients that mean ill or are broken.</summary>
 public sealed class FuzzedDriveTests
 {
     private static readonly string[] Good =
@@ -41,16 +41,16 @@ public sealed class FuzzedDriveTests
         for (int i = 0; i < 10_000; i++)
         {
             // Each has a connection of its own, or the first bad one of a connection would be the last that is read.
-            using (var peer = new SocketClient(bridge.EndPoint))
+            using (var client = new SocketClient(bridge.EndPoint))
             {
                 (byte[] bytes, bool drives) = Mutated(random);
-                peer.Stream.Write(bytes);
+                client.Stream.Write(bytes);
                 if (drives)
                 {
                     AwaitControls(session, game);
                 }
 
-                refused += peer.SayNoMore().Contains("\"type\":\"error\"", StringComparison.Ordinal) ? 1 : 0;
+                refused += client.SayNoMore().Contains("\"type\":\"error\"", StringComparison.Ordinal) ? 1 : 0;
             }
 
             session.Tick();
@@ -70,12 +70,12 @@ public sealed class FuzzedDriveTests
                 game.Tick();
                 return session.Tick().Controls.Steering == 0.625;
             },
-            "the good peer to drive");
+            "the good client to drive");
     }
 
     [Fact]
     [Trait("Category", "Heavy")]
-    public void Peers_that_trickle_their_bytes_are_cut_off_and_hold_nobody_up()
+    public void Clients_that_trickle_their_bytes_are_cut_off_and_hold_nobody_up()
     {
         const string token = "open sesame";
         SocketBridgeOptions options = SocketBridgeOptions.Loopback with { Port = 0, Token = token, TokenPatience = TimeSpan.FromSeconds(10) };
@@ -91,14 +91,14 @@ public sealed class FuzzedDriveTests
             {
                 Thread.Sleep(100);
                 sent++;
-                return !slow.Any(peer => peer.TryWrite([hello[sent - 1]]));
+                return !slow.Any(client => client.TryWrite([hello[sent - 1]]));
             },
             "the slow ones to be cut off");
 
-        Assert.All(slow, peer => Assert.True(peer.IsCutOff()));
+        Assert.All(slow, client => Assert.True(client.IsCutOff()));
         bridge.Publish(Frames.State(5), Frames.Picture(5));
         Assert.Equal(5, good.Receive().Header.GetProperty("frame").GetInt64());
-        Assert.All(slow, peer => peer.Dispose());
+        Assert.All(slow, client => client.Dispose());
     }
 
     [Theory]
@@ -109,51 +109,51 @@ public sealed class FuzzedDriveTests
     [InlineData(new byte[] { 0, 0, 0, 10, 0x7F, 0xFF, 0xFF, 0xFF })]
     [InlineData(new byte[] { 0, 0, 0, 10, 0xFF, 0xFF, 0xFF, 0xFF })]
     [InlineData(new byte[] { 0, 0, 0, 0, 0, 0, 0, 0 })]
-    public void Lengths_that_no_peer_may_send_are_refused_before_anything_is_read(byte[] lengths)
+    public void Lengths_that_no_client_may_send_are_refused_before_anything_is_read(byte[] lengths)
     {
         using var bridge = new SocketBridge(SocketBridgeOptions.Loopback with { Port = 0 }, Frames.Size);
-        using var peer = new SocketClient(bridge.EndPoint);
-        peer.Stream.Write(lengths);
+        using var client = new SocketClient(bridge.EndPoint);
+        client.Stream.Write(lengths);
 
-        Assert.Equal("error", peer.Receive().Header.GetProperty("type").GetString());
-        Assert.True(peer.IsCutOff());
+        Assert.Equal("error", client.Receive().Header.GetProperty("type").GetString());
+        Assert.True(client.IsCutOff());
     }
 
-    /// <summary>A peer that has shown the token: on a busy machine it may be too late for that at first, and tries again.</summary>
+    /// <summary>A client that has shown the token: on a busy machine it may be too late for that at first, and tries again.</summary>
     private static SocketClient Welcomed(SocketBridge bridge)
     {
-        SocketClient peer = Asking(bridge);
+        SocketClient client = Asking(bridge);
         Frames.Await(
             () =>
             {
-                if (peer.Stream.DataAvailable)
+                if (client.Stream.DataAvailable)
                 {
                     // It is told that it was too late.
-                    peer.Dispose();
-                    peer = Asking(bridge);
+                    client.Dispose();
+                    client = Asking(bridge);
                 }
 
-                return bridge.TryReceive(out PeerMessage? message) && message is RequestFrameMessage;
+                return bridge.TryReceive(out ClientMessage? message) && message is RequestFrameMessage;
             },
-            "the good peer to be welcome");
-        return peer;
+            "the good client to be welcome");
+        return client;
     }
 
     private static SocketClient Asking(SocketBridge bridge)
     {
-        var peer = new SocketClient(bridge.EndPoint);
-        peer.TryWrite(Framed("{\"type\":\"hello\",\"token\":\"open sesame\"}"u8.ToArray()));
-        peer.TryWrite(Framed("{\"type\":\"requestFrame\"}"u8.ToArray()));
-        return peer;
+        var client = new SocketClient(bridge.EndPoint);
+        client.TryWrite(Framed("{\"type\":\"hello\",\"token\":\"open sesame\"}"u8.ToArray()));
+        client.TryWrite(Framed("{\"type\":\"requestFrame\"}"u8.ToArray()));
+        return client;
     }
 
     private static void AwaitControls(DrivingSession session, FakeGame game) => Frames.Await(
         () =>
         {
             game.Tick();
-            return session.Tick().IsPeerAlive;
+            return session.Tick().IsClientAlive;
         },
-        "the controls of a peer");
+        "the controls of a client");
 
     /// <summary>A good message with bytes changed, left out, said again or broken off, or with other lengths; or as it is.</summary>
     /// <returns>The bytes, and whether the car is driven by them for sure.</returns>

@@ -83,7 +83,7 @@ public sealed class FuzzedFolderTests : IDisposable
         Assert.InRange(Directory.GetFiles(_folder, "*.part").Length, 0, 1);
     }
 
-    /// <summary>A good peer drives, and sees.</summary>
+    /// <summary>A good client drives, and sees.</summary>
     private void Serve(DrivingSession session, FolderBridge bridge, double steering)
     {
         int words = 0;
@@ -95,14 +95,14 @@ public sealed class FuzzedFolderTests : IDisposable
                     return true;
                 }
 
-                // Said again and again, as peers do: a step that somebody has asked for may hold the world's time up.
+                // Said again and again, as clients do: a step that somebody has asked for may hold the world's time up.
                 string path = Path.Combine(_folder, "controls.txt");
                 File.WriteAllText(path + ".new", FormattableString.Invariant($"{steering} 0 0 {++words}\n"));
                 File.Move(path + ".new", path, overwrite: true);
                 Run(session, 1);
                 return false;
             },
-            $"the good peer to drive; the bridge says: {bridge.Problem}");
+            $"the good client to drive; the bridge says: {bridge.Problem}");
 
         long frames = 0;
         Frames.Await(
@@ -115,7 +115,7 @@ public sealed class FuzzedFolderTests : IDisposable
                 frames = frames == 0 ? session.Status.Frames : frames;
                 return seen >= frames && session.Status.Frames > frames;
             },
-            $"the good peer to see; the bridge says: {bridge.Problem}");
+            $"the good client to see; the bridge says: {bridge.Problem}");
     }
 
     private DrivingSession Session(FolderBridge bridge) => new(

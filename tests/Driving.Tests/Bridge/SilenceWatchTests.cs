@@ -20,11 +20,11 @@ public sealed class SilenceWatchTests
         Assert.Equal(Left, watch.Controls);
         clock.Milliseconds = 501;
         Assert.Equal(DrivingControls.Stop, watch.Controls);
-        Assert.False(watch.IsPeerAlive);
+        Assert.False(watch.IsClientAlive);
     }
 
     [Fact]
-    public void Forget_brakes_until_the_peer_speaks_again()
+    public void Forget_brakes_until_the_client_speaks_again()
     {
         var watch = new SilenceWatch(new TestClock());
         watch.Hear(Left);

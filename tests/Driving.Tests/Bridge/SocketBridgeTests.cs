@@ -10,16 +10,16 @@ public sealed class SocketBridgeTests
     private static readonly SocketBridgeOptions AnyPort = SocketBridgeOptions.Loopback with { Port = 0 };
 
     [Fact]
-    public void Peer_gets_frames_and_its_controls_arrive()
+    public void Client_gets_frames_and_its_controls_arrive()
     {
         using var bridge = new SocketBridge(AnyPort, Frames.Size);
-        using var peer = new SocketClient(bridge.EndPoint);
-        peer.Send("""{"type":"requestFrame"}""");
+        using var client = new SocketClient(bridge.EndPoint);
+        client.Send("""{"type":"requestFrame"}""");
         Assert.IsType<RequestFrameMessage>(Frames.AwaitMessage(bridge));
 
         bridge.Publish(Frames.State(7), Frames.Picture(100));
-        (System.Text.Json.JsonElement header, byte[] png) = peer.Receive();
-        peer.Send("""{"type":"controls","steering":0.25,"throttle":0.5,"brake":0,"frame":7}""");
+        (System.Text.Json.JsonElement header, byte[] png) = client.Receive();
+        client.Send("""{"type":"controls","steering":0.25,"throttle":0.5,"brake":0,"frame":7}""");
 
         Assert.Equal("frame", header.GetProperty("type").GetString());
         Assert.Equal(7, header.GetProperty("frame").GetInt64());
@@ -39,16 +39,16 @@ public sealed class SocketBridgeTests
             bridge.Publish(Frames.State(frame), Frames.Picture((byte)frame));
         }
 
-        using var peer = new SocketClient(bridge.EndPoint);
-        peer.Send("""{"type":"requestFrame"}""");
+        using var client = new SocketClient(bridge.EndPoint);
+        client.Send("""{"type":"requestFrame"}""");
         Frames.AwaitMessage(bridge);
         bridge.Publish(Frames.State(1000), Frames.Picture(1));
 
-        ReceiveUntil(peer, 1000);
+        ReceiveUntil(client, 1000);
     }
 
     [Fact]
-    public void Of_a_peer_that_goes_away_nothing_is_left_but_that_it_is_gone()
+    public void Of_a_client_that_goes_away_nothing_is_left_but_that_it_is_gone()
     {
         using var bridge = new SocketBridge(AnyPort, Frames.Size);
         using (var first = new SocketClient(bridge.EndPoint))
@@ -66,18 +66,18 @@ public sealed class SocketBridgeTests
         }
 
         // The last pauses may be under way still, and be taken before; after it none is.
-        PeerMessage message = Frames.AwaitMessage(bridge);
+        ClientMessage message = Frames.AwaitMessage(bridge);
         while (message is PauseMessage)
         {
             message = Frames.AwaitMessage(bridge);
         }
 
-        Assert.IsType<PeerGoneMessage>(message);
+        Assert.IsType<ClientGoneMessage>(message);
         Assert.False(bridge.TryReceive(out _));
     }
 
     [Fact]
-    public void Newer_peer_takes_the_place_of_the_older()
+    public void Newer_client_takes_the_place_of_the_older()
     {
         using var bridge = new SocketBridge(AnyPort, Frames.Size);
         using var first = new SocketClient(bridge.EndPoint);
@@ -87,7 +87,7 @@ public sealed class SocketBridgeTests
         second.Send("""{"type":"pause","paused":true}""");
         Assert.True(first.IsCutOff());
 
-        Assert.Equal(new PeerGoneMessage(), Frames.AwaitMessage(bridge));
+        Assert.Equal(new ClientGoneMessage(), Frames.AwaitMessage(bridge));
         Assert.Equal(new PauseMessage(true), Frames.AwaitMessage(bridge));
     }
 
@@ -104,14 +104,14 @@ public sealed class SocketBridgeTests
     [InlineData("""{"type":"reset","position":[1e39,2,3],"headingDegrees":0}""")]
     [InlineData("""{"type":"environment","timeOfDay":"25:00"}""")]
     [InlineData("""{"type":"environment","weather":"hail"}""")]
-    public void Peer_that_sends_nonsense_is_told_and_cut_off_and_the_next_is_served(string nonsense)
+    public void Client_that_sends_nonsense_is_told_and_cut_off_and_the_next_is_served(string nonsense)
     {
         using var bridge = new SocketBridge(AnyPort, Frames.Size);
-        using (var peer = new SocketClient(bridge.EndPoint))
+        using (var client = new SocketClient(bridge.EndPoint))
         {
-            peer.Send(nonsense);
-            Assert.Equal("error", peer.Receive().Header.GetProperty("type").GetString());
-            Assert.True(peer.IsCutOff());
+            client.Send(nonsense);
+            Assert.Equal("error", client.Receive().Header.GetProperty("type").GetString());
+            Assert.True(client.IsCutOff());
         }
 
         using var next = new SocketClient(bridge.EndPoint);
@@ -122,16 +122,16 @@ public sealed class SocketBridgeTests
     }
 
     [Fact]
-    public void Peers_that_send_random_bytes_never_stop_the_bridge()
+    public void Clients_that_send_random_bytes_never_stop_the_bridge()
     {
         var random = new Random(11);
         using var bridge = new SocketBridge(AnyPort, Frames.Size);
         for (int i = 0; i < 100; i++)
         {
-            using var peer = new SocketClient(bridge.EndPoint);
+            using var client = new SocketClient(bridge.EndPoint);
             byte[] bytes = new byte[random.Next(1, 300)];
             random.NextBytes(bytes);
-            peer.TryWrite(bytes);
+            client.TryWrite(bytes);
             bridge.Publish(Frames.State(i), Frames.Picture(1));
         }
 
@@ -142,14 +142,14 @@ public sealed class SocketBridgeTests
     }
 
     [Fact]
-    public void Peer_that_never_reads_does_not_hold_up_the_game()
+    public void Client_that_never_reads_does_not_hold_up_the_game()
     {
         using var bridge = new SocketBridge(AnyPort, Frames.Size);
         using var sleeper = new SocketClient(bridge.EndPoint);
         sleeper.Send("""{"type":"requestFrame"}""");
         Frames.AwaitMessage(bridge);
 
-        // Publish returns at once whatever the peer does; the newest frame reaches the next peer.
+        // Publish returns at once whatever the client does; the newest frame reaches the next client.
         for (int frame = 0; frame < 5000; frame++)
         {
             bridge.Publish(Frames.State(frame), Frames.Picture((byte)frame));
@@ -169,10 +169,10 @@ public sealed class SocketBridgeTests
     {
         string text = "a\\nb\\r\\u2028\\u0000" + new string('x', 30_000);
         using var bridge = new SocketBridge(AnyPort, Frames.Size);
-        using var peer = new SocketClient(bridge.EndPoint);
-        peer.Send(where == "type" ? $"{{\"type\":\"{text}\"}}" : $"{{\"{text}\":1,\"{text}\":2}}");
+        using var client = new SocketClient(bridge.EndPoint);
+        client.Send(where == "type" ? $"{{\"type\":\"{text}\"}}" : $"{{\"{text}\":1,\"{text}\":2}}");
 
-        Assert.Contains("'a?b???xxx", peer.Receive().Header.GetProperty("reason").GetString(), StringComparison.Ordinal);
+        Assert.Contains("'a?b???xxx", client.Receive().Header.GetProperty("reason").GetString(), StringComparison.Ordinal);
         Frames.Await(() => bridge.Problem is not null, "the problem");
         Assert.InRange(bridge.Problem!.Length, 1, 250);
         Assert.DoesNotContain(bridge.Problem, letter => char.IsControl(letter) || letter == '\u2028');
@@ -183,9 +183,9 @@ public sealed class SocketBridgeTests
     {
         using var nobody = new System.Net.Sockets.TcpClient();
 
-        Assert.ThrowsAny<Exception>(() => SocketPeer.Serve(
+        Assert.ThrowsAny<Exception>(() => BridgeClient.Serve(
             nobody,
-            new SocketReception(AnyPort, new PeerInbox<SocketPeer>(), new WaitingRoom<SocketPeer>(1), new FrameOutbox(Frames.Size), static _ => { })));
+            new SocketReception(AnyPort, new ClientInbox<BridgeClient>(), new PendingClients<BridgeClient>(1), new FrameOutbox(Frames.Size), static _ => { })));
         Assert.Null(nobody.Client);
     }
 
@@ -193,11 +193,11 @@ public sealed class SocketBridgeTests
     public void Oversized_message_is_refused_before_it_is_read()
     {
         using var bridge = new SocketBridge(AnyPort, Frames.Size);
-        using var peer = new SocketClient(bridge.EndPoint);
+        using var client = new SocketClient(bridge.EndPoint);
 
-        peer.Stream.Write([0x7F, 0xFF, 0xFF, 0xFF, 0, 0, 0, 0]);
+        client.Stream.Write([0x7F, 0xFF, 0xFF, 0xFF, 0, 0, 0, 0]);
 
-        Assert.Contains("2147483647", peer.Receive().Header.GetProperty("reason").GetString()!, StringComparison.Ordinal);
+        Assert.Contains("2147483647", client.Receive().Header.GetProperty("reason").GetString()!, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -215,7 +215,7 @@ public sealed class SocketBridgeTests
 
             try
             {
-                PeerMessageParser.Parse(text.ToString());
+                ClientMessageParser.Parse(text.ToString());
             }
             catch (BridgeException e)
             {
@@ -225,12 +225,12 @@ public sealed class SocketBridgeTests
     }
 
     /// <summary>Frames in their order to one that must come; which of the earlier ones come depends on how fast the sender's thread is.</summary>
-    private static void ReceiveUntil(SocketClient peer, long wanted)
+    private static void ReceiveUntil(SocketClient client, long wanted)
     {
         long last = -1;
         while (last < wanted)
         {
-            long frame = peer.Receive().Header.GetProperty("frame").GetInt64();
+            long frame = client.Receive().Header.GetProperty("frame").GetInt64();
             Assert.InRange(frame, last + 1, wanted);
             last = frame;
         }

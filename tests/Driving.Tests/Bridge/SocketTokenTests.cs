@@ -10,7 +10,7 @@ public sealed class SocketTokenTests
     private static readonly SocketBridgeOptions AnyPort = SocketBridgeOptions.Loopback with { Port = 0 };
 
     [Fact]
-    public void Peer_without_the_token_is_cut_off_and_does_not_displace_the_welcome_one()
+    public void Client_without_the_token_is_cut_off_and_does_not_displace_the_welcome_one()
     {
         using var bridge = new SocketBridge(AnyPort with { Token = "open sesame", TokenPatience = Timeout.InfiniteTimeSpan }, Frames.Size);
         using var friend = new SocketClient(bridge.EndPoint);
@@ -31,11 +31,11 @@ public sealed class SocketTokenTests
     public void Connections_without_the_token_are_so_many_at_most_and_a_friend_comes_through()
     {
         // Nobody's time runs out here: who is cut off has made room.
-        SocketBridgeOptions options = AnyPort with { Token = "open sesame", MostStrangers = 4, TokenPatience = Timeout.InfiniteTimeSpan };
+        SocketBridgeOptions options = AnyPort with { Token = "open sesame", MaxPending = 4, TokenPatience = Timeout.InfiniteTimeSpan };
         using var bridge = new SocketBridge(options, Frames.Size);
         SocketClient[] strangers = [.. Enumerable.Range(0, 40).Select(_ => new SocketClient(bridge.EndPoint))];
         Assert.All(strangers.Take(36), stranger => Assert.True(stranger.IsCutOff()));
-        Assert.Equal(4, bridge.Strangers);
+        Assert.Equal(4, bridge.Pending);
 
         using var friend = new SocketClient(bridge.EndPoint);
         friend.Send("""{"type":"hello","token":"open sesame"}""");
@@ -44,7 +44,7 @@ public sealed class SocketTokenTests
 
         // The friend had a place among them for a moment.
         Assert.True(strangers[36].IsCutOff());
-        Assert.Equal(3, bridge.Strangers);
+        Assert.Equal(3, bridge.Pending);
         bridge.Dispose();
         Assert.All(strangers, stranger => Assert.True(stranger.IsCutOff()));
         Assert.All(strangers, stranger => stranger.Dispose());
@@ -60,21 +60,21 @@ public sealed class SocketTokenTests
 
         Assert.True(silent.IsCutOff());
         Assert.True(slow.IsCutOff());
-        Frames.Await(() => bridge.Strangers == 0, "the places of those who are cut off to be free");
+        Frames.Await(() => bridge.Pending == 0, "the places of those who are cut off to be free");
     }
 
     [Fact]
     public void Empty_token_is_none()
     {
         using var bridge = new SocketBridge(AnyPort with { Token = "" }, Frames.Size);
-        using var peer = new SocketClient(bridge.EndPoint);
-        peer.Send("""{"type":"requestFrame"}""");
+        using var client = new SocketClient(bridge.EndPoint);
+        client.Send("""{"type":"requestFrame"}""");
 
         Assert.IsType<RequestFrameMessage>(Frames.AwaitMessage(bridge));
     }
 
     [Fact]
-    public void Peer_that_says_nothing_is_told_that_a_token_is_asked_for()
+    public void Client_that_says_nothing_is_told_that_a_token_is_asked_for()
     {
         using var bridge = new SocketBridge(AnyPort with { Token = "open sesame" }, Frames.Size);
         using var stranger = new SocketClient(bridge.EndPoint);

@@ -5,20 +5,20 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Driving.Tests.Doubles;
 
-/// <summary>A bridge whose peer sends faster than anyone can take.</summary>
+/// <summary>A bridge whose client sends faster than anyone can take.</summary>
 internal sealed class FloodingBridge : IDrivingBridge
 {
     public int Taken { get; private set; }
 
     public string? Problem => null;
 
-    public string? Peer => null;
+    public string? Client => null;
 
     public void Publish(BridgeState state, PixelBuffer picture)
     {
     }
 
-    public bool TryReceive([NotNullWhen(true)] out PeerMessage? message)
+    public bool TryReceive([NotNullWhen(true)] out ClientMessage? message)
     {
         message = Taken++ % 2 == 0 ? new RequestFrameMessage() : new ControlsMessage(new DrivingControls(0.5, 0.25, 0), null);
         return true;

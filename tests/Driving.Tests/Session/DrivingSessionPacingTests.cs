@@ -4,7 +4,7 @@ using Harvester.TestSupport;
 
 namespace Harvester.Driving.Tests.Session;
 
-/// <summary>When the world of a drive stands, steps and is seen: lock-step and frames that the peer asks for.</summary>
+/// <summary>When the world of a drive stands, steps and is seen: lock-step and frames that the client asks for.</summary>
 public sealed class DrivingSessionPacingTests : DrivenGame
 {
     [Fact]
@@ -29,7 +29,7 @@ public sealed class DrivingSessionPacingTests : DrivenGame
     }
 
     [Fact]
-    public void Controls_hold_through_steps_however_long_the_peer_thinks_between_them()
+    public void Controls_hold_through_steps_however_long_the_client_thinks_between_them()
     {
         using DrivingSession session = Session();
         Bridge.Say(new PauseMessage(true), new ControlsMessage(Left, null));

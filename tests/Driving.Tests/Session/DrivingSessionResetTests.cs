@@ -49,12 +49,12 @@ public sealed class DrivingSessionResetTests : DrivenGame
     }
 
     [Fact]
-    public void Controls_held_for_a_reset_of_a_peer_that_is_gone_are_void()
+    public void Controls_held_for_a_reset_of_a_client_that_is_gone_are_void()
     {
         using DrivingSession session = Session();
         Bridge.Say(new PauseMessage(true), new StepMessage(1), new ResetMessage(default, 90), new ControlsMessage(Left, null));
         Run(session, 2);
-        Bridge.ReplacePeer();
+        Bridge.ReplaceClient();
         Run(session, 100);
 
         Assert.Empty(Car.Resets);

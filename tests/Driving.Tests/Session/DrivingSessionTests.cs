@@ -34,12 +34,12 @@ public sealed class DrivingSessionTests : DrivenGame
     }
 
     [Fact]
-    public void Car_brakes_until_the_peer_speaks_and_half_a_second_after_its_last_word()
+    public void Car_brakes_until_the_client_speaks_and_half_a_second_after_its_last_word()
     {
         using DrivingSession session = Session();
         Run(session, 3);
         Assert.All(Car.Driven, controls => Assert.Equal(DrivingControls.Stop, controls));
-        Assert.False(session.Status.IsPeerAlive);
+        Assert.False(session.Status.IsClientAlive);
 
         Bridge.Say(new ControlsMessage(Left, null));
         Run(session, 60);
@@ -47,7 +47,7 @@ public sealed class DrivingSessionTests : DrivenGame
         // Heard in tick 3; 30 ticks later half a second has passed, and in the next it is over.
         Assert.Equal(Enumerable.Repeat(Left, 31), Car.Driven.Skip(3).Take(31));
         Assert.Equal(Enumerable.Repeat(DrivingControls.Stop, 29), Car.Driven.Skip(34));
-        Assert.False(session.Status.IsPeerAlive);
+        Assert.False(session.Status.IsClientAlive);
     }
 
     [Fact]
@@ -243,7 +243,7 @@ public sealed class DrivingSessionTests : DrivenGame
     }
 
     [Fact]
-    public void Peer_that_floods_the_bridge_does_not_hold_up_a_tick()
+    public void Client_that_floods_the_bridge_does_not_hold_up_a_tick()
     {
         using var flood = new FloodingBridge();
         using var session = new DrivingSession(new DrivingOptions(), Game.Ports with { Car = Car }, flood, () => new NotingController(Left));

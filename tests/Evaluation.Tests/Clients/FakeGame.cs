@@ -5,17 +5,17 @@ using System.Text;
 
 namespace Harvester.Evaluation.Tests.Clients;
 
-/// <summary>The near end of a socket bridge, that says whatever a test has it say to the one peer that connects.</summary>
+/// <summary>The near end of a socket bridge, that says whatever a test has it say to the one client that connects.</summary>
 internal sealed class FakeGame : IDisposable
 {
     private readonly TcpListener _listener = new(IPAddress.Loopback, 0);
-    private TcpClient? _peer;
+    private TcpClient? _client;
 
     public FakeGame() => _listener.Start();
 
     public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
 
-    private NetworkStream Stream => (_peer ??= _listener.AcceptTcpClient()).GetStream();
+    private NetworkStream Stream => (_client ??= _listener.AcceptTcpClient()).GetStream();
 
     public static byte[] Frame(int number, double x = 0) => Message(
         $$"""{"type":"frame","frame":{{number}},"timeSeconds":{{number / 10.0:0.0}},"speedMetresPerSecond":5,"position":[{{x}},0,0],"headingDegrees":0,"fast":true,"lanesKnown":true,"indicators":[-0.05,-7,3.5,7,75,75,-9.5,-2.7,2.7,9.5,75,75,75],"torcsEquivalent":[0,-7,3.5,7,75,75,-9.5,-2,2,9.5,75,75,75]}""");
@@ -31,7 +31,7 @@ internal sealed class FakeGame : IDisposable
 
     public void Say(byte[] message) => Stream.Write(message);
 
-    /// <summary>The next message of the peer.</summary>
+    /// <summary>The next message of the client.</summary>
     public string Hear()
     {
         byte[] lengths = new byte[8];
@@ -42,7 +42,7 @@ internal sealed class FakeGame : IDisposable
     }
 
     /// <summary>Closes the connection after all that was said has been sent.</summary>
-    public void Close() => _peer?.Dispose();
+    public void Close() => _client?.Dispose();
 
     public void Dispose()
     {

@@ -20,7 +20,7 @@ public sealed class FolderLinkTests : IDisposable
     }
 
     [Fact]
-    public void Peer_begins_with_a_hello_so_that_a_world_which_another_has_stopped_goes_on()
+    public void Client_begins_with_a_hello_so_that_a_world_which_another_has_stopped_goes_on()
     {
         using FolderLink link = new(_folder);
 
@@ -50,7 +50,7 @@ public sealed class FolderLinkTests : IDisposable
         using FolderLink link = new(_folder);
         Assert.Null(link.Receive(Little));
         Write(Indicators + "0 0.1 5 1 frame_00000000.png -0.05\n");
-        PeerFrame frame = link.Receive(Ample)!;
+        ClientFrame frame = link.Receive(Ample)!;
 
         Assert.Equal((0, 0.1, 5, true), (frame.Frame, frame.TimeSeconds, frame.State.SpeedMetresPerSecond, frame.State.IsFast));
         Assert.Equal((-0.05, 0), (frame.State.Indicators.Angle.Value, frame.State.TorcsEquivalent.Angle.Value));

@@ -12,7 +12,7 @@ public sealed class SocketLinkTests
         using FakeGame game = new();
         using SocketLink link = new("127.0.0.1", game.Port, "open sesame", Ample);
         game.Say(FakeGame.Frame(7, 12));
-        PeerFrame frame = link.Receive(Ample)!;
+        ClientFrame frame = link.Receive(Ample)!;
 
         Assert.Equal((7, 0.7, 5, 12), (frame.Frame, frame.TimeSeconds, frame.State.SpeedMetresPerSecond, frame.Position!.Value.X));
         Assert.Equal(-2.7, frame.State.Indicators.ToMarkingML.Value, 6);

@@ -14,7 +14,7 @@ public sealed class DriveFiguresTests
             Drives.At(1),
             Drives.At(2) with { Lane = null },
             Drives.At(3) with { IsByController = false },
-            Drives.At(50) with { IsElsewhere = true },
+            Drives.At(50) with { IsTeleported = true },
             Drives.At(51),
         ];
         DriveFigures figures = DriveFigures.Of(samples);

@@ -129,7 +129,7 @@ public sealed class LensFitterTests
     public void Fit_of_too_few_sightings_has_no_result()
     {
         CameraIntrinsics truth = Intrinsics(800, 600, 60, Injected);
-        List<Sighting> nine = [.. Sightings(truth, new Random(7), 0, 0).Take(LensFitter.FewestSightings - 1)];
+        List<Sighting> nine = [.. Sightings(truth, new Random(7), 0, 0).Take(LensFitter.MinSightings - 1)];
 
         Assert.Equal(new LensFit(LensFitOutcome.TooFewSightings, Lens.Ideal, default, default, 0, 0), LensFitter.Fit(truth, nine));
         Assert.Equal(LensFitOutcome.TooFewSightings, LensFitter.Fit(truth, []).Outcome);

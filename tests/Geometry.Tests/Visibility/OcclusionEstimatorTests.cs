@@ -113,7 +113,7 @@ public sealed class OcclusionEstimatorTests
 
         estimator.Estimate(Camera, Target, CuboidProjector.Project(Camera, Target), Car, Ego, world);
 
-        Assert.InRange(world.RaysCast, 1, estimator.MostRays);
+        Assert.InRange(world.RaysCast, 1, estimator.MaxRays);
     }
 
     [Fact]

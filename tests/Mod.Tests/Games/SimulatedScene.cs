@@ -18,10 +18,10 @@ internal sealed class SimulatedScene
     private readonly SinglePrecisionWorld _world;
     private readonly HashSet<int> _handles = [];
 
-    public SimulatedScene(SimulationOptions options, SpaceTable spaces)
+    public SimulatedScene(SimulationOptions options, FaceTable faces)
     {
         _simulation = new SimulatedGame(options);
-        _world = new SinglePrecisionWorld(_simulation.Ports.World, spaces);
+        _world = new SinglePrecisionWorld(_simulation.Ports.World, faces);
         Ports = _simulation.Ports with { World = _world, Rays = new SinglePrecisionRays(_simulation.Ports.Rays), Markers = null };
     }
 

@@ -10,7 +10,7 @@ namespace Harvester.Mod.Tests.Games;
 /// angles, time in whole milliseconds, and no names of people. Both sides of a comparison look at this same world, so that
 /// what is compared is the mod and not the precision of the API.
 /// </summary>
-internal sealed class SinglePrecisionWorld(IWorld world, SpaceTable spaces) : IWorld
+internal sealed class SinglePrecisionWorld(IWorld world, FaceTable faces) : IWorld
 {
     private const double BeyondAll = 1e6;
 
@@ -58,7 +58,7 @@ internal sealed class SinglePrecisionWorld(IWorld world, SpaceTable spaces) : IW
 
     /// <summary>Everything that the mod reads, before it is rounded: vehicles, people, and the props of the table.</summary>
     public IEnumerable<EntityState> Unrounded() => world.ReadEntities(default, BeyondAll)
-        .Where(entity => entity.Class < ObjectClass.Sign || spaces.Of(entity.Model).Count > 0)
+        .Where(entity => entity.Class < ObjectClass.Sign || faces.Of(entity.Model).Count > 0)
         .Select(entity => entity.Class == ObjectClass.Pedestrian ? entity with { Model = $"0x{ModelHash.Of(entity.Model):X8}" } : entity);
 
     public static Vector3D Round(Vector3D vector) => new((float)vector.X, (float)vector.Y, (float)vector.Z);

@@ -3,7 +3,7 @@ using GTA.Native;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games.Natives;
 using Harvester.Sessions.Scenes;
-using Harvester.Simulation.Tests.Spaces.Survey;
+using Harvester.Simulation.Tests.Faces.Survey;
 
 namespace Harvester.Mod.Tests.Games;
 

@@ -2,7 +2,7 @@ using System.Windows.Forms;
 using GTA.Hosting;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
-using Harvester.Simulation.Tests.Spaces.Survey;
+using Harvester.Simulation.Tests.Faces.Survey;
 using Harvester.TestSupport;
 
 namespace Harvester.Mod.Tests.Soak;

@@ -15,7 +15,7 @@ public sealed class BridgeSettingsTests
             [Bridge]
             Kind = folder
             Folder = shared
-            PeerPatience = 600
+            ClientPatience = 600
             Address = 192.168.1.20
             Port = 5000
             Token = open sesame
@@ -29,7 +29,7 @@ public sealed class BridgeSettingsTests
         Assert.Equal(BridgeKind.Folder, settings.Kind);
         Assert.Equal("/mod/shared", settings.Folder);
         Assert.Equal(settings.Folder, settings.Place);
-        Assert.Equal(600, settings.PeerPatienceSeconds);
+        Assert.Equal(600, settings.ClientPatienceSeconds);
         Assert.Equal(new SocketBridgeOptions(IPAddress.Parse("192.168.1.20"), 5000, "open sesame"), settings.Socket);
         Assert.Equal(5, settings.Driving.RateHz);
         Assert.Equal(new ImageSize(320, 240), settings.Driving.Picture);
@@ -45,7 +45,7 @@ public sealed class BridgeSettingsTests
         Assert.Equal(SocketBridgeOptions.Loopback, settings.Socket);
         Assert.Equal("127.0.0.1:4567", settings.Place);
         Assert.Equal("/mod/default", settings.Folder);
-        Assert.Equal(30, settings.PeerPatienceSeconds);
+        Assert.Equal(30, settings.ClientPatienceSeconds);
         Assert.Equal(10, settings.Driving.RateHz);
         Assert.Equal(new ImageSize(280, 210), settings.Driving.Picture);
         Assert.Equal((ControllerKind.DeepDriving, false), (settings.Controller.Kind, settings.Controller.BrakesInEmergency));
@@ -56,7 +56,7 @@ public sealed class BridgeSettingsTests
     [InlineData("Address = here", "an address such as 127.0.0.1")]
     [InlineData("Port = 0", "1 to 65535")]
     [InlineData("Rate = 0", "0.1 to 60")]
-    [InlineData("PeerPatience = 0", "1 to 86400")]
+    [InlineData("ClientPatience = 0", "1 to 86400")]
     [InlineData("Controller = Rails", "DeepDriving or Stanley")]
     public void What_cannot_be_read_is_told_and_has_its_default(string line, string expected)
     {

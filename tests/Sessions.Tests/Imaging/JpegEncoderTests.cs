@@ -43,7 +43,7 @@ public sealed class JpegEncoderTests
             picture.Bytes[i] = random.Next(2) == 0 ? (byte)0 : (byte)255;
         }
 
-        for (int quality = JpegEncoder.LowestQuality; quality <= JpegEncoder.HighestQuality; quality++)
+        for (int quality = JpegEncoder.MinQuality; quality <= JpegEncoder.MaxQuality; quality++)
         {
             byte[] file = Bytes(new JpegEncoder(quality), picture);
             Assert.Equal([0xFF, 0xD9], file[^2..]);

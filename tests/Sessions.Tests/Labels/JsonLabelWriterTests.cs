@@ -17,9 +17,9 @@ public sealed class JsonLabelWriterTests
             + """ "camera":{"position":[1,-2.5,3],"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1],"verticalFovDegrees":50,"width":800,"height":600,"windowAspect":1.777777778,"nearClip":0.15,"fx":482.507,"fy":643.352076,"cx":400,"cy":300,"distortion":{"focalScale":1.008,"k1":-0.02,"k2":0}},""".TrimStart()
             + """ "ego":{"position":[1,-4,0],"headingDegrees":0,"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1],"heightAboveGroundMetres":0.51,"velocity":[0,15.25,0],"model":"blista"},"environment":{"weather":"clear","timeOfDay":"07:05:09"},""".TrimStart()
             + """ "objects":[{"id":1,"class":"trafficLight","model":"prop_traffic_01a","name":"light \"A\"","parent":9,"knownParts":null,"hasRider":null,"box2d":[0,10.5,20.125,30],"box2dAmodal":[-5.25,10.5,20.125,30],"box2dVisible":[0,11,20,30],"boxes":["cuboid","amodal","visible"],"truncatedFraction":0.25,"occludedFraction":0.5,"occlusionMethod":"rays","visibleFraction":0.375,""".TrimStart()
-            + """ "box3d":{"centre":[10,20,0.5],"halfExtents":[1,2,0.5],"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1]},"distanceMetres":24.3567,"velocity":[0,0,0],"space":{"face":1,"mutcd":null,"facesCamera":true,"facingAngleDegrees":12.3457,"provenance":"derived","light":{"state":"amber","method":"observed","litFraction":0.0813}}},""".TrimStart()
+            + """ "box3d":{"centre":[10,20,0.5],"halfExtents":[1,2,0.5],"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1]},"distanceMetres":24.3567,"velocity":[0,0,0],"face":{"face":1,"mutcd":null,"facesCamera":true,"facingAngleDegrees":12.3457,"provenance":"derived","light":{"state":"amber","method":"observed","litFraction":0.0813}}},""".TrimStart()
             + """ {"id":2,"class":"motorcycle","model":"bati","name":null,"parent":null,"knownParts":0,"hasRider":true,"box2d":[1,2,3,4],"box2dAmodal":[1,2,3,4],"box2dVisible":null,"boxes":["cuboid","amodal"],"truncatedFraction":0,"occludedFraction":null,"occlusionMethod":"none","visibleFraction":null,""".TrimStart()
-            + """ "box3d":{"centre":[10,20,0.5],"halfExtents":[1,2,0.5],"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1]},"distanceMetres":5,"velocity":[0,0,0],"space":null}],"ignoreRegions":[{"reason":"beyondRange","class":"truck","box2d":[700.5,290,720.125,305],"distanceMetres":157.2346}]}""".TrimStart();
+            + """ "box3d":{"centre":[10,20,0.5],"halfExtents":[1,2,0.5],"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1]},"distanceMetres":5,"velocity":[0,0,0],"face":null}],"ignoreRegions":[{"reason":"beyondRange","class":"truck","box2d":[700.5,290,720.125,305],"distanceMetres":157.2346}]}""".TrimStart();
 
         Assert.Equal(expected, JsonLabelWriter.Line(Frame()));
     }
@@ -65,7 +65,7 @@ public sealed class JsonLabelWriterTests
             Model = "prop_traffic_01a",
             Name = "light \"A\"",
             Parent = 9,
-            Space = new SpaceLabel(1, null, 12.34567, Provenance.Derived, new LightLabel(LightState.Amber, LightMethod.Observed, 0.08125)),
+            Face = new FaceLabel(1, null, 12.34567, Provenance.Derived, new LightLabel(LightState.Amber, LightMethod.Observed, 0.08125)),
             Box2D = new Box2D(0, 10.5, 20.125, 30),
             Box2DAmodal = new Box2D(-5.25, 10.5, 20.125, 30),
             Box2DVisible = new Box2D(0, 11, 20, 30),
@@ -85,7 +85,7 @@ public sealed class JsonLabelWriterTests
             Parent = null,
             KnownParts = 0,
             HasRider = true,
-            Space = null,
+            Face = null,
             Box2D = new Box2D(1, 2, 3, 4),
             Box2DAmodal = new Box2D(1, 2, 3, 4),
             Box2DVisible = null,

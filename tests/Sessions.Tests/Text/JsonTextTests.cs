@@ -10,7 +10,7 @@ public sealed class JsonTextTests
     {
         JsonText json = new JsonText().BeginObject()
             .Key("a").Integer(1)
-            .Key("b").BeginArray().Number(0.5, 2).BeginArray().EndArray().Truth(true).EndArray()
+            .Key("b").BeginArray().Number(0.5, 2).BeginArray().EndArray().Boolean(true).EndArray()
             .Key("c").BeginObject().EndObject()
             .Key("d").String(null)
             .EndObject();

@@ -26,7 +26,7 @@ internal static class LabelledTown
     public static void Harvest(SimulatedGame game, GamePorts ports, HarvestOptions options, Action<CapturedFrame, TruePicture> judge)
     {
         MemorySink sink = new();
-        HarvestOptions asked = options with { ProbeLag = false, MaxCalibrationErrorPixels = null, Spaces = ModelSpaces.Table };
+        HarvestOptions asked = options with { ProbeLag = false, MaxCalibrationErrorPixels = null, Faces = ModelFaces.Table };
         using HarvestSession session = new(asked, ports, sink);
         bool isOver = false;
         while (!isOver)

@@ -51,10 +51,10 @@ public sealed class LightStateTests(ITestOutputHelper output)
         var game = new SimulatedGame(new SimulationOptions { Seed = seed, Weather = "clouds", WindowAspect = 16 / 9.0 });
         LabelledTown.Harvest(game, change(game.Ports), options, (frame, _) =>
         {
-            foreach (ObjectLabel head in frame.Label.Objects.Where(item => item.Space?.Light is not null))
+            foreach (ObjectLabel head in frame.Label.Objects.Where(item => item.Face?.Light is not null))
             {
-                heads.Add((frame.Label.Frame, head.Id), head.Space!.Light!);
-                fromOtherSides += head.Space.FacesCamera ? 0 : 1;
+                heads.Add((frame.Label.Frame, head.Id), head.Face!.Light!);
+                fromOtherSides += head.Face.FacesCamera ? 0 : 1;
             }
         });
         return (heads, fromOtherSides);

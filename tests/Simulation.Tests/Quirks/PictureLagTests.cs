@@ -12,7 +12,7 @@ namespace Harvester.Simulation.Tests.Quirks;
 public sealed class PictureLagTests(ITestOutputHelper output)
 {
     private const double TickSeconds = 1 / 60.0;
-    private const int MostTicks = 6_000;
+    private const int MaxTicks = 6_000;
 
     // As after a check of the camera, which has told already that the picture is not later than the limit.
     private static readonly HarvestOptions Options = new()
@@ -87,7 +87,7 @@ public sealed class PictureLagTests(ITestOutputHelper output)
     {
         GamePorts ports = screen is null ? game.Ports : game.Ports with { Screen = screen };
         using var session = new HarvestSession(options, ports, new MemorySink());
-        for (int tick = 0; tick < MostTicks && session.Lag is null && !session.Status.IsOver; tick++)
+        for (int tick = 0; tick < MaxTicks && session.Lag is null && !session.Status.IsOver; tick++)
         {
             game.Tick(TickSeconds);
             screen?.Tick();

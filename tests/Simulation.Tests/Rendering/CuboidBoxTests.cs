@@ -18,7 +18,7 @@ public sealed class CuboidBoxTests
     private const int Finer = 4;
 
     /// <summary>Slivers of a silhouette with fewer fine pixels are hardly more than such a tip.</summary>
-    private const int FewestPixels = 150 * Finer * Finer;
+    private const int MinPixels = 150 * Finer * Finer;
     private const int Attempts = 4;
 
     private static readonly Vector3D Min = new(-1, -2.2, -0.4);
@@ -52,7 +52,7 @@ public sealed class CuboidBoxTests
             RenderTarget target = TestScene.Render(camera with { Width = camera.Width * Finer, Height = camera.Height * Finer }, new MeshInstance(box, pose, 1));
             CuboidProjection projection = CuboidProjector.Project(Analytic(camera), Cuboid.FromModel(Min, Max, pose));
             int pixels = Silhouette.Count(target, 1);
-            if (pixels < FewestPixels)
+            if (pixels < MinPixels)
             {
                 Assert.True(pixels == 0 || projection.Box is not null, "Something is drawn where the box says there is nothing.");
                 continue;

@@ -15,7 +15,7 @@ public sealed class OcclusionTests
     private const double LargestMeanError = 0.1;
 
     /// <summary>Fewer pixels than these make the rendered share itself too coarse.</summary>
-    private const int FewestPixels = 200;
+    private const int MinPixels = 200;
 
     private static readonly RenderCamera Eye = TestScene.Camera with { Width = 640, Height = 480, VerticalFovDegrees = 50 };
 
@@ -35,7 +35,7 @@ public sealed class OcclusionTests
             for (int i = 0; i < cars.Length; i++)
             {
                 int alone = Silhouette.Count(TestScene.Render(Eye, cars[i]), cars[i].Handle);
-                if (alone < FewestPixels)
+                if (alone < MinPixels)
                 {
                     continue;
                 }

@@ -6,7 +6,7 @@ using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Tests.Models;
 using Harvester.Simulation.Tests.Rendering;
 
-namespace Harvester.Simulation.Tests.Spaces;
+namespace Harvester.Simulation.Tests.Faces;
 
 /// <summary>Boxes of signs' faces by the table against the faces that the renderer draws.</summary>
 public sealed class FaceBoxTests
@@ -30,7 +30,7 @@ public sealed class FaceBoxTests
         var random = new Random(7);
         foreach (Model model in ModelCatalogueTests.Catalogue.Signs)
         {
-            SpaceOfInterest face = Assert.Single(ModelSpaces.Table.Of(model.Name));
+            ModelFace face = Assert.Single(ModelFaces.Table.Of(model.Name));
             Mesh drawn = FaceParts.FaceOf(model);
             for (int i = 0; i < 12; i++)
             {
@@ -42,7 +42,7 @@ public sealed class FaceBoxTests
                 Box2D? rendered = Silhouette.BoxOf(
                     TestScene.Render(camera with { Width = Side * Finer, Height = Side * Finer }, new MeshInstance(drawn, pose, 1)), 1);
                 Box2D box = CuboidProjector.Project(
-                    CuboidBoxTests.Analytic(camera), face.CuboidAt(pose), SpaceOutline.EdgesOf(face, pose)).Box!.Value;
+                    CuboidBoxTests.Analytic(camera), face.CuboidAt(pose), FaceOutline.EdgesOf(face, pose)).Box!.Value;
 
                 double error = LargestDifference(box, rendered!.Value);
                 Assert.True(error <= PixelTolerance, FormattableString.Invariant($"{model.Name} at {distance:0.0} m turned {turn:0} degrees: {error:0.00} px"));

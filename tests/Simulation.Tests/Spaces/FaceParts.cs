@@ -3,7 +3,7 @@ using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
 
-namespace Harvester.Simulation.Tests.Spaces;
+namespace Harvester.Simulation.Tests.Faces;
 
 /// <summary>Takes the shapes of signs and traffic lights apart, so that the renderer can draw a face under a number of its own.</summary>
 internal static class FaceParts

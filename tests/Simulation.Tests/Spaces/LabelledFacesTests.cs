@@ -1,7 +1,7 @@
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
-namespace Harvester.Simulation.Tests.Spaces;
+namespace Harvester.Simulation.Tests.Faces;
 
 /// <summary>Faces of labels against the faces that the pictures truly show.</summary>
 public sealed class LabelledFacesTests
@@ -17,7 +17,7 @@ public sealed class LabelledFacesTests
 
     /// <summary>A label is of the face at its place; a session's numbers are rounded nowhere before the file.</summary>
     private const double SamePlaceMetres = 1e-9;
-    private const double LowestHeadPixels = 12;
+    private const double MinHeadPixels = 12;
     private const double MostHidden = 0.05;
 
     /// <summary>The turn up to which the project wants lights read.</summary>
@@ -43,9 +43,9 @@ public sealed class LabelledFacesTests
         int heads = 0;
         foreach ((FrameLabel label, IReadOnlyList<TrueFace> faces) in StreetOfFaces.Harvest(3, firstSeed: 1, setsLights: true))
         {
-            foreach (ObjectLabel head in label.Objects.Where(label => label.Space?.Light is not null))
+            foreach (ObjectLabel head in label.Objects.Where(label => label.Face?.Light is not null))
             {
-                Assert.Equal(new LightLabel(TruthOf(head, faces).State!.Value, LightMethod.Set, null), head.Space!.Light);
+                Assert.Equal(new LightLabel(BooleanOf(head, faces).State!.Value, LightMethod.Set, null), head.Face!.Light);
                 heads++;
             }
         }
@@ -60,15 +60,15 @@ public sealed class LabelledFacesTests
         int heads = 0, hidden = 0, unknown = 0;
         foreach ((FrameLabel label, IReadOnlyList<TrueFace> faces) in StreetOfFaces.Harvest(40, firstSeed: 400))
         {
-            foreach (ObjectLabel head in label.Objects.Where(item => item.Space is { Light: not null, FacingAngleDegrees: <= ReadUpToDegrees }
-                && item.Box2D.Height >= LowestHeadPixels && item.TruncatedFraction == 0))
+            foreach (ObjectLabel head in label.Objects.Where(item => item.Face is { Light: not null, FacingAngleDegrees: <= ReadUpToDegrees }
+                && item.Box2D.Height >= MinHeadPixels && item.TruncatedFraction == 0))
             {
-                TrueFace truth = TruthOf(head, faces);
+                TrueFace truth = BooleanOf(head, faces);
                 if (truth.VisiblePixels == truth.PixelsAlone.Value)
                 {
                     heads++;
                     hidden += head.OccludedFraction > MostHidden ? 1 : 0;
-                    unknown += head.Space!.Light!.State == LightState.Unknown ? 1 : 0;
+                    unknown += head.Face!.Light!.State == LightState.Unknown ? 1 : 0;
                 }
             }
         }
@@ -83,16 +83,16 @@ public sealed class LabelledFacesTests
         int right = 0, wrong = 0, missed = 0, fromBehind = 0, statesRight = 0, statesWrong = 0;
         foreach ((FrameLabel label, IReadOnlyList<TrueFace> faces) in frames)
         {
-            fromBehind += label.Objects.Count(item => item is { Class: ObjectClass.Sign, Space: not null } && !TruthOf(item, faces).FacesCamera);
-            ObjectLabel[] labelled = [.. label.Objects.Where(item => item.Space is not null && (item.Class == ObjectClass.Sign || item.Space.FacesCamera))];
+            fromBehind += label.Objects.Count(item => item is { Class: ObjectClass.Sign, Face: not null } && !BooleanOf(item, faces).FacesCamera);
+            ObjectLabel[] labelled = [.. label.Objects.Where(item => item.Face is not null && (item.Class == ObjectClass.Sign || item.Face.FacesCamera))];
             foreach (ObjectLabel item in labelled)
             {
-                TrueFace truth = TruthOf(item, faces);
+                TrueFace truth = BooleanOf(item, faces);
                 right += truth.FacesCamera && truth.VisiblePixels > 0 ? 1 : 0;
                 wrong += truth.FacesCamera && truth.VisiblePixels > 0 ? 0 : 1;
                 if (item.Class == ObjectClass.TrafficLight && IsClear(item))
                 {
-                    bool isRight = item.Space!.Light!.State == truth.State;
+                    bool isRight = item.Face!.Light!.State == truth.State;
                     statesRight += isRight ? 1 : 0;
                     statesWrong += isRight ? 0 : 1;
                 }
@@ -110,10 +110,10 @@ public sealed class LabelledFacesTests
         Assert.True(statesRight >= LeastRight * (statesRight + statesWrong), figures);
     }
 
-    private static TrueFace TruthOf(ObjectLabel label, IReadOnlyList<TrueFace> faces) =>
+    private static TrueFace BooleanOf(ObjectLabel label, IReadOnlyList<TrueFace> faces) =>
         Assert.Single(faces, face => (face.Centre - label.Box3D.Centre).Length < SamePlaceMetres);
 
     // Heads of at least 12 pixels that hardly anything hides, up to the 60 degrees of turn of the project's other figures.
     private static bool IsClear(ObjectLabel head) =>
-        head.Box2D.Height >= LowestHeadPixels && head.OccludedFraction <= MostHidden && head.TruncatedFraction <= MostHidden && head.Space!.FacingAngleDegrees <= ReadUpToDegrees;
+        head.Box2D.Height >= MinHeadPixels && head.OccludedFraction <= MostHidden && head.TruncatedFraction <= MostHidden && head.Face!.FacingAngleDegrees <= ReadUpToDegrees;
 }

@@ -10,7 +10,7 @@ using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Tests.Models;
 
-namespace Harvester.Simulation.Tests.Spaces;
+namespace Harvester.Simulation.Tests.Faces;
 
 /// <summary>
 /// A game that shows another street in each frame: signs and traffic lights turned anyhow, cars and walls among them. Each picture is
@@ -53,7 +53,7 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
         MaxPictureLagTicks = 0,
         ProbeLag = false,
         MaxCalibrationErrorPixels = null,
-        Spaces = ModelSpaces.Table,
+        Faces = ModelFaces.Table,
     };
 
     public GamePorts Ports => new(this, this, this, this, this) { Lights = _setsLights ? this : null };
@@ -68,15 +68,15 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
     public IEnumerable<TrueFace> Faces =>
         from entity in _entities
         where entity.Model.Class is ObjectClass.Sign or ObjectClass.TrafficLight
-        from face in Enumerable.Range(0, FaceParts.Split(entity.Model, entity.Variant).Count - 1)
+        from number in Enumerable.Range(0, FaceParts.Split(entity.Model, entity.Variant).Count - 1)
         let pose = entity.State.Pose
-        let space = ModelSpaces.Table.Of(entity.Model.Name)[face]
+        let face = ModelFaces.Table.Of(entity.Model.Name)[number]
         select new TrueFace(
-            space.CuboidAt(pose).Centre,
-            pose.Axes.Forward.Dot(pose.ToWorld(space.BackLowerRight) - Camera.Pose.Position) > 0,
-            _picture.Handles.Count(handle => handle == FaceHandle(entity.State.Handle, face)),
+            face.CuboidAt(pose).Centre,
+            pose.Axes.Forward.Dot(pose.ToWorld(face.BackLowerRight) - Camera.Pose.Position) > 0,
+            _picture.Handles.Count(handle => handle == FaceHandle(entity.State.Handle, number)),
             entity.Model.Class == ObjectClass.TrafficLight ? (LightState)(1 + entity.Variant) : null,
-            new Lazy<int>(() => PixelsAlone(entity.State, entity.Model, entity.Variant, face)));
+            new Lazy<int>(() => PixelsAlone(entity.State, entity.Model, entity.Variant, number)));
 
     /// <summary>Harvests streets and gives each label with its truth.</summary>
     public static IEnumerable<(FrameLabel Label, IReadOnlyList<TrueFace> Faces)> Harvest(int frames, int firstSeed, bool setsLights = false)

@@ -1,7 +1,7 @@
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
 
-namespace Harvester.Simulation.Tests.Spaces;
+namespace Harvester.Simulation.Tests.Faces;
 
 /// <summary>What a picture truly shows of a face.</summary>
 /// <param name="Centre">The middle of its cuboid, by which a label is known to be of it.</param>

@@ -1,7 +1,7 @@
 using Harvester.Capture.Harvesting;
 using Harvester.Sessions.Labels;
 
-namespace Harvester.Simulation.Tests.Spaces;
+namespace Harvester.Simulation.Tests.Faces;
 
 /// <summary>Keeps each frame's label with the truth of its street, and then lets the game go on to the next street.</summary>
 internal sealed class TruthSink(StreetOfFaces game) : IFrameSink

@@ -15,7 +15,7 @@ public sealed class WalkerVelocityTests(ITestOutputHelper output)
     private const double Tolerance = 0.005;
 
     /// <summary>Someone steps off a kerb, sets off, stops, turns round or comes to another bend within a tick, in which the velocity jumps.</summary>
-    private const double MostSteps = 0.002;
+    private const double MaxSteps = 0.002;
 
     [Theory]
     [InlineData(3)]
@@ -43,7 +43,7 @@ public sealed class WalkerVelocityTests(ITestOutputHelper output)
         int off = errors.Count(error => error > Tolerance);
         output.WriteLine($"{errors.Count} velocities, {climbs} of them up or down; median error {errors[errors.Count / 2]:F5} m/s, {off} of more than {Tolerance} m/s, greatest {errors[^1]:F3} m/s");
         Assert.True(errors.Count > 10_000 && climbs > 1_000, $"{errors.Count} velocities, {climbs} of them up or down.");
-        Assert.True(off <= MostSteps * errors.Count, $"{off} of {errors.Count} velocities are more than {Tolerance} m/s off.");
+        Assert.True(off <= MaxSteps * errors.Count, $"{off} of {errors.Count} velocities are more than {Tolerance} m/s off.");
     }
 
     private static IEnumerable<EntityState> Walkers(SimulatedWorld world) =>

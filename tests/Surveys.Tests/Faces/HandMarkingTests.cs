@@ -21,12 +21,12 @@ public sealed class HandMarkingTests
         Assert.Null(marking.Preview);
         marking.Mark(Prop.Pose.ToWorld(new Vector3D(-0.4, -0.1, 2.7)), eye);
 
-        SpaceOfInterest space = marking.ToSpace("ALL TRAFFIC", "", 0);
+        ModelFace face = marking.ToSpace("ALL TRAFFIC", "", 0);
 
         // Both marks lie in the plane y = -0.1; two centimetres of depth are added behind it, at greater y.
-        AssertClose(new Vector3D(-0.4, -0.08, 2.7), space.FrontUpperLeft);
-        AssertClose(new Vector3D(0.4, -0.1, 1.9), space.BackLowerRight);
-        Assert.Equal((Facing.Back, Provenance.Measured, "prop_sign_road_03c"), (space.Facing, space.Provenance, space.Model));
+        AssertClose(new Vector3D(-0.4, -0.08, 2.7), face.FrontUpperLeft);
+        AssertClose(new Vector3D(0.4, -0.1, 1.9), face.BackLowerRight);
+        Assert.Equal((Facing.Back, Provenance.Measured, "prop_sign_road_03c"), (face.Facing, face.Provenance, face.Model));
         AssertClose(Prop.Pose.ToWorld(new Vector3D(0, -0.09, 2.3)), marking.Preview!.Centre);
     }
 

@@ -10,7 +10,7 @@ public sealed class UnknownModelsTests
     [Fact]
     public void Write_lists_signs_and_lights_that_the_table_lacks_once_each()
     {
-        SpaceTable table = SpaceTableReader.Read(new StringReader("prop_sign_road_01a,,sign,STOP,R1-1,0,-0.4,0,2.7,0.4,-0.1,1.9,-y,measured,test")).Table;
+        FaceTable table = FaceTableReader.Read(new StringReader("prop_sign_road_01a,,sign,STOP,R1-1,0,-0.4,0,2.7,0.4,-0.1,1.9,-y,measured,test")).Table;
         var unknown = new UnknownModels(() => table);
 
         unknown.Look([

@@ -19,17 +19,17 @@ internal static class RoadsMapCommand
     private const string Legend = "highways orange, one-way roads blue, streets grey, unpaved ways brown, ways that no car takes light grey, water light blue";
     private const string NoRoads = "There are no roads to draw.";
     private const int DefaultSize = 2000;
-    private const int LargestSize = 20_000;
+    private const int MaxSize = 20_000;
 
     // Math.Round knows no more.
-    private const int MostDecimals = 15;
+    private const int MaxDecimals = 15;
 
     public static Command Create(Terminal terminal)
     {
         Argument<string> from = RoadSourceArgument.Create();
         Option<LanesIn> lanesIn = RoadSourceArgument.LanesIn();
         Option<string> output = RoadSourceArgument.Output("Picture to write: .png, or .svg for a vector graphic");
-        Option<int> size = ValueParsers.Integer("--size", "PIXELS", "Pixels of the longer side", 16, LargestSize);
+        Option<int> size = ValueParsers.Integer("--size", "PIXELS", "Pixels of the longer side", 16, MaxSize);
         size.DefaultValueFactory = _ => DefaultSize;
         Option<Box2D?> area = ValueParsers.Optional<Box2D>(
             "--area", "XMIN,YMIN,XMAX,YMAX", "The part of the world to show, metres [default: all]", ParseArea, "west, south, east and north edge, as -500,-1500,1000,0");
@@ -76,7 +76,7 @@ internal static class RoadsMapCommand
     }
 
     /// <summary>A length of any order with its first three digits, those before the point apart.</summary>
-    private static double ThreeDigits(double metres) => Math.Round(metres, Math.Clamp(2 - (int)Math.Floor(Math.Log10(metres)), 0, MostDecimals));
+    private static double ThreeDigits(double metres) => Math.Round(metres, Math.Clamp(2 - (int)Math.Floor(Math.Log10(metres)), 0, MaxDecimals));
 
     private static Box2D? ParseArea(string text) =>
         ValueParsers.Numbers(text, 4) is { } n && n[0] < n[2] && n[1] < n[3] ? new Box2D(n[0], n[1], n[2], n[3]) : null;

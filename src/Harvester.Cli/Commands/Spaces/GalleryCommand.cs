@@ -1,13 +1,13 @@
 using System.CommandLine;
 using System.IO;
 using System.Text;
-using Harvester.Cli.Spaces;
+using Harvester.Cli.Faces;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 
-namespace Harvester.Cli.Commands.Spaces;
+namespace Harvester.Cli.Commands.Faces;
 
-/// <summary>harvester spaces gallery: one page that shows the spaces of a table.</summary>
+/// <summary>harvester faces gallery: one page that shows the faces of a table.</summary>
 internal static class GalleryCommand
 {
     private const string FileName = "gallery.html";
@@ -20,11 +20,11 @@ internal static class GalleryCommand
         command.SetAction(parsed =>
         {
             string given = parsed.GetRequiredValue(source);
-            string table = SpaceFile.TableOf(given);
+            string table = FaceFile.TableOf(given);
             string folder = Path.GetDirectoryName(Path.GetFullPath(table))!;
             string page = parsed.GetValue(output) ?? (Directory.Exists(given) ? Path.Combine(folder, FileName) : FileName);
             var text = new StringWriter();
-            int models = new SpaceGallery(SpaceFile.ReadGood(table, terminal.WriteError), folder).Write(text);
+            int models = new FaceGallery(FaceFile.ReadGood(table, terminal.WriteError), folder).Write(text);
             WholeFile.Write(page, stream => stream.Write(new UTF8Encoding(false).GetBytes(text.ToString())));
             terminal.Out.WriteLine($"{page}: {Counted.Of(models, "model")} shown");
             return ExitCode.Done;

@@ -1,15 +1,15 @@
 using System.CommandLine;
 using System.Globalization;
 using System.Linq;
-using Harvester.Cli.Spaces;
+using Harvester.Cli.Faces;
 using Harvester.Cli.Terminals;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Text;
 using Spectre.Console;
 
-namespace Harvester.Cli.Commands.Spaces;
+namespace Harvester.Cli.Commands.Faces;
 
-/// <summary>harvester spaces: tables of the parts of models that matter.</summary>
+/// <summary>harvester faces: tables of the parts of models that matter.</summary>
 internal static class SpacesCommand
 {
     private const string Notes =
@@ -40,14 +40,14 @@ internal static class SpacesCommand
         var command = new Command("check", "Say which rows of a table are refused, and why.") { file };
         command.SetAction(parsed =>
         {
-            string path = SpaceFile.TableOf(parsed.GetRequiredValue(file));
-            SpaceTableContent content = SpaceFile.Read(path);
-            foreach (SpaceTableProblem problem in content.Problems)
+            string path = FaceFile.TableOf(parsed.GetRequiredValue(file));
+            FaceTableContent content = FaceFile.Read(path);
+            foreach (FaceTableProblem problem in content.Problems)
             {
                 terminal.Out.WriteLine($"{path}: {problem}");
             }
 
-            int good = content.Table.Spaces.Count();
+            int good = content.Table.Faces.Count();
             terminal.Out.WriteLine($"{path}: {Counted.Of(good, "row")} good, {content.Problems.Count} refused");
             return content.Problems.Count > 0 ? ExitCode.BadData : ExitCode.Done;
         });
@@ -61,10 +61,10 @@ internal static class SpacesCommand
         command.SetAction(parsed =>
         {
             Table rows = new Table().Border(TableBorder.None).AddColumns("model", "face", "name", "mutcd", "size, m", "facing", "provenance");
-            SpaceTableContent content = SpaceFile.Read(parsed.GetRequiredValue(file));
-            foreach (SpaceOfInterest space in content.Table.Spaces)
+            FaceTableContent content = FaceFile.Read(parsed.GetRequiredValue(file));
+            foreach (ModelFace face in content.Table.Faces)
             {
-                rows.AddRow([.. Cells(space).Select(cell => new Text(cell))]);
+                rows.AddRow([.. Cells(face).Select(cell => new Text(cell))]);
             }
 
             terminal.ToAnsiConsole().Write(rows);
@@ -79,17 +79,17 @@ internal static class SpacesCommand
         return command;
     }
 
-    private static string[] Cells(SpaceOfInterest space) =>
+    private static string[] Cells(ModelFace face) =>
     [
-        space.Model.Length > 0 ? space.Model : space.Hash.ToString(CultureInfo.InvariantCulture),
-        space.Face.ToString(CultureInfo.InvariantCulture),
-        space.Name,
-        space.MutcdCode,
+        face.Model.Length > 0 ? face.Model : face.Hash.ToString(CultureInfo.InvariantCulture),
+        face.Number.ToString(CultureInfo.InvariantCulture),
+        face.Name,
+        face.MutcdCode,
         string.Create(
             CultureInfo.InvariantCulture,
-            $"{space.BackLowerRight.X - space.FrontUpperLeft.X:0.000} x {space.FrontUpperLeft.Z - space.BackLowerRight.Z:0.000}"),
-        JsonName.Of(space.Facing),
-        JsonName.Of(space.Provenance),
+            $"{face.BackLowerRight.X - face.FrontUpperLeft.X:0.000} x {face.FrontUpperLeft.Z - face.BackLowerRight.Z:0.000}"),
+        JsonName.Of(face.Facing),
+        JsonName.Of(face.Provenance),
     ];
 
     private static Argument<string> FileArgument() => new("FILE|DIR") { Description = "The table, or a survey's folder" };

@@ -69,12 +69,12 @@ internal static class DatasetAssembly
         (DatasetFormat format, _) = ExportPlan.Parse(manifest.RootElement.GetProperty("plan").GetRawText());
         IEnumerable<KeyValuePair<string, int>> splits =
             manifest.RootElement.GetProperty("framesOfSplits").EnumerateObject().Select(split => KeyValuePair.Create(split.Name, split.Value.GetInt32()));
-        return new ExportResult(format, fields.WholeNumber("frames"), IsFinished: true)
+        return new ExportResult(format, fields.Integer("frames"), IsFinished: true)
         {
-            FramesLeftOut = fields.WholeNumber("framesLeftOut"),
-            Labels = fields.WholeNumber("labels"),
-            Objects = fields.WholeNumber("objects"),
-            Ignored = fields.WholeNumber("ignored"),
+            FramesLeftOut = fields.Integer("framesLeftOut"),
+            Labels = fields.Integer("labels"),
+            Objects = fields.Integer("objects"),
+            Ignored = fields.Integer("ignored"),
             FramesOfSplits = new Dictionary<string, int>(splits),
         };
     }

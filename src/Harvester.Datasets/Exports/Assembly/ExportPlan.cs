@@ -90,17 +90,17 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
         DatasetSplit[] splits = [.. root.GetProperty("splits").EnumerateObject().Select(split => new DatasetSplit(split.Name, split.Value.GetDouble()))];
         return (format, new ExportOptions
         {
-            Splits = new SplitPlan(splits, fields.WholeNumber("splitSeed"), fields.WholeNumber("splitBlockFrames")),
+            Splits = new SplitPlan(splits, fields.Integer("splitSeed"), fields.Integer("splitBlockFrames")),
             Classes = [.. fields.Text("classes").Split(',', StringSplitOptions.RemoveEmptyEntries).Select(ClassOf)],
             MinVisibleFraction = fields.Number("minVisibleFraction"),
             Names = root.GetProperty("names").EnumerateObject().ToDictionary(name => ClassOf(name.Name), name => name.Value.GetString()!),
-            Subclasses = (Subclasses)fields.WholeNumber("subclasses"),
+            Subclasses = (Subclasses)fields.Integer("subclasses"),
             MutcdCodes = [.. root.GetProperty("mutcdCodes").EnumerateArray().Select(code => code.GetString()!)],
             Parts = fields.Has("parts") ? fields.Name<PartSelection>("parts") : null,
             Boxes = fields.Has("boxes") ? fields.Name<BoxKind>("boxes") : null,
             Segmentation = fields.Name<SegmentationKind>("segmentation"),
             ImageFormat = fields.Has("imageFormat") ? fields.Name<ImageFormat>("imageFormat") : null,
-            JpegQuality = fields.Has("imageFormat") ? fields.WholeNumber("quality") : JpegEncoder.DefaultQuality,
+            JpegQuality = fields.Has("imageFormat") ? fields.Integer("quality") : JpegEncoder.DefaultQuality,
         });
     }
 

@@ -9,7 +9,7 @@ namespace Harvester.Datasets.Exports.Assembly;
 /// <summary>Sorts the parts of all frames by name into files of their own, so that a dataset of any length needs little memory.</summary>
 internal sealed class PartStore
 {
-    private const int MostBufferedCharacters = 4 * 1024 * 1024;
+    private const int MaxBufferedCharacters = 4 * 1024 * 1024;
 
     private readonly string _folder;
     private readonly SortedDictionary<string, StringBuilder> _buffers = new(StringComparer.Ordinal);
@@ -44,7 +44,7 @@ internal sealed class PartStore
         _counts[name] = _counts.GetValueOrDefault(name) + 1;
         buffer.Append(line).Append('\n');
         _buffered += line.Length + 1;
-        if (_buffered > MostBufferedCharacters)
+        if (_buffered > MaxBufferedCharacters)
         {
             Flush();
         }

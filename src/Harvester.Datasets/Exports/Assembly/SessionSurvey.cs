@@ -99,7 +99,7 @@ internal sealed class SessionSurvey
         FrameRequirements.Check(Format, frame);
         _frames[frame.SessionIndex]++;
         _masks[frame.SessionIndex] += frame.Label.Mask is null ? 0 : 1;
-        _mutcdCodes.UnionWith(frame.Label.Objects.Select(label => label.Space?.MutcdCode).OfType<string>());
+        _mutcdCodes.UnionWith(frame.Label.Objects.Select(label => label.Face?.MutcdCode).OfType<string>());
         if (!Format.LeavesOutUnknownLanes || frame.Label.Lanes is { Status: LaneStatus.Known })
         {
             _written.Add(new FramePlace(frame.SessionIndex, frame.FrameInSession));

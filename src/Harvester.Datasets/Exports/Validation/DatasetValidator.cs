@@ -81,7 +81,7 @@ public static class DatasetValidator
             using JsonDocument manifest = JsonDocument.Parse(File.ReadAllBytes(path));
             (DatasetFormat format, ExportOptions options) = ExportPlan.Parse(manifest.RootElement.GetProperty("plan").GetRawText());
             JsonFields frames = new JsonFields(manifest.RootElement).Fields("framesOfSplits");
-            return (format, options, options.Splits.Splits.ToDictionary(split => split.Name, split => frames.WholeNumber(split.Name), StringComparer.Ordinal));
+            return (format, options, options.Splits.Splits.ToDictionary(split => split.Name, split => frames.Integer(split.Name), StringComparer.Ordinal));
         }
         catch (Exception e) when (e is JsonException or KeyNotFoundException)
         {

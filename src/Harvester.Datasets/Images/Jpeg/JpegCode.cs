@@ -6,14 +6,14 @@ namespace Harvester.Datasets.Images.Jpeg;
 /// <summary>A Huffman table of a file: T.81, annexes C and F.2.2.3.</summary>
 internal sealed class JpegCode
 {
-    private const int LongestCode = 16;
+    private const int MaxCodeLength = 16;
     private readonly byte[] _symbols;
 
     /// <summary>Of each length: what a code, filled up with ones to the longest, is at most; -1 where no code has it.</summary>
-    private readonly int[] _greatest = new int[LongestCode + 1];
+    private readonly int[] _greatest = new int[MaxCodeLength + 1];
 
     /// <summary>Of each length: the place of its first symbol less its first code.</summary>
-    private readonly int[] _offsets = new int[LongestCode + 1];
+    private readonly int[] _offsets = new int[MaxCodeLength + 1];
 
     /// <summary>Makes a table.</summary>
     /// <param name="counts">How many codes have 1 to 16 bits.</param>
@@ -23,13 +23,13 @@ internal sealed class JpegCode
         _symbols = symbols.ToArray();
         int code = 0;
         int place = 0;
-        for (int length = 1; length <= LongestCode; length++, code <<= 1)
+        for (int length = 1; length <= MaxCodeLength; length++, code <<= 1)
         {
             int count = counts[length - 1];
             _offsets[length] = place - code;
             place += count;
             code += count;
-            _greatest[length] = count == 0 ? -1 : (code << (LongestCode - length)) - 1;
+            _greatest[length] = count == 0 ? -1 : (code << (MaxCodeLength - length)) - 1;
         }
     }
 
@@ -37,14 +37,14 @@ internal sealed class JpegCode
     /// <exception cref="DatasetFormatException">The bits are no code of the table.</exception>
     public int Read(JpegBits bits)
     {
-        int ahead = bits.Peek(LongestCode);
+        int ahead = bits.Peek(MaxCodeLength);
         int length = 1;
-        while (length <= LongestCode && ahead > _greatest[length])
+        while (length <= MaxCodeLength && ahead > _greatest[length])
         {
             length++;
         }
 
-        int place = length <= LongestCode ? (ahead >> (LongestCode - length)) + _offsets[length] : -1;
+        int place = length <= MaxCodeLength ? (ahead >> (MaxCodeLength - length)) + _offsets[length] : -1;
         if (place < 0 || place >= _symbols.Length)
         {
             throw new DatasetFormatException("its pixels are damaged.");

@@ -9,7 +9,7 @@ internal sealed class JpegScan
 {
     private const int Side = JpegComponent.BlockSide;
     private const int SixteenZeros = 0xF0;
-    private const int MostBitsOfValue = 15;
+    private const int MaxBitsOfValue = 15;
 
     /// <summary>Where the coefficient of each place in the file's order lies in the block, rows from the top: T.81, figure A.6.</summary>
     private static readonly int[] Places = AlongDiagonals();
@@ -85,7 +85,7 @@ internal sealed class JpegScan
     {
         JpegComponent component = _frame.Components[index];
         Array.Clear(_block);
-        _previousDc[index] += _bits.ReadValue(Math.Min(component.Dc.Read(_bits), MostBitsOfValue));
+        _previousDc[index] += _bits.ReadValue(Math.Min(component.Dc.Read(_bits), MaxBitsOfValue));
         _block[0] = _previousDc[index] * component.Quantisation[0];
         for (int place = 1; place < _block.Length; place++)
         {

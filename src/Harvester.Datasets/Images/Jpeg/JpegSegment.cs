@@ -29,7 +29,7 @@ internal sealed record JpegSegment(byte Marker, byte[] Content)
     private const byte LastFrame = 0xCF;
     private const byte ReservedForExtensions = 0xC8;
     private const byte DefineArithmetic = 0xCC;
-    private const int ShortestFrame = 6;
+    private const int MinFrameLength = 6;
 
     /// <summary>Whether it describes the picture: size and components.</summary>
     public bool IsFrame => Marker is >= BaselineFrame and <= LastFrame and not (DefineHuffman or ReservedForExtensions or DefineArithmetic);
@@ -82,7 +82,7 @@ internal sealed record JpegSegment(byte Marker, byte[] Content)
         }
 
         var segment = new JpegSegment((byte)marker, content);
-        return segment.IsFrame && content.Length < ShortestFrame ? throw Damaged() : segment;
+        return segment.IsFrame && content.Length < MinFrameLength ? throw Damaged() : segment;
     }
 
     private static DatasetFormatException Damaged() => new("its JPEG header is damaged or cut off.");

@@ -139,9 +139,9 @@ internal static class IplImporter
         return new RoadLink(
             row.Whole(0, 0, int.MaxValue),
             row.Whole(1, 0, int.MaxValue),
-            row.Whole(lanesIn == LanesIn.Forward ? 3 : 4, 0, TextRoadFields.MostLanes),
-            row.Whole(lanesIn == LanesIn.Forward ? 4 : 3, 0, TextRoadFields.MostLanes),
-            TextRoadFields.Median(row.Whole(2, -TextRoadFields.LargestWidth, TextRoadFields.LargestWidth)),
+            row.Whole(lanesIn == LanesIn.Forward ? 3 : 4, 0, TextRoadFields.MaxLanes),
+            row.Whole(lanesIn == LanesIn.Forward ? 4 : 3, 0, TextRoadFields.MaxLanes),
+            TextRoadFields.Median(row.Whole(2, -TextRoadFields.MaxWidth, TextRoadFields.MaxWidth)),
             flags);
     }
 }

@@ -19,11 +19,11 @@ internal static class JsonDumpImporter
     private const string Format = "JSON dump of nodes";
 
     /// <summary>The dump nests 8 levels deep.</summary>
-    private const int DeepestNesting = 16;
+    private const int MaxNesting = 16;
 
-    private const int MostLanes = 7;
+    private const int MaxLanes = 7;
 
-    private static readonly JsonSerializerOptions Options = new() { MaxDepth = DeepestNesting, RespectNullableAnnotations = true };
+    private static readonly JsonSerializerOptions Options = new() { MaxDepth = MaxNesting, RespectNullableAnnotations = true };
 
     /// <summary>Whether the beginning of a file is a list of cells, and not one of the other lists that are made of the game.</summary>
     public static bool Understands(string head) => head.StartsWith('[') && head.Contains("\"AreaId\"", StringComparison.Ordinal);
@@ -90,9 +90,9 @@ internal static class JsonDumpImporter
 
         foreach (DumpConnection connection in node.ConnectedNodes ?? [])
         {
-            if (connection is null || connection.LaneCountForward is < 0 or > MostLanes || connection.LaneCountBackward is < 0 or > MostLanes)
+            if (connection is null || connection.LaneCountForward is < 0 or > MaxLanes || connection.LaneCountBackward is < 0 or > MaxLanes)
             {
-                throw new DatasetFormatException($"{file}: {Name(roadNode)} has a link without a number of lanes from 0 to {MostLanes} each way.");
+                throw new DatasetFormatException($"{file}: {Name(roadNode)} has a link without a number of lanes from 0 to {MaxLanes} each way.");
             }
 
             neighbours.Add((index, connection));

@@ -97,8 +97,8 @@ internal static class SceneImporter
     private static RoadLink Link(SceneObject link, int from, int to, LanesIn lanesIn) => new(
         from,
         to,
-        link.Whole(lanesIn == LanesIn.Forward ? "Lanes In" : "Lanes Out", DefaultLanes, 0, TextRoadFields.MostLanes),
-        link.Whole(lanesIn == LanesIn.Forward ? "Lanes Out" : "Lanes In", DefaultLanes, 0, TextRoadFields.MostLanes),
-        TextRoadFields.Median(link.Whole("Width", 0, -TextRoadFields.LargestWidth, TextRoadFields.LargestWidth)),
+        link.Whole(lanesIn == LanesIn.Forward ? "Lanes In" : "Lanes Out", DefaultLanes, 0, TextRoadFields.MaxLanes),
+        link.Whole(lanesIn == LanesIn.Forward ? "Lanes Out" : "Lanes In", DefaultLanes, 0, TextRoadFields.MaxLanes),
+        TextRoadFields.Median(link.Whole("Width", 0, -TextRoadFields.MaxWidth, TextRoadFields.MaxWidth)),
         LinkFlags.Where(flag => link.IsTrue(flag.Name)).Aggregate(RoadLinkFlags.None, (sum, flag) => sum | flag.Flag));
 }

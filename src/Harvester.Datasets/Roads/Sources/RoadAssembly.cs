@@ -12,7 +12,7 @@ namespace Harvester.Datasets.Roads.Sources;
 internal sealed class RoadAssembly
 {
     /// <summary>Far more nodes or links than the game's format can number, so that a hostile file ends early.</summary>
-    private const int LargestCount = 4_000_000;
+    private const int MaxCount = 4_000_000;
 
     private readonly List<RoadNode> _nodes = [];
     private readonly List<RoadLink> _links = [];
@@ -31,9 +31,9 @@ internal sealed class RoadAssembly
     /// <summary>Adds a node.</summary>
     public void Add(RoadNode node)
     {
-        if (_nodes.Count >= LargestCount)
+        if (_nodes.Count >= MaxCount)
         {
-            throw new DatasetFormatException($"more than {LargestCount} nodes; no road network of the game has so many.");
+            throw new DatasetFormatException($"more than {MaxCount} nodes; no road network of the game has so many.");
         }
 
         if (!node.Position.IsFinite)
@@ -60,9 +60,9 @@ internal sealed class RoadAssembly
             return;
         }
 
-        if (_links.Count >= LargestCount)
+        if (_links.Count >= MaxCount)
         {
-            throw new DatasetFormatException($"more than {LargestCount} links; no road network of the game has so many.");
+            throw new DatasetFormatException($"more than {MaxCount} links; no road network of the game has so many.");
         }
 
         _linkOfEnds.Add(ends, _links.Count);

@@ -12,7 +12,7 @@ namespace Harvester.Datasets.Roads.Sources;
 internal sealed class RoadSource(string name, ByteAllowance allowance, Func<Stream> open)
 {
     /// <summary>The largest file that is read, bytes unpacked; the dump of the whole game has 147 million.</summary>
-    public const long LargestFile = 1L << 30;
+    public const long MaxFileBytes = 1L << 30;
 
     private const int HeadLength = 4096;
 
@@ -20,7 +20,7 @@ internal sealed class RoadSource(string name, ByteAllowance allowance, Func<Stre
 
     public string Name => name;
 
-    /// <summary>Opens the unpacked bytes, which end in an error beyond <see cref="LargestFile"/> and where the allowance is used up.</summary>
+    /// <summary>Opens the unpacked bytes, which end in an error beyond <see cref="MaxFileBytes"/> and where the allowance is used up.</summary>
     public Stream Open()
     {
         byte[] magic = new byte[2];
@@ -37,9 +37,9 @@ internal sealed class RoadSource(string name, ByteAllowance allowance, Func<Stre
     /// <summary>A file is read more than once, and counts once.</summary>
     private void Passed(long position)
     {
-        if (position > LargestFile)
+        if (position > MaxFileBytes)
         {
-            throw new DatasetFormatException($"{name}: larger than {LargestFile} bytes when unpacked; no road file is.");
+            throw new DatasetFormatException($"{name}: larger than {MaxFileBytes} bytes when unpacked; no road file is.");
         }
 
         if (position > _farthest)

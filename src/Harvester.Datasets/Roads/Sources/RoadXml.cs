@@ -12,14 +12,14 @@ namespace Harvester.Datasets.Roads.Sources;
 internal static class RoadXml
 {
     /// <summary>Far above the size of a cell of the game's, which has about 1.5 million characters at most.</summary>
-    private const long LargestWholeFile = 64 << 20;
+    private const long MaxWholeFile = 64 << 20;
 
     /// <summary>The formats nest 6 deep.</summary>
-    private const int DeepestNesting = 32;
+    private const int MaxNesting = 32;
 
-    private static readonly XmlReaderSettings Settings = Limited(RoadSource.LargestFile);
+    private static readonly XmlReaderSettings Settings = Limited(RoadSource.MaxFileBytes);
 
-    private static readonly XmlReaderSettings WholeSettings = Limited(LargestWholeFile);
+    private static readonly XmlReaderSettings WholeSettings = Limited(MaxWholeFile);
 
     /// <summary>The outermost element of a file that is small enough to be held whole.</summary>
     public static XElement Root(RoadSource source)
@@ -85,9 +85,9 @@ internal static class RoadXml
         using XmlReader reader = XmlReader.Create(stream, settings);
         while (Guarded(source, reader.Read))
         {
-            if (reader.Depth > DeepestNesting)
+            if (reader.Depth > MaxNesting)
             {
-                throw new DatasetFormatException($"{source.Name}, line {((IXmlLineInfo)reader).LineNumber}: elements nest more than {DeepestNesting} deep.");
+                throw new DatasetFormatException($"{source.Name}, line {((IXmlLineInfo)reader).LineNumber}: elements nest more than {MaxNesting} deep.");
             }
         }
     }

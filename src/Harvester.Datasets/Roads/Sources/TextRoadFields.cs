@@ -6,10 +6,10 @@ namespace Harvester.Datasets.Roads.Sources;
 internal static class TextRoadFields
 {
     /// <summary>The most lanes that a direction has in the game's own format.</summary>
-    public const int MostLanes = 7;
+    public const int MaxLanes = 7;
 
     /// <summary>The least and greatest width of a median; the game's files have -10 to 10.</summary>
-    public const int LargestWidth = 1000;
+    public const int MaxWidth = 1000;
 
     private const double DensitySteps = 15;
 

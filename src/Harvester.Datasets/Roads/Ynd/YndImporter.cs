@@ -16,7 +16,7 @@ namespace Harvester.Datasets.Roads.Ynd;
 internal static class YndImporter
 {
     private const string RootName = "NodeDictionary";
-    private const int LargestId = ushort.MaxValue;
+    private const int MaxId = ushort.MaxValue;
 
     /// <summary>Whether a file begins as such a cell does.</summary>
     public static bool Understands(string head) =>
@@ -72,7 +72,7 @@ internal static class YndImporter
     }
 
     private static int Count(XElement root, RoadSource cell, string name) =>
-        root.Child(cell, name).Whole(cell, "value", 0, LargestId);
+        root.Child(cell, name).Whole(cell, "value", 0, MaxId);
 
     private static RoadNode Node(RoadSource cell, XElement item)
     {
@@ -80,8 +80,8 @@ internal static class YndImporter
         XElement position = item.Child(cell, "Position");
         string street = item.Element("StreetName")?.Value.Trim() ?? "";
         return new RoadNode(
-            Value(cell, item, "AreaID", LargestId),
-            Value(cell, item, "NodeID", LargestId),
+            Value(cell, item, "AreaID", MaxId),
+            Value(cell, item, "NodeID", MaxId),
             PathGrid.RemoveBias(new Vector3D(position.Number(cell, "x"), position.Number(cell, "y"), position.Number(cell, "z"))),
             street == "0" ? "" : street,
             PathBits.NodeFlags(flags))
@@ -97,7 +97,7 @@ internal static class YndImporter
             | (Value(cell, item, "Flags1", byte.MaxValue) << 8)
             | (Value(cell, item, "Flags2", byte.MaxValue) << 16);
         int line = ((System.Xml.IXmlLineInfo)item).LineNumber;
-        return new YndLink(from, Value(cell, item, "ToAreaID", LargestId), Value(cell, item, "ToNodeID", LargestId), bits, $"{cell.Name}, line {line}");
+        return new YndLink(from, Value(cell, item, "ToAreaID", MaxId), Value(cell, item, "ToNodeID", MaxId), bits, $"{cell.Name}, line {line}");
     }
 
     private static int Value(RoadSource cell, XElement item, string name, int most) =>

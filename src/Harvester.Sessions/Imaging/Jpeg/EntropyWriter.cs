@@ -10,7 +10,7 @@ internal sealed class EntropyWriter
     private const int EndOfBlock = 0x00;
 
     /// <summary>More than a block takes: 64 codes of 16 bits with 11 bits of value, each byte followed by a stuffed one.</summary>
-    private const int MostBytesOfBlock = 512;
+    private const int MaxBytesOfBlock = 512;
 
     private static readonly byte[] BitsOfMagnitude = MakeBitsOfMagnitude();
     private static readonly byte[] Places = MakePlaces();
@@ -32,7 +32,7 @@ internal sealed class EntropyWriter
     {
         int dc = blocks.Coefficients[component * JpegBlock.Length];
         ulong present = Order(blocks, component);
-        _sink.Reserve(MostBytesOfBlock);
+        _sink.Reserve(MaxBytesOfBlock);
         WriteDc(component == 0 ? HuffmanTable.LumaDc : HuffmanTable.ChromaDc, dc - _previousDc[component]);
         WriteAc(component == 0 ? HuffmanTable.LumaAc : HuffmanTable.ChromaAc, present);
         _previousDc[component] = dc;
@@ -41,7 +41,7 @@ internal sealed class EntropyWriter
     /// <summary>Ends the picture and writes its scan.</summary>
     public void End(Stream target)
     {
-        _sink.Reserve(MostBytesOfBlock);
+        _sink.Reserve(MaxBytesOfBlock);
         _sink.Finish(target);
     }
 

@@ -12,10 +12,10 @@ namespace Harvester.Sessions.Imaging.Jpeg;
 public sealed class JpegEncoder
 {
     /// <summary>The lowest quality.</summary>
-    public const int LowestQuality = 1;
+    public const int MinQuality = 1;
 
     /// <summary>The highest quality.</summary>
-    public const int HighestQuality = 100;
+    public const int MaxQuality = 100;
 
     /// <summary>The quality where none is given: errors are hardly visible, at about a third of the size of a PNG.</summary>
     public const int DefaultQuality = 95;
@@ -35,9 +35,9 @@ public sealed class JpegEncoder
 
     internal JpegEncoder(int quality, Func<QuantisationTable, QuantisationTable, BlockTransform> transform)
     {
-        if (quality is < LowestQuality or > HighestQuality)
+        if (quality is < MinQuality or > MaxQuality)
         {
-            throw new ArgumentOutOfRangeException(nameof(quality), quality, $"The quality of a JPEG picture is {LowestQuality} to {HighestQuality}.");
+            throw new ArgumentOutOfRangeException(nameof(quality), quality, $"The quality of a JPEG picture is {MinQuality} to {MaxQuality}.");
         }
 
         QuantisationTable luma = QuantisationTable.Luma(quality);

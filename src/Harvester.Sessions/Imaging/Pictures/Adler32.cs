@@ -8,7 +8,7 @@ internal sealed class Adler32
     private const uint Modulus = 65_521;
 
     /// <summary>The most bytes whose sums stay within 32 bits before they are reduced (zlib's NMAX).</summary>
-    private const int LongestRun = 5_552;
+    private const int MaxRunLength = 5_552;
 
     private uint _a = 1;
     private uint _b;
@@ -19,9 +19,9 @@ internal sealed class Adler32
     {
         uint a = _a;
         uint b = _b;
-        for (int start = 0; start < count; start += LongestRun)
+        for (int start = 0; start < count; start += MaxRunLength)
         {
-            int end = Math.Min(count, start + LongestRun);
+            int end = Math.Min(count, start + MaxRunLength);
             for (int i = start; i < end; i++)
             {
                 a += bytes[i];

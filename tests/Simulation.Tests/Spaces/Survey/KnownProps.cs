@@ -3,7 +3,7 @@ using Harvester.Sessions.Faces;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
 
-namespace Harvester.Simulation.Tests.Spaces.Survey;
+namespace Harvester.Simulation.Tests.Faces.Survey;
 
 /// <summary>Props of known faces.</summary>
 internal static class KnownProps

@@ -2,7 +2,7 @@ using Harvester.Geometry;
 using Harvester.Sessions.Faces;
 using Harvester.Simulation.Rendering;
 
-namespace Harvester.Simulation.Tests.Spaces.Survey;
+namespace Harvester.Simulation.Tests.Faces.Survey;
 
 /// <summary>A shape with the faces that it truly has.</summary>
 /// <param name="Shape">What rays meet.</param>

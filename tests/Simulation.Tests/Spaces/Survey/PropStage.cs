@@ -3,7 +3,7 @@ using Harvester.Geometry.Visibility;
 using Harvester.Simulation.Rendering;
 using Harvester.Surveys.Faces;
 
-namespace Harvester.Simulation.Tests.Spaces.Survey;
+namespace Harvester.Simulation.Tests.Faces.Survey;
 
 /// <summary>A stage on which shapes of the test are put up, one at a time, on uneven ground, turned anyhow.</summary>
 internal sealed class PropStage(IReadOnlyDictionary<string, Prop> props, Pose pose) : ISurveyStage, IRayCaster

@@ -6,7 +6,7 @@ using Harvester.Sessions.Scenes;
 using Harvester.Surveys.Faces;
 using Xunit.Abstractions;
 
-namespace Harvester.Simulation.Tests.Spaces.Survey;
+namespace Harvester.Simulation.Tests.Faces.Survey;
 
 /// <summary>The survey of signs over all shapes, sides and posts, with the one face that each of them has.</summary>
 public sealed class SignShapeTests(ITestOutputHelper output) : IDisposable
@@ -15,7 +15,7 @@ public sealed class SignShapeTests(ITestOutputHelper output) : IDisposable
     private const double ToleranceMetres = 0.02;
 
     /// <summary>What a sign may cost, as in the test of known props.</summary>
-    private const int MostRays = 5_000;
+    private const int MaxRays = 5_000;
 
     private readonly string _path = Directory.CreateTempSubdirectory("harvester-shapes-").FullName;
 
@@ -45,10 +45,10 @@ public sealed class SignShapeTests(ITestOutputHelper output) : IDisposable
         double largest = 0;
         foreach ((string name, Prop sign) in signs)
         {
-            (IReadOnlyList<SpaceOfInterest> found, int rays) = Survey(name, sign);
+            (IReadOnlyList<ModelFace> found, int rays) = Survey(name, sign);
             double error = found.Count == 1 ? Error(sign, found[0]) : double.PositiveInfinity;
             largest = Math.Max(largest, error);
-            if (error > ToleranceMetres || rays > MostRays)
+            if (error > ToleranceMetres || rays > MaxRays)
             {
                 wrong.Add(string.Create(CultureInfo.InvariantCulture, $"{name}: {found.Count} faces, {error:0.000} m, {rays} rays"));
             }
@@ -59,11 +59,11 @@ public sealed class SignShapeTests(ITestOutputHelper output) : IDisposable
         Assert.Empty(wrong);
     }
 
-    private (IReadOnlyList<SpaceOfInterest> Found, int Rays) Survey(string name, Prop sign)
+    private (IReadOnlyList<ModelFace> Found, int Rays) Survey(string name, Prop sign)
     {
         var stage = new PropStage(new Dictionary<string, Prop> { ["sign"] = sign }, new Pose(new Vector3D(1200, -340, 25), Axes.FromHeading(77)));
         var folder = new SurveyFolder(Directory.CreateDirectory(Path.Combine(_path, ModelHash.Of(name).ToString(CultureInfo.InvariantCulture))).FullName);
-        using var survey = new SpaceSurvey(
+        using var survey = new FaceSurvey(
             stage, [new SurveyedModel("sign", ObjectClass.Sign, "a name", string.Empty)], folder, new PlayerClock(), double.PositiveInfinity);
         while (!survey.IsOver)
         {
@@ -75,7 +75,7 @@ public sealed class SignShapeTests(ITestOutputHelper output) : IDisposable
     }
 
     /// <summary>The largest distance of an edge or of the plane from where it truly is; infinite where the face looks the other way.</summary>
-    private static double Error(Prop sign, SpaceOfInterest found)
+    private static double Error(Prop sign, ModelFace found)
     {
         (Vector3D min, Vector3D max, Facing facing) = sign.Faces[0];
         double[] apart =

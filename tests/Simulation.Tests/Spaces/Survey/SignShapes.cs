@@ -2,7 +2,7 @@ using Harvester.Geometry;
 using Harvester.Sessions.Faces;
 using Harvester.Simulation.Rendering;
 
-namespace Harvester.Simulation.Tests.Spaces.Survey;
+namespace Harvester.Simulation.Tests.Faces.Survey;
 
 /// <summary>Signs of every shape, on posts of every radius up to 6 cm that end behind the plate or above it, with plates before and behind the post.</summary>
 internal static class SignShapes

@@ -123,7 +123,7 @@ internal static class CityscapesCheck
         {
             using JsonDocument document = JsonDocument.Parse(File.ReadAllBytes(dataset.PathOf(name)));
             var fields = new JsonFields(document.RootElement);
-            var image = new Box2D(0, 0, fields.WholeNumber("imgWidth") - 1, fields.WholeNumber("imgHeight") - 1);
+            var image = new Box2D(0, 0, fields.Integer("imgWidth") - 1, fields.Integer("imgHeight") - 1);
             return fields.List("objects").Select((item, index) => ObjectProblem(item, image) is { } problem ? $"objects[{index}]: {problem}" : null)
                 .FirstOrDefault(problem => problem is not null);
         }

@@ -33,11 +33,11 @@ internal static class CocoCheck
 
     private static string? Problem(JsonFields annotation, CocoImages images, HashSet<long> ids, BoxKind boxes)
     {
-        long id = annotation.LargeWholeNumber("id");
+        long id = annotation.LongInteger("id");
         string? problem = !ids.Add(id) || id < 1 ? "its id is there twice or below 1."
-            : !images.Sizes.TryGetValue(annotation.LargeWholeNumber("image_id"), out ImageSize image) ? "its image is not listed."
-            : !images.HasCategory(annotation.WholeNumber("category_id")) ? "its category is not listed."
-            : annotation.WholeNumber("iscrowd") is not (0 or 1) ? "iscrowd is not 0 or 1."
+            : !images.Sizes.TryGetValue(annotation.LongInteger("image_id"), out ImageSize image) ? "its image is not listed."
+            : !images.HasCategory(annotation.Integer("category_id")) ? "its category is not listed."
+            : annotation.Integer("iscrowd") is not (0 or 1) ? "iscrowd is not 0 or 1."
             : ShapeProblem(annotation, image, boxes);
         return problem is null ? null : $"annotation {id}: {problem}";
     }
@@ -56,7 +56,7 @@ internal static class CocoCheck
 
     /// <summary>What a segmentation must span: the box around the visible pixels; any box else may be larger than what is seen in it.</summary>
     private static Box2D? SpannedBy(JsonFields annotation, Box2D box, BoxKind boxes) =>
-        boxes == BoxKind.Visible && annotation.WholeNumber("iscrowd") == 0 ? box : null;
+        boxes == BoxKind.Visible && annotation.Integer("iscrowd") == 0 ? box : null;
 
     /// <summary>The pixels that a box touches reach beyond it by less than one on either side.</summary>
     private static double MostArea(Box2D box) => (box.Width + 2) * (box.Height + 2);

@@ -39,7 +39,7 @@ internal sealed class CocoImages(DatasetContent dataset)
             .. CocoElements.Problems(dataset, name, (list, element) => list switch
             {
                 "images" => ImageProblem(element, split, listed),
-                "categories" => _categories.Add(element.WholeNumber("id")) && element.Text("name").Length > 0 ? null : "its category is there twice or has no name.",
+                "categories" => _categories.Add(element.Integer("id")) && element.Text("name").Length > 0 ? null : "its category is there twice or has no name.",
                 _ => null,
             }),
         ];
@@ -49,9 +49,9 @@ internal sealed class CocoImages(DatasetContent dataset)
 
     private string? ImageProblem(JsonFields image, string split, HashSet<string> listed)
     {
-        long id = image.LargeWholeNumber("id");
+        long id = image.LongInteger("id");
         string file = image.Text("file_name");
-        var size = new ImageSize(image.WholeNumber("width"), image.WholeNumber("height"));
+        var size = new ImageSize(image.Integer("width"), image.Integer("height"));
         _sizes[id] = size;
         dataset.Found(split);
         listed.Add($"images/{split}/{file}");

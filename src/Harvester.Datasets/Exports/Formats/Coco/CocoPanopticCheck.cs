@@ -35,7 +35,7 @@ internal static class CocoPanopticCheck
 
     private static string? Problem(DatasetContent dataset, string split, JsonFields annotation, CocoImages images, HashSet<long> seen)
     {
-        long image = annotation.LargeWholeNumber("image_id");
+        long image = annotation.LongInteger("image_id");
         string picture = $"annotations/panoptic_{split}/{annotation.Text("file_name")}";
         string? problem = !images.Sizes.TryGetValue(image, out ImageSize size) ? "its image is not listed."
             : !seen.Add(image) ? "its image has an annotation already."
@@ -54,19 +54,19 @@ internal static class CocoPanopticCheck
         var found = new Dictionary<int, Segment>(new SegmentMap(picture).Segments);
         foreach (JsonFields segment in segments)
         {
-            int id = segment.WholeNumber("id");
+            int id = segment.Integer("id");
             double[] box = segment.Numbers("bbox", 4);
             if (!found.Remove(id, out Segment? pixels))
             {
                 return $"segment {id} is not in its picture, or there twice.";
             }
 
-            if (segment.WholeNumber("area") != pixels.Area || !box.SequenceEqual([pixels.Left, pixels.Top, pixels.Right - pixels.Left, pixels.Bottom - pixels.Top]))
+            if (segment.Integer("area") != pixels.Area || !box.SequenceEqual([pixels.Left, pixels.Top, pixels.Right - pixels.Left, pixels.Bottom - pixels.Top]))
             {
                 return $"segment {id} has another area or box than in its picture.";
             }
 
-            if (!images.HasCategory(segment.WholeNumber("category_id")) || segment.WholeNumber("iscrowd") is not (0 or 1))
+            if (!images.HasCategory(segment.Integer("category_id")) || segment.Integer("iscrowd") is not (0 or 1))
             {
                 return $"segment {id} has a category that is not listed, or an iscrowd that is not 0 or 1.";
             }

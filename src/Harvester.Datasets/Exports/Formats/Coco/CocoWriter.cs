@@ -79,7 +79,7 @@ internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
         json.Number("truncated_fraction", label.TruncatedFraction, CocoJson.FractionDecimals);
         json.Number("occluded_fraction", label.OccludedFraction, CocoJson.FractionDecimals);
         json.Number("distance_metres", label.DistanceMetres, CocoJson.PixelDecimals);
-        json.WriteString("mutcd", label.Space?.MutcdCode);
-        json.WriteString("light_state", label.Space?.Light is { } light ? JsonName.Of(light.State) : null);
+        json.WriteString("mutcd", label.Face?.MutcdCode);
+        json.WriteString("light_state", label.Face?.Light is { } light ? JsonName.Of(light.State) : null);
     }
 }

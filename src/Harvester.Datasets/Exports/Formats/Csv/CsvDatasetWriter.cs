@@ -102,7 +102,7 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
             .. Of(Fraction, label.TruncatedFraction, label.OccludedFraction, visibleFraction),
             .. Of(label.Box3D.Centre, Metres), .. Of(label.Box3D.HalfExtents, Metres), .. Of(label.Box3D.Axes),
             .. Of(Metres, label.DistanceMetres), .. Of(label.Velocity, Metres), .. Of(0, label.Parent),
-            label.Space?.MutcdCode ?? "", label.Space?.Light is { } light ? JsonName.Of(light.State) : "", Of(label.HasRider),
+            label.Face?.MutcdCode ?? "", label.Face?.Light is { } light ? JsonName.Of(light.State) : "", Of(label.HasRider),
         ];
     }
 
@@ -110,7 +110,7 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
     private static Dictionary<int, double?> VisibleFractions(string line)
     {
         using JsonDocument label = JsonDocument.Parse(line);
-        return new JsonFields(label.RootElement).List("objects").ToDictionary(item => item.WholeNumber("id"), item => item.OptionalNumber("visibleFraction"));
+        return new JsonFields(label.RootElement).List("objects").ToDictionary(item => item.Integer("id"), item => item.OptionalNumber("visibleFraction"));
     }
 
     private static string Of(bool? truth) => truth switch { true => "1", false => "0", null => "" };

@@ -16,7 +16,7 @@ internal sealed class KittiBox
     public const double PixelShift = -0.5;
 
     /// <summary>Pixels have two decimals; a box below this could have none.</summary>
-    private const double LeastPixels = 0.02;
+    private const double MinPixels = 0.02;
 
     private readonly UprightBox _upright;
 
@@ -89,7 +89,7 @@ internal sealed class KittiBox
     {
         var shifted = new Box2D(
             Place(box.XMin, camera.Width), Place(box.YMin, camera.Height), Place(box.XMax, camera.Width), Place(box.YMax, camera.Height));
-        return shifted.Width >= LeastPixels && shifted.Height >= LeastPixels ? shifted : null;
+        return shifted.Width >= MinPixels && shifted.Height >= MinPixels ? shifted : null;
     }
 
     private static double Place(double side, int size) => Math.Clamp(side + PixelShift, 0, size - 1);

@@ -36,7 +36,7 @@ internal static class KittiCheck
         ImageHeader? header = dataset.Header(image);
         var columns = new KittiColumns(dataset.Options.Boxes ?? BoxKind.Cuboid);
         return calibration.Problems.Concat(LabelFiles.Problems(dataset, $"{Labels}/{frame}.txt", (number, words) =>
-            ProblemOf(words, header?.Size, calibration.P2, columns, misses.GetValueOrDefault($"{frame}.txt,{number}", KittiLeaning.MostMissPixels))));
+            ProblemOf(words, header?.Size, calibration.P2, columns, misses.GetValueOrDefault($"{frame}.txt,{number}", KittiLeaning.MaxMissPixels))));
     }
 
     private static string? ProblemOf(string[] words, ImageSize? image, double[]? projection, KittiColumns columns, double missPixels) =>

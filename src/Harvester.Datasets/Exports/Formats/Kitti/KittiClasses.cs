@@ -8,10 +8,10 @@ namespace Harvester.Datasets.Exports.Formats.Kitti;
 internal static class KittiClasses
 {
     /// <summary>Up to here an object counts as fully visible.</summary>
-    private const double MostHiddenOfVisible = 0.1;
+    private const double MaxHiddenOfVisible = 0.1;
 
     /// <summary>Up to here as partly occluded, above as largely.</summary>
-    private const double MostHiddenOfPartly = 0.5;
+    private const double MaxHiddenOfPartly = 0.5;
 
     private const int UnknownOcclusion = 3;
 
@@ -42,5 +42,5 @@ internal static class KittiClasses
     public static int OcclusionOf(ObjectLabel label) => label.OccludedFraction is { } hidden ? LevelOf(hidden) : UnknownOcclusion;
 
     /// <summary>0, 1 or 2 for nothing to speak of, a part, the larger part.</summary>
-    public static int LevelOf(double fraction) => fraction <= MostHiddenOfVisible ? 0 : fraction <= MostHiddenOfPartly ? 1 : 2;
+    public static int LevelOf(double fraction) => fraction <= MaxHiddenOfVisible ? 0 : fraction <= MaxHiddenOfPartly ? 1 : 2;
 }

@@ -22,13 +22,13 @@ internal sealed class KittiColumns(BoxKind boxes)
     private const double RoundingPixels = 0.02;
 
     /// <summary>The format says nothing of the lens; one that bends by more is refused.</summary>
-    private const double MostBendPixels = LensBend.MostPixels;
+    private const double MaxDistortionPixels = LensDistortion.MaxPixels;
 
     /// <summary>What lies nearer is spread over the image by the projection.</summary>
-    private const double NearestDepthMetres = 2;
+    private const double MinDepthMetres = 2;
 
     /// <summary>Visible pixels may lie beyond the cuboid where a mask of another tool was imported, by this share of the cuboid's side.</summary>
-    private const double MostOverhangFraction = 0.25;
+    private const double MaxOverhangFraction = 0.25;
 
     /// <summary>What is wrong with an object or a region; null for nothing.</summary>
     /// <param name="type">Its type.</param>
@@ -79,7 +79,7 @@ internal sealed class KittiColumns(BoxKind boxes)
     {
         Vector3D[] corners = KittiCorners.Of(new Vector3D(n[9], n[10], n[11]), n[6], n[7], n[8], n[12]);
         double nearest = corners.Min(corner => corner.Z);
-        if (nearest < NearestDepthMetres)
+        if (nearest < MinDepthMetres)
         {
             return true;
         }
@@ -92,8 +92,8 @@ internal sealed class KittiColumns(BoxKind boxes)
             return false;
         }
 
-        double rounding = RoundingPixels + MostBendPixels + missPixels + (p[0] * RoundingMetres / nearest);
-        double overhang = boxes == BoxKind.Visible ? MostOverhangFraction : 0;
+        double rounding = RoundingPixels + MaxDistortionPixels + missPixels + (p[0] * RoundingMetres / nearest);
+        double overhang = boxes == BoxKind.Visible ? MaxOverhangFraction : 0;
         return Grown(seen, rounding + (overhang * seen.Width), rounding + (overhang * seen.Height)).Contains(box, 0)
             && (boxes == BoxKind.Visible || !whole.Contains(around, 0) || box.Contains(seen, rounding));
     }

@@ -11,7 +11,7 @@ namespace Harvester.Datasets.Exports.Formats.Kitti;
 internal static class KittiLeaning
 {
     /// <summary>An upright box that misses by no more is not in the table, pixels.</summary>
-    public const double MostMissPixels = 1;
+    public const double MaxMissPixels = 1;
 
     private const string File = "training/leaning.csv";
     private const string Header = "file,line,lean_degrees,moved_m,miss_px\n";
@@ -25,7 +25,7 @@ internal static class KittiLeaning
     /// <param name="box">The object.</param>
     public static void Add(FrameOutput output, string file, string line, KittiBox box)
     {
-        if (box.MissPixels > MostMissPixels)
+        if (box.MissPixels > MaxMissPixels)
         {
             string lean = Numbers.Row(KittiDecimals.Angle, box.LeanDegrees);
             string moved = Numbers.Row(KittiDecimals.Metres, box.MovedMetres);
@@ -39,7 +39,7 @@ internal static class KittiLeaning
     /// <summary>The table.</summary>
     public static AggregateFile Table() => new(File, [AggregateSection.Literal(Header), AggregateSection.Lines(Part)]);
 
-    /// <summary>By how much the objects of a label file may miss, pixels, by what identifies their lines; what is not listed may miss by <see cref="MostMissPixels"/>.</summary>
+    /// <summary>By how much the objects of a label file may miss, pixels, by what identifies their lines; what is not listed may miss by <see cref="MaxMissPixels"/>.</summary>
     public static IReadOnlyDictionary<string, double> MissesOf(DatasetContent dataset)
     {
         var misses = new Dictionary<string, double>();

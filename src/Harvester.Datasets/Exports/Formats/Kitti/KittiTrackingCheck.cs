@@ -41,7 +41,7 @@ internal static class KittiTrackingCheck
         var tracks = new TrackCheck();
         var columns = new KittiColumns(dataset.Options.Boxes ?? BoxKind.Cuboid);
         return calibration.Problems.Concat(LabelFiles.Problems(dataset, labels, (_, words) => ProblemOf(words, frames, tracks, (n, image) => columns.ProblemOf(
-            words[2], n, image, calibration.P2, misses.GetValueOrDefault($"{sequence}.txt,{words[0]} {words[1]}", KittiLeaning.MostMissPixels)))));
+            words[2], n, image, calibration.P2, misses.GetValueOrDefault($"{sequence}.txt,{words[0]} {words[1]}", KittiLeaning.MaxMissPixels)))));
     }
 
     private static IEnumerable<SessionProblem> SeqmapProblems(DatasetContent dataset, Dictionary<string, int> sequences)

@@ -13,14 +13,14 @@ namespace Harvester.Datasets.Exports.Formats.Kitti;
 /// </summary>
 internal sealed record UprightBox
 {
-    private const int MostSteps = 20;
+    private const int MaxSteps = 20;
     private const int Corners = 8;
 
     /// <summary>A thousandth of the last decimal of KITTI's pixels.</summary>
-    private const double SmallestStepPixels = 0.00001;
+    private const double MinStepPixels = 0.00001;
 
     /// <summary>Nearer corners are spread over the image by the projection; behind the camera they have none.</summary>
-    private const double NearestDepthMetres = 0.5;
+    private const double MinDepthMetres = 0.5;
 
     private UprightBox(Cuboid cuboid, CameraLabel camera)
     {
@@ -71,10 +71,10 @@ internal sealed record UprightBox
         }
 
         Box2D? seen = box.Seen(camera);
-        for (int step = 0; step < MostSteps && seen is { } now; step++)
+        for (int step = 0; step < MaxSteps && seen is { } now; step++)
         {
             Vector2D miss = CentreOf(aim) - CentreOf(now);
-            if (miss.Length < SmallestStepPixels)
+            if (miss.Length < MinStepPixels)
             {
                 break;
             }
@@ -99,7 +99,7 @@ internal sealed record UprightBox
 
     private static Box2D? Projection(Vector3D[] corners, CameraLabel camera)
     {
-        if (corners.Min(corner => corner.Z) < NearestDepthMetres)
+        if (corners.Min(corner => corner.Z) < MinDepthMetres)
         {
             return null;
         }

@@ -10,13 +10,13 @@ namespace Harvester.Datasets.Exports.Formats.Lanes;
 internal static class OpenLaneLine
 {
     /// <summary>The format says nothing of a lens, and pixels are with its bend: a strong one moves a point by a fifth of its distance from the principal point.</summary>
-    private const double MostBendFraction = 0.2;
+    private const double MaxBendFraction = 0.2;
 
     /// <summary>The bend is radial in normalised coordinates, and in pixels as far as both focal lengths are the same.</summary>
     private const double AspectFraction = 0.01;
 
     /// <summary>Closer to the principal point the direction from it is undefined in practice.</summary>
-    private const double LeastRadiusPixels = 0.01;
+    private const double MinRadiusPixels = 0.01;
 
     private const double RoundingPixels = 0.002;
 
@@ -39,7 +39,7 @@ internal static class OpenLaneLine
             return "a visibility is not 0 or 1.";
         }
 
-        if (line.WholeNumber("attribute") is < 0 or > LastAttribute || line.WholeNumber("category") < 0 || !line.Has("track_id"))
+        if (line.Integer("attribute") is < 0 or > LastAttribute || line.Integer("category") < 0 || !line.Has("track_id"))
         {
             return "its attribute, category or track_id is not one of the format's.";
         }
@@ -64,11 +64,11 @@ internal static class OpenLaneLine
         // A lens moves a point along the ray from the principal point and never to the other side of it.
         var ideal = new Vector2D(k[0][0] * -left / forward, k[1][1] * -up / forward);
         var seen = new Vector2D(u - k[0][2], v - k[1][2]);
-        double radius = Math.Max(ideal.Length, LeastRadiusPixels);
+        double radius = Math.Max(ideal.Length, MinRadiusPixels);
         double along = seen.Dot(ideal) / radius;
         double across = seen.Cross(ideal) / radius;
         double rounding = RoundingPixels + (k[0][0] * RoundingMetres * (1 + (radius / k[0][0])) / forward);
-        return Math.Abs(along - ideal.Length) <= (MostBendFraction * ideal.Length) + rounding && Math.Abs(across) <= (AspectFraction * ideal.Length) + rounding
+        return Math.Abs(along - ideal.Length) <= (MaxBendFraction * ideal.Length) + rounding && Math.Abs(across) <= (AspectFraction * ideal.Length) + rounding
             ? null
             : $"point {i}, projected with intrinsic, does not fall onto its pixel.";
     }

@@ -12,7 +12,7 @@ internal static class YoloCheck
 {
     private const string DataFile = "data.yaml";
     private const int BoxNumbers = 4;
-    private const int LeastCornerNumbers = 6;
+    private const int MinCornerNumbers = 6;
 
     /// <summary>Shares are rounded to six decimals.</summary>
     private const double RoundingShare = 0.000002;
@@ -95,7 +95,7 @@ internal static class YoloCheck
 
     private static string? OutlineProblem(double[] corners)
     {
-        if (corners.Length < LeastCornerNumbers || corners.Length % 2 != 0)
+        if (corners.Length < MinCornerNumbers || corners.Length % 2 != 0)
         {
             return $"an outline has two numbers for each of three corners or more, not {corners.Length}.";
         }

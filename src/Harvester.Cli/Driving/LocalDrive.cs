@@ -1,0 +1,85 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Harvester.Capture.Labelling;
+using Harvester.Capture.Ports;
+using Harvester.Driving.Controllers;
+using Harvester.Evaluation.Figures;
+using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Game;
+
+namespace Harvester.Cli.Driving;
+
+/// <summary>
+/// A drive in the simulated game with the controller in the same process and no picture in between. Where the lanes are not known, in
+/// junctions above all, and where the car has to give way, its own driver follows its route.
+/// </summary>
+internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IController> newController)
+{
+    private const double TickSeconds = 0.05;
+    private const int TicksPerControl = 2;
+
+    /// <summary>Vehicles further off are in no indicator, metres: their range and the longest half of a vehicle.</summary>
+    private const double VehicleRange = IndicatorCalculator.VehicleRange + 10;
+
+    private readonly LaneTracker _lanes = new(roads, entity => entity.Handle);
+    private readonly DriveSampler _sampler = new(game);
+    private Handover _handover = new();
+    private IController _controller = newController();
+
+    /// <summary>Drives so far or so long, whichever is reached first.</summary>
+    public IReadOnlyList<DriveSample> Run(double metres, double seconds, Action<double> report, CancellationToken cancellation)
+    {
+        IDrivenCar car = game.Ports.Car!;
+        DrivingControls controls = DrivingControls.Stop;
+        bool isByController = false;
+        for (int tick = 0; _sampler.Metres < metres && game.Ports.World.TimeSeconds < seconds && !cancellation.IsCancellationRequested; tick++)
+        {
+            if (tick % TicksPerControl == 0)
+            {
+                LaneObservation? seen = Look(game.Ports.World.ReadEgo());
+                isByController = _handover.Decide(seen, game.MustEgoGiveWay);
+                controls = _controller.Drive(StateOf(seen));
+            }
+
+            if (isByController)
+            {
+                car.Drive(controls);
+            }
+
+            game.Tick(TickSeconds);
+            if (tick % TicksPerControl == TicksPerControl - 1)
+            {
+                _sampler.Take(isByController);
+                report(_sampler.Metres);
+                if (_sampler.Samples[^1].IsTeleported)
+                {
+                    // The car was put elsewhere; what was known of the road before does not hold there.
+                    _lanes.Forget();
+                    _handover = new Handover();
+                    _controller = newController();
+                }
+            }
+        }
+
+        return _sampler.Samples;
+    }
+
+    private LaneObservation? Look(EgoState ego) => _lanes.Observe(ego, game.Ports.World.ReadEntities(ego.Pose.Position, VehicleRange))?.Seen;
+
+    private DrivingState StateOf(LaneObservation? seen)
+    {
+        EgoState ego = game.Ports.World.ReadEgo();
+        LaneIndicators indicators = seen?.Indicators ?? LaneIndicators.Unknown;
+        return new DrivingState(
+            indicators,
+            seen?.Section is { } section ? TorcsEquivalent.Of(indicators, section, seen.IndicatorsAtCar.Angle) : indicators,
+            seen?.IsFast ?? false,
+            ego.Velocity.Length)
+        {
+            HeadingRadians = Angles.ToRadians(Angles.HeadingDegrees(ego.Pose.Axes.Forward)),
+        };
+    }
+}

@@ -1,0 +1,88 @@
+using System;
+using System.Globalization;
+using Harvester.Capture.Ports;
+using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Driving.Bridge;
+
+/// <summary>Reads the header of a client's message. Fields, units and ranges: docs/bridge.md.</summary>
+public static class ClientMessageParser
+{
+    /// <summary>How many indicators a network gives.</summary>
+    public const int IndicatorCount = 13;
+
+    private const double MaxStepSeconds = 10;
+    private const double MaxCoordinate = 100_000;
+    private const double MaxHeadingDegrees = 360;
+
+    /// <summary>The message of a header.</summary>
+    /// <exception cref="BridgeException">The header is no message; the line says what is wrong.</exception>
+    public static ClientMessage Parse(string header)
+    {
+        JsonFields fields = JsonFields.Parse(header ?? throw new ArgumentNullException(nameof(header)));
+        string type = fields.Text("type");
+        return type switch
+        {
+            "controls" => new ControlsMessage(
+                new DrivingControls(fields.Number("steering"), fields.Number("throttle"), fields.Number("brake")), FrameOf(fields)),
+            "indicators" => new IndicatorsMessage(fields.Numbers("values", IndicatorCount), FrameOf(fields)),
+            "reset" => new ResetMessage(PositionOf(fields), HeadingOf(fields)),
+            "environment" => new EnvironmentMessage(
+                fields.Has("weather") ? WeatherOf(fields) : null, fields.Has("timeOfDay") ? TimeOf(fields) : null),
+            "pause" => new PauseMessage(fields.Boolean("paused")),
+            "step" => new StepMessage(SecondsOf(fields)),
+            "requestFrame" => new RequestFrameMessage(),
+            _ => throw new BridgeException($"type {ClientText.Quoted(type)} is none of controls, indicators, reset, environment, pause, step, requestFrame."),
+        };
+    }
+
+    /// <summary>The number of a frame.</summary>
+    /// <exception cref="BridgeException">It is none.</exception>
+    internal static long FrameOf(double number)
+    {
+        const double greatestWhole = 9007199254740992;
+        return number >= 0 && number <= greatestWhole && Math.Floor(number) == number
+            ? (long)number
+            : throw new BridgeException("the frame must be a whole number, 0 or more.");
+    }
+
+    private static long? FrameOf(JsonFields fields) => fields.Has("frame") ? FrameOf(fields.Number("frame")) : null;
+
+    private static Vector3D PositionOf(JsonFields fields)
+    {
+        double[] position = fields.Numbers("position", 3);
+        return Array.TrueForAll(position, coordinate => Math.Abs(coordinate) <= MaxCoordinate)
+            ? new Vector3D(position[0], position[1], position[2])
+            : throw new BridgeException("field position lies outside any world.");
+    }
+
+    private static double HeadingOf(JsonFields fields)
+    {
+        double degrees = fields.Number("headingDegrees");
+        return Math.Abs(degrees) <= MaxHeadingDegrees
+            ? degrees
+            : throw new BridgeException("field headingDegrees must be from -360 to 360.");
+    }
+
+    private static string WeatherOf(JsonFields fields)
+    {
+        string weather = fields.Text("weather");
+        return WeatherNames.IsKnown(weather)
+            ? weather
+            : throw new BridgeException($"field weather is {ClientText.Quoted(weather)}, which is none of {string.Join(", ", WeatherNames.All)}.");
+    }
+
+    private static TimeSpan TimeOf(JsonFields fields) =>
+        TimeSpan.TryParseExact(fields.Text("timeOfDay"), "hh\\:mm", CultureInfo.InvariantCulture, out TimeSpan time)
+            ? time
+            : throw new BridgeException("field timeOfDay must be a time such as 17:30.");
+
+    private static double SecondsOf(JsonFields fields)
+    {
+        double seconds = fields.Number("seconds");
+        return seconds > 0 && seconds <= MaxStepSeconds
+            ? seconds
+            : throw new BridgeException("field seconds must be more than 0 and at most 10.");
+    }
+}

@@ -1,7 +1,0 @@
-namespace Harvester.Driving.Bridge;
-
-/// <summary>
-/// The bridge's own word, which no peer can say: the peer is gone, or another has taken its place. What it asked for is void; nothing that it
-/// said comes after this.
-/// </summary>
-public sealed record PeerGoneMessage : PeerMessage;

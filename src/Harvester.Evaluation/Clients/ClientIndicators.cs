@@ -1,0 +1,38 @@
+using System.Collections.Generic;
+using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Roads;
+using Harvester.Sessions.Labels;
+
+namespace Harvester.Evaluation.Clients;
+
+/// <summary>Indicators as a bridge sends them: numbers without flags.</summary>
+internal static class ClientIndicators
+{
+    /// <summary>The indicators; where no marking is in sight, none is active, the angle neither.</summary>
+    public static LaneIndicators Of(IReadOnlyList<double> torcsEquivalent)
+    {
+        LaneIndicators indicators = IndicatorOrder.FromValues(torcsEquivalent);
+        bool isOnRoad = indicators.ToMarkingM.IsValid || indicators.ToMarkingML.IsValid || indicators.ToMarkingMR.IsValid;
+        return isOnRoad ? indicators : LaneIndicators.Unknown;
+    }
+
+    /// <summary>Indicators in metres with the angle at the look-ahead point, which the road of TORCS does not tell.</summary>
+    public static LaneIndicators InMetres(LaneIndicators torcsEquivalent, LaneSection section, double angleAhead)
+    {
+        LaneIndicators metres = TorcsEquivalent.InMetres(torcsEquivalent, section);
+        return metres.Angle.IsValid ? metres with { Angle = Indicator.Of(angleAhead) } : metres;
+    }
+
+    /// <summary>Width of a lane for which the indicators in metres are as they are; that of ordinary roads where they do not tell.</summary>
+    public static LaneSection SectionOf(IReadOnlyList<double> torcsEquivalent, IReadOnlyList<double> metres)
+    {
+        const int toMarkingM = 2, toMarkingMR = 8;
+        LaneIndicators torcs = Of(torcsEquivalent);
+        int known = torcs.ToMarkingMR.IsValid ? toMarkingMR : toMarkingM;
+        bool tells = (torcs.ToMarkingMR.IsValid || torcs.ToMarkingM.IsValid) && torcsEquivalent[known] * metres[known] > 0;
+        return tells ? new LaneSection(1, LaneSection.TorcsLaneWidth * metres[known] / torcsEquivalent[known]) : Ordinary;
+    }
+
+    /// <summary>An ordinary road.</summary>
+    public static LaneSection Ordinary { get; } = new(1, Harvester.Geometry.Roads.RoadGeometry.LaneWidth);
+}

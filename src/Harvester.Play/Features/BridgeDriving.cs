@@ -1,0 +1,183 @@
+using System;
+using Harvester.Capture.Ports;
+using Harvester.Driving.Bridge;
+using Harvester.Driving.Session;
+using Harvester.Play.Settings;
+
+namespace Harvester.Play.Features;
+
+/// <summary>Lets a client drive the car over the live bridge, from one press of a key to the next or until the player takes the wheel.</summary>
+public sealed class BridgeDriving : ILastingFeature, IDisposable
+{
+    private static readonly TimeSpan MaxWaitForBridge = TimeSpan.FromSeconds(10);
+
+    /// <summary>A client that does wrong without end does not fill the disk with what it did.</summary>
+    private const int MaxLoggedProblems = 100;
+
+    private readonly BridgeSettings _settings;
+    private readonly GamePorts _game;
+    private readonly PlayerCar _car;
+    private readonly IMount _mount;
+    private readonly IDisplay _display;
+    private readonly PlayerMessages _messages;
+    private readonly SlowResource<IDrivingBridge> _bridge = new();
+    private DrivingSession? _session;
+    private string? _problem;
+    private int _problems;
+    private int _hiddenTicks;
+
+    /// <summary>Makes ready.</summary>
+    /// <param name="settings">Over what a client drives.</param>
+    /// <param name="game">The game; its car is the driven one.</param>
+    /// <param name="car">The car to drive.</param>
+    /// <param name="mount">The camera that sees for the client.</param>
+    /// <param name="display">The game's own display is hidden, and a line is shown.</param>
+    /// <param name="messages">Tells how drives begin and end.</param>
+    public BridgeDriving(BridgeSettings settings, GamePorts game, PlayerCar car, IMount mount, IDisplay display, PlayerMessages messages)
+    {
+        _settings = settings;
+        _game = game with { Car = car };
+        _car = car;
+        _mount = mount;
+        _display = display;
+        _messages = messages;
+    }
+
+    /// <inheritdoc/>
+    public string Name => "The drive";
+
+    /// <inheritdoc/>
+    public bool IsOn => _bridge.IsHeld;
+
+    /// <summary>Why nobody can drive now; null when a client can.</summary>
+    public Func<string?> Obstacle { get; init; } = static () => null;
+
+    /// <summary>Whether a picture may be grabbed so soon that nothing of ours may be drawn.</summary>
+    public bool IsPictureNear => _session?.IsPictureNear ?? IsOn;
+
+    /// <inheritdoc/>
+    public bool IsBusy => _bridge.IsBusy;
+
+    /// <summary>Opens the bridge and gives the car to whoever drives, or ends that.</summary>
+    public void Toggle()
+    {
+        if (IsOn)
+        {
+            End("The drive was stopped. The car is yours.");
+            return;
+        }
+
+        string? obstacle = _settings.Kind == BridgeKind.Off ? "The bridge is off. Change Kind under [Bridge] in GtaDataHarvester.ini." : Obstacle();
+        if (obstacle is not null)
+        {
+            _messages.Tell(obstacle);
+            return;
+        }
+
+        if (!_mount.IsMounted)
+        {
+            _mount.Mount();
+        }
+
+        if (_mount.IsMounted)
+        {
+            _hiddenTicks = 0;
+            _bridge.Open(_settings.Open);
+        }
+    }
+
+    /// <summary>Gives the car back to the player, who has pressed a key by which cars are driven.</summary>
+    public void TakeBack()
+    {
+        if (IsOn)
+        {
+            End("You have the wheel.");
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Tick()
+    {
+        if (!IsOn)
+        {
+            _car.GiveBack();
+            return;
+        }
+
+        // Before the first picture the display must have gone from it.
+        _display.HideGames();
+        _hiddenTicks++;
+        if (_bridge.TakeFailure() is { } failure)
+        {
+            throw failure;
+        }
+
+        if (_bridge.Opened is not { } bridge || _hiddenTicks <= _settings.Driving.SettleTicks)
+        {
+            return;
+        }
+
+        if (!_mount.IsMounted || Obstacle() is not null)
+        {
+            End("The drive has ended. The car is yours.");
+            return;
+        }
+
+        if (_session is null)
+        {
+            _problem = null;
+            _problems = 0;
+            _session = new DrivingSession(_settings.Driving, _game, bridge, _settings.Controller.New);
+            _messages.Tell($"The car waits for a client at {_settings.Place}. Any driving key takes it back.");
+        }
+
+        DrivingStatus status = _session.Tick();
+        if (_session.Problem is { } problem && problem != _problem && _problems < MaxLoggedProblems)
+        {
+            _problem = problem;
+            _problems++;
+            _messages.Log($"The bridge: {problem}{(_problems == MaxLoggedProblems ? " No more problems of this drive are logged." : null)}");
+        }
+
+        if (status.Ending is { } ending)
+        {
+            End($"{ending} The car is yours.");
+        }
+        else if (!IsPictureNear)
+        {
+            string who = status.IsClientAlive ? "DRIVEN by the client" : "BRAKING, no client drives";
+            _display.Text(FormattableString.Invariant($"{who} at {_settings.Place}  {Counted.Of(status.Frames, "frame")}"), 0.02, 0.02);
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Stop()
+    {
+        if (IsOn)
+        {
+            DrivingSession? session = _session;
+            _session = null;
+            _bridge.Close();
+            session?.Stop();
+        }
+
+        // Where the game has refused it, the next tick tries again.
+        _car.GiveBack();
+    }
+
+    /// <summary>Stops, and waits until the bridge is closed, or for as long as a script may take to end.</summary>
+    public void Finish()
+    {
+        Stop();
+        _bridge.Wait(MaxWaitForBridge);
+    }
+
+    /// <summary>Finishes.</summary>
+    public void Dispose() => Finish();
+
+    private void End(string message)
+    {
+        Stop();
+        _messages.Tell(message);
+    }
+}

@@ -1,0 +1,163 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Ports;
+using Harvester.Surveys.Faces;
+
+namespace Harvester.Play.Features;
+
+/// <summary>Measures the models of signs and lights at a key, one after the other, and keeps what it finds for the harvests to come.</summary>
+public sealed class FaceSurveying : ILastingFeature
+{
+    private readonly ISurveyStage _stage;
+    private readonly ISurveyCamera? _camera;
+    private readonly IReadOnlyList<SurveyedModel> _models;
+    private readonly MeasuredFaces _measured;
+    private readonly Harvest _harvest;
+    private readonly IMount _mount;
+    private readonly IDisplay _display;
+    private readonly PlayerMessages _messages;
+    private readonly IClock _clock;
+    private readonly double _budgetMilliseconds;
+    private readonly List<FaceSurvey> _leaving = [];
+    private FaceSurvey? _survey;
+    private bool _isOn;
+
+    /// <summary>Makes a survey that is off.</summary>
+    /// <param name="stage">Where models are put up.</param>
+    /// <param name="camera">Takes photographs; null for none.</param>
+    /// <param name="models">The models to measure.</param>
+    /// <param name="measured">Where the rows go.</param>
+    /// <param name="harvest">There is no survey while a harvest runs.</param>
+    /// <param name="mount">Gives the view back before a survey, which needs it for photographs.</param>
+    /// <param name="display">The game's own display is hidden while a photograph is taken.</param>
+    /// <param name="messages">Tells what was found.</param>
+    /// <param name="clock">The player's time.</param>
+    /// <param name="budgetMilliseconds">Time that rays may take of a tick.</param>
+    public FaceSurveying(
+        ISurveyStage stage,
+        ISurveyCamera? camera,
+        IReadOnlyList<SurveyedModel> models,
+        MeasuredFaces measured,
+        Harvest harvest,
+        IMount mount,
+        IDisplay display,
+        PlayerMessages messages,
+        IClock clock,
+        double budgetMilliseconds)
+    {
+        _stage = stage;
+        _camera = camera;
+        _models = models;
+        _measured = measured;
+        _harvest = harvest;
+        _mount = mount;
+        _display = display;
+        _messages = messages;
+        _clock = clock;
+        _budgetMilliseconds = budgetMilliseconds;
+    }
+
+    /// <inheritdoc/>
+    public string Name => "The survey of signs";
+
+    /// <inheritdoc/>
+    public bool IsOn => _isOn;
+
+    /// <inheritdoc/>
+    public bool IsBusy => _measured.IsBusy;
+
+    /// <summary>Whether a photograph is taken, so that nothing may be drawn over the picture.</summary>
+    public bool IsPictureNear => _survey?.IsPhotographing ?? false;
+
+    /// <summary>A line about it; null when it is off.</summary>
+    public string? Line => _isOn ? FormattableString.Invariant($"SIGNS  {_survey?.Done ?? 0} of {_models.Count}  {_survey?.Current}") : null;
+
+    /// <summary>Starts the survey where the last one ended, or ends the one that runs.</summary>
+    public void Toggle()
+    {
+        if (_isOn)
+        {
+            int done = _survey?.Done ?? 0;
+            Stop();
+            _messages.Tell(FormattableString.Invariant($"The survey of signs was stopped: {done} of {_models.Count} models are done. It goes on where it was."));
+        }
+        else if (_harvest.IsOn)
+        {
+            _messages.Tell("End the harvest first, then survey the signs.");
+        }
+        else if (_mount.IsMounted)
+        {
+            _messages.Tell("Give the camera back first, then survey the signs: it takes photographs.");
+        }
+        else
+        {
+            _isOn = true;
+            _messages.Tell("The survey of signs is on: stay where you are.");
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Tick()
+    {
+        GiveBack();
+        if (!_isOn || (_survey is null && _measured.Open() is null))
+        {
+            return;
+        }
+
+        if (_mount.IsMounted)
+        {
+            Stop();
+            _messages.Tell("The survey of signs ended, because the camera was mounted. It goes on where it was.");
+            return;
+        }
+
+        _survey ??= new FaceSurvey(_stage, _models, _measured.Open()!, _clock, _budgetMilliseconds, _camera);
+        if (IsPictureNear)
+        {
+            _display.HideGames();
+        }
+
+        _survey.Step();
+        if (_survey.IsOver)
+        {
+            End(_survey);
+        }
+    }
+
+    /// <inheritdoc/>
+    public void Stop()
+    {
+        _isOn = false;
+        if (_survey is { } survey)
+        {
+            _leaving.Add(survey);
+            _survey = null;
+        }
+
+        GiveBack();
+    }
+
+    /// <inheritdoc/>
+    public void Finish()
+    {
+        Stop();
+        _measured.Wait();
+    }
+
+    /// <summary>Ends surveys; what the game does not take back now, it is given again in the next tick.</summary>
+    private void GiveBack()
+    {
+        _leaving.ForEach(survey => survey.Dispose());
+        _leaving.RemoveAll(survey => !survey.HasLeftSomething);
+    }
+
+    private void End(FaceSurvey survey)
+    {
+        Stop();
+        int faces = _measured.Open()?.Table.Faces.Count() ?? 0;
+        _messages.Tell(survey.Fault ?? FormattableString.Invariant(
+            $"All {_models.Count} models are surveyed: {Counted.Of(faces, "face")}, in {_measured.Path}. They are in use from now on."));
+    }
+}

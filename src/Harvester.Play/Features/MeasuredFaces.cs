@@ -1,0 +1,64 @@
+using System;
+using System.IO;
+using System.Threading.Tasks;
+using Harvester.Sessions.Faces;
+using Harvester.Surveys.Faces;
+
+namespace Harvester.Play.Features;
+
+/// <summary>The folder of what the player has measured, opened on another thread when it is first asked for, and the faces that are in use with it.</summary>
+/// <param name="path">The folder.</param>
+/// <param name="shipped">The faces that came with the mod.</param>
+/// <param name="inUse">The faces in use until the folder is opened.</param>
+public sealed class MeasuredFaces(string path, FaceTable shipped, FaceTable inUse)
+{
+    private static readonly TimeSpan MaxWaitForDisk = TimeSpan.FromSeconds(10);
+    private Task<SurveyFolder>? _opening;
+    private FaceTable? _taken;
+
+    /// <summary>The folder.</summary>
+    public string Path { get; } = path;
+
+    /// <summary>The faces in use: what was measured, as soon as it is, before what came with the mod. It is another table only when rows are others.</summary>
+    public FaceTable InUse
+    {
+        get
+        {
+            if (_opening is { Status: TaskStatus.RanToCompletion } opening && opening.Result.Table != _taken)
+            {
+                _taken = opening.Result.Table;
+                inUse = shipped.OverriddenBy(_taken);
+            }
+
+            return inUse;
+        }
+    }
+
+    /// <summary>Whether something is still being read or written.</summary>
+    public bool IsBusy => _opening is { } opening && (!opening.IsCompleted || (!opening.IsFaulted && opening.Result.IsWriting));
+
+    /// <summary>The folder's content; null until it is read.</summary>
+    /// <exception cref="IOException">It cannot be read. The next question tries again.</exception>
+    public SurveyFolder? Open()
+    {
+        _opening ??= Task.Run(() => new SurveyFolder(Path));
+        if (_opening.IsFaulted)
+        {
+            Exception failure = _opening.Exception!.InnerException!;
+            _opening = null;
+            throw new IOException(failure.Message, failure);
+        }
+
+        return _opening.IsCompleted ? _opening.Result : null;
+    }
+
+    /// <summary>Waits until all is written, or for as long as a script may take to end.</summary>
+    /// <exception cref="IOException">Something could not be written.</exception>
+    public void Wait()
+    {
+        if (_opening is { } opening && Task.WaitAny([opening], MaxWaitForDisk) == 0 && !opening.IsFaulted)
+        {
+            opening.Result.Wait(MaxWaitForDisk);
+        }
+    }
+}

@@ -1,0 +1,255 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Capture.Harvesting;
+using Harvester.Capture.Ports;
+using Harvester.Geometry;
+using Harvester.Sessions.Faces;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Surveys.Faces;
+
+/// <summary>
+/// Measures models one after the other: call <see cref="Step"/> once in every tick, from the game's own thread, until it is over. A model
+/// that the folder knows as done is passed over. Nothing is thrown to the caller after construction, and whatever happens no model
+/// is left standing.
+/// </summary>
+public sealed class FaceSurvey : IDisposable
+{
+    /// <summary>Ticks in which a model must be loaded; ten seconds of a game of 60 ticks a second.</summary>
+    private const int MaxLoadingTicks = 600;
+
+    /// <summary>Ticks from putting a model up until rays meet it.</summary>
+    private const int SettlingTicks = 2;
+
+    private readonly ISurveyStage _stage;
+    private readonly SurveyFolder _folder;
+    private readonly List<SurveyedModel> _models;
+    private readonly ModelPhotographer? _photographer;
+    private readonly TickBudget _budget;
+    private readonly IEnumerator<bool> _run;
+    private readonly HashSet<string> _asked = new(StringComparer.Ordinal);
+    private string? _next;
+    private int _standing;
+
+    /// <summary>Makes a survey; nothing is asked of the game before the first step.</summary>
+    /// <param name="stage">Where models are put up.</param>
+    /// <param name="models">The models to measure.</param>
+    /// <param name="folder">Where the rows go.</param>
+    /// <param name="clock">The player's time.</param>
+    /// <param name="budgetMilliseconds">Time that rays may take of a tick.</param>
+    /// <param name="camera">Takes photographs; null for none.</param>
+    public FaceSurvey(
+        ISurveyStage stage, IEnumerable<SurveyedModel> models, SurveyFolder folder, IClock clock, double budgetMilliseconds, ISurveyCamera? camera = null)
+    {
+        _stage = stage ?? throw new ArgumentNullException(nameof(stage));
+        _folder = folder ?? throw new ArgumentNullException(nameof(folder));
+        _models = [.. models ?? throw new ArgumentNullException(nameof(models))];
+        _photographer = camera is null ? null : new ModelPhotographer(camera, folder);
+        _budget = new TickBudget(clock, budgetMilliseconds);
+        _run = Run().GetEnumerator();
+    }
+
+    /// <summary>Models of the list.</summary>
+    public int Models => _models.Count;
+
+    /// <summary>Models that are done, those of earlier surveys included.</summary>
+    public int Done { get; private set; }
+
+    /// <summary>Whether there is nothing more to do.</summary>
+    public bool IsOver { get; private set; }
+
+    /// <summary>The model that is being measured; empty before the first.</summary>
+    public string Current { get; private set; } = string.Empty;
+
+    /// <summary>Whether the screen is needed for a photograph, so that nothing may be drawn over it.</summary>
+    public bool IsPhotographing => _photographer?.IsAtWork ?? false;
+
+    /// <summary>One line that says why the survey ended before its time; null without a fault.</summary>
+    public string? Fault { get; private set; }
+
+    /// <summary>Whether the game has refused to take something back at the end. <see cref="Dispose"/> tries it again.</summary>
+    public bool HasLeftSomething { get; private set; }
+
+    /// <summary>Does one tick's share. After the end it does nothing.</summary>
+    public void Step()
+    {
+        if (IsOver)
+        {
+            return;
+        }
+
+        try
+        {
+            _budget.BeginTick();
+            if (!_run.MoveNext())
+            {
+                End();
+            }
+            else if (_next is { } next)
+            {
+                // While one model is measured the game loads the next.
+                Ask(next);
+            }
+        }
+#pragma warning disable CA1031 // The game's script loop must not see an exception of ours, whatever its type.
+        catch (Exception exception)
+#pragma warning restore CA1031
+        {
+            Fault = $"The survey stopped: {exception.Message}";
+            End();
+        }
+    }
+
+    /// <summary>Ends the survey and takes away what stands.</summary>
+    public void Dispose() => End();
+
+    private IEnumerable<bool> Run()
+    {
+        SurveyedModel[] left = [.. _models.Where(model => !_folder.IsDone(model.Name))];
+        Done = _models.Count - left.Length;
+        for (int i = 0; i < left.Length; i++)
+        {
+            Current = left[i].Name;
+            _next = i + 1 < left.Length ? left[i + 1].Name : null;
+            foreach (bool tick in Measure(left[i]))
+            {
+                yield return tick;
+            }
+
+            Done++;
+        }
+
+        // A slow disk may refuse the last model's rows when all are measured.
+        while (_folder.IsWriting)
+        {
+            yield return true;
+        }
+
+        _folder.Wait(TimeSpan.Zero);
+    }
+
+    private IEnumerable<bool> Measure(SurveyedModel model)
+    {
+        ModelLoading loading = Ask(model.Name);
+        for (int ticks = 0; loading == ModelLoading.Loading && ticks < MaxLoadingTicks; ticks++)
+        {
+            yield return true;
+            loading = Ask(model.Name);
+        }
+
+        _standing = loading == ModelLoading.Loaded ? _stage.PutUp(model.Name) : 0;
+        Forget(model.Name);
+        if (_standing == 0)
+        {
+            _folder.Finish(model.Name, loading == ModelLoading.Missing ? "missing" : "refused", []);
+            yield break;
+        }
+
+        _stage.Hold(_standing);
+        for (int ticks = 0; ticks < SettlingTicks; ticks++)
+        {
+            yield return true;
+        }
+
+        AssertStanding(model.Name);
+        StagedModel staged = _stage.Read(_standing, model.Name);
+        var probe = new StageProbe(_stage.Rays, staged);
+        var faces = new FaceFinder(probe, staged);
+        var heads = new HeadFinder(probe, staged);
+        bool isLight = staged.Heads.Count > 0;
+        foreach (bool ray in isLight ? heads.Run() : faces.Run())
+        {
+            if (_budget.IsSpent)
+            {
+                yield return ray;
+            }
+        }
+
+        IReadOnlyList<MeasuredFace> found = isLight ? heads.Heads : faces.Faces;
+        foreach (bool tick in _photographer?.Take(staged, model.Name, found) ?? [])
+        {
+            yield return tick;
+        }
+
+        AssertStanding(model.Name);
+        TakeAway();
+        bool isGuess = model.Class == ObjectClass.TrafficLight && !isLight;
+        SurveyedModel shown = isLight ? model with { Class = ObjectClass.TrafficLight } : model;
+        ModelFace[] rows = [.. found.Select((face, number) => RowOf(shown, face, number, isGuess))];
+        IReadOnlyList<ModelFace> own = _folder.Table.Of(model.Name);
+        _folder.Finish(
+            model.Name, rows.Length == 0 ? "noFace" : "measured", rows.Length == 0 ? [] : KeptFaces.BesideFound(rows, own.Count > 0 ? own : model.Known));
+        yield return true;
+    }
+
+    private void AssertStanding(string model)
+    {
+        if (!_stage.IsStanding(_standing))
+        {
+            throw new InvalidOperationException($"the game took {model} away while it was measured.");
+        }
+    }
+
+    private ModelLoading Ask(string model)
+    {
+        _asked.Add(model);
+        return _stage.Load(model);
+    }
+
+    private void Forget(string model)
+    {
+        _stage.Forget(model);
+        _asked.Remove(model);
+    }
+
+    private static ModelFace RowOf(SurveyedModel model, MeasuredFace face, int number, bool isGuess) => new(
+        model.Name,
+        ModelHash.Of(model.Name),
+        model.Class,
+        number == 0 || model.Class == ObjectClass.TrafficLight ? model.SignName : string.Empty,
+        number == 0 ? model.MutcdCode : string.Empty,
+        number,
+        new Vector3D(face.Min.X, face.Max.Y, face.Max.Z),
+        new Vector3D(face.Max.X, face.Min.Y, face.Min.Z),
+        face.Facing,
+        face.IsWholeModel || isGuess ? Provenance.Derived : Provenance.Measured,
+        isGuess ? "a light without bones of its heads: its widest part" : face.IsWholeModel ? "rays found no post: the whole model" : "rays in the game");
+
+    private void TakeAway()
+    {
+        int entity = _standing;
+        if (entity != 0)
+        {
+            _stage.TakeAway(entity);
+            _standing = 0;
+        }
+    }
+
+    private void End()
+    {
+        IsOver = true;
+        HasLeftSomething = false;
+        Try(TakeAway);
+        Try(() => _photographer?.LookAway());
+        foreach (string model in _asked.ToArray())
+        {
+            Try(() => Forget(model));
+        }
+    }
+
+    private void Try(Action giveBack)
+    {
+        try
+        {
+            giveBack();
+        }
+#pragma warning disable CA1031 // The first fault is the one to tell, and the rest is to be given back all the same.
+        catch (Exception exception)
+#pragma warning restore CA1031
+        {
+            HasLeftSomething = true;
+            Fault ??= $"The survey stopped: {exception.Message}";
+        }
+    }
+}
