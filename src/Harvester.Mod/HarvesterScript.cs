@@ -121,7 +121,7 @@ public sealed class HarvesterScript : Script
         _keys.Add("Calibrate", Keys.NumPad1, _calibration, _calibration.Toggle);
         _keys.Add("RoadSurvey", Keys.U, survey, survey.Toggle);
         _keys.Add("Drive", Keys.N, _drive, _drive.Toggle);
-        _keys.Add("FaceSurvey", Keys.Multiply, _signs, _signs.Toggle);
+        _keys.Add("SpaceSurvey", Keys.Multiply, _signs, _signs.Toggle);
         _keys.Add("MarkCorner", Keys.NumPad2, marking, marking.Mark);
         _keys.Add("NextName", Keys.NumPad3, marking, marking.NextName);
         _keys.Add("KeepFace", Keys.Y, marking, marking.Keep);

@@ -22,10 +22,10 @@ internal sealed class FaceGallery(FaceTable table, string folder)
     public int Write(TextWriter page)
     {
         page.Write(
-            "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Faces of interest</title>\n"
+            "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Spaces of interest</title>\n"
             + "<style>body{font:14px sans-serif;margin:1.5em}main{display:flex;flex-wrap:wrap;gap:1em}article{border:1px solid #bbb;padding:.7em}"
             + "h2{font-size:1em;margin:0 0 .4em}img{max-width:24em;display:block}.photo{margin:.3em}article>svg{display:inline-block}.estimated{stroke-dasharray:4}.away{fill-opacity:.25;stroke-opacity:.4}.hidden{stroke-dasharray:2 3;stroke-opacity:.7}td{padding-right:.8em}</style></head>\n"
-            + "<body><h1>Faces of interest</h1><p>Seen from the side towards which the first face looks. Ground and origin are the lines; dashed faces are estimated, pale ones look elsewhere. On photographs the edges that a face's own body hides are dotted. "
+            + "<body><h1>Spaces of interest</h1><p>Seen from the side towards which the first face looks. Ground and origin are the lines; dashed faces are estimated, pale ones look elsewhere. On photographs the edges that a face's own body hides are dotted. "
             + "To mend a name or a corner, edit the table, then <code>harvester spaces check</code> it and make this page anew.</p><main>\n");
         IGrouping<int, ModelFace>[] models = [.. table.Faces.GroupBy(face => face.Hash)];
         foreach (IGrouping<int, ModelFace> model in models)
