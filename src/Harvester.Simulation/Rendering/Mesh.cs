@@ -8,26 +8,35 @@ namespace Harvester.Simulation.Rendering;
 /// <summary>A shape of coloured triangles in a model's frame (x right, y forward, z up, metres). It never changes and may be shown by many instances.</summary>
 public sealed class Mesh
 {
-    private readonly MeshTriangle[] _triangles;
+    private readonly MeshTriangle[] _given;
+    private MeshTree? _tree;
 
-    /// <summary>Makes a mesh and the tree that rays and culling find its triangles by; triangles are kept in the tree's order.</summary>
+    /// <summary>Makes a mesh. The tree that rays and culling find its triangles by is built when it is first asked for: much of a world is never seen.</summary>
     public Mesh(IEnumerable<MeshTriangle> triangles)
     {
-        MeshTriangle[] given = triangles.ToArray();
-        Hierarchy = new BoundingVolumeHierarchy(Array.ConvertAll(given, triangle => Rendering.Bounds.Of(triangle)));
-        _triangles = Array.ConvertAll(Hierarchy.Order, number => given[number]);
+        _given = triangles.ToArray();
+        Bounds bounds = Bounds.Empty;
+        foreach (ref readonly MeshTriangle triangle in _given.AsSpan())
+        {
+            bounds = bounds.With(triangle.A).With(triangle.B).With(triangle.C);
+        }
+
+        Bounds = bounds;
     }
 
-    /// <summary>The triangles.</summary>
-    public ReadOnlySpan<MeshTriangle> Triangles => _triangles;
+    /// <summary>The triangles, in the order of the tree.</summary>
+    public ReadOnlySpan<MeshTriangle> Triangles => Tree.Triangles;
 
     /// <summary>Least coordinates of all corners, metres.</summary>
-    public Vector3D Min => Hierarchy.Bounds.Min;
+    public Vector3D Min => Bounds.Min;
 
     /// <summary>Greatest coordinates of all corners, metres.</summary>
-    public Vector3D Max => Hierarchy.Bounds.Max;
+    public Vector3D Max => Bounds.Max;
 
-    internal BoundingVolumeHierarchy Hierarchy { get; }
+    internal BoundingVolumeHierarchy Hierarchy => Tree.Hierarchy;
 
-    internal Bounds Bounds => Hierarchy.Bounds;
+    internal Bounds Bounds { get; }
+
+    /// <summary>Two threads that ask at once may both build it; they build the same.</summary>
+    private MeshTree Tree => _tree ??= new MeshTree(_given);
 }

@@ -23,7 +23,7 @@ internal sealed class Asphalt(RoadIndex index)
     public bool IsAnothers(Road road, double distance, double rightOffset, double above)
     {
         Vector3D place = Of(road).At(distance, rightOffset) + (Horizontal.Up * above);
-        return index.PlacesAt(place).Any(other => other.Road != road && Math.Abs(other.Height) < SameLevel
+        return index.PlacesAt(place, except: road).Any(other => Math.Abs(other.Height) < SameLevel
             && (other.IsOnCarriageway(0) || (other.IsOnCarriageway(other.Road.Shoulder) && Of(other.Road).At(other.Distance, other.RightOffset).Z + MinAbove > place.Z)));
     }
 }

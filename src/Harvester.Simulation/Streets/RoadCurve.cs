@@ -15,8 +15,7 @@ internal sealed class RoadCurve
 
     private const int ProjectionSteps = 12;
 
-    private readonly IReadOnlyList<Vector3D> _nodes;
-    private readonly Vector3D[] _tangents;
+    private readonly CurvePiece[] _pieces;
     private readonly double[] _distances;
 
     /// <param name="nodes">At least two, no two neighbours in one place.</param>
@@ -24,8 +23,13 @@ internal sealed class RoadCurve
     /// <param name="endTangent">Unit direction at the end; else null.</param>
     public RoadCurve(IReadOnlyList<Vector3D> nodes, Vector3D? startTangent = null, Vector3D? endTangent = null)
     {
-        _nodes = nodes;
-        _tangents = Tangents(nodes, startTangent, endTangent);
+        Vector3D[] tangents = Tangents(nodes, startTangent, endTangent);
+        _pieces = new CurvePiece[nodes.Count - 1];
+        for (int i = 0; i < _pieces.Length; i++)
+        {
+            _pieces[i] = CurvePiece.Between(nodes[i], nodes[i + 1], tangents[i], tangents[i + 1]);
+        }
+
         _distances = new double[((nodes.Count - 1) * ChordsPerPiece) + 1];
         Vector3D previous = nodes[0];
         for (int i = 1; i < _distances.Length; i++)
@@ -47,8 +51,7 @@ internal sealed class RoadCurve
     public double CurvatureAt(double distance)
     {
         (_, Vector3D first, Vector3D second) = At(Parameter(distance));
-        double speedSquared = (first.X * first.X) + (first.Y * first.Y);
-        return ((first.X * second.Y) - (first.Y * second.X)) / (speedSquared * Math.Sqrt(speedSquared));
+        return Curvature(first, second);
     }
 
     /// <summary>A point beside the road, on the level of its line.</summary>
@@ -62,9 +65,9 @@ internal sealed class RoadCurve
     public Vector3D OffsetTangentAt(double distance, double rightOffset)
     {
         int chord = ChordAt(distance);
-        (_, Vector3D derivative, _) = At(Parameter(distance));
+        (_, Vector3D derivative, Vector3D second) = At(Parameter(distance));
         Vector3D along = derivative / (ChordsPerPiece * (_distances[chord + 1] - _distances[chord]));
-        double outside = 1 + (CurvatureAt(distance) * rightOffset);
+        double outside = 1 + (Curvature(derivative, second) * rightOffset);
         return new Vector3D(along.X * outside, along.Y * outside, along.Z);
     }
 
@@ -74,13 +77,13 @@ internal sealed class RoadCurve
         double distance = nearDistance;
         for (int i = 0; i < ProjectionSteps; i++)
         {
-            (Vector3D position, Vector3D first, _) = At(Parameter(distance));
+            (Vector3D position, Vector3D first, Vector3D second) = At(Parameter(distance));
             Vector3D tangent = first.Normalized();
             Vector3D offset = point - position;
             double along = (offset.X * tangent.X) + (offset.Y * tangent.Y);
             double lateral = (offset.Y * tangent.X) - (offset.X * tangent.Y);
             double horizontal = (tangent.X * tangent.X) + (tangent.Y * tangent.Y);
-            double slope = Math.Max(0.2, horizontal - (CurvatureAt(distance) * lateral));
+            double slope = Math.Max(0.2, horizontal - (Curvature(first, second) * lateral));
             double next = Math.Clamp(distance + (along / slope), 0, Length);
             if (Math.Abs(next - distance) < 1e-10)
             {
@@ -116,6 +119,13 @@ internal sealed class RoadCurve
     /// <summary>The end tangent that makes the last piece a parabola.</summary>
     private static Vector3D Mirrored(Vector3D chordDirection, Vector3D inner) => ((chordDirection * 2) - inner.Normalized()).Normalized();
 
+    /// <summary>Curvature on the ground, 1/m, from the first and second derivative.</summary>
+    private static double Curvature(Vector3D first, Vector3D second)
+    {
+        double speedSquared = (first.X * first.X) + (first.Y * first.Y);
+        return ((first.X * second.Y) - (first.Y * second.X)) / (speedSquared * Math.Sqrt(speedSquared));
+    }
+
     private double Parameter(double distance)
     {
         int chord = ChordAt(distance);
@@ -132,18 +142,7 @@ internal sealed class RoadCurve
     /// <summary>Position and derivatives by the chord number, whole or between.</summary>
     private (Vector3D Position, Vector3D Derivative, Vector3D Second) At(double chord)
     {
-        int piece = Math.Clamp((int)(chord / ChordsPerPiece), 0, _nodes.Count - 2);
-        double t = (chord / ChordsPerPiece) - piece;
-        Vector3D p = _nodes[piece];
-        Vector3D q = _nodes[piece + 1];
-        double size = (q - p).Length;
-        Vector3D m = _tangents[piece] * size;
-        Vector3D n = _tangents[piece + 1] * size;
-        Vector3D cubic = ((p - q) * 2) + m + n;
-        Vector3D square = ((q - p) * 3) - (m * 2) - n;
-        return (
-            p + ((m + ((square + (cubic * t)) * t)) * t),
-            m + (((square * 2) + (cubic * (3 * t))) * t),
-            (square * 2) + (cubic * (6 * t)));
+        int piece = Math.Clamp((int)(chord / ChordsPerPiece), 0, _pieces.Length - 1);
+        return _pieces[piece].At((chord / ChordsPerPiece) - piece);
     }
 }

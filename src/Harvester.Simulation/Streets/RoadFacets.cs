@@ -24,6 +24,7 @@ internal sealed class RoadFacets
 
     private readonly Road _road;
     private readonly List<double> _stations = [0];
+    private readonly List<int> _columns = [0];
 
     public RoadFacets(Road road)
     {
@@ -35,6 +36,7 @@ internal sealed class RoadFacets
             double step = Math.Clamp(Math.Sqrt(8 * Deviation / Math.Max(curvature, 1e-6)), MinStep, MaxStep);
             distance = distance + (1.5 * step) > road.Length ? road.Length : distance + step;
             _stations.Add(distance);
+            _columns.Add(CountColumns(_stations.Count - 1));
         }
     }
 
@@ -46,7 +48,7 @@ internal sealed class RoadFacets
     {
         for (int i = 1; i < _stations.Count; i++)
         {
-            int columns = Columns(i);
+            int columns = _columns[i];
             for (int column = 0; column < columns; column++)
             {
                 yield return Facet(i, column, columns);
@@ -57,9 +59,8 @@ internal sealed class RoadFacets
     /// <summary>The point of the asphalt at a distance along the road and an offset to the right of its line, metres, world.</summary>
     public Vector3D At(double distance, double rightOffset)
     {
-        int upper = _stations.BinarySearch(distance);
-        upper = Math.Clamp(upper < 0 ? ~upper : upper, 1, _stations.Count - 1);
-        int columns = Columns(upper);
+        int upper = UpperOf(distance);
+        int columns = _columns[upper];
         double across = Across(rightOffset) * columns;
         int column = Math.Clamp((int)across, 0, columns - 1);
         return Facet(upper, column, columns).At(Along(upper, distance), across - column);
@@ -72,7 +73,7 @@ internal sealed class RoadFacets
     /// <param name="right">Its right edge.</param>
     public IEnumerable<Vector3D[]> Cover(double from, double to, double left, double right)
     {
-        for (int i = 1; i < _stations.Count; i++)
+        for (int i = UpperOf(from); i < _stations.Count && _stations[i - 1] < to; i++)
         {
             double begin = Math.Max(0, Along(i, from));
             double end = Math.Min(1, Along(i, to));
@@ -81,7 +82,7 @@ internal sealed class RoadFacets
                 continue;
             }
 
-            int columns = Columns(i);
+            int columns = _columns[i];
             for (int column = 0; column < columns; column++)
             {
                 double leftAcross = Math.Max(0, (Across(left) * columns) - column);
@@ -97,12 +98,19 @@ internal sealed class RoadFacets
         }
     }
 
+    /// <summary>The first station that is not before a place, or the last of all; never the first of all.</summary>
+    private int UpperOf(double distance)
+    {
+        int upper = _stations.BinarySearch(distance);
+        return Math.Clamp(upper < 0 ? ~upper : upper, 1, _stations.Count - 1);
+    }
+
     private double Along(int upper, double distance) => (distance - _stations[upper - 1]) / (_stations[upper] - _stations[upper - 1]);
 
     private double Across(double rightOffset) => (rightOffset - _road.LeftKerb) / (_road.RightKerb - _road.LeftKerb);
 
     /// <summary>How many facets lie side by side between two stations.</summary>
-    private int Columns(int upper)
+    private int CountColumns(int upper)
     {
         Vector3D near = _road.Curve.TangentAt(_stations[upper - 1]);
         Vector3D far = _road.Curve.TangentAt(_stations[upper]);

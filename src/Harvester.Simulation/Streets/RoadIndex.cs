@@ -31,7 +31,8 @@ internal sealed class RoadIndex
     /// <summary>The places of a point on the roads it lies on or beside; it lies abreast of them, not before or behind their ends.</summary>
     /// <param name="point">Metres, world.</param>
     /// <param name="pastTheEnd">How far before or behind an end still counts as abreast of it, metres.</param>
-    public IEnumerable<RoadPlace> PlacesAt(Vector3D point, double pastTheEnd = 0.05)
+    /// <param name="except">A road that is passed over.</param>
+    public IEnumerable<RoadPlace> PlacesAt(Vector3D point, double pastTheEnd = 0.05, Road? except = null)
     {
         if (!_cells.TryGetValue(CellOf(point), out List<(Road Road, double Distance, Vector3D Point)>? samples))
         {
@@ -54,6 +55,11 @@ internal sealed class RoadIndex
                 }
             }
 
+            if (road == except)
+            {
+                continue;
+            }
+
             double distance = road.Curve.Project(point, nearest);
             Vector3D tangent = road.Curve.TangentAt(distance);
             Vector3D offset = point - road.Curve.PositionAt(distance);
@@ -68,7 +74,7 @@ internal sealed class RoadIndex
     public bool IsOnAnother(Road? road, Vector3D point, double margin)
     {
         const double sameLevel = 2.5;
-        return PlacesAt(point).Any(place => place.Road != road && Math.Abs(place.Height) < sameLevel && place.IsOnCarriageway(margin));
+        return PlacesAt(point, except: road).Any(place => Math.Abs(place.Height) < sameLevel && place.IsOnCarriageway(margin));
     }
 
     /// <summary>Whether a point lies on or over or under a carriageway, moved outward by a margin, on whatever level.</summary>

@@ -7,7 +7,7 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>Paints the lines along roads, stop lines and crossings for people.</summary>
-internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintRun> runs, RoadIndex index, GroundMesh mesh)
+internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintRun> runs, RoadIndex index, Asphalt asphalt, GroundMesh mesh)
 {
     private const double CrossingDepth = 3.2;
 
@@ -46,7 +46,7 @@ internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintRun> runs, R
             double b = layout.LaneCentre(towards, lanes - 1);
             double half = layout.LaneWidth / 2;
             (double from, double to) = Ordered(arm.DistanceAt(arm.Trim), arm.DistanceAt(arm.Trim + thickness));
-            Stripe(new RoadFacets(arm.Road), from, to, Math.Min(a, b) - half + 0.3, Math.Max(a, b) + half - 0.3, Palette.White);
+            Stripe(asphalt.Of(arm.Road), from, to, Math.Min(a, b) - half + 0.3, Math.Max(a, b) + half - 0.3, Palette.White);
         }
     }
 
@@ -55,7 +55,7 @@ internal sealed class RoadPainter(RoadPlan plan, IReadOnlyList<PaintRun> runs, R
         const double barWidth = 0.5;
         const double barPeriod = 1.1;
         (double from, double to) = Ordered(arm.DistanceAt(arm.Trim - 0.6), arm.DistanceAt(arm.Trim - CrossingDepth));
-        RoadFacets facets = new(arm.Road);
+        RoadFacets facets = asphalt.Of(arm.Road);
         LaneLayout layout = arm.Road.Layout;
         for (double offset = layout.LeftEdge + barWidth; offset < layout.RightEdge - barWidth; offset += barPeriod)
         {

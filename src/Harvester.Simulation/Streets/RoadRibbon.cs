@@ -6,18 +6,16 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>Lays strips of one colour along a road's curve.</summary>
-internal sealed class RoadRibbon(Road road, GroundMesh mesh)
+internal sealed class RoadRibbon(Road road, IReadOnlyList<double> stations, GroundMesh mesh)
 {
-    private readonly IReadOnlyList<double> _stations = new RoadFacets(road).Stations;
-
     /// <summary>A strip along the whole road, left out where a test of a piece's middle says no.</summary>
     public void Lay(Rail left, Rail right, Rgb colour, Surface surface, Func<double, bool>? isPresent = null)
     {
-        for (int i = 1; i < _stations.Count; i++)
+        for (int i = 1; i < stations.Count; i++)
         {
-            if (isPresent?.Invoke((_stations[i - 1] + _stations[i]) / 2) ?? true)
+            if (isPresent?.Invoke((stations[i - 1] + stations[i]) / 2) ?? true)
             {
-                Piece(_stations[i - 1], _stations[i], left, right, colour, surface);
+                Piece(stations[i - 1], stations[i], left, right, colour, surface);
             }
         }
     }

@@ -7,7 +7,7 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>Builds the asphalt, medians, pavements and sides of roads and bridges.</summary>
-internal sealed class RoadSurfaces(RoadPlan plan, RoadIndex index, Terrain terrain, GroundMesh mesh)
+internal sealed class RoadSurfaces(RoadPlan plan, RoadIndex index, Terrain terrain, Asphalt asphalt, GroundMesh mesh)
 {
     private const double BridgeAbove = 3;
     private const double DeckThickness = 1.2;
@@ -41,9 +41,9 @@ internal sealed class RoadSurfaces(RoadPlan plan, RoadIndex index, Terrain terra
 
     private void Pave(Road road)
     {
-        RoadRibbon ribbon = new(road, mesh);
+        RoadRibbon ribbon = new(road, asphalt.Of(road).Stations, mesh);
         Rgb colour = road.IsUnpaved ? Palette.Dirt : Palette.Asphalt;
-        foreach (RoadFacet facet in new RoadFacets(road).All())
+        foreach (RoadFacet facet in asphalt.Of(road).All())
         {
             mesh.AddQuad(facet.NearLeft, facet.NearRight, facet.FarRight, facet.FarLeft, colour, Surface.Ground);
         }
@@ -64,7 +64,7 @@ internal sealed class RoadSurfaces(RoadPlan plan, RoadIndex index, Terrain terra
 
     private void AddSide(Road road, bool onRight)
     {
-        RoadRibbon ribbon = new(road, mesh);
+        RoadRibbon ribbon = new(road, asphalt.Of(road).Stations, mesh);
         double kerb = onRight ? road.RightKerb : road.LeftKerb;
         int side = onRight ? 1 : -1;
         double edge = kerb;

@@ -75,10 +75,10 @@ internal sealed class SimulatedWorld
         _entities = [.. parked, .. scenery.Props.Where(prop => prop.Handle != 0)];
         GroundMesh ground = new();
         terrain.Build(ground);
-        new RoadSurfaces(plan, index, terrain, ground).Build();
         Asphalt asphalt = new(index);
+        new RoadSurfaces(plan, index, terrain, asphalt, ground).Build();
         List<PaintRun> paint = [.. plan.Roads.Where(road => !road.IsInner && !road.IsUnpaved).SelectMany(road => PaintRun.Of(road, asphalt))];
-        new RoadPainter(plan, paint, index, ground).Paint();
+        new RoadPainter(plan, paint, index, asphalt, ground).Paint();
         Paint = [.. paint.Select(run => run.Line())];
         Scene = new RenderScene([
             .. ground.Instances(),
