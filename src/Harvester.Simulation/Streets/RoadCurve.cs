@@ -55,10 +55,13 @@ internal sealed class RoadCurve
     }
 
     /// <summary>A point beside the road, on the level of its line.</summary>
-    public Vector3D OffsetAt(double distance, double rightOffset)
+    public Vector3D OffsetAt(double distance, double rightOffset) => SectionAt(distance).At(rightOffset);
+
+    /// <summary>The line square to the road at a place.</summary>
+    public CrossSection SectionAt(double distance)
     {
         (Vector3D position, Vector3D derivative, _) = At(Parameter(distance));
-        return position + (Horizontal.RightOf(derivative) * rightOffset);
+        return new CrossSection(position, Horizontal.RightOf(derivative));
     }
 
     /// <summary>By how much, and where to, a point beside the road moves for each metre along the road's line: longer on the outside of a bend.</summary>

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
@@ -25,6 +26,7 @@ internal sealed class RoadFacets
     private readonly Road _road;
     private readonly List<double> _stations = [0];
     private readonly List<int> _columns = [0];
+    private readonly CrossSection[] _sections;
 
     public RoadFacets(Road road)
     {
@@ -38,6 +40,8 @@ internal sealed class RoadFacets
             _stations.Add(distance);
             _columns.Add(CountColumns(_stations.Count - 1));
         }
+
+        _sections = [.. _stations.Select(road.Curve.SectionAt)];
     }
 
     /// <summary>Where facets begin and end, metres along the road.</summary>
@@ -123,9 +127,9 @@ internal sealed class RoadFacets
         double width = (_road.RightKerb - _road.LeftKerb) / columns;
         double left = _road.LeftKerb + (column * width);
         return new RoadFacet(
-            _road.Curve.OffsetAt(_stations[upper - 1], left),
-            _road.Curve.OffsetAt(_stations[upper - 1], left + width),
-            _road.Curve.OffsetAt(_stations[upper], left + width),
-            _road.Curve.OffsetAt(_stations[upper], left));
+            _sections[upper - 1].At(left),
+            _sections[upper - 1].At(left + width),
+            _sections[upper].At(left + width),
+            _sections[upper].At(left));
     }
 }

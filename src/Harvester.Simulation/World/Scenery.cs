@@ -27,20 +27,20 @@ internal sealed class Scenery
     private readonly Terrain _terrain;
     private readonly ModelCatalogue _catalogue;
     private readonly HandleCounter _handles;
-    private readonly List<Model> _stock;
+    private readonly IReadOnlyList<Model> _stock;
     private readonly List<Model> _roadside;
     private readonly BodyIndex<Footprint> _buildings = new();
     private readonly List<Prop> _props = [];
     private readonly List<Vector3D> _lamps = [];
 
-    public Scenery(int seed, RoadIndex index, Terrain terrain, ModelCatalogue catalogue, HandleCounter handles)
+    public Scenery(int seed, Site site, ModelCatalogue catalogue, HandleCounter handles)
     {
         _random = new Random(seed);
-        _index = index;
-        _terrain = terrain;
+        _index = site.Index;
+        _terrain = site.Terrain;
         _catalogue = catalogue;
         _handles = handles;
-        _stock = BuildingStock.Make(seed);
+        _stock = site.Buildings;
         _roadside = [.. catalogue.Signs.Where(sign => sign.Name is not StopSign and not YieldSign)];
     }
 

@@ -28,41 +28,37 @@ internal sealed class SimulatedWorld
 
     public SimulatedWorld(SimulationOptions options)
     {
-        RoadNetwork network = options.Roads ?? TownBuilder.Build(options.Seed);
-        Vector3D start = options.Near is { } near ? new Vector3D(near.X, near.Y, 0) : options.Roads is null ? Vector3D.Zero : Middle(network);
-        if (!network.Nodes.Any(node => Horizontal.Distance(node.Position, start) < options.RadiusMetres))
+        Vector3D start = options.Near is { } near ? new Vector3D(near.X, near.Y, 0) : options.Roads is { } roads ? Middle(roads) : Vector3D.Zero;
+        Site site = options.Roads is null ? Sites.Town(options.Seed) : Sites.Roads(options.Seed, options.Roads, start, options.RadiusMetres);
+        if (!site.Network.Nodes.Any(node => Horizontal.Distance(node.Position, start) < options.RadiusMetres))
         {
             throw new ArgumentException(FormattableString.Invariant($"No road lies within {options.RadiusMetres} m of {start.X}, {start.Y}; choose another place."));
         }
 
-        RoadPlan plan = RoadPlan.Build(network, start, options.Roads is null ? double.PositiveInfinity : options.RadiusMetres);
-        Streets.RoadIndex index = new(plan.Roads);
-        Roads = network;
-        Truth = new RoadTruth(index);
-        List<Walkway> walkways = Walkway.Find(plan, index);
-        LaneGraph lanes = new(plan);
-        Signals signals = new(plan, network);
+        Roads = site.Network;
+        Truth = new RoadTruth(site.Index);
+        Paint = site.Paint;
         ModelCatalogue catalogue = ModelCatalogue.Shared;
         HandleCounter handles = new();
         Population population = new(options.Seed, catalogue, handles);
-        Placing placing = new(lanes, options.Seed);
-        List<Prop> parked = population.Park(walkways, index, options.TrafficDensity);
+        Placing placing = new(site.Lanes, options.Seed);
+        List<Prop> parked = population.Park(site.Walkways, site.Index, options.TrafficDensity);
         _vehicles = population.Drive(placing, parked, start, options.TrafficDensity);
-        _walkers = population.Walk(walkways, options.PedestrianDensity);
-        Car = new EgoCar(Ego, lanes);
-        _traffic = new TrafficFlow(lanes, signals, _vehicles, Car, parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max)), placing);
-        _walking = new WalkerFlow(_walkers, walkways);
+        _walkers = population.Walk(site.Walkways, options.PedestrianDensity);
+        Car = new EgoCar(Ego, site.Lanes);
+        _traffic = new TrafficFlow(
+            site.Lanes, site.Signals, _vehicles, Car, parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max)), placing);
+        _walking = new WalkerFlow(_walkers, site.Walkways);
 
-        Terrain terrain = new(plan);
-        Scenery scenery = new(options.Seed, index, terrain, catalogue, handles);
-        scenery.AddAlong(walkways);
-        scenery.AddWoods(plan);
-        _signalProps = new SignalProps(signals, handles);
+        Scenery scenery = new(options.Seed, site, catalogue, handles);
+        scenery.AddAlong(site.Walkways);
+        scenery.AddWoods(site.Plan);
+        _signalProps = new SignalProps(site.Signals, handles);
         if (options.Props is null)
         {
-            scenery.AddLamps(plan, walkways);
-            _signalProps.AddAtStopLines(index, catalogue);
-            scenery.AddStopSigns(plan, signals.Has);
+            scenery.AddLamps(site.Plan, site.Walkways);
+            _signalProps.AddAtStopLines(site.Index, catalogue);
+            scenery.AddStopSigns(site.Plan, site.Signals.Has);
         }
         else
         {
@@ -73,15 +69,8 @@ internal sealed class SimulatedWorld
 
         _lamps = scenery.Lamps;
         _entities = [.. parked, .. scenery.Props.Where(prop => prop.Handle != 0)];
-        GroundMesh ground = new();
-        terrain.Build(ground);
-        Asphalt asphalt = new(index);
-        new RoadSurfaces(plan, index, terrain, asphalt, ground).Build();
-        List<PaintRun> paint = [.. plan.Roads.Where(road => !road.IsInner && !road.IsUnpaved).SelectMany(road => PaintRun.Of(road, asphalt))];
-        new RoadPainter(plan, paint, index, asphalt, ground).Paint();
-        Paint = [.. paint.Select(run => run.Line())];
         Scene = new RenderScene([
-            .. ground.Instances(),
+            .. site.Ground,
             .. parked.Concat(scenery.Props).Select(prop => new MeshInstance(prop.Model.Variant(prop.Variant), prop.Pose, prop.Handle)),
         ]);
     }

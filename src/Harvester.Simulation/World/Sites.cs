@@ -1,0 +1,47 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Harvester.Geometry;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Simulation.World;
+
+/// <summary>
+/// The sites that were asked for last. A program that plays one game after another mostly plays on the same roads, and a site takes far
+/// longer to build than what moves on it.
+/// </summary>
+internal static class Sites
+{
+    /// <summary>A town takes some 30 MB, so only a few are kept.</summary>
+    private const int MaxKept = 3;
+
+    private static readonly Lock Guard = new();
+    private static readonly List<(object Key, Lazy<Site> Site)> Kept = [];
+
+    /// <summary>A town made up from a seed.</summary>
+    public static Site Town(int seed) => Of(seed, () => Site.OfTown(seed));
+
+    /// <summary>The part of given roads within a radius of a point.</summary>
+    /// <exception cref="ArgumentException">No road lies there.</exception>
+    public static Site Roads(int seed, RoadNetwork network, Vector3D centre, double radiusMetres) =>
+        Of((seed, network, centre, radiusMetres), () => Site.OfRoads(seed, network, centre, radiusMetres));
+
+    private static Site Of(object key, Func<Site> build)
+    {
+        Lazy<Site> site;
+        lock (Guard)
+        {
+            int index = Kept.FindIndex(kept => kept.Key.Equals(key));
+            site = index >= 0 ? Kept[index].Site : new Lazy<Site>(build);
+            if (index >= 0 || Kept.Count == MaxKept)
+            {
+                Kept.RemoveAt(Math.Max(0, index));
+            }
+
+            Kept.Add((key, site));
+        }
+
+        // Built outside the lock: only those who want the same site wait for it.
+        return site.Value;
+    }
+}
