@@ -9,15 +9,16 @@ public sealed class ProjectReferenceTests
     {
         ["Harvester.Geometry"] = [],
         ["Harvester.Sessions"] = ["Harvester.Geometry"],
+        ["Harvester.Pages"] = ["Harvester.Sessions"],
         ["Harvester.Capture"] = ["Harvester.Sessions"],
         ["Harvester.Surveys"] = ["Harvester.Capture"],
         ["Harvester.Driving"] = ["Harvester.Capture"],
-        ["Harvester.Evaluation"] = ["Harvester.Driving"],
+        ["Harvester.Evaluation"] = ["Harvester.Driving", "Harvester.Pages"],
         ["Harvester.Play"] = ["Harvester.Surveys", "Harvester.Driving"],
         ["Harvester.Mod"] = ["ScriptHookVDotNet3"],
         ["Harvester.Simulation"] = ["Harvester.Capture"],
-        ["Harvester.Datasets"] = ["Harvester.Capture"],
-        ["Harvester.Cli"] = ["Harvester.Simulation", "Harvester.Datasets", "Harvester.Evaluation", "Harvester.Play"],
+        ["Harvester.Datasets"] = ["Harvester.Capture", "Harvester.Pages"],
+        ["Harvester.Cli"] = ["Harvester.Simulation", "Harvester.Datasets", "Harvester.Evaluation", "Harvester.Pages", "Harvester.Play"],
     };
 
     public static TheoryData<string> Projects => new(Directory

@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Globalization;
-using System.Text;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Tests.Scenes;
@@ -66,7 +65,8 @@ internal static class PixelMapComparison
 
         if (picture is not null)
         {
-            File.WriteAllText(picture, BudgetCurve.Draw(size, BudgetFractions, budgets), new UTF8Encoding(false));
+            using FileStream file = File.Create(picture);
+            BudgetCurve.Write(file, size, BudgetFractions, budgets);
         }
     }
 

@@ -10,6 +10,7 @@ using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Driving;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
 using Harvester.Driving.Controllers;
 using Harvester.Evaluation.Clients;
@@ -112,8 +113,8 @@ internal static class DriveCommand
         ExceptionDispatchInfo? fault = new JobProgress(terminal, metres, "m").Run(report => FaultOf(drives, report, cancellation));
         DriveRecord record = DriveRecord.Of(SettingsOf(parsed, plan), drives.Samples, isWhole: fault is null && !cancellation.IsCancellationRequested);
         string report = Path.Combine(folder, DriveReport.FileName);
-        record.Write(Path.Combine(folder, DriveRecord.FileName));
-        DriveReport.Write(report, record, drives.Samples);
+        WholeFile.Write(Path.Combine(folder, DriveRecord.FileName), record.Write);
+        WholeFile.Write(report, stream => DriveReport.Write(stream, record, drives.Samples));
         foreach ((string name, string value) in record.Figures.Rows())
         {
             terminal.Out.WriteLine($"{name + ":",-19}{value}");

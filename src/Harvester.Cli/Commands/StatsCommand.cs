@@ -7,26 +7,28 @@ using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester stats: figures of one or more sessions, beside those of a published dataset.</summary>
+/// <summary>harvester stats: statistics of one or more sessions, next to those of a published dataset.</summary>
 internal static class StatsCommand
 {
     private const string Notes =
-        "The figures are of all sessions together: counts by class, distances, heights, widths and areas of boxes in the image,\n"
-        + "truncation (the share of an object outside the image), occlusion (the share of its silhouette in the image that is hidden), weather,\n"
-        + "hours, and between what values the lane indicators were. An object has a label in each frame that shows it. Bins\n"
-        + "hold their lower end. Medians are to 1/4096 of their value.\n\n"
+        "The statistics cover all sessions together. Histograms show the number of labels in each bin; a bin includes its lower end.\n"
+        + "  truncation   fraction of an object outside the image\n"
+        + "  occlusion    fraction of its silhouette within the image that is hidden\n"
+        + "  indicators   smallest and largest value\n"
+        + "An object has one label in each frame in which it appears. Medians are accurate to 1/4096 of their value.\n\n"
         + "Example:\n"
         + "  harvester stats day night";
 
     public static Command Create(Terminal terminal)
     {
-        var sessions = new Argument<string[]>("SESSION") { Description = "Folders of sessions, as harvest writes them", Arity = ArgumentArity.OneOrMore };
-        var command = new Command("stats", "Count what sessions hold.") { sessions };
+        var sessions = new Argument<string[]>("SESSION") { Description = "Folders of recorded sessions", Arity = ArgumentArity.OneOrMore };
+        var command = new Command("stats", "Show statistics of sessions.") { sessions };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(parsed =>
         {
@@ -44,28 +46,31 @@ internal static class StatsCommand
     private static IEnumerable<string> Lines(SessionStatistics statistics)
     {
         PublishedDataset kitti = PublishedDataset.Kitti;
-        yield return Text($"{Counted.Of(statistics.Frames, "frame")}, {Counted.Of(statistics.Labels, "label")}, {statistics.LabelsPerFrame:0.0} a frame");
-        yield return Text($"for comparison, {kitti.Name}: {kitti.TrainingImages} images for training, {kitti.TestImages} for testing, {kitti.Labels} labelled objects, {kitti.LabelsPerImage:0.0} an image; it has neither signs nor lights, without which there are {Counted.Of(statistics.LabelsAsKitti, "label")} here, {statistics.LabelsAsKittiPerFrame:0.0} a frame");
+        yield return Text($"{Counted.Of(statistics.Frames, "frame")}, {Counted.Of(statistics.Labels, "label")}, {statistics.LabelsPerFrame:0.0} labels per frame");
+        yield return Text(
+            $"{kitti.Name}, for comparison: {kitti.TrainingImages} training and {kitti.TestImages} test images, {kitti.Labels} labels, {kitti.LabelsPerImage:0.0} labels per image");
+        yield return Text(
+            $"without signs and traffic lights, which KITTI does not label: {Counted.Of(statistics.LabelsAsKitti, "label")}, {statistics.LabelsAsKittiPerFrame:0.0} labels per frame");
         foreach ((ObjectClass kind, ClassStatistics figures) in statistics.Classes)
         {
             yield return Text($"class {JsonName.Of(kind)}: {Counted.Of(figures.Labels, "label")}, {Counted.Of(figures.Objects, "object")}{PartsOf(figures)}, nearest {figures.MinMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m");
         }
 
         yield return Bins("distance, m", statistics.Distances);
-        yield return Bins("height of box2d, px", statistics.BoxHeights);
-        yield return Bins("width of box2d, px", statistics.BoxWidths);
-        yield return Bins("area of box2d, px²", statistics.BoxAreas);
-        yield return Bins("truncated fraction", statistics.TruncatedFractions);
-        yield return Bins("occluded fraction", statistics.OccludedFractions);
-        yield return Listed("weather", statistics.FramesOfWeathers.Select(pair => Text($"{pair.Key} {pair.Value}")));
-        yield return Listed("hour", statistics.FramesOfHours.Select(pair => Text($"{pair.Key:00} {pair.Value}")));
+        yield return Bins("2D box height, px", statistics.BoxHeights);
+        yield return Bins("2D box width, px", statistics.BoxWidths);
+        yield return Bins("2D box area, px²", statistics.BoxAreas);
+        yield return Bins("truncation", statistics.TruncatedFractions);
+        yield return Bins("occlusion", statistics.OccludedFractions);
+        yield return Listed("weather", statistics.FramesOfWeathers.Select(pair => Text($"{pair.Key}: {pair.Value}")));
+        yield return Listed("hour of day", statistics.FramesOfHours.Select(pair => Text($"{pair.Key:00}: {pair.Value}")));
         foreach ((string name, IndicatorSpan span) in statistics.Indicators)
         {
-            yield return Text($"indicator {name}: {Counted.Of(span.Count, "frame")}, {span.Least:0.00} to {span.Greatest:0.00}");
+            yield return Text($"indicator {name}, {(name == NamedIndicators.Angle ? "rad" : "m")}: {Counted.Of(span.Count, "frame")}, {span.Least:0.00} to {span.Greatest:0.00}");
         }
     }
 
-    private static string PartsOf(ClassStatistics figures) => figures.Parts == 0 ? "" : Text($" ({figures.Parts} of them faces or heads)");
+    private static string PartsOf(ClassStatistics figures) => figures.Parts == 0 ? "" : Text($" ({figures.Parts} of them faces of signs or heads of lights)");
 
     /// <summary>The bins that hold something.</summary>
     private static string Bins(string name, Histogram histogram) => Listed(

@@ -3,84 +3,126 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using System.Net;
 using Harvester.Geometry;
+using Harvester.Pages;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Faces;
 
-/// <summary>A page that needs nothing beside it: each model of a table with its faces drawn to scale and on its photographs, and the models that were photographed without a face.</summary>
-internal sealed class FaceGallery(FaceTable table, string folder)
+/// <summary>
+/// One HTML page that shows the faces of a table: each model with its faces drawn to scale and on its photographs, and the models that were
+/// photographed without any face being found.
+/// </summary>
+internal sealed class FaceGallery
 {
     private const double PixelsPerMetre = 70;
     private const double MarginMetres = 0.3;
-    private readonly PhotoFigures _photos = new(folder);
+    private const string Title = "Faces of signs and traffic lights";
 
-    /// <summary>Writes the page and says how many models it shows.</summary>
-    public int Write(TextWriter page)
+    private const string Style = """
+        main { display: grid; grid-template-columns: repeat(auto-fill, minmax(370px, 1fr)); gap: 16px; align-items: start; }
+        article { padding: 12px 14px; } article h2 { font-size: 14px; text-transform: none; letter-spacing: 0; color: var(--ink); }
+        header { display: block; } header .hint { max-width: 75em; margin-top: 6px; }
+        img { max-width: 100%; display: block; } svg { overflow: visible; } .photo { margin: 4px; }
+        table { width: auto; margin-top: 8px; } td { text-align: left; padding: 3px 14px 3px 0; white-space: normal; }
+        polygon { stroke: var(--ink); } polyline { fill: none; stroke: var(--quiet); }
+        .estimated { stroke-dasharray: 4; } .away { fill-opacity: .25; stroke-opacity: .4; } .hidden { stroke-dasharray: 2 3; stroke-opacity: .7; }
+
+        """;
+
+    private readonly FaceTable _table;
+    private readonly string _folder;
+    private readonly PhotoFigures _photos;
+    private readonly IGrouping<int, ModelFace>[] _withFaces;
+    private readonly string[] _withoutFaces;
+
+    /// <summary>Prepares the page.</summary>
+    /// <param name="table">The faces.</param>
+    /// <param name="folder">The folder of the table, in which pictures and photographs of its models may be.</param>
+    public FaceGallery(FaceTable table, string folder)
     {
-        page.Write(
-            "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Spaces of interest</title>\n"
-            + "<style>body{font:14px sans-serif;margin:1.5em}main{display:flex;flex-wrap:wrap;gap:1em}article{border:1px solid #bbb;padding:.7em}"
-            + "h2{font-size:1em;margin:0 0 .4em}img{max-width:24em;display:block}.photo{margin:.3em}article>svg{display:inline-block}.estimated{stroke-dasharray:4}.away{fill-opacity:.25;stroke-opacity:.4}.hidden{stroke-dasharray:2 3;stroke-opacity:.7}td{padding-right:.8em}</style></head>\n"
-            + "<body><h1>Spaces of interest</h1><p>Seen from the side towards which the first face looks. Ground and origin are the lines; dashed faces are estimated, pale ones look elsewhere. On photographs the edges that a face's own body hides are dotted. "
-            + "To mend a name or a corner, edit the table, then <code>harvester spaces check</code> it and make this page anew.</p><main>\n");
-        IGrouping<int, ModelFace>[] models = [.. table.Faces.GroupBy(face => face.Hash)];
-        foreach (IGrouping<int, ModelFace> model in models)
+        _table = table;
+        _folder = folder;
+        _photos = new PhotoFigures(folder);
+        _withFaces = [.. table.Faces.GroupBy(face => face.Hash)];
+        _withoutFaces = [.. _photos.Photos.Select(photo => photo.Model).Distinct().Where(model => _table.Of(model).Count == 0)];
+    }
+
+    /// <summary>The number of models that the page shows.</summary>
+    public int Models => _withFaces.Length + _withoutFaces.Length;
+
+    /// <summary>Writes the page.</summary>
+    public void Write(Stream stream) => HtmlPage.Write(stream, Title, Style, page =>
+    {
+        page.Start("header").Element("h1", Title).NewLine().Start("p").With("class", "hint");
+        page.Text(
+            "Each model is drawn to scale, seen from the side that its first face looks to. Grey lines: the ground and the vertical through the "
+            + "model's origin. Dashed faces are estimated; pale faces look to another side. On photographs, the edges that a face's own "
+            + "cuboid hides are dotted. Each row gives a face's number, its text, its MUTCD code, its width and height, and how its corners "
+            + "were obtained. To correct a name or a corner, edit the table, check it with ");
+        page.Element("code", "harvester spaces check").Text(" and create this page again.").End().NewLine().End().NewLine();
+        page.Start("main").NewLine();
+        foreach (IGrouping<int, ModelFace> model in _withFaces)
         {
             WriteModel(page, [.. model]);
         }
 
-        string[] faceless = [.. _photos.Photos.Select(photo => photo.Model).Distinct().Where(model => table.Of(model).Count == 0)];
-        foreach (string model in faceless)
+        foreach (string model in _withoutFaces)
         {
-            page.Write($"<article id=\"{Text(model)}\"><h2>{Text(model)}</h2>{_photos.Of(model, [])}<p>No face was found.</p></article>\n");
+            StartModel(page, model);
+            _photos.Write(page, model, []);
+            page.Element("p", "No face found.").End().NewLine();
         }
 
-        page.Write("</main></body></html>\n");
-        return models.Length + faceless.Length;
-    }
+        page.End().NewLine();
+    });
 
-    private void WriteModel(TextWriter page, IReadOnlyList<ModelFace> faces)
+    private static void StartModel(MarkupWriter page, string name) =>
+        page.Start("article").With("class", "panel").With("id", name).Element("h2", name);
+
+    private void WriteModel(MarkupWriter page, IReadOnlyList<ModelFace> faces)
     {
         string name = faces[0].Model.Length > 0 ? faces[0].Model : faces[0].Hash.ToString(CultureInfo.InvariantCulture);
-        page.Write($"<article id=\"{Text(name)}\"><h2>{Text(name)}</h2>{Drawing(faces)}{_photos.Of(name, faces)}");
-        string picture = Path.Combine(folder, name + ".png");
+        StartModel(page, name);
+        WriteDrawing(page, faces);
+        _photos.Write(page, name, faces);
+        string picture = Path.Combine(_folder, name + ".png");
         if (File.Exists(picture))
         {
-            page.Write($"<img alt=\"{Text(name)}\" src=\"data:image/png;base64,{Convert.ToBase64String(File.ReadAllBytes(picture))}\">");
+            page.Start("img").With("alt", name).WithData("src", "image/png", File.ReadAllBytes(picture)).End();
         }
 
-        page.Write("<table>");
+        page.Start("table");
         foreach (ModelFace face in faces)
         {
-            page.Write(
-                $"<tr><td>{face.Number}</td><td>{Text(face.Name)}</td><td>{Text(face.MutcdCode)}</td>"
-                + string.Create(CultureInfo.InvariantCulture, $"<td>{Width(face):0.00} x {face.FrontUpperLeft.Z - face.BackLowerRight.Z:0.00} m</td>")
-                + $"<td>{JsonName.Of(face.Provenance)}</td></tr>");
+            page.Start("tr").Element("td", face.Number.ToString(CultureInfo.InvariantCulture)).Element("td", face.Name).Element("td", face.MutcdCode);
+            page.Element("td", string.Create(CultureInfo.InvariantCulture, $"{Width(face):0.00} × {face.FrontUpperLeft.Z - face.BackLowerRight.Z:0.00} m"));
+            page.Element("td", JsonName.Of(face.Provenance)).End();
         }
 
-        page.Write("</table></article>\n");
+        page.End().End().NewLine();
     }
 
-    private static string Drawing(IReadOnlyList<ModelFace> faces)
+    private static void WriteDrawing(MarkupWriter page, IReadOnlyList<ModelFace> faces)
     {
         (double Right, double Up)[][] outlines = [.. faces.Select(face => Outline(face, faces[0].Facing))];
         double left = Math.Min(0, outlines.Min(outline => outline.Min(corner => corner.Right))) - MarginMetres;
         double right = Math.Max(0, outlines.Max(outline => outline.Max(corner => corner.Right))) + MarginMetres;
         double top = Math.Max(0, outlines.Max(outline => outline.Max(corner => corner.Up))) + MarginMetres;
-        string Point(double x, double z) =>
-            string.Create(CultureInfo.InvariantCulture, $"{(x - left) * PixelsPerMetre:0.#},{(top - z) * PixelsPerMetre:0.#}");
-        IEnumerable<string> shapes = faces.Index().OrderBy(each => Nearness(each.Item, faces[0].Facing)).Select(each =>
-            $"<polygon class=\"{JsonName.Of(each.Item.Provenance)}{(each.Item.Facing == faces[0].Facing ? "" : " away")}\" fill=\"#{(each.Item.Class == ObjectClass.Sign ? "fd8" : "8cf")}\" stroke=\"#222\" "
-            + $"points=\"{string.Join(" ", outlines[each.Index].Select(corner => Point(corner.Right, corner.Up)))}\"/>");
-        return string.Create(
-            CultureInfo.InvariantCulture,
-            $"<svg width=\"{(right - left) * PixelsPerMetre:0}\" height=\"{(top + MarginMetres) * PixelsPerMetre:0}\">")
-            + $"<polyline fill=\"none\" stroke=\"#999\" points=\"{Point(left, 0)} {Point(right, 0)}\"/>"
-            + $"<polyline fill=\"none\" stroke=\"#999\" points=\"{Point(0, 0)} {Point(0, top)}\"/>{string.Concat(shapes)}</svg>";
+        Vector2D Pixel(double x, double z) => new((x - left) * PixelsPerMetre, (top - z) * PixelsPerMetre);
+        page.Start("svg").With("width", (right - left) * PixelsPerMetre, 0).With("height", (top + MarginMetres) * PixelsPerMetre, 0);
+        page.Start("polyline").WithPoints([Pixel(left, 0), Pixel(right, 0)]).End();
+        page.Start("polyline").WithPoints([Pixel(0, 0), Pixel(0, top)]).End();
+        foreach ((int index, ModelFace face) in faces.Index().OrderBy(each => Nearness(each.Item, faces[0].Facing)))
+        {
+            string away = face.Facing == faces[0].Facing ? "" : " away";
+            page.Start("polygon").With("class", JsonName.Of(face.Provenance) + away).With("fill", face.Class == ObjectClass.Sign ? "#fd8" : "#8cf");
+            page.WithPoints(outlines[index].Select(corner => Pixel(corner.Right, corner.Up))).End();
+        }
+
+        page.End();
     }
 
     /// <summary>The front outline of a face as somebody sees it who stands before a facing.</summary>
@@ -104,6 +146,4 @@ internal sealed class FaceGallery(FaceTable table, string folder)
     private static double Width(ModelFace face) => face.Facing is Facing.Back or Facing.Front
         ? face.BackLowerRight.X - face.FrontUpperLeft.X
         : face.FrontUpperLeft.Y - face.BackLowerRight.Y;
-
-    private static string Text(string text) => WebUtility.HtmlEncode(text);
 }

@@ -1,13 +1,11 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.IO;
 using System.Linq;
-using System.Net;
-using System.Text;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
+using Harvester.Pages;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Text;
 using Harvester.Surveys.Faces;
@@ -32,40 +30,42 @@ internal sealed class PhotoFigures
     /// <summary>The photographs that are there.</summary>
     public IReadOnlyList<SurveyPhoto> Photos { get; }
 
-    /// <summary>The figures of a model.</summary>
-    public string Of(string model, IReadOnlyList<ModelFace> faces)
+    /// <summary>Writes the photographs of a model as svg elements.</summary>
+    public void Write(MarkupWriter page, string model, IReadOnlyList<ModelFace> faces)
     {
-        var figures = new StringBuilder();
         foreach (SurveyPhoto photo in Photos.Where(photo => photo.Model == model))
         {
-            string picture = Convert.ToBase64String(File.ReadAllBytes(Path.Combine(_folder, photo.File)));
-            figures
-                .Append(CultureInfo.InvariantCulture, $"<svg class=\"photo\" width=\"{Shown.Width}\" height=\"{Shown.Height}\"><title>{WebUtility.HtmlEncode(photo.File)}</title>")
-                .Append(CultureInfo.InvariantCulture, $"<image width=\"{Shown.Width}\" height=\"{Shown.Height}\" href=\"data:image/png;base64,{picture}\"/>")
-                .AppendJoin(string.Empty, faces.Select(face => Edges(photo, face)))
-                .Append("</svg>");
-        }
+            page.Start("svg").With("class", "photo").With("width", Shown.Width).With("height", Shown.Height).Element("title", photo.File);
+            page.Start("image").With("width", Shown.Width).With("height", Shown.Height);
+            page.WithData("href", "image/png", File.ReadAllBytes(Path.Combine(_folder, photo.File))).End();
+            foreach (ModelFace face in faces)
+            {
+                WriteEdges(page, photo, face);
+            }
 
-        return figures.ToString();
+            page.End();
+        }
     }
 
-    /// <summary>The edges of a face's cuboid; apart from them those that both of their sides turn away from the camera.</summary>
-    private static string Edges(SurveyPhoto photo, ModelFace face)
+    /// <summary>Writes the edges of a face's cuboid; apart from them those that both of their sides turn away from the camera.</summary>
+    private static void WriteEdges(MarkupWriter page, SurveyPhoto photo, ModelFace face)
     {
         var camera = new Camera(photo.Camera, new CameraIntrinsics(photo.VerticalFovDegrees, Shown, Shown.Aspect, NearClip, Lens.Ideal));
         Cuboid cuboid = face.CuboidAt(new Pose(Vector3D.Zero, Axes.Identity));
         string kind = JsonName.Of(face.Provenance);
-        ILookup<bool, (Vector3D Start, Vector3D End)> edges = cuboid.EdgesInWorld.ToLookup(edge => IsHidden(cuboid, (edge.Start + edge.End) * 0.5, photo.Camera.Position));
-        return Drawn(kind, edges[false], camera) + Drawn($"{kind} hidden", edges[true], camera);
+        ILookup<bool, (Vector3D Start, Vector3D End)> edges = cuboid.EdgesInWorld
+            .ToLookup(edge => IsHidden(cuboid, (edge.Start + edge.End) * 0.5, photo.Camera.Position));
+        WriteEdges(page, kind, edges[false], camera);
+        WriteEdges(page, $"{kind} hidden", edges[true], camera);
     }
 
-    private static string Drawn(string kind, IEnumerable<(Vector3D Start, Vector3D End)> edges, Camera camera)
+    private static void WriteEdges(MarkupWriter page, string style, IEnumerable<(Vector3D Start, Vector3D End)> edges, Camera camera)
     {
-        IEnumerable<string> lines = edges
+        IEnumerable<Vector2D[]> lines = edges
             .Select(edge => (Start: camera.Project(edge.Start), End: camera.Project(edge.End)))
             .Where(line => line.Start.Outcome != ProjectionOutcome.BehindNearPlane && line.End.Outcome != ProjectionOutcome.BehindNearPlane)
-            .Select(line => string.Create(CultureInfo.InvariantCulture, $"M{line.Start.U:0.#},{line.Start.V:0.#}L{line.End.U:0.#},{line.End.V:0.#}"));
-        return $"<path class=\"{kind}\" fill=\"none\" stroke=\"#f0f\" d=\"{string.Concat(lines)}\"/>";
+            .Select(line => new[] { line.Start.Pixel, line.End.Pixel });
+        page.Start("path").With("class", style).With("fill", "none").With("stroke", "#f0f").WithLines(lines).End();
     }
 
     /// <summary>Whether a point sees neither of the two sides that meet in an edge. The cuboid's axes are the world's.</summary>

@@ -10,7 +10,7 @@ using Spectre.Console;
 
 namespace Harvester.Cli.Harvesting;
 
-/// <summary>What was harvested, where it lies, and what to run next.</summary>
+/// <summary>Prints what was harvested, where it is, and what to run next.</summary>
 internal static class HarvestSummary
 {
     private static readonly string[] Columns = ["class", "labels", "objects", "nearest", "median distance"];
@@ -28,7 +28,7 @@ internal static class HarvestSummary
 
         terminal.Out.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"{Counted.Of(outcome.Frames, "frame")}, {Counted.Of(statistics.Labels, "label")} in {outcome.Elapsed.TotalSeconds:0.0} s ({outcome.FramesPerSecond:0.0} frames a second), {outcome.Discarded} discarded"));
+            $"{Counted.Of(outcome.Frames, "frame")}, {Counted.Of(statistics.Labels, "label")} in {outcome.Elapsed.TotalSeconds:0.0} s ({outcome.FramesPerSecond:0.0} frames/s), {Counted.Of(outcome.Discarded, "frame")} discarded"));
         if (outcome.Freezing is { } freezing)
         {
             terminal.Out.WriteLine($"freeze   {freezing}");
@@ -80,7 +80,7 @@ internal static class HarvestSummary
         }
     }
 
-    /// <summary>The command as it can be typed where the user stands: in a clone there is no harvester on the path.</summary>
+    /// <summary>The command as the user can type it here: in a clone of the repository, harvester is not on the path.</summary>
     private static string Command() =>
         File.Exists(Path.Combine("src", "Harvester.Cli", "Harvester.Cli.csproj"))
             ? "dotnet run -c Release --project src/Harvester.Cli --"

@@ -40,7 +40,7 @@ internal sealed class JobProgress
     /// <param name="perSecond">The rate, greater than 0; null where it is not known.</param>
     /// <param name="unit">What is counted.</param>
     internal static string Describe(int done, int all, double? perSecond, string unit = "frames") => perSecond is { } rate
-        ? string.Create(CultureInfo.InvariantCulture, $"{done} of {all} {unit}, {rate:0.0} a second, {Duration((all - done) / rate)} left")
+        ? string.Create(CultureInfo.InvariantCulture, $"{done} of {all} {unit}, {rate:0.0} {unit}/s, {Duration((all - done) / rate)} left")
         : string.Create(CultureInfo.InvariantCulture, $"{done} of {all} {unit}");
 
     private static string Duration(double seconds)

@@ -1,6 +1,5 @@
 using System.Collections.Generic;
 using System.Globalization;
-using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
@@ -13,41 +12,35 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Reports;
 
-/// <summary>The data of a report's page, as report.js reads it. Numbers are rounded: the page is for eyes.</summary>
+/// <summary>The data of a session's report as report.js reads it. Numbers are rounded to what can be seen.</summary>
 internal static class ReportData
 {
     private const int Decimals = 2;
 
-    public static byte[] Write(string title, SessionInfo info, SessionStatistics statistics, IReadOnlyList<FrameLabel> frames)
+    /// <summary>Writes it as one object.</summary>
+    public static void Write(Utf8JsonWriter json, string title, SessionInfo info, SessionStatistics statistics, IReadOnlyList<FrameLabel> frames)
     {
-        using var stream = new MemoryStream();
-        // The writer's usual encoder escapes < and &, so that no name can end the script element.
-        using (var json = new Utf8JsonWriter(stream))
+        json.WriteStartObject();
+        json.WriteString("title", title);
+        json.WriteNumber("width", info.Image.Width);
+        json.WriteNumber("height", info.Image.Height);
+        ReportFigures.Write(json, info, statistics);
+        json.WriteString("note", string.Join(" ", [Note(statistics.Frames, frames.Count), .. info.Unchecked.Select(open => $"Note: {open}")]));
+        json.WriteStartArray("frames");
+        foreach (FrameLabel frame in frames)
         {
-            json.WriteStartObject();
-            json.WriteString("title", title);
-            json.WriteNumber("width", info.Image.Width);
-            json.WriteNumber("height", info.Image.Height);
-            ReportFigures.Write(json, info, statistics);
-            json.WriteString("note", string.Join(" ", [Note(statistics.Frames, frames.Count), .. info.Unchecked.Select(open => $"Note: {open}")]));
-            json.WriteStartArray("frames");
-            foreach (FrameLabel frame in frames)
-            {
-                WriteFrame(json, frame);
-            }
-
-            json.WriteEndArray();
-            json.WriteEndObject();
+            WriteFrame(json, frame);
         }
 
-        return stream.ToArray();
+        json.WriteEndArray();
+        json.WriteEndObject();
     }
 
     private static string Note(int all, int shown) =>
         shown == all
-            ? string.Create(CultureInfo.InvariantCulture, $"All {all} frames of the session are in this page.")
+            ? string.Create(CultureInfo.InvariantCulture, $"This page shows all {all} frames of the session.")
             : string.Create(
-                CultureInfo.InvariantCulture, $"This page shows {shown} of the session's {all} frames, evenly chosen; its figures are of all of them.");
+                CultureInfo.InvariantCulture, $"This page shows {shown} of the session's {all} frames, evenly spaced. The statistics cover all of them.");
 
     private static void WriteFrame(Utf8JsonWriter json, FrameLabel frame)
     {

@@ -26,11 +26,11 @@ internal static class ReportFigures
         WriteComparison(json, statistics, PublishedDataset.Kitti);
         json.WriteStartArray("histograms");
         WriteHistogram(json, "Labels by distance", statistics.Distances, "m", 1);
-        WriteHistogram(json, "Labels by height of the box", statistics.BoxHeights, "px", 1);
-        WriteHistogram(json, "Labels by width of the box", statistics.BoxWidths, "px", 1);
-        WriteHistogram(json, "Labels by area of the box", statistics.BoxAreas, "px²", 1);
-        WriteHistogram(json, "Labels by share outside the image", statistics.TruncatedFractions, "%", PercentPerUnit);
-        WriteHistogram(json, "Labels by share occluded", statistics.OccludedFractions, "%", PercentPerUnit);
+        WriteHistogram(json, "Labels by box height", statistics.BoxHeights, "px", 1);
+        WriteHistogram(json, "Labels by box width", statistics.BoxWidths, "px", 1);
+        WriteHistogram(json, "Labels by box area", statistics.BoxAreas, "px²", 1);
+        WriteHistogram(json, "Labels by truncation", statistics.TruncatedFractions, "%", PercentPerUnit);
+        WriteHistogram(json, "Labels by occlusion", statistics.OccludedFractions, "%", PercentPerUnit);
         json.WriteEndArray();
         WriteCounts(json, "weathers", statistics.FramesOfWeathers);
         WriteCounts(json, "hours", statistics.FramesOfHours.Select(pair => KeyValuePair.Create(Text($"{pair.Key:00}:00"), pair.Value)));
@@ -42,8 +42,8 @@ internal static class ReportFigures
         json.WriteStartObject("facts");
         json.WriteString("Frames", Text($"{statistics.Frames}"));
         json.WriteString("Labels", Text($"{statistics.Labels}"));
-        json.WriteString("Image", $"{info.Image.Width} × {info.Image.Height}");
-        json.WriteString("Length", Text($"{statistics.LastTimeSeconds - statistics.FirstTimeSeconds:0.0} s"));
+        json.WriteString("Image", $"{info.Image.Width} × {info.Image.Height} px");
+        json.WriteString("Duration", Text($"{statistics.LastTimeSeconds - statistics.FirstTimeSeconds:0.0} s"));
         json.WriteString("Weather", string.Join(", ", statistics.Weathers));
         if (info.Seed is { } seed)
         {
@@ -78,10 +78,10 @@ internal static class ReportFigures
         json.WriteString("name", published.Name);
         json.WriteStartArray("rows");
         WriteRow("Images", statistics.Frames, published.Images, 0);
-        WriteRow("for training", null, published.TrainingImages, 0);
-        WriteRow("for testing", null, published.TestImages, 0);
-        WriteRow("Labels without signs and lights", statistics.LabelsAsKitti, published.Labels, 0);
-        WriteRow("The same an image", statistics.LabelsAsKittiPerFrame, published.LabelsPerImage, 1);
+        WriteRow("Images for training", null, published.TrainingImages, 0);
+        WriteRow("Images for testing", null, published.TestImages, 0);
+        WriteRow("Labels (no signs or traffic lights)", statistics.LabelsAsKitti, published.Labels, 0);
+        WriteRow("Labels per image", statistics.LabelsAsKittiPerFrame, published.LabelsPerImage, 1);
         json.WriteEndArray();
         json.WriteEndObject();
 

@@ -1,19 +1,18 @@
 using System;
-using System.Buffers.Text;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using System.Net;
 using System.Text;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
+using Harvester.Pages;
 using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Reports;
 
-/// <summary>Writes a session as one page that needs nothing beside it, unless it is asked to link its images: frames with their boxes, and figures of the whole.</summary>
+/// <summary>Writes a session as one HTML page: its frames with their boxes, and its statistics. The page holds the images unless it is to link them.</summary>
 public sealed class ReportWriter
 {
     /// <summary>Name of a session's report when none is given.</summary>
@@ -22,75 +21,44 @@ public sealed class ReportWriter
     private readonly SessionReader _session;
     private readonly ReportLimits _limits;
 
-    /// <summary>Takes what to report on.</summary>
+    /// <summary>Reports on a session.</summary>
     public ReportWriter(SessionReader session, ReportLimits? limits = null)
     {
         _session = session;
         _limits = limits ?? new ReportLimits();
     }
 
-    /// <summary>Writes the report under a temporary name and then gives it its own, in place of an older one.</summary>
-    /// <param name="path">Where it goes.</param>
-    /// <returns>How many frames it shows.</returns>
+    /// <summary>Writes the report; an older one is replaced only when the new one is complete.</summary>
+    /// <param name="path">The file to write.</param>
+    /// <returns>The number of frames shown.</returns>
     /// <exception cref="DatasetFormatException">The session cannot be read.</exception>
     /// <exception cref="IOException">A file cannot be read or written.</exception>
     public int Write(string path)
     {
-        string temporary = path + ".tmp";
-        try
-        {
-            int shown;
-            using (FileStream stream = File.Create(temporary))
-            {
-                shown = Write(stream, Path.GetDirectoryName(Path.GetFullPath(path))!);
-            }
-
-            File.Move(temporary, path, overwrite: true);
-            return shown;
-        }
-        catch
-        {
-            File.Delete(temporary);
-            throw;
-        }
+        int shown = 0;
+        WholeFile.Write(path, stream => shown = Write(stream, Path.GetDirectoryName(Path.GetFullPath(path))!));
+        return shown;
     }
 
-    private int Write(FileStream stream, string folder)
+    private int Write(Stream stream, string folder)
     {
         SessionInfo info = _session.ReadInfo();
         SessionStatistics statistics = SessionStatistics.Of(_session.ReadLabels());
         IReadOnlyList<int> chosen = Choose(statistics.Frames);
         List<FrameLabel> frames = [.. LabelsAt(chosen)];
 
-        WriteText(stream, $"""
-            <!DOCTYPE html>
-            <html lang="en">
-            <head>
-            <meta charset="utf-8">
-            <meta name="viewport" content="width=device-width, initial-scale=1">
-            <title>Harvest report</title>
-            <style>
-            {Asset("report.css")}</style>
-            </head>
-            <body>
-            {Asset("report.html")}<script type="application/json" id="data">
-            """);
-        stream.Write(ReportData.Write(Path.GetFileName(Path.GetFullPath(_session.Folder)), info, statistics, frames));
-        WriteText(stream, "</script>\n");
-        for (int i = 0; i < frames.Count; i++)
+        string title = Path.GetFileName(Path.GetFullPath(_session.Folder));
+        HtmlPage.Write(stream, $"{title}: session report", Asset("report.css"), page =>
         {
-            string image = _session.PathOf(frames[i].Image);
-            if (_limits.LinksImages)
+            page.Markup(Asset("report.html"));
+            page.Json("data", json => ReportData.Write(json, title, info, statistics, frames));
+            foreach ((int index, FrameLabel frame) in frames.Index())
             {
-                WriteText(stream, $"<script type=\"text/plain\" id=\"image-{i}\" data-href=\"{Address(folder, image)}\"></script>\n");
+                WriteImage(page, $"image-{index}", _session.PathOf(frame.Image), folder);
             }
-            else
-            {
-                WriteImage(stream, i, image);
-            }
-        }
 
-        WriteText(stream, $"<script>\n{Asset("report.js")}</script>\n</body>\n</html>\n");
+            page.Code("script", Asset("report.js"));
+        });
         return frames.Count;
     }
 
@@ -122,14 +90,20 @@ public sealed class ReportWriter
         }
     }
 
-    private static void WriteImage(FileStream stream, int index, string path)
+    /// <summary>An image as the page's script finds it: a script element holds it without the browser decoding it at once.</summary>
+    private void WriteImage(MarkupWriter page, string id, string path, string folder)
     {
-        byte[] bytes = File.ReadAllBytes(path);
-        byte[] text = new byte[Base64.GetMaxEncodedToUtf8Length(bytes.Length)];
-        Base64.EncodeToUtf8(bytes, text, out _, out int written);
-        WriteText(stream, $"<script type=\"text/plain\" id=\"image-{index}\" data-type=\"{ImageHeader.Read(path).MediaType}\">");
-        stream.Write(text.AsSpan(0, written));
-        WriteText(stream, "</script>\n");
+        page.Start("script").With("type", "text/plain").With("id", id);
+        if (_limits.LinksImages)
+        {
+            page.With("data-href", Address(folder, path));
+        }
+        else
+        {
+            page.With("data-type", ImageHeader.Read(path).MediaType).Base64(File.ReadAllBytes(path));
+        }
+
+        page.End().NewLine();
     }
 
     /// <summary>A file as a page in a folder names it.</summary>
@@ -137,7 +111,7 @@ public sealed class ReportWriter
     {
         string path = Path.GetRelativePath(folder, Path.GetFullPath(file));
         return Path.IsPathRooted(path)
-            ? WebUtility.HtmlEncode(new Uri(path).AbsoluteUri)
+            ? new Uri(path).AbsoluteUri
             : string.Join('/', path.Split(Path.DirectorySeparatorChar).Select(Uri.EscapeDataString));
     }
 
@@ -147,6 +121,4 @@ public sealed class ReportWriter
         using var reader = new StreamReader(stream, Encoding.UTF8);
         return reader.ReadToEnd().ReplaceLineEndings("\n");
     }
-
-    private static void WriteText(FileStream stream, string text) => stream.Write(Encoding.UTF8.GetBytes(text.ReplaceLineEndings("\n")));
 }

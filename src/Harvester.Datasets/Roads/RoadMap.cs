@@ -3,12 +3,11 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using System.Text;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Roads;
+using Harvester.Pages;
 using Harvester.Sessions.Imaging;
-using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Roads;
 
@@ -17,7 +16,7 @@ public sealed class RoadMap
 {
     private const double StreetWidthPixels = 1.6;
     private const double MarginFraction = 0.02;
-    private const int SvgDecimals = 1;
+    private const int WidthDecimals = 2;
     private const int MinSideWithLegend = 200;
 
     /// <summary>Straight pieces in which a curve is drawn.</summary>
@@ -79,64 +78,42 @@ public sealed class RoadMap
         return canvas.Picture;
     }
 
-    /// <summary>Writes the map as a vector graphic with a path for each kind of road, and with a legend if it is not tiny.</summary>
-    /// <exception cref="IOException">The file cannot be written.</exception>
-    public void WriteSvg(TextWriter text)
+    /// <summary>Writes the map as an SVG picture with a path for each kind of road, and with a legend unless the map is tiny.</summary>
+    /// <exception cref="IOException">The stream cannot be written.</exception>
+    public void WriteSvg(Stream stream) => SvgImage.Write(stream, Size.Width, Size.Height, svg =>
     {
-        ArgumentNullException.ThrowIfNull(text);
-        text.Write(string.Create(CultureInfo.InvariantCulture, $"<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {Size.Width} {Size.Height}\" width=\"{Size.Width}\" height=\"{Size.Height}\">\n"));
-        text.Write("<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n");
         foreach (RoadMapStyle style in RoadMapStyle.InOrder)
         {
-            text.Write(string.Create(CultureInfo.InvariantCulture, $"<path id=\"{style.Name.Replace(' ', '-')}\" fill=\"none\" stroke=\"{ColourOf(style)}\" stroke-width=\"{style.Weight * StreetWidthPixels:0.##}\" stroke-linecap=\"round\" d=\""));
-            foreach (Vector2D[] line in Lines(style))
-            {
-                text.Write(PathOf(line));
-            }
-
-            text.Write("\"/>\n");
+            svg.Start("path").With("id", style.Name.Replace(' ', '-')).With("fill", "none").With("stroke", ColourOf(style));
+            svg.With("stroke-width", style.Weight * StreetWidthPixels, WidthDecimals).With("stroke-linecap", "round").WithLines(Lines(style)).End().NewLine();
         }
 
         if (Math.Min(Size.Width, Size.Height) >= MinSideWithLegend)
         {
-            WriteLegend(text);
+            WriteLegend(svg);
         }
+    });
 
-        text.Write("</svg>\n");
-    }
-
-    private static void WriteLegend(TextWriter text)
+    private static void WriteLegend(MarkupWriter svg)
     {
         const int left = 10;
         const int lineHeight = 16;
         const int sampleLength = 24;
-        text.Write("<g id=\"legend\" font-family=\"sans-serif\" font-size=\"11\">\n");
-        text.Write(string.Create(CultureInfo.InvariantCulture, $"<rect width=\"110\" height=\"{lineHeight * (RoadMapStyle.InOrder.Length + 1)}\" fill=\"#ffffff\" fill-opacity=\"0.8\"/>\n"));
+        svg.Start("g").With("id", "legend").With("font-family", "sans-serif").With("font-size", 11).NewLine();
+        svg.Start("rect").With("width", 160).With("height", lineHeight * (RoadMapStyle.InOrder.Length + 1));
+        svg.With("fill", "#ffffff").With("fill-opacity", 0.8).End().NewLine();
         foreach ((int index, RoadMapStyle style) in RoadMapStyle.InOrder.Reverse().Index())
         {
             int y = lineHeight * (index + 1);
-            text.Write(string.Create(CultureInfo.InvariantCulture, $"<path stroke=\"{ColourOf(style)}\" stroke-width=\"3\" d=\"M{left} {y}h{sampleLength}\"/>"));
-            text.Write(string.Create(CultureInfo.InvariantCulture, $"<text x=\"{left + sampleLength + 6}\" y=\"{y + 4}\">{style.Name}</text>\n"));
+            svg.Start("path").With("stroke", ColourOf(style)).With("stroke-width", 3);
+            svg.WithLines([[new Vector2D(left, y), new Vector2D(left + sampleLength, y)]]).End();
+            svg.Start("text").With("x", left + sampleLength + 6).With("y", y + 4).Text(style.Name).End().NewLine();
         }
 
-        text.Write("</g>\n");
+        svg.End().NewLine();
     }
 
     private static string ColourOf(RoadMapStyle style) => string.Create(CultureInfo.InvariantCulture, $"#{style.Red:x2}{style.Green:x2}{style.Blue:x2}");
-
-    private static string PathOf(Vector2D[] line)
-    {
-        var path = new StringBuilder();
-        for (int i = 0; i < line.Length; i++)
-        {
-            path.Append(i == 0 ? 'M' : 'L');
-            InvariantNumber.Append(path, line[i].X, SvgDecimals);
-            path.Append(' ');
-            InvariantNumber.Append(path, line[i].Y, SvgDecimals);
-        }
-
-        return path.ToString();
-    }
 
     private static Box2D Bounds(RoadNetwork network)
     {

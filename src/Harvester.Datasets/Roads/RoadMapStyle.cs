@@ -12,7 +12,7 @@ internal sealed record RoadMapStyle(string Name, byte Red, byte Green, byte Blue
 {
     public static readonly RoadMapStyle Water = new("water", 150, 190, 220, 0.6);
 
-    public static readonly RoadMapStyle NotDriven = new("not driven", 200, 200, 200, 0.5);
+    public static readonly RoadMapStyle NotDrivable = new("not drivable", 200, 200, 200, 0.5);
 
     public static readonly RoadMapStyle OffRoad = new("unpaved", 176, 142, 98, 0.7);
 
@@ -22,13 +22,13 @@ internal sealed record RoadMapStyle(string Name, byte Red, byte Green, byte Blue
 
     public static readonly RoadMapStyle Highway = new("highway", 220, 120, 20, 1.6);
 
-    public static readonly RoadMapStyle[] InOrder = [Water, NotDriven, OffRoad, Street, OneWay, Highway];
+    public static readonly RoadMapStyle[] InOrder = [Water, NotDrivable, OffRoad, Street, OneWay, Highway];
 
     public static RoadMapStyle Of(RoadNetwork network, RoadLink link)
     {
         RoadNodeFlags flags = network.Nodes[link.From].Flags & network.Nodes[link.To].Flags;
         return (flags & RoadNodeFlags.Water) != 0 ? Water
-            : !RoadContinuations.IsDrivable(network, link) ? NotDriven
+            : !RoadContinuations.IsDrivable(network, link) ? NotDrivable
             : (flags & RoadNodeFlags.Highway) != 0 ? Highway
             : (flags & RoadNodeFlags.OffRoad) != 0 ? OffRoad
             : link.IsOneWay ? OneWay

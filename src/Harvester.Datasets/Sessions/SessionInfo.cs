@@ -57,10 +57,10 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
             yield break;
         }
 
-        yield return "the camera model was not held against markers: look whether the boxes sit on the things.";
+        yield return "The camera model was not checked against markers; check that the boxes align with the objects.";
         if (!session.Has("pictureLag"))
         {
-            yield return "how late the picture is was not checked: look whether the boxes sit on what moves.";
+            yield return "Picture lag could not be measured; check that the boxes align with moving objects.";
         }
     }
 

@@ -15,7 +15,8 @@ public sealed record DriveEvent(double TimeSeconds, double X, double Y, bool IsB
 
     internal Vector2D Place => new(X, Y);
 
-    internal string Words => FormattableString.Invariant($"{TimeSeconds:0.0} s, {X:0.0}, {Y:0.0}, by {(IsByController ? "the controller" : "the own driver")}{(IsInJunction ? ", in a junction" : "")}");
+    internal string Description =>
+        FormattableString.Invariant($"{TimeSeconds:0.0} s at {X:0.0}, {Y:0.0} m, {(IsByController ? "controller" : "built-in driver")}{(IsInJunction ? ", in a junction" : "")}");
 
     /// <summary>What happened at a sample.</summary>
     public static DriveEvent At(DriveSample sample)

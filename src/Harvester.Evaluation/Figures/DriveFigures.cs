@@ -106,17 +106,17 @@ public sealed record DriveFigures
         };
     }
 
-    /// <summary>The figures in words, to print.</summary>
+    /// <summary>The figures as names and values with their units, to print.</summary>
     public IEnumerable<(string Name, string Value)> Rows()
     {
-        yield return ("driven", FormattableString.Invariant($"{Metres:0} m in {Seconds:0} s"));
-        yield return ("by the controller", FormattableString.Invariant($"{ControllerMetres:0} m, {JudgedMetres:0} m of it outside of junctions, at {ControllerMeanSpeed:0.0} m/s"));
+        yield return ("distance driven", FormattableString.Invariant($"{Metres:0} m in {Seconds:0} s"));
+        yield return ("by the controller", FormattableString.Invariant($"{ControllerMetres:0} m, of which {JudgedMetres:0} m outside junctions; mean speed {ControllerMeanSpeed:0.0} m/s"));
         yield return ("lane departures", FormattableString.Invariant($"{LaneDepartures}"));
         yield return ("lane changes", FormattableString.Invariant($"{LaneChanges}"));
-        yield return ("lateral error", FormattableString.Invariant($"{RmsLateralError:0.000} m RMS, {LargestLateralError:0.00} m at most"));
-        yield return ("collisions", FormattableString.Invariant($"{Collisions} outside of junctions, {CollisionsInJunctions} in; the own driver {CollisionsOfOwnDriver} outside, {CollisionsOfOwnDriverInJunctions} in"));
+        yield return ("lateral error", FormattableString.Invariant($"{RmsLateralError:0.000} m RMS, {LargestLateralError:0.00} m max"));
+        yield return ("collisions", FormattableString.Invariant($"{Collisions} outside junctions, {CollisionsInJunctions} inside; built-in driver: {CollisionsOfOwnDriver} outside junctions, {CollisionsOfOwnDriverInJunctions} inside"));
         yield return ("jerk", FormattableString.Invariant($"{RmsJerk:0.0} m/s³ RMS"));
-        yield return ("put elsewhere", FormattableString.Invariant($"{Relocations} times"));
+        yield return ("repositioned", FormattableString.Invariant($"{Relocations}"));
     }
 
     private static double RootMeanSquare(double[] values) =>

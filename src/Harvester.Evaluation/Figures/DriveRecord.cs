@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using System.Text;
 using System.Text.Encodings.Web;
 using System.Text.Json;
 
@@ -57,12 +56,12 @@ public sealed record DriveRecord
         };
     }
 
-    /// <summary>Writes it under a temporary name and then gives it its own.</summary>
-    /// <exception cref="IOException">The file cannot be written.</exception>
-    public void Write(string path)
+    /// <summary>Writes it as JSON.</summary>
+    /// <exception cref="IOException">The stream cannot be written.</exception>
+    public void Write(Stream stream)
     {
-        string temporary = path + ".tmp";
-        File.WriteAllText(temporary, JsonSerializer.Serialize(this, Json) + "\n", new UTF8Encoding(encoderShouldEmitUTF8Identifier: false));
-        File.Move(temporary, path, overwrite: true);
+        ArgumentNullException.ThrowIfNull(stream);
+        JsonSerializer.Serialize(stream, this, Json);
+        stream.WriteByte((byte)'\n');
     }
 }

@@ -14,7 +14,7 @@ public sealed class DriveCommandTests
         CliRun again = Drive(folder.PathOf("two"), controller);
 
         Assert.Equal(0, run.ExitCode);
-        Assert.Equal(Figures(run).Select(line => line.Replace("one", "two", StringComparison.Ordinal)), Figures(again));
+        Assert.Equal(Figures(run).Select(line => line.Replace(folder.PathOf("one"), folder.PathOf("two"), StringComparison.Ordinal)), Figures(again));
         foreach (string file in new[] { "drive.json", "report.html" })
         {
             Assert.Equal(File.ReadAllBytes(folder.PathOf($"one/{file}")), File.ReadAllBytes(folder.PathOf($"two/{file}")));

@@ -134,8 +134,8 @@ public sealed class SpacesCommandTests : IDisposable
         string html = File.ReadAllText(_folder.PathOf("gallery.html"));
         string seen = html.Split("<path class=\"measured\"")[1].Split("/>")[0];
         string hidden = html.Split("<path class=\"measured hidden\"")[1].Split("/>")[0];
-        Assert.Contains("M120,220L200,220", seen, StringComparison.Ordinal);
-        Assert.Contains("M120,220L120,100", seen, StringComparison.Ordinal);
+        Assert.Contains("M120 220L200 220", seen, StringComparison.Ordinal);
+        Assert.Contains("M120 220L120 100", seen, StringComparison.Ordinal);
 
         // Straight before the face nothing but its near side is seen: four edges of twelve.
         Assert.Equal((4, 8), (seen.Count(letter => letter == 'M'), hidden.Count(letter => letter == 'M')));
@@ -155,7 +155,7 @@ public sealed class SpacesCommandTests : IDisposable
 
         // Its near and its far side are one, so that none of the twelve edges is hidden.
         string html = File.ReadAllText(_folder.PathOf("gallery.html"));
-        Assert.Contains("<path class=\"measured hidden\" fill=\"none\" stroke=\"#f0f\" d=\"\"/>", html, StringComparison.Ordinal);
+        Assert.Contains("<path class=\"measured hidden\" fill=\"none\" stroke=\"#f0f\" d=\"\" />", html, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -12,7 +12,7 @@ public sealed partial class ReportWriterTests : IDisposable
     public void Dispose() => _session.Dispose();
 
     [Fact]
-    public void Write_puts_all_frames_with_their_boxes_and_images_into_one_page()
+    public void Page_has_all_frames_with_boxes_and_images()
     {
         string page = Write(new ReportLimits());
 
@@ -24,21 +24,21 @@ public sealed partial class ReportWriterTests : IDisposable
         Assert.Equal(12, car.GetProperty("edges").GetArrayLength());
         Assert.Equal(3, Images(page).Count);
         Assert.All(Images(page), image => Assert.Equal(TestImages.Png(TestSession.Width, TestSession.Height), image));
-        Assert.Equal("All 3 frames of the session are in this page.", data.GetProperty("note").GetString());
+        Assert.Equal("This page shows all 3 frames of the session.", data.GetProperty("note").GetString());
     }
 
     [Fact]
-    public void Write_gives_the_statistics_beside_the_published_ones()
+    public void Page_has_the_statistics_next_to_KITTIs()
     {
         JsonElement data = Data(Write(new ReportLimits()));
 
         // Three frames with two labels each; 80,256 labels in 7,481 + 7,518 = 14,999 images are 5.35 each.
         Assert.Equal(
-            ["Images|3|14,999", "for training||7,481", "for testing||7,518", "Labels without signs and lights|6|80,256", "The same an image|2.0|5.4"],
+            ["Images|3|14,999", "Images for training||7,481", "Images for testing||7,518", "Labels (no signs or traffic lights)|6|80,256", "Labels per image|2.0|5.4"],
             data.GetProperty("comparison").GetProperty("rows").EnumerateArray().Select(row => string.Join('|', row.EnumerateArray())));
         Assert.Equal(
-            ["Labels by distance", "Labels by height of the box", "Labels by width of the box", "Labels by area of the box", "Labels by share outside the image", "Labels by share occluded"],
-            data.GetProperty("histograms").EnumerateArray().Select(chart => chart.GetProperty("title").GetString()));
+            ["distance", "box height", "box width", "box area", "truncation", "occlusion"],
+            data.GetProperty("histograms").EnumerateArray().Select(chart => chart.GetProperty("title").GetString()!["Labels by ".Length..]));
         // The car's box is 6 x 6 pixels, the pedestrian's 10 x 12: 36 and 120 square pixels, in the bins from 0 and from 64 on.
         JsonElement areas = data.GetProperty("histograms")[3];
         Assert.Equal([0, 64, 256], areas.GetProperty("starts").EnumerateArray().Take(3).Select(start => start.GetInt32()));
@@ -49,7 +49,7 @@ public sealed partial class ReportWriterTests : IDisposable
     }
 
     [Fact]
-    public void Write_refers_to_nothing_outside_the_page()
+    public void Page_refers_to_no_other_file()
     {
         string page = Write(new ReportLimits());
 
@@ -60,7 +60,7 @@ public sealed partial class ReportWriterTests : IDisposable
     }
 
     [Fact]
-    public void Write_of_more_frames_than_wanted_chooses_evenly_and_says_so()
+    public void Frames_beyond_the_limit_are_thinned_out_evenly()
     {
         JsonElement data = Data(Write(new ReportLimits(Frames: 2)));
 
@@ -70,7 +70,7 @@ public sealed partial class ReportWriterTests : IDisposable
     }
 
     [Fact]
-    public void Write_of_more_image_bytes_than_wanted_shows_fewer_frames()
+    public void Image_bytes_beyond_the_limit_leave_fewer_frames()
     {
         long imageBytes = TestImages.Png(TestSession.Width, TestSession.Height).Length;
 
@@ -79,7 +79,7 @@ public sealed partial class ReportWriterTests : IDisposable
     }
 
     [Fact]
-    public void Write_with_links_names_the_images_as_seen_from_the_page_and_has_all_frames()
+    public void Linked_images_are_named_relative_to_the_page()
     {
         string page = Path.Combine(Directory.CreateDirectory(_session.PathOf("my pages")).FullName, "page.html");
 
@@ -92,7 +92,7 @@ public sealed partial class ReportWriterTests : IDisposable
     }
 
     [Fact]
-    public void Write_of_a_name_with_markup_cannot_end_the_data()
+    public void Name_with_markup_cannot_end_the_data()
     {
         _session.Car(0)["name"] = "</script><b>";
 
@@ -102,7 +102,7 @@ public sealed partial class ReportWriterTests : IDisposable
     }
 
     [Fact]
-    public void Write_of_an_empty_session_is_a_page_without_frames()
+    public void Empty_session_gives_a_page_without_frames()
     {
         _session.Lines.Clear();
 
@@ -110,7 +110,7 @@ public sealed partial class ReportWriterTests : IDisposable
     }
 
     [Fact]
-    public void Write_of_a_camera_that_cannot_be_says_so()
+    public void Invalid_camera_is_reported()
     {
         _session.Lines[1]["camera"]!["nearClip"] = -1;
 
@@ -119,7 +119,7 @@ public sealed partial class ReportWriterTests : IDisposable
     }
 
     [Fact]
-    public void Write_that_fails_leaves_the_older_report()
+    public void Failure_keeps_the_older_report()
     {
         Write(new ReportLimits());
         string report = _session.PathOf("report.html");

@@ -66,7 +66,7 @@ public sealed class DriveFiguresTests
         Assert.Equal(1, figures.CollisionsInJunctions);
         Assert.Equal(1, figures.CollisionsOfOwnDriver);
         Assert.Equal(2, figures.CollisionsOfOwnDriverInJunctions);
-        Assert.Contains(("collisions", "2 outside of junctions, 1 in; the own driver 1 outside, 2 in"), figures.Rows());
+        Assert.Contains(("collisions", "2 outside junctions, 1 inside; built-in driver: 1 outside junctions, 2 inside"), figures.Rows());
     }
 
     [Theory]

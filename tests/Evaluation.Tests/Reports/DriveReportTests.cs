@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text;
 using System.Text.RegularExpressions;
 using Harvester.Evaluation.Figures;
 using Harvester.Evaluation.Reports;
@@ -6,12 +7,10 @@ using Harvester.Evaluation.Tests.Figures;
 
 namespace Harvester.Evaluation.Tests.Reports;
 
-public sealed class DriveReportTests : IDisposable
+public sealed class DriveReportTests
 {
-    private readonly string _folder = Directory.CreateTempSubdirectory().FullName;
-
     [Fact]
-    public void Write_shows_the_figures_of_the_record_and_a_ring_for_each_event()
+    public void Page_has_the_figures_and_a_ring_for_each_event()
     {
         DriveSample[] samples = [Drives.At(0), Drives.At(1) with { Touching = [4] }, Drives.At(2), Drives.At(3)];
         DriveRecord record = RecordOf(samples);
@@ -24,7 +23,7 @@ public sealed class DriveReportTests : IDisposable
     }
 
     [Fact]
-    public void Write_plots_speed_jerk_and_progress_to_scale()
+    public void Speed_jerk_and_progress_are_plotted_to_scale()
     {
         // Speeds 0, 1, 3, 6, 10: second differences of 1 m/s in a tenth of a second, 100 m/s³ each.
         double[] speeds = [0, 1, 3, 6, 10];
@@ -44,22 +43,32 @@ public sealed class DriveReportTests : IDisposable
         Assert.All(Enumerable.Range(0, 5), i => Assert.Equal(i / 4.0, (progress[0].Y - progress[i].Y) / (progress[0].Y - progress[4].Y), 0.01));
     }
 
-    public void Dispose() => Directory.Delete(_folder, recursive: true);
+    [Theory]
+    [InlineData("lookAheadMetres", "10", "<dt>look ahead</dt><dd>10 m</dd>")]
+    [InlineData("durationSeconds", "60", "<dt>duration</dt><dd>60 s</dd>")]
+    [InlineData("roads", "<my> & roads", "<dt>roads</dt><dd>&lt;my&gt; &amp; roads</dd>")]
+    public void Settings_are_named_in_words_with_units(string key, string value, string expected)
+    {
+        DriveRecord record = RecordOf([Drives.At(0)]);
+        record = record with { Settings = new Dictionary<string, string> { ["controller"] = "stanley", [key] = value } };
+
+        Assert.Contains(expected, PageOf(record, [Drives.At(0)]), StringComparison.Ordinal);
+    }
 
     private static DriveRecord RecordOf(DriveSample[] samples) =>
         DriveRecord.Of(new Dictionary<string, string> { ["controller"] = "stanley" }, samples);
 
     private static (double X, double Y)[] PointsOf(string plot) =>
     [
-        .. Regex.Match(plot, "<polyline class=\"controller\" points=\"([^\"]*) \"").Groups[1].Value.Split(' ')
+        .. Regex.Match(plot, "<polyline class=\"controller\" points=\"([^\"]*)\"").Groups[1].Value.Split(' ')
             .Select(point => point.Split(','))
             .Select(point => (double.Parse(point[0], CultureInfo.InvariantCulture), double.Parse(point[1], CultureInfo.InvariantCulture))),
     ];
 
-    private string PageOf(DriveRecord record, DriveSample[] samples)
+    private static string PageOf(DriveRecord record, DriveSample[] samples)
     {
-        string path = Path.Combine(_folder, DriveReport.FileName);
-        DriveReport.Write(path, record, samples);
-        return File.ReadAllText(path);
+        using var page = new MemoryStream();
+        DriveReport.Write(page, record, samples);
+        return Encoding.UTF8.GetString(page.ToArray());
     }
 }

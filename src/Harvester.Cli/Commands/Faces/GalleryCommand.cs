@@ -1,13 +1,12 @@
 using System.CommandLine;
 using System.IO;
-using System.Text;
 using Harvester.Cli.Faces;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 
 namespace Harvester.Cli.Commands.Faces;
 
-/// <summary>harvester faces gallery: one page that shows the faces of a table.</summary>
+/// <summary>harvester spaces gallery: one page that shows the faces of a table.</summary>
 internal static class GalleryCommand
 {
     private const string FileName = "gallery.html";
@@ -16,17 +15,16 @@ internal static class GalleryCommand
     {
         var source = new Argument<string>("DIR|FILE") { Description = "A survey's folder, or a table" };
         var output = new Option<string?>("--out") { Description = $"File to write [default: {FileName} in the survey's folder, or where you are for a table]", HelpName = "FILE" };
-        var command = new Command("gallery", "Show the spaces of a survey or table as one self-contained HTML page.") { source, output };
+        var command = new Command("gallery", "Show the faces of a survey or table as one self-contained HTML page.") { source, output };
         command.SetAction(parsed =>
         {
             string given = parsed.GetRequiredValue(source);
             string table = FaceFile.TableOf(given);
             string folder = Path.GetDirectoryName(Path.GetFullPath(table))!;
             string page = parsed.GetValue(output) ?? (Directory.Exists(given) ? Path.Combine(folder, FileName) : FileName);
-            var text = new StringWriter();
-            int models = new FaceGallery(FaceFile.ReadGood(table, terminal.WriteError), folder).Write(text);
-            WholeFile.Write(page, stream => stream.Write(new UTF8Encoding(false).GetBytes(text.ToString())));
-            terminal.Out.WriteLine($"{page}: {Counted.Of(models, "model")} shown");
+            var gallery = new FaceGallery(FaceFile.ReadGood(table, terminal.WriteError), folder);
+            WholeFile.Write(page, gallery.Write);
+            terminal.Out.WriteLine($"{page}: {Counted.Of(gallery.Models, "model")} shown");
             return ExitCode.Done;
         });
         return command;

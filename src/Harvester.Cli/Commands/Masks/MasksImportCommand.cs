@@ -40,7 +40,7 @@ internal static class MasksImportCommand
                 new ReportWriter(new SessionReader(session)).Write(report);
             }
 
-            terminal.Out.WriteLine($"{session}: {Counted.Of(done.Frames, "mask")} imported, of {Counted.Of(done.Objects, "label")} they show {done.Seen}");
+            terminal.Out.WriteLine($"{session}: {Counted.Of(done.Frames, "mask")} imported; {done.Seen} of {done.Objects} labelled objects have visible pixels");
             return Task.FromResult(ExitCode.Done);
         });
         return command;

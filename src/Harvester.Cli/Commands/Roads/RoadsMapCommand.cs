@@ -16,7 +16,7 @@ namespace Harvester.Cli.Commands.Roads;
 /// <summary>harvester roads map: a picture of road data.</summary>
 internal static class RoadsMapCommand
 {
-    private const string Legend = "highways orange, one-way roads blue, streets grey, unpaved ways brown, ways that no car takes light grey, water light blue";
+    private const string Legend = "highways orange, one-way roads blue, streets grey, unpaved roads brown, roads that are not drivable light grey, water light blue";
     private const string NoRoads = "There are no roads to draw.";
     private const int DefaultSize = 2000;
     private const int MaxSize = 20_000;
@@ -71,8 +71,7 @@ internal static class RoadsMapCommand
             return;
         }
 
-        using var text = new StreamWriter(stream, leaveOpen: true);
-        map.WriteSvg(text);
+        map.WriteSvg(stream);
     }
 
     /// <summary>A length of any order with its first three digits, those before the point apart.</summary>

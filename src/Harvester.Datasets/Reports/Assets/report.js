@@ -5,7 +5,7 @@ const byId = id => document.getElementById(id);
 const svgNamespace = "http://www.w3.org/2000/svg";
 const framesPerSecond = 8;
 const hiddenFading = 0.7; // The more of an object is hidden, the fainter its box.
-const kinds = [["box", "in the image"], ["amodal", "whole"], ["edges", "3D"]];
+const kinds = [["box", "2D box"], ["amodal", "amodal box"], ["edges", "3D box"]];
 const state = { index: 0, shown: new Set(["box"]), hidden: new Set(), chosen: null, timer: null };
 const pictures = new Map();
 
@@ -56,9 +56,9 @@ async function show(index) {
   const frame = data.frames[index];
   byId("position").textContent = `frame ${frame.frame}, ${fixed(frame.time, 2)} s`;
   describe(byId("caption"), [
-    ["Weather", frame.weather], ["Time", frame.timeOfDay], ["Speed", `${fixed(frame.speed * 3.6, 0)} km/h`],
-    ["Camera", frame.camera.position.map(value => fixed(value)).join(", ") + " m"], ["Heading", `${fixed(frame.camera.heading, 0)}°`],
-    ["Field of view", `${frame.camera.fov}°`], ["Objects", frame.objects.length],
+    ["Weather", frame.weather], ["Time of day", frame.timeOfDay], ["Ego speed", `${fixed(frame.speed * 3.6, 0)} km/h`],
+    ["Camera position", frame.camera.position.map(value => fixed(value)).join(", ") + " m"], ["Heading", `${fixed(frame.camera.heading, 0)}°`],
+    ["Vertical field of view", `${frame.camera.fov}°`], ["Objects", frame.objects.length],
   ], true);
   draw();
   if (index + 1 < data.frames.length) picture(index + 1);
@@ -97,11 +97,11 @@ function drawObject(object) {
 function detail(object) {
   byId("hint").hidden = Boolean(object);
   describe(byId("details"), !object ? [] : [
-    ["Class", words(object.class)], ["Model", object.model], ...(object.name ? [["Name", object.name]] : []), ["Number", object.id],
+    ["Class", words(object.class)], ["Model", object.model], ...(object.name ? [["Name", object.name]] : []), ["Object ID", object.id],
     ["Distance", `${fixed(object.distance)} m`], ["Speed", `${fixed(object.speed * 3.6, 0)} km/h`],
-    ["Size", object.size.map(value => fixed(value)).join(" × ") + " m"],
-    ["Truncated", percent(object.truncated)], ["Occluded", percent(object.occluded)], ["Occlusion by", words(object.method)],
-    ["Box", object.box.map(value => fixed(value)).join(", ")],
+    ["Length × width × height", object.size.map(value => fixed(value)).join(" × ") + " m"],
+    ["Truncation", percent(object.truncated)], ["Occlusion", percent(object.occluded)], ["Occlusion from", words(object.method)],
+    ["2D box", object.box.map(value => fixed(value)).join(", ") + " px"],
   ], false);
 }
 
@@ -140,7 +140,7 @@ function counts() {
     return [[mark, words(name)], entry.labels, entry.objects, entry.parts, `${fixed(entry.nearest)} m`, `${fixed(entry.medianDistance)} m`, percent(entry.meanOcclusion)];
   });
   const sum = key => Object.values(data.classes).reduce((total, entry) => total + entry[key], 0);
-  table("counts", ["Class", "Labels", "Objects", "Parts", "Nearest", "Median", "Occlusion"], rows,
+  table("counts", ["Class", "Labels", "Objects", "Parts", "Nearest", "Median distance", "Mean occlusion"], rows,
     ["all", sum("labels"), sum("objects"), sum("parts"), "", "", ""]);
 }
 
@@ -148,7 +148,7 @@ function indicators() {
   const unit = name => name === "angle" ? "rad" : "m";
   const rows = Object.entries(data.indicators).map(([name, span]) =>
     [name, span.frames, `${fixed(span.least, 2)} ${unit(name)}`, `${fixed(span.greatest, 2)} ${unit(name)}`]);
-  table("indicators", ["Lane indicator", "Frames", "Least", "Greatest"], rows);
+  table("indicators", ["Lane indicator", "Frames", "Min", "Max"], rows);
   byId("lanes").hidden = rows.length === 0;
 }
 
@@ -156,7 +156,7 @@ function histogram(chart) {
   const width = 320, height = 150, foot = 18, most = Math.max(1, ...chart.counts), step = width / chart.counts.length;
   const last = chart.counts.length - 1;
   const end = bin => bin < last ? chart.starts[bin + 1] : chart.end;
-  const range = bin => end(bin) === null ? `from ${chart.starts[bin]} ${chart.unit}` : `${chart.starts[bin]} to ${end(bin)} ${chart.unit}`;
+  const range = bin => end(bin) === null ? `${chart.starts[bin]} ${chart.unit} or more` : `${chart.starts[bin]} to ${end(bin)} ${chart.unit}`;
   const drawing = shape("svg", { viewBox: `0 0 ${width} ${height + foot}`, role: "img", "aria-label": chart.title });
   chart.counts.forEach((count, index) => {
     const tall = count / most * (height - 14);
@@ -165,10 +165,10 @@ function histogram(chart) {
     drawing.append(bar);
   });
   drawing.append(shape("line", { x1: 0, x2: width, y1: height, y2: height }));
-  drawing.append(shape("text", { x: 0, y: 10 }, `most: ${most}`));
+  drawing.append(shape("text", { x: 0, y: 10 }, `max ${most}`));
   const middle = Math.ceil(last / 2);
   [[0, "start", 0], [middle, "middle", middle * step], [last, "end", width]].forEach(([bin, anchor, x]) => drawing.append(shape("text", {
-    x, y: height + 14, "text-anchor": anchor }, `${end(bin) === null ? "from " : ""}${chart.starts[bin]} ${chart.unit}`)));
+    x, y: height + 14, "text-anchor": anchor }, `${end(bin) === null ? "≥ " : ""}${chart.starts[bin]} ${chart.unit}`)));
   byId("histograms").append(element("figure", {}, element("figcaption", {}, chart.title), drawing));
 }
 
@@ -178,7 +178,7 @@ function firstFrame() {
   return Math.max(0, data.frames.findIndex(frame => frame.frame >= wanted));
 }
 
-document.title = `${data.title}: harvest report`;
+document.title = `${data.title}: session report`;
 byId("title").textContent = data.title;
 describe(byId("facts"), Object.entries(data.facts), true);
 byId("note").textContent = data.note;
@@ -186,7 +186,7 @@ switches(byId("kinds"), kinds.map(([kind, label]) => ({ label, isOn: () => state
 switches(byId("classes"), Object.entries(data.classes).map(([name, entry]) => ({
   label: words(name), swatch: entry.colour, count: entry.labels, isOn: () => !state.hidden.has(name), toggle: () => flip(state.hidden, name) })));
 counts();
-table("comparison", ["For comparison", "This session", data.comparison.name], data.comparison.rows);
+table("comparison", ["Comparison", "This session", data.comparison.name], data.comparison.rows);
 data.histograms.forEach(histogram);
 table("weathers", ["Weather", "Frames"], Object.entries(data.weathers));
 table("hours", ["Hour", "Frames"], Object.entries(data.hours));
