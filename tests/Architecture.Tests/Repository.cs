@@ -5,10 +5,10 @@ internal static class Repository
 {
     public static string Root { get; } = Find(AppContext.BaseDirectory);
 
-    /// <summary>The C# sources of a project, without what the build generates.</summary>
-    public static IEnumerable<string> SourcesOf(string project)
+    /// <summary>The C# sources of a project in a folder of the repository, without what the build generates.</summary>
+    public static IEnumerable<string> SourcesOf(string project, string folder = "src")
     {
-        string root = Path.Combine(Root, "src", project);
+        string root = Path.Combine(Root, folder, project);
         return Directory.EnumerateFiles(root, "*.cs", SearchOption.AllDirectories)
             .Where(path => Path.GetRelativePath(root, path).Split(Path.DirectorySeparatorChar)[0] is not ("bin" or "obj"));
     }

@@ -38,7 +38,7 @@ public sealed class ApplicationTests
 
     [Theory]
     [MemberData(nameof(Commands))]
-    public void Help_of_any_command_tells_each_option_and_each_default_once(string command)
+    public void Help_of_each_command_names_each_option_and_default_once(string command)
     {
         string[] lines = CliRun.Of([.. command.Split(' '), "--help"]).Out.Split('\n');
 
@@ -55,7 +55,7 @@ public sealed class ApplicationTests
     public void Unknown_command_is_a_usage_error() => CliRun.Of("harvset").AssertFailed(ExitCode.Usage, "harvset");
 
     [Fact]
-    public void Usage_error_of_a_command_within_a_command_names_the_help_of_both() =>
+    public void Usage_error_of_a_subcommand_names_both_help_pages() =>
         CliRun.Of("roads", "info").AssertFailed(ExitCode.Usage, "harvester roads info --help");
 
     [Theory]
@@ -65,7 +65,7 @@ public sealed class ApplicationTests
     public void Empty_value_is_a_usage_error(params string[] arguments) => CliRun.Of(arguments).AssertFailed(ExitCode.Usage, "empty");
 
     [Fact]
-    public void Error_that_quotes_a_file_leaves_out_what_a_terminal_would_obey_and_is_cut()
+    public void Error_quoting_a_file_is_truncated_and_free_of_control_codes()
     {
         CliRun run = CliRun.WithInput(
             "\u001b[2J" + new string('x', 5000) + "\n", "project", "--position", "0,0,0", "--rotation", "0,0,0", "--fov", "50", "--size", "800x600");

@@ -27,7 +27,7 @@ public sealed class ProcessTests : IDisposable
     }
 
     [PosixFact]
-    public void Folder_name_that_is_not_utf_8_is_refused_and_nothing_is_made()
+    public void Folder_name_that_is_not_utf_8_is_refused_without_output()
     {
         using Process harvest = Start("exec dotnet \"$0\" harvest --frames 1 --out \"$(printf 'caf\\351')\"", Program);
         string error = harvest.StandardError.ReadToEnd();
@@ -39,7 +39,7 @@ public sealed class ProcessTests : IDisposable
     }
 
     [PosixFact]
-    public void Gallery_of_a_table_goes_to_the_current_folder_and_not_to_the_tables()
+    public void Gallery_of_a_table_is_written_to_the_current_folder()
     {
         string data = Directory.CreateDirectory(_folder.PathOf("data")).FullName;
         File.WriteAllText(

@@ -24,7 +24,7 @@ public sealed class QuietTests : IDisposable
         CliRun.Of("harvest", "--quiet", "--out", _folder.Path, "--frames", "0").AssertFailed(ExitCode.Usage, "--frames");
 
     [Fact]
-    public void Quiet_command_that_exists_to_print_prints()
+    public void Quiet_command_still_prints_its_result()
     {
         CliRun run = CliRun.WithInput("0,10,0\n", "project", "-q", "--position", "0,0,0", "--rotation", "0,0,0", "--fov", "90", "--size", "800x600");
 
@@ -35,7 +35,7 @@ public sealed class QuietTests : IDisposable
     [InlineData("harvester har", "harvest")]
     [InlineData("harvester harvest --fr", "--frames")]
     [InlineData("harvester roads c", "compare")]
-    public void Completion_lists_what_may_follow(string line, string expected)
+    public void Completion_lists_the_possible_next_words(string line, string expected)
     {
         string typed = line["harvester ".Length..];
         CliRun run = CliRun.Of($"[suggest:{typed.Length}]", typed);

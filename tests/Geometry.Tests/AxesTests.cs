@@ -123,7 +123,7 @@ public sealed class AxesTests
         Assert.True((expected - actual).Length <= tolerance * Math.Sqrt(3), $"expected {expected}, got {actual}");
 
     [Fact]
-    public void FromVectors_of_axes_that_were_made_by_a_factory_is_the_very_same()
+    public void FromVectors_preserves_axes_made_by_a_factory_exactly()
     {
         Axes axes = Axes.FromEuler(new EulerAngles(-7.3, 11.9, 143.2));
 

@@ -33,7 +33,7 @@ public sealed class ScaledPoseTests
     }
 
     [Fact]
-    public void FromMatrix_lengths_as_single_precision_gives_them_are_no_scale() =>
+    public void FromMatrix_with_single_precision_rounding_has_no_scale() =>
         Assert.Equal(
             new Vector3D(1, 1, 1),
             ScaledPose.FromMatrix(Turned.Right * 1.0005, Turned.Forward * 0.9995, Turned.Up, Place)!.Value.Scale);
@@ -52,6 +52,6 @@ public sealed class ScaledPoseTests
             new Vector3D(rightX, rightY, rightZ), new Vector3D(forwardX, forwardY, forwardZ), new Vector3D(upX, upY, upZ), Place));
 
     [Fact]
-    public void FromMatrix_place_that_is_not_finite_is_null() =>
+    public void FromMatrix_with_a_position_that_is_not_finite_is_null() =>
         Assert.Null(ScaledPose.FromMatrix(Turned.Right, Turned.Forward, Turned.Up, new Vector3D(double.NaN, 0, 0)));
 }

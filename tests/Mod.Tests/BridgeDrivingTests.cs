@@ -31,7 +31,7 @@ public sealed class BridgeDriveTests : ServedGame
     }
 
     [Fact]
-    public void Frames_reach_the_client_with_picture_and_state_and_without_the_games_display()
+    public void Client_gets_frames_with_picture_and_state_without_the_HUD()
     {
         using ScriptDriver driver = Driven();
         using SocketClient client = Connect();
@@ -61,7 +61,7 @@ public sealed class BridgeDriveTests : ServedGame
     }
 
     [Fact]
-    public void Silence_brakes()
+    public void Silent_client_makes_the_car_brake()
     {
         using ScriptDriver driver = Driven();
         using SocketClient client = Connect();
@@ -74,7 +74,7 @@ public sealed class BridgeDriveTests : ServedGame
     [Theory]
     [InlineData(0)]
     [InlineData(-2)]
-    public void Brake_of_a_car_that_stands_or_rolls_back_is_the_handbrake_for_the_games_brake_would_drive_it_backward(double speed)
+    public void Braking_a_car_that_stands_or_rolls_back_uses_the_handbrake(double speed)
     {
         using ScriptDriver driver = Driven();
         driver.Game.Entities[driver.Game.PlayersVehicle].Velocity = new Vector3D(0, speed, 0);
@@ -84,7 +84,7 @@ public sealed class BridgeDriveTests : ServedGame
     }
 
     [Fact]
-    public void Slight_brake_does_not_hold_a_standing_car_that_is_told_to_start()
+    public void Slight_braking_does_not_hold_a_car_told_to_start()
     {
         using ScriptDriver driver = Driven();
         using SocketClient client = Connect();
@@ -95,7 +95,7 @@ public sealed class BridgeDriveTests : ServedGame
     }
 
     [Fact]
-    public void Reset_puts_the_car_there_standing_and_environment_is_kept_until_the_drive_ends()
+    public void Reset_places_a_standing_car_and_keeps_the_environment()
     {
         using ScriptDriver driver = Driven();
         using SocketClient client = Connect();
@@ -115,7 +115,7 @@ public sealed class BridgeDriveTests : ServedGame
     [InlineData("[-50,60,31]", "1e300")]
     [InlineData("[-50,60,31]", "-361")]
     [InlineData("[1e39,60,31]", "90")]
-    public void Reset_to_what_the_game_could_not_hold_is_refused_and_the_car_stays(string position, string headingDegrees)
+    public void Reset_to_impossible_values_is_refused_and_the_car_stays(string position, string headingDegrees)
     {
         using ScriptDriver driver = Driven();
         Pose before = driver.Game.Entities[driver.Game.PlayersVehicle].Pose;
@@ -128,7 +128,7 @@ public sealed class BridgeDriveTests : ServedGame
     }
 
     [Fact]
-    public void Lock_step_moves_the_world_by_the_step_and_ends_with_the_drive()
+    public void Lock_step_advances_the_world_and_ends_with_the_drive()
     {
         using ScriptDriver driver = Driven();
         using SocketClient client = Connect();
@@ -144,7 +144,7 @@ public sealed class BridgeDriveTests : ServedGame
     }
 
     [Fact]
-    public void Abort_in_the_middle_of_a_step_from_another_thread_gives_all_back()
+    public void Abort_from_another_thread_during_a_step_restores_everything()
     {
         using ScriptDriver driver = Driven();
         using (SocketClient client = Connect())
@@ -173,7 +173,7 @@ public sealed class BridgeDriveTests : ServedGame
     }
 
     [Fact]
-    public void Key_again_ends_the_drive_and_once_more_starts_another_at_the_same_place()
+    public void Key_ends_the_drive_and_starts_another_at_the_same_place()
     {
         using ScriptDriver driver = Driven();
         for (int again = 0; again < 3; again++)
@@ -187,7 +187,7 @@ public sealed class BridgeDriveTests : ServedGame
     }
 
     [Fact]
-    public void Harvest_and_drive_do_not_run_at_once()
+    public void Harvest_and_drive_do_not_run_at_the_same_time()
     {
         using ScriptDriver driver = Driven();
         driver.Press(Keys.J);
@@ -200,7 +200,7 @@ public sealed class BridgeDriveTests : ServedGame
     }
 
     [Fact]
-    public void Line_tells_whether_a_client_drives_and_stays_out_of_the_pictures()
+    public void Status_line_shows_the_client_state_outside_pictures_only()
     {
         using ScriptDriver driver = Driven("Rate = 1\n");
         using SocketClient client = Connect();

@@ -10,7 +10,7 @@ namespace Harvester.Mod.Tests;
 public sealed class BridgeFaultTests : ServedGame
 {
     [Fact]
-    public void Problem_of_one_drive_is_logged_again_when_it_comes_in_the_next()
+    public void Problem_of_one_drive_is_logged_again_in_the_next()
     {
         using ScriptDriver driver = Driven();
         for (int drive = 1; drive <= 2; drive++)
@@ -24,7 +24,7 @@ public sealed class BridgeFaultTests : ServedGame
     }
 
     [Fact]
-    public void Malformed_clients_are_cut_off_while_the_car_brakes_and_the_next_is_served()
+    public void Malformed_clients_are_cut_off_and_the_next_one_is_served()
     {
         using ScriptDriver driver = Driven();
         var random = new Random(7);
@@ -44,7 +44,7 @@ public sealed class BridgeFaultTests : ServedGame
     }
 
     [Fact]
-    public void Clients_that_do_wrong_without_end_do_not_fill_the_log()
+    public void Clients_that_err_endlessly_do_not_fill_the_log()
     {
         using ScriptDriver driver = Driven();
         for (int i = 0; i < 150; i++)
@@ -65,7 +65,7 @@ public sealed class BridgeFaultTests : ServedGame
     }
 
     [Fact]
-    public void Port_in_use_is_told_and_the_next_try_works()
+    public void Port_in_use_is_reported_and_a_retry_works()
     {
         using var driver = new ScriptDriver(Ini(Port));
         Street(driver.Game);
@@ -87,7 +87,7 @@ public sealed class BridgeFaultTests : ServedGame
     }
 
     [Fact]
-    public void Bridge_that_is_off_is_told()
+    public void Disabled_bridge_is_reported()
     {
         using var driver = new ScriptDriver("[Bridge]\nKind = Off\n");
         Street(driver.Game);

@@ -32,7 +32,7 @@ public sealed class BridgeTakeBackTests : ServedGame
     [InlineData(Keys.S)]
     [InlineData(Keys.D)]
     [InlineData(Keys.Space)]
-    public void Players_key_takes_the_car_back_as_soon_as_it_goes_down(Keys key)
+    public void Players_key_takes_the_car_back_on_press(Keys key)
     {
         using ScriptDriver driver = Driven();
         driver.Script.RaiseKeyDown(key);
@@ -59,7 +59,7 @@ public sealed class BridgeTakeBackTests : ServedGame
     [Theory]
     [InlineData("TakeBackKeys = W, Banana", "Line 3: TakeBackKeys = W, Banana is not keys, separated by commas")]
     [InlineData("TakeBackKeys = W, N", "the key N has two uses")]
-    public void Keys_that_cannot_take_the_car_back_are_told(string line, string complaint)
+    public void Keys_that_cannot_take_the_car_back_are_reported(string line, string complaint)
     {
         using var driver = new ScriptDriver(Ini(Port) + line + "\n");
         driver.Tick();
@@ -68,7 +68,7 @@ public sealed class BridgeTakeBackTests : ServedGame
     }
 
     [Fact]
-    public void Full_lock_full_throttle_and_handbrake_of_the_client_are_not_taken_for_the_players()
+    public void Full_controls_of_the_client_are_not_mistaken_for_the_players()
     {
         using ScriptDriver driver = Driven();
         using SocketClient client = Connect();
@@ -82,7 +82,7 @@ public sealed class BridgeTakeBackTests : ServedGame
     }
 
     [Fact]
-    public void Handbrake_of_the_client_that_is_let_go_is_not_taken_for_the_players_and_the_players_is_after_it()
+    public void Released_client_handbrake_is_not_mistaken_for_the_players()
     {
         using ScriptDriver driver = Driven();
         using SocketClient client = Connect();

@@ -13,7 +13,7 @@ public sealed class BrokenListTests
     private const int EnoughTicksForAFrame = 20;
 
     [Fact]
-    public void Lists_that_throw_are_replaced_and_the_labels_are_the_same()
+    public void Lists_that_throw_are_replaced_with_the_same_labels()
     {
         JsonElement[] whole = HarvestWith(null, out _, out JsonElement reading);
         Assert.Equal("api api api", Sources(reading));
@@ -26,7 +26,7 @@ public sealed class BrokenListTests
     }
 
     [Fact]
-    public void Lists_that_are_empty_are_replaced_when_natives_know_better()
+    public void Empty_lists_are_replaced_when_natives_find_entities()
     {
         JsonElement[] whole = HarvestWith(null, out _, out _);
         JsonElement[] byNatives = HarvestWith(_ => [], out _, out JsonElement reading);
@@ -36,7 +36,7 @@ public sealed class BrokenListTests
     }
 
     [Fact]
-    public void One_broken_list_leaves_the_others_alone()
+    public void One_broken_list_does_not_affect_the_others()
     {
         HarvestWith(pool => pool == PoolKind.Props ? Throw(pool) : null, out TestGame game, out JsonElement reading);
 
@@ -45,7 +45,7 @@ public sealed class BrokenListTests
     }
 
     [Fact]
-    public void Empty_world_is_no_broken_list()
+    public void Empty_world_is_not_a_broken_list()
     {
         using var driver = new ScriptDriver();
         driver.Game.PlayersVehicle = driver.Game.Add(Car("asea", 200));
@@ -58,7 +58,7 @@ public sealed class BrokenListTests
     }
 
     [Fact]
-    public void Build_that_the_api_does_not_know_is_read_by_natives_from_the_start()
+    public void Build_unknown_to_the_api_is_read_through_natives()
     {
         using var driver = new ScriptDriver(prepare: game => game.Build = TestGame.Legacy(3258), faces: LightTests.TableOfOne);
         HarvestTests.Street(driver.Game);
@@ -73,7 +73,7 @@ public sealed class BrokenListTests
     }
 
     [Fact]
-    public void Prop_that_was_found_once_is_remembered_while_a_closer_one_of_its_model_is_near()
+    public void Known_prop_stays_listed_when_a_closer_one_appears()
     {
         using var driver = new ScriptDriver(faces: LightTests.TableOfOne);
         HarvestTests.Street(driver.Game);

@@ -15,7 +15,7 @@ public sealed class CalibrationTests
     private const string Ini = "[Harvest]\nWidth = 400\nHeight = 300\n[Lens]\n; mine\nK2 = 0\nMaxError = 0.5\n";
 
     [Fact]
-    public void Harvest_refuses_a_lens_that_is_off_until_the_key_has_calibrated_it()
+    public void Harvest_refuses_a_wrong_lens_until_it_is_calibrated()
     {
         var options = new SimulationOptions { Seed = 9, Lens = new RenderLens(1.008, 0, 0, -0.02, 0) };
         var scene = new SimulatedScene(options, FaceTable.Empty);
@@ -44,7 +44,7 @@ public sealed class CalibrationTests
     }
 
     [Fact]
-    public void Single_frame_with_a_lens_that_is_off_is_refused_however_often_it_is_asked_for()
+    public void Single_frame_with_a_wrong_lens_is_refused_every_time()
     {
         var options = new SimulationOptions { Seed = 9, Lens = new RenderLens(1.008, 0, 0, -0.02, 0) };
         var scene = new SimulatedScene(options, FaceTable.Empty);
@@ -56,7 +56,7 @@ public sealed class CalibrationTests
     }
 
     [Fact]
-    public void Single_frames_with_a_lens_found_in_between_begin_a_new_session()
+    public void Single_frames_after_a_calibration_start_a_new_session()
     {
         var scene = new SimulatedScene(new SimulationOptions { Seed = 9 }, FaceTable.Empty);
         using var driver = new ScriptDriver(Ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock);
@@ -76,7 +76,7 @@ public sealed class CalibrationTests
     }
 
     [Fact]
-    public void Harvest_waits_for_the_end_of_a_calibration_and_the_key_again_stops_it()
+    public void Harvest_waits_for_a_calibration_and_the_key_stops_it()
     {
         using var driver = new ScriptDriver();
         HarvestTests.Street(driver.Game);
@@ -93,7 +93,7 @@ public sealed class CalibrationTests
     }
 
     [Fact]
-    public void Calibration_without_the_mounted_camera_tells_so_and_touches_nothing()
+    public void Calibration_without_the_mounted_camera_reports_it()
     {
         using var driver = new ScriptDriver();
         HarvestTests.Street(driver.Game);
@@ -109,7 +109,7 @@ public sealed class CalibrationTests
     }
 
     [Fact]
-    public void Calibration_that_sees_no_markers_says_so_and_changes_nothing()
+    public void Calibration_without_markers_reports_it_and_changes_nothing()
     {
         using var driver = new ScriptDriver();
         HarvestTests.Street(driver.Game);
@@ -123,7 +123,7 @@ public sealed class CalibrationTests
     }
 
     [Fact]
-    public void Harvest_in_a_game_that_shows_no_markers_goes_on_and_tells_that_nothing_was_checked()
+    public void Harvest_without_visible_markers_warns_that_it_is_unchecked()
     {
         using var driver = new ScriptDriver("[Lens]\nMaxError = 1\n");
         HarvestTests.Street(driver.Game);
@@ -134,7 +134,7 @@ public sealed class CalibrationTests
     }
 
     [Fact]
-    public void Single_frames_are_checked_as_long_as_none_could_be()
+    public void Single_frames_are_harvested_unchecked_if_no_check_works()
     {
         using var driver = new ScriptDriver("[Lens]\nMaxError = 1\n");
         HarvestTests.Street(driver.Game);

@@ -9,7 +9,7 @@ namespace Harvester.Mod.Tests;
 public sealed class CameraMountTests
 {
     [Fact]
-    public void Key_on_foot_tells_to_enter_a_vehicle()
+    public void Key_on_foot_asks_the_player_to_enter_a_vehicle()
     {
         using var driver = new ScriptDriver();
         driver.Press(Keys.I);
@@ -90,7 +90,7 @@ public sealed class CameraMountTests
     }
 
     [Fact]
-    public void Mounting_again_leaves_one_camera()
+    public void Mounting_twice_leaves_one_camera()
     {
         using var driver = new ScriptDriver();
         SitInCar(driver.Game, Axes.Identity);
@@ -116,7 +116,7 @@ public sealed class CameraMountTests
     }
 
     [Fact]
-    public void Player_who_leaves_the_vehicle_has_the_view_back()
+    public void Leaving_the_vehicle_restores_the_view()
     {
         using var driver = new ScriptDriver();
         SitInCar(driver.Game, Axes.Identity);
@@ -132,7 +132,7 @@ public sealed class CameraMountTests
     }
 
     [Fact]
-    public void Camera_that_cannot_be_shown_is_not_mounted_and_no_harvest_begins()
+    public void Camera_that_cannot_be_shown_is_not_mounted_for_a_harvest()
     {
         using var driver = new ScriptDriver();
         SitInCar(driver.Game, Axes.Identity);
@@ -147,7 +147,7 @@ public sealed class CameraMountTests
     }
 
     [Fact]
-    public void Player_who_changes_the_vehicle_has_the_view_back()
+    public void Changing_the_vehicle_restores_the_view()
     {
         using var driver = new ScriptDriver();
         SitInCar(driver.Game, Axes.Identity);
@@ -159,7 +159,7 @@ public sealed class CameraMountTests
     }
 
     [Fact]
-    public void Build_without_rigid_cameras_gets_a_message_and_no_unknown_native()
+    public void Build_without_rigid_cameras_gets_a_message()
     {
         using var driver = new ScriptDriver(prepare: game => game.Build = TestGame.Legacy(2060));
         SitInCar(driver.Game, Axes.Identity);

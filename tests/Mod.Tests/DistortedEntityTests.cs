@@ -26,7 +26,7 @@ public sealed class DistortedEntityTests
     }
 
     [Fact]
-    public void Sheared_and_mirrored_entities_are_left_out_and_counted_once()
+    public void Sheared_and_mirrored_entities_are_omitted_and_counted_once()
     {
         using var driver = new ScriptDriver();
         HarvestTests.Street(driver.Game);
@@ -42,7 +42,7 @@ public sealed class DistortedEntityTests
     }
 
     [Fact]
-    public void Vehicle_with_the_camera_that_is_sheared_ends_the_harvest_with_a_reason()
+    public void Sheared_camera_vehicle_ends_the_harvest_with_a_reason()
     {
         using var driver = new ScriptDriver();
         driver.Game.PlayersVehicle = Put(driver.Game, new Vector3D(1, 0, 0), new Vector3D(0.5, 1, 0), new Vector3D(0, 0, 1));

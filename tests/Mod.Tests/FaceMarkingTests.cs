@@ -15,7 +15,7 @@ public sealed class SpaceMarkingTests
     private const string Sign = "prop_sign_road_03h";
 
     [Fact]
-    public void Two_corners_a_name_and_a_key_make_a_row_of_the_players_table()
+    public void Two_corners_and_a_name_make_a_row_of_the_players_table()
     {
         using ScriptDriver driver = BeforeSign(Names);
         Mark(driver, -0.35, 2.1);
@@ -36,7 +36,7 @@ public sealed class SpaceMarkingTests
     }
 
     [Fact]
-    public void Preview_draws_the_edges_of_the_cuboid_where_they_are()
+    public void Preview_draws_the_edges_of_the_cuboid()
     {
         using ScriptDriver driver = BeforeSign(Names);
         Mark(driver, -0.35, 2.1);
@@ -54,7 +54,7 @@ public sealed class SpaceMarkingTests
     }
 
     [Fact]
-    public void Face_that_overlaps_an_earlier_one_takes_its_place_and_another_gets_the_next_number()
+    public void Overlapping_face_replaces_the_earlier_one_others_are_added()
     {
         using ScriptDriver driver = BeforeSign(Names);
         Mark(driver, -0.35, 2.1);
@@ -72,7 +72,7 @@ public sealed class SpaceMarkingTests
     }
 
     [Fact]
-    public void Face_that_is_marked_leaves_the_shipped_one_on_the_other_side()
+    public void Marked_face_keeps_the_shipped_one_on_the_other_side()
     {
         const string shipped =
             Sign + ",,sign,STOP,R1-1,0,-0.4,0.05,2.7,0.4,-0.05,1.9,-y,estimated,test\n" +
@@ -87,7 +87,7 @@ public sealed class SpaceMarkingTests
     }
 
     [Fact]
-    public void Face_that_is_kept_is_labelled_at_once_in_a_session_of_its_own()
+    public void Kept_face_is_labelled_at_once_in_a_new_session()
     {
         using ScriptDriver driver = BeforeSign(Names);
         HarvestTests.Street(driver.Game);
@@ -107,7 +107,7 @@ public sealed class SpaceMarkingTests
     }
 
     [Fact]
-    public void Face_that_is_kept_in_a_harvest_is_labelled_in_the_next()
+    public void Face_kept_during_a_harvest_is_labelled_in_the_next()
     {
         // The camera clear of the car.
         using ScriptDriver driver = BeforeSign(Names + "[Camera]\nOffsetForward = 4\n");
@@ -142,7 +142,7 @@ public sealed class SpaceMarkingTests
     }
 
     [Fact]
-    public void Nothing_to_mark_and_nothing_to_keep_are_told()
+    public void Nothing_to_mark_or_keep_is_reported()
     {
         using var driver = new ScriptDriver(Names);
         driver.Press(Keys.Y);
@@ -160,7 +160,7 @@ public sealed class SpaceMarkingTests
     }
 
     [Fact]
-    public void Model_that_was_marked_by_hand_is_not_surveyed_over()
+    public void Model_marked_by_hand_is_not_overwritten_by_a_survey()
     {
         using ScriptDriver driver = BeforeSign(Names);
         Mark(driver, -0.35, 2.1);
@@ -171,7 +171,7 @@ public sealed class SpaceMarkingTests
     }
 
     [Fact]
-    public void Unknown_models_near_are_listed_with_where_they_were_met()
+    public void Unknown_nearby_models_are_listed_with_their_positions()
     {
         using ScriptDriver driver = BeforeSign(Names);
         driver.Game.Add(new GameEntity { Pool = PoolKind.Props, Name = "prop_bench_01a", Pose = new Pose(new Vector3D(90, 200, 0), Axes.Identity) });

@@ -20,7 +20,7 @@ public sealed class SpaceSurveyTests
     private const double ToleranceMetres = 0.02;
 
     [Fact]
-    public void Key_measures_all_models_of_the_game_and_leaves_nothing_behind()
+    public void Key_measures_all_models_of_the_game_and_removes_them()
     {
         using ScriptDriver driver = NewDriver();
         driver.Press(Keys.Multiply);
@@ -38,7 +38,7 @@ public sealed class SpaceSurveyTests
     }
 
     [Fact]
-    public void Models_stand_frozen_in_the_air_over_the_player()
+    public void Models_are_placed_frozen_in_the_air_above_the_player()
     {
         using ScriptDriver driver = NewDriver();
         driver.Press(Keys.Multiply);
@@ -50,7 +50,7 @@ public sealed class SpaceSurveyTests
     }
 
     [Fact]
-    public void Photographs_are_taken_from_front_and_back_with_nothing_drawn_over_them()
+    public void Photographs_show_front_and_back_without_overlays()
     {
         using ScriptDriver driver = NewDriver();
         driver.Press(Keys.L);
@@ -75,7 +75,7 @@ public sealed class SpaceSurveyTests
     }
 
     [Fact]
-    public void Pictures_that_are_refused_are_left_out_and_the_rest_goes_on()
+    public void Refused_pictures_are_omitted_and_the_survey_continues()
     {
         using ScriptDriver driver = NewDriver();
         driver.Screen.Refusal = "covered";
@@ -98,7 +98,7 @@ public sealed class SpaceSurveyTests
     }
 
     [Fact]
-    public void Line_tells_how_far_it_is()
+    public void Status_line_shows_the_progress()
     {
         using ScriptDriver driver = NewDriver();
         driver.Press(Keys.Multiply);
@@ -113,7 +113,7 @@ public sealed class SpaceSurveyTests
     }
 
     [Fact]
-    public void Survey_that_was_stopped_or_aborted_goes_on_with_what_is_left()
+    public void Stopped_or_aborted_survey_resumes_with_the_remaining_models()
     {
         using ScriptDriver driver = NewDriver();
         driver.Press(Keys.Multiply);
@@ -136,7 +136,7 @@ public sealed class SpaceSurveyTests
     }
 
     [Fact]
-    public void Full_pool_of_objects_and_models_that_never_load_are_noted_and_passed_over()
+    public void Full_object_pool_and_models_that_never_load_are_skipped()
     {
         using ScriptDriver driver = NewDriver();
         driver.Game.ObjectPoolIsFull = true;
@@ -149,7 +149,7 @@ public sealed class SpaceSurveyTests
     }
 
     [Fact]
-    public void Measured_faces_go_before_the_shipped_ones_from_the_next_start_on()
+    public void Measured_faces_override_the_shipped_ones_after_a_restart()
     {
         const string shipped = "prop_sign_road_03g,,sign,A SIGN,R1-1,0,-0.4,0.1,2.7,0.4,-0.1,1.9,-y,estimated,test\n";
         using ScriptDriver driver = NewDriver(faces: shipped);
@@ -163,7 +163,7 @@ public sealed class SpaceSurveyTests
     }
 
     [Fact]
-    public void Measured_faces_are_labelled_without_a_new_start()
+    public void Measured_faces_are_labelled_without_a_restart()
     {
         using ScriptDriver driver = NewDriver();
         HarvestTests.Street(driver.Game);
@@ -181,7 +181,7 @@ public sealed class SpaceSurveyTests
     }
 
     [Fact]
-    public void Damaged_table_is_told_and_left_as_it_is()
+    public void Damaged_table_is_reported_and_left_unchanged()
     {
         using ScriptDriver driver = NewDriver();
         Directory.CreateDirectory(Folder(driver));
@@ -197,7 +197,7 @@ public sealed class SpaceSurveyTests
     }
 
     [Fact]
-    public void Disk_that_refuses_ends_the_survey_with_a_message_and_the_game_goes_on()
+    public void Full_disk_ends_the_survey_with_a_message()
     {
         using ScriptDriver driver = NewDriver();
         driver.Press(Keys.Multiply);
@@ -212,7 +212,7 @@ public sealed class SpaceSurveyTests
     }
 
     [Fact]
-    public void Model_that_the_game_sweeps_away_ends_the_survey_and_is_measured_the_next_time()
+    public void Model_deleted_by_the_game_ends_the_survey_and_is_retried()
     {
         using ScriptDriver driver = NewDriver();
         driver.Press(Keys.Multiply);

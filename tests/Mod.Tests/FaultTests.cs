@@ -13,7 +13,7 @@ public sealed class FaultTests
 
     [Theory]
     [MemberData(nameof(EveryNativeThatTheModCalls))]
-    public void Native_that_throws_is_told_and_all_works_again_when_it_does(Hash native)
+    public void Failing_native_is_reported_and_everything_recovers_after_it(Hash native)
     {
         using var driver = new ScriptDriver(Playthrough.Ini, faces: LightTests.TableOfOne);
         driver.Game.Fault = called => called == native ? new InvalidOperationException("The native is broken.") : null;
@@ -37,13 +37,13 @@ public sealed class FaultTests
     }
 
     [Fact]
-    public void Every_native_of_the_mod_is_called_by_the_play_that_breaks_them()
+    public void Every_native_of_the_mod_is_called_by_the_fault_scenario()
     {
         Assert.Empty(Enum.GetValues<Hash>().Except(PlayedNatives()));
     }
 
     [Fact]
-    public void Entity_that_vanishes_between_listing_and_reading_is_left_out()
+    public void Entity_deleted_between_listing_and_reading_is_omitted()
     {
         using var driver = new ScriptDriver();
         HarvestTests.Street(driver.Game);
@@ -59,7 +59,7 @@ public sealed class FaultTests
     }
 
     [Fact]
-    public void Entity_that_vanishes_in_the_middle_of_reading_is_left_out()
+    public void Entity_deleted_while_being_read_is_omitted()
     {
         using var driver = new ScriptDriver();
         HarvestTests.Street(driver.Game);
@@ -94,7 +94,7 @@ public sealed class FaultTests
     }
 
     [Fact]
-    public void Aborted_twice_in_the_middle_of_a_harvest_from_another_thread_gives_all_back_and_closes_the_session()
+    public void Abort_twice_during_a_harvest_restores_all_and_closes_session()
     {
         using var driver = new ScriptDriver();
         HarvestTests.Street(driver.Game);
@@ -129,7 +129,7 @@ public sealed class FaultTests
     }
 
     [Fact]
-    public void Keys_held_down_do_nothing_until_they_go_up()
+    public void Keys_act_on_release()
     {
         using var driver = new ScriptDriver();
         HarvestTests.Street(driver.Game);
@@ -167,7 +167,7 @@ public sealed class FaultTests
     }
 
     [Fact]
-    public void Saved_game_loaded_in_the_middle_of_a_harvest_closes_it_and_the_new_script_works()
+    public void Loading_a_saved_game_closes_the_harvest_for_a_new_script()
     {
         using var driver = new ScriptDriver();
         HarvestTests.Street(driver.Game);
@@ -188,7 +188,7 @@ public sealed class FaultTests
     }
 
     [Fact]
-    public void Saved_game_whose_loader_does_not_end_the_script_ends_the_harvest_with_a_message()
+    public void Loading_a_saved_game_in_the_same_script_ends_the_harvest()
     {
         using var driver = new ScriptDriver();
         HarvestTests.Street(driver.Game);
@@ -204,7 +204,7 @@ public sealed class FaultTests
     }
 
     [Fact]
-    public void Model_that_never_loads_is_told_after_a_while()
+    public void Model_that_never_loads_is_reported_after_a_while()
     {
         using var driver = new ScriptDriver();
         driver.Game.ModelsLoad = false;
@@ -222,7 +222,7 @@ public sealed class FaultTests
     }
 
     [Fact]
-    public void Folder_that_cannot_be_made_is_told_and_the_script_lives()
+    public void Folder_that_cannot_be_created_is_reported()
     {
         using var driver = new ScriptDriver();
         HarvestTests.Street(driver.Game);
@@ -237,7 +237,7 @@ public sealed class FaultTests
     }
 
     [Fact]
-    public void Frame_that_the_disk_refuses_when_the_harvest_is_over_is_told()
+    public void Write_errors_after_a_harvest_are_reported()
     {
         using var driver = new ScriptDriver();
         HarvestTests.Street(driver.Game);

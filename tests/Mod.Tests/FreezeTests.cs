@@ -16,7 +16,7 @@ public sealed class FreezeTests
     [Theory]
     [InlineData("Paused", Hash.SET_GAME_PAUSED, Hash.SET_TIME_SCALE)]
     [InlineData("TimeScale", Hash.SET_TIME_SCALE, Hash.SET_GAME_PAUSED)]
-    public void Way_that_the_settings_name_is_the_only_one_used(string way, Hash used, Hash unused)
+    public void Freeze_method_of_the_settings_is_the_only_one_used(string way, Hash used, Hash unused)
     {
         using ScriptDriver driver = Driving($"[Harvest]\nFreeze = {way}\n");
         driver.Press(Keys.J);
@@ -35,7 +35,7 @@ public sealed class FreezeTests
     [InlineData(FreezeMethod.TimeScale, null, "paused")]
     [InlineData(null, FreezeMethod.Paused, "timeScale")]
     [InlineData(FreezeMethod.Paused, FreezeMethod.TimeScale, "paused")]
-    public void Auto_tries_both_ways_and_the_session_says_what_was_found(FreezeMethod? holdsCamera, FreezeMethod? letsTrafficGoOn, string expected)
+    public void Auto_tries_both_methods_and_the_session_records_the_findings(FreezeMethod? holdsCamera, FreezeMethod? letsTrafficGoOn, string expected)
     {
         using ScriptDriver driver = Driving(Auto);
         driver.Game.HoldsCamera = holdsCamera;
@@ -59,7 +59,7 @@ public sealed class FreezeTests
     }
 
     [Fact]
-    public void Single_frames_after_the_first_use_what_was_found()
+    public void Single_frames_after_the_first_reuse_the_findings()
     {
         using ScriptDriver driver = Driving(Auto);
         driver.Game.HoldsCamera = FreezeMethod.Paused;
@@ -75,7 +75,7 @@ public sealed class FreezeTests
     [Theory]
     [InlineData(Keys.O)]
     [InlineData(Keys.J)]
-    public void Trial_that_is_broken_off_leaves_neither_pause_nor_time_scale_behind(Keys key)
+    public void Interrupted_freeze_trial_restores_pause_and_time_scale(Keys key)
     {
         using ScriptDriver driver = Driving(Auto);
         driver.Press(Keys.J);
@@ -89,7 +89,7 @@ public sealed class FreezeTests
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public void Reload_in_a_trial_leaves_neither_pause_nor_time_scale_behind(bool isPaused)
+    public void Reload_during_a_trial_restores_pause_and_time_scale(bool isPaused)
     {
         using ScriptDriver driver = Driving(Auto);
         driver.Press(Keys.J);

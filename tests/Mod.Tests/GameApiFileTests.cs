@@ -5,7 +5,7 @@ namespace Harvester.Mod.Tests;
 public sealed class GameApiFileTests
 {
     [Fact]
-    public void Mod_builds_against_a_dll_of_which_every_member_is_obsolete()
+    public void Mod_builds_against_an_api_whose_members_are_all_obsolete()
     {
         using var build = new ModBuild();
         string api = build.PathOf("api/ScriptHookVDotNet3.dll");
@@ -37,7 +37,7 @@ public sealed class GameApiFileTests
     }
 
     [Fact]
-    public void Missing_dll_is_named_with_what_to_do()
+    public void Missing_dll_is_reported_with_advice()
     {
         using var build = new ModBuild();
 

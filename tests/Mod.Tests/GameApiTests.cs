@@ -6,7 +6,7 @@ namespace Harvester.Mod.Tests;
 public sealed class GameApiTests
 {
     [Fact]
-    public void Built_mod_names_only_members_of_the_list()
+    public void Built_mod_uses_only_listed_api_members()
     {
         string[] known = File.ReadLines(Path.Combine(AppContext.BaseDirectory, "api-3.6.0.txt"))
             .Select(line => line.Trim())
@@ -31,7 +31,7 @@ public sealed class GameApiTests
     }
 
     [Fact]
-    public void Built_mod_needs_nothing_else_that_the_framework_does_not_have()
+    public void Built_mod_references_only_assemblies_of_the_framework()
     {
         string[] allowed =
         [
@@ -43,7 +43,7 @@ public sealed class GameApiTests
     }
 
     [Fact]
-    public void Built_mod_has_one_script_with_a_public_constructor_without_parameters()
+    public void Built_mod_has_one_script_with_a_public_default_constructor()
     {
         using ModuleDefinition module = ModuleDefinition.ReadModule(BuiltMod.Path);
         TypeDefinition script = Assert.Single(module.Types, type => type.BaseType?.FullName == "GTA.Script");

@@ -42,7 +42,7 @@ public sealed class GameBuildTests
     }
 
     [Fact]
-    public void Build_that_cannot_be_read_is_unknown_and_not_refused()
+    public void Unreadable_build_number_is_unknown_and_accepted()
     {
         var game = new GameBuild("GTA5.exe", null);
 

@@ -14,7 +14,7 @@ public sealed class GameRaysTests
     [InlineData(1)]
     [InlineData(4)]
     [InlineData(8)]
-    public void Rays_that_meet_nothing_are_misses(int boolBytes)
+    public void Rays_that_hit_nothing_are_misses(int boolBytes)
     {
         var rays = new GameRays();
         GameHost.Current = new TestGame("nowhere") { BoolBytes = boolBytes };
@@ -30,7 +30,7 @@ public sealed class GameRaysTests
     [InlineData(1)]
     [InlineData(4)]
     [InlineData(8)]
-    public void Ray_that_meets_the_ground_is_a_hit(int boolBytes)
+    public void Ray_that_reaches_the_ground_is_a_hit(int boolBytes)
     {
         var game = new TestGame("nowhere") { BoolBytes = boolBytes };
         GameHost.Current = game;

@@ -12,7 +12,7 @@ public sealed class GivingBackTests
     [InlineData(Hash.RENDER_SCRIPT_CAMS)]
     [InlineData(Hash.SET_CAM_ACTIVE)]
     [InlineData(Hash.DESTROY_CAM)]
-    public void Camera_goes_as_soon_as_the_game_lets_it(Hash broken)
+    public void Camera_is_removed_as_soon_as_the_game_allows(Hash broken)
     {
         using var driver = new ScriptDriver();
         HarvestTests.Street(driver.Game);
@@ -51,7 +51,7 @@ public sealed class GivingBackTests
     }
 
     [Fact]
-    public void Model_of_the_test_car_goes_as_soon_as_the_game_lets_it()
+    public void Model_of_the_test_car_is_released_as_soon_as_possible()
     {
         using var driver = new ScriptDriver();
         const int enoughTicksToLoad = 8;
@@ -69,7 +69,7 @@ public sealed class GivingBackTests
     [Theory]
     [InlineData("Paused", Hash.SET_GAME_PAUSED)]
     [InlineData("TimeScale", Hash.SET_TIME_SCALE)]
-    public void World_goes_on_as_soon_as_the_game_lets_it(string way, Hash broken)
+    public void World_resumes_as_soon_as_the_game_allows(string way, Hash broken)
     {
         using var driver = new ScriptDriver($"[Harvest]\nFreeze = {way}\n");
         HarvestTests.Street(driver.Game);

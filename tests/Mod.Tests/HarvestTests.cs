@@ -13,7 +13,7 @@ public sealed class HarvestTests
     private const int TicksOfAFrame = 10;
 
     [Fact]
-    public void Key_on_foot_tells_to_enter_a_vehicle_and_harvests_nothing()
+    public void Key_on_foot_asks_for_a_vehicle_and_harvests_nothing()
     {
         using var driver = new ScriptDriver();
         driver.Press(Keys.J);
@@ -23,7 +23,7 @@ public sealed class HarvestTests
     }
 
     [Fact]
-    public void Key_in_a_vehicle_mounts_the_camera_and_harvests_until_the_key_again()
+    public void Key_in_a_vehicle_mounts_the_camera_and_toggles_the_harvest()
     {
         using var driver = new ScriptDriver();
         Street(driver.Game);
@@ -45,7 +45,7 @@ public sealed class HarvestTests
     }
 
     [Fact]
-    public void Label_of_a_two_wheeler_states_whether_somebody_rides_it()
+    public void Label_of_a_two_wheeler_states_whether_it_has_a_rider()
     {
         const int cycles = 13, motorcycles = 8;
         using var driver = new ScriptDriver();
@@ -66,7 +66,7 @@ public sealed class HarvestTests
     }
 
     [Fact]
-    public void Pictures_show_neither_the_games_display_nor_ours()
+    public void Pictures_show_neither_the_HUD_nor_the_overlay()
     {
         using var driver = new ScriptDriver();
         Street(driver.Game);
@@ -85,7 +85,7 @@ public sealed class HarvestTests
     }
 
     [Fact]
-    public void Display_tells_frames_rate_queue_and_free_disk()
+    public void Display_shows_frames_rate_queue_and_free_disk()
     {
         using var driver = new ScriptDriver();
         Street(driver.Game);
@@ -105,7 +105,7 @@ public sealed class HarvestTests
     }
 
     [Fact]
-    public void Key_again_before_the_folder_is_open_ends_the_harvest_and_the_next_one_works()
+    public void Key_before_the_folder_is_open_ends_the_harvest()
     {
         using var driver = new ScriptDriver();
         Street(driver.Game);
@@ -122,7 +122,7 @@ public sealed class HarvestTests
     }
 
     [Fact]
-    public void Frame_key_harvests_one_frame_and_again_adds_to_the_same_session()
+    public void Frame_key_harvests_single_frames_into_one_session()
     {
         using var driver = new ScriptDriver();
         Street(driver.Game);
@@ -138,7 +138,7 @@ public sealed class HarvestTests
     }
 
     [Fact]
-    public void Display_that_fails_is_told_once_and_the_harvest_goes_on()
+    public void Display_failure_is_reported_once_and_the_harvest_continues()
     {
         using var driver = new ScriptDriver();
         Street(driver.Game);
@@ -152,7 +152,7 @@ public sealed class HarvestTests
     }
 
     [Fact]
-    public void Overlay_outlines_what_would_be_labelled_and_goes_with_the_key()
+    public void Overlay_outlines_objects_to_label_until_the_key_is_pressed()
     {
         using var driver = new ScriptDriver();
         Street(driver.Game);
@@ -168,7 +168,7 @@ public sealed class HarvestTests
     }
 
     [Fact]
-    public void Giving_the_view_back_ends_the_harvest()
+    public void Restoring_the_view_ends_the_harvest()
     {
         using var driver = new ScriptDriver();
         Street(driver.Game);
@@ -182,7 +182,7 @@ public sealed class HarvestTests
     }
 
     [Fact]
-    public void Refused_pictures_are_counted_and_told_by_their_reason()
+    public void Refused_pictures_are_counted_and_reported_by_reason()
     {
         using var driver = new ScriptDriver();
         Street(driver.Game);

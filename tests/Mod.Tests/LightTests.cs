@@ -25,7 +25,7 @@ public sealed class LightTests
     private const int LightsCycleMilliseconds = 20_000;
 
     [Fact]
-    public void Lights_that_the_mod_drives_are_labelled_by_what_the_picture_shows_and_are_given_back()
+    public void Lights_driven_by_the_mod_match_the_picture_and_are_restored()
     {
         var shown = new Dictionary<long, Dictionary<int, int>>();
         using ScriptDriver driver = InTown(SmallImage + "DriveLights = On\n");
@@ -48,7 +48,7 @@ public sealed class LightTests
     }
 
     [Fact]
-    public void Lights_that_the_game_drives_are_read_from_the_picture_or_unknown()
+    public void Lights_driven_by_the_game_are_read_from_pixels_or_unknown()
     {
         using ScriptDriver driver = InTown(Image);
         HarvestFor(driver, Ticks, () => { });
@@ -78,7 +78,7 @@ public sealed class LightTests
     }
 
     [Fact]
-    public void Crossing_roads_take_turns_and_the_other_order_of_numbers_is_spoken()
+    public void Crossing_roads_alternate_in_the_other_order_of_numbers()
     {
         using ScriptDriver driver = OnStreet(
             "[Harvest]\nWidth = 160\nHeight = 120\nRate = 1\nQueue = 1000\nDriveLights = On\nLightOrder = RedAmberGreen\n", out int along, out int across);
@@ -100,7 +100,7 @@ public sealed class LightTests
     }
 
     [Fact]
-    public void Lights_are_given_back_when_the_script_is_aborted_and_one_that_is_gone_is_no_harm()
+    public void Lights_are_restored_on_abort_even_if_one_no_longer_exists()
     {
         using ScriptDriver driver = OnStreet("[Harvest]\nDriveLights = On\n", out int along, out int across);
         driver.Press(Keys.J);
@@ -116,7 +116,7 @@ public sealed class LightTests
     }
 
     [Fact]
-    public void Light_that_is_left_behind_is_given_back()
+    public void Light_out_of_range_is_restored()
     {
         using ScriptDriver driver = OnStreet("[Harvest]\nDriveLights = On\n", out int along, out int across);
         driver.Press(Keys.J);
@@ -129,7 +129,7 @@ public sealed class LightTests
     }
 
     [Fact]
-    public void Light_that_cannot_be_given_back_keeps_no_other()
+    public void Light_that_cannot_be_restored_does_not_affect_others()
     {
         using ScriptDriver driver = OnStreet("[Harvest]\nDriveLights = On\n", out _, out _);
         driver.Press(Keys.J);

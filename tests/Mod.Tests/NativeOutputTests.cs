@@ -26,7 +26,7 @@ public sealed class NativeOutputTests
     [InlineData(1)]
     [InlineData(4)]
     [InlineData(8)]
-    public void Bool_is_read_however_many_bytes_were_written(int written)
+    public void Bool_is_read_from_any_number_of_written_bytes(int written)
     {
         foreach (byte value in new byte[] { 0, 1 })
         {

@@ -7,11 +7,11 @@ namespace Harvester.Mod.Tests;
 public sealed class NativeTableTests
 {
     [Fact]
-    public void Hashes_of_the_stand_in_are_those_of_the_table() => Assert.All(
+    public void Hashes_of_the_fake_equal_those_of_the_table() => Assert.All(
         Enum.GetValues<Hash>(), native => Assert.Equal(native.ToString(), NativeTable.ByHash[(ulong)native].Name));
 
     [Fact]
-    public void Every_call_that_is_written_in_the_mod_has_the_tables_arguments_and_result()
+    public void Every_native_call_has_the_arguments_and_result_of_the_table()
     {
         IReadOnlyList<WrittenCall> calls = WrittenCalls.Read(BuiltMod.Path);
 
@@ -22,7 +22,7 @@ public sealed class NativeTableTests
     }
 
     [Fact]
-    public void Every_call_of_a_play_has_the_tables_arguments_and_result()
+    public void Every_call_of_a_scenario_matches_the_native_table()
     {
         using var driver = new ScriptDriver(Playthrough.Ini, faces: LightTests.TableOfOne);
         Playthrough.Of(driver);

@@ -43,7 +43,7 @@ public sealed class OverlayTests
     }
 
     [Fact]
-    public void Log_says_how_many_natives_a_tick_of_the_overlay_calls()
+    public void Log_reports_the_natives_called_per_tick_of_the_overlay()
     {
         using var driver = new ScriptDriver(NoRoads, faces: LightTests.TableOfOne);
         int seen = Fill(driver.Game);
@@ -59,7 +59,7 @@ public sealed class OverlayTests
     }
 
     [Fact]
-    public void Box_follows_its_car_in_every_tick_and_goes_with_it()
+    public void Box_follows_its_car_in_every_tick_until_it_is_deleted()
     {
         using var driver = new ScriptDriver(NoRoads);
         HarvestTests.Street(driver.Game);

@@ -12,7 +12,7 @@ public sealed class RoadTests
     private const double SinglePrecision = 1e-3;
 
     [Fact]
-    public void Key_surveys_the_roads_around_and_keeps_them_and_the_next_survey_goes_on()
+    public void Key_surveys_the_nearby_roads_and_the_next_survey_resumes()
     {
         using var driver = new ScriptDriver();
         HarvestTests.Street(driver.Game);
@@ -35,7 +35,7 @@ public sealed class RoadTests
     }
 
     [Fact]
-    public void Damaged_survey_is_told_and_left_as_it_is()
+    public void Damaged_survey_is_reported_and_left_unchanged()
     {
         using var driver = new ScriptDriver();
         string file = Path.Combine(driver.Output, "roads.csv");
@@ -51,7 +51,7 @@ public sealed class RoadTests
     }
 
     [Fact]
-    public void Overlay_draws_the_lane_lines_of_the_road_that_the_survey_finds()
+    public void Overlay_draws_the_lane_lines_of_the_surveyed_road()
     {
         using var driver = new ScriptDriver("[Harvest]\nClasses = Bus\n");
         HarvestTests.Street(driver.Game);
@@ -64,7 +64,7 @@ public sealed class RoadTests
     }
 
     [Fact]
-    public void Lanes_have_the_width_that_the_edges_of_the_game_prove()
+    public void Lanes_have_the_width_measured_from_the_games_edges()
     {
         using var driver = new ScriptDriver("[Harvest]\nClasses = Bus\n");
         HarvestTests.Street(driver.Game);
@@ -87,7 +87,7 @@ public sealed class RoadTests
     }
 
     [Fact]
-    public void Lanes_come_from_the_players_file_without_a_question_to_the_game()
+    public void Lanes_from_the_players_file_need_no_query_of_the_game()
     {
         using var folder = new TemporaryFolder();
         string file = Path.Combine(folder.Path, "mine.csv");
@@ -109,7 +109,7 @@ public sealed class RoadTests
     }
 
     [Fact]
-    public void Road_file_that_cannot_be_read_is_told_with_its_line_and_the_harvest_has_no_lanes()
+    public void Unreadable_road_file_is_reported_with_its_line()
     {
         using var folder = new TemporaryFolder();
         string file = Path.Combine(folder.Path, "mine.csv");

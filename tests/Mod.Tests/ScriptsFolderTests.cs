@@ -6,7 +6,7 @@ public sealed class ScriptsFolderTests
     private static readonly string Folder = Path.Combine(BuiltMod.RepositoryRoot, "artifacts", BuiltMod.Configuration, "scripts");
 
     [Fact]
-    public void Build_makes_a_folder_with_exactly_what_belongs_into_scripts()
+    public void Build_creates_a_folder_with_exactly_the_scripts_content()
     {
         Assert.Equal(
             ["GtaDataHarvester-LICENSE.txt", "GtaDataHarvester.dll", "GtaDataHarvester.ini", "INSTALL.txt", "spaces_of_interest.csv"],

@@ -16,7 +16,7 @@ public sealed class SessionComparisonTests
     private const string Ini = "[Harvest]\nWidth = 64\nHeight = 48\nRate = 5\nMasks = On\nOcclusionRays = 16\n";
 
     [Fact]
-    public void Session_by_the_mod_equals_the_session_without_it()
+    public void Session_of_the_mod_equals_one_recorded_without_it()
     {
         FaceTable faces = ReadFaces(out string table);
         using var folder = new TemporaryFolder();

@@ -7,7 +7,7 @@ namespace Harvester.Mod.Tests;
 public sealed class SettingsTests
 {
     [Fact]
-    public void Bad_value_is_told_with_its_line_at_the_first_tick_and_the_default_holds()
+    public void Bad_value_is_reported_with_its_line_and_the_default_is_used()
     {
         using var driver = new ScriptDriver("[Keys]\nSpawnTestCar = Banana\n");
         Assert.Empty(driver.Game.Notifications);
@@ -50,7 +50,7 @@ public sealed class SettingsTests
     }
 
     [Fact]
-    public void Shipped_file_has_no_complaint_and_says_the_defaults()
+    public void Shipped_file_is_valid_and_states_the_defaults()
     {
         using var folder = new TemporaryFolder();
         File.Copy(Path.Combine(BuiltMod.RepositoryRoot, "src", "Harvester.Mod", "GtaDataHarvester.ini"), Path.Combine(folder.Path, "GtaDataHarvester.ini"));
@@ -71,7 +71,7 @@ public sealed class SettingsTests
     }
 
     [Fact]
-    public void Missing_table_of_signs_is_told_and_the_rest_works()
+    public void Missing_table_of_signs_is_reported_and_the_rest_works()
     {
         using var driver = new ScriptDriver(faces: null);
         driver.Tick();
@@ -83,7 +83,7 @@ public sealed class SettingsTests
     }
 
     [Fact]
-    public void Key_with_two_uses_is_told_and_the_first_kept()
+    public void Key_assigned_twice_is_reported_and_the_first_use_kept()
     {
         using var driver = new ScriptDriver("[Keys]\nMountCamera = NumPad0\n");
         driver.Tick();
@@ -95,7 +95,7 @@ public sealed class SettingsTests
     }
 
     [Fact]
-    public void Script_can_be_made_as_the_loader_makes_it_where_there_is_no_window()
+    public void Script_can_be_created_by_the_loader_without_a_window()
     {
         using var driver = new ScriptDriver();
         var script = new HarvesterScript();

@@ -16,11 +16,11 @@ public sealed class StandInTests
     public StandInTests() => GameHost.Current = _game;
 
     [Fact]
-    public void Output_takes_no_int_to_begin_with() =>
+    public void Output_accepts_no_int_as_its_initial_value() =>
         Assert.Throws<InvalidCastException>(() => new OutputArgument(5));
 
     [Fact]
-    public void Output_takes_a_native_value_to_begin_with()
+    public void Output_accepts_a_native_value_as_its_initial_value()
     {
         using var output = new OutputArgument(new Model(-5));
 
@@ -47,7 +47,7 @@ public sealed class StandInTests
     }
 
     [Fact]
-    public void Output_that_was_disposed_cannot_be_passed()
+    public void Disposed_output_cannot_be_passed()
     {
         var output = new OutputArgument();
         output.Dispose();
@@ -89,7 +89,7 @@ public sealed class StandInTests
     }
 
     [Fact]
-    public void Slots_keep_what_earlier_calls_left()
+    public void Slots_keep_the_values_of_earlier_calls()
     {
         OnScriptThread(() => Function.Call<int>(Hash.DOES_CAM_EXIST, TestGame.Player));
 

@@ -43,7 +43,7 @@ public sealed class TestCarTests
     }
 
     [Fact]
-    public void Key_again_removes_the_earlier_car()
+    public void Second_key_press_removes_the_earlier_car()
     {
         using var driver = new ScriptDriver();
         driver.Press(Keys.NumPad0);
@@ -59,7 +59,7 @@ public sealed class TestCarTests
     }
 
     [Fact]
-    public void Held_key_spawns_one_car_when_it_goes_up()
+    public void Held_key_spawns_one_car_on_release()
     {
         using var driver = new ScriptDriver();
         for (int repeat = 0; repeat < 50; repeat++)
@@ -76,7 +76,7 @@ public sealed class TestCarTests
     }
 
     [Fact]
-    public void Full_pool_of_vehicles_is_told_and_the_next_try_works()
+    public void Full_vehicle_pool_is_reported_and_a_retry_works()
     {
         using var driver = new ScriptDriver();
         driver.Game.VehiclePoolIsFull = true;
@@ -91,7 +91,7 @@ public sealed class TestCarTests
     }
 
     [Fact]
-    public void Unknown_model_is_told_with_the_setting_to_change()
+    public void Unknown_model_is_reported_with_the_setting_to_change()
     {
         using var driver = new ScriptDriver("[TestCar]\nModel = notacar\n");
         driver.Press(Keys.NumPad0);
@@ -102,7 +102,7 @@ public sealed class TestCarTests
     }
 
     [Fact]
-    public void Aborted_twice_and_from_another_thread_removes_the_car_once()
+    public void Aborting_twice_from_another_thread_removes_the_car_once()
     {
         using var driver = new ScriptDriver();
         driver.Press(Keys.NumPad0);
@@ -117,7 +117,7 @@ public sealed class TestCarTests
     }
 
     [Fact]
-    public void Car_that_a_saved_game_swept_away_is_not_deleted_again()
+    public void Car_deleted_by_a_saved_game_is_not_deleted_again()
     {
         using var driver = new ScriptDriver();
         driver.Press(Keys.NumPad0);

@@ -52,7 +52,7 @@ public class SimulatedGameTests
     }
 
     [Fact]
-    public void ReadEnvironment_time_passes_thirty_times_as_fast()
+    public void ReadEnvironment_time_runs_thirty_times_as_fast()
     {
         SimulatedGame game = new(new SimulationOptions { TrafficDensity = 0, TimeOfDay = new TimeSpan(23, 59, 30) });
         for (int i = 0; i < 20; i++)

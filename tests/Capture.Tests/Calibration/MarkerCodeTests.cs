@@ -14,7 +14,7 @@ public sealed class MarkerCodeTests
         MarkerPlan.Across(new Camera(Pose, new CameraIntrinsics(60, new ImageSize(800, 600), 4.0 / 3, 0.1, Lens.Ideal)), 7, 5, 6, [1]);
 
     [Fact]
-    public void Each_of_35_markers_is_in_three_pictures_and_in_no_three_of_another()
+    public void Each_of_35_markers_has_a_unique_set_of_three_pictures()
     {
         // 7 · 6 · 5 / (3 · 2 · 1) = 35.
         Assert.Equal(35, MarkerCode.Capacity);
@@ -31,7 +31,7 @@ public sealed class MarkerCodeTests
     [InlineData(0, 0)]
     [InlineData(160, 0)]
     [InlineData(-300, 200)]
-    public void Markers_are_known_however_far_they_are_shifted(double shiftX, double shiftY)
+    public void Markers_are_identified_however_far_they_are_shifted(double shiftX, double shiftY)
     {
         var shift = new Vector2D(shiftX, shiftY);
 
@@ -47,7 +47,7 @@ public sealed class MarkerCodeTests
     }
 
     [Fact]
-    public void Spots_that_are_no_marker_are_left_out_and_counted()
+    public void Spots_that_are_not_markers_are_omitted_and_counted()
     {
         // One in a single picture, as a drop of rain, and one in all, as a car that has come.
         MarkerIdentification identification = Identify(default, [(3, new Vector2D(51, 77)), .. Enumerable.Range(0, 7).Select(picture => (picture, new Vector2D(333, 99)))]);
@@ -57,7 +57,7 @@ public sealed class MarkerCodeTests
     }
 
     [Fact]
-    public void Marker_that_two_spots_could_be_is_left_out()
+    public void Ambiguous_marker_is_omitted()
     {
         MarkerIdentification identification = Identify(default, [.. PicturesOf(4).Select(picture => (picture, new Vector2D(51, 77)))]);
 

@@ -34,7 +34,7 @@ public sealed class MarkerDetectorTests
     }
 
     [Fact]
-    public void Find_is_not_drawn_to_one_side_by_a_background_of_two_halves()
+    public void Find_is_not_biased_by_a_two_tone_background()
     {
         PixelBuffer without = Uniform(10, 10, 10);
         for (int pixel = 0; pixel < Size.PixelCount; pixel++)
@@ -53,7 +53,7 @@ public sealed class MarkerDetectorTests
     }
 
     [Fact]
-    public void Find_sees_each_of_several_and_ellipses_too()
+    public void Find_detects_several_markers_and_ellipses()
     {
         PixelBuffer without = Noise(new Random(2));
         PixelBuffer with = Draw(without, new Vector2D(30, 30), 6, 6, 8);
@@ -70,7 +70,7 @@ public sealed class MarkerDetectorTests
     [InlineData(80, 116, 6)]
     [InlineData(80, 60, 2)]
     [InlineData(80, 60, 12)]
-    public void Find_leaves_out_what_is_cut_off_or_of_another_size(double x, double y, double radius)
+    public void Find_omits_spots_that_are_cropped_or_of_another_size(double x, double y, double radius)
     {
         PixelBuffer without = Noise(new Random(3));
 
@@ -78,7 +78,7 @@ public sealed class MarkerDetectorTests
     }
 
     [Fact]
-    public void Find_is_not_disturbed_by_noise_that_differs_between_the_pictures()
+    public void Find_is_robust_to_noise_that_differs_between_pictures()
     {
         // 25 grey levels between the noises at most, below the smallest change that counts.
         PixelBuffer without = Noise(new Random(4));

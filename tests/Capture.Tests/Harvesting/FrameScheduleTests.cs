@@ -5,7 +5,7 @@ namespace Harvester.Capture.Tests.Harvesting;
 public sealed class FrameScheduleTests
 {
     [Fact]
-    public void TakeIfDue_with_time_that_is_a_sum_of_rounded_ticks_takes_every_sixth()
+    public void TakeIfDue_takes_every_sixth_tick_despite_rounding_errors()
     {
         var schedule = new FrameSchedule(10);
         double time = 1000;
@@ -22,7 +22,7 @@ public sealed class FrameScheduleTests
     }
 
     [Fact]
-    public void TakeIfDue_in_time_that_stands_takes_one()
+    public void TakeIfDue_while_time_stands_still_takes_one_frame()
     {
         var schedule = new FrameSchedule(10);
 

@@ -24,7 +24,7 @@ public sealed class FreezeReportTests
 
     [Theory]
     [MemberData(nameof(Pairs))]
-    public void Better_way_is_chosen_by_the_first_criterion_that_differs(FreezeFinding paused, FreezeFinding scaled, FreezeMethod expected) =>
+    public void Best_freeze_method_wins_the_first_criterion_that_differs(FreezeFinding paused, FreezeFinding scaled, FreezeMethod expected) =>
         Assert.Equal(expected, FreezeReport.Of([paused, scaled]).Method);
 
     [Fact]
@@ -35,7 +35,7 @@ public sealed class FreezeReportTests
     }
 
     [Fact]
-    public void Text_names_what_each_way_does_and_the_choice() => Assert.Equal(
+    public void Text_describes_each_freeze_method_and_the_choice() => Assert.Equal(
         "Paused: the world never stood still; TimeScale: the world stood still after 2 ticks (nothing had moved before), weather or hour went on, "
         + "the camera could not be moved, the picture changed by 0.50 of 255; TimeScale is used.",
         FreezeReport.Of(

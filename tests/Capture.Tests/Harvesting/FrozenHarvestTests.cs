@@ -32,7 +32,7 @@ public sealed class FrozenHarvestTests
 
     [Theory]
     [MemberData(nameof(Quirks))]
-    public void Step_with_lagging_picture_keeps_only_frames_whose_picture_is_the_labels(int lag, int delay, bool cameraLate)
+    public void Step_with_picture_lag_keeps_only_frames_that_match_labels(int lag, int delay, bool cameraLate)
     {
         var game = new FakeGame { PictureLag = lag, FreezeDelay = delay, CameraReportedLate = cameraLate };
         var sink = new MemorySink();
@@ -66,7 +66,7 @@ public sealed class FrozenHarvestTests
     }
 
     [Fact]
-    public void Step_with_a_lag_above_the_limit_is_found_out_by_the_probe()
+    public void Step_detects_a_lag_above_the_limit_by_probing()
     {
         var game = new FakeGame { PictureLag = 3 };
         var sink = new MemorySink();
@@ -84,7 +84,7 @@ public sealed class FrozenHarvestTests
     [InlineData(7)]
     [InlineData(40)]
     [InlineData(60)]
-    public void Step_with_a_lag_far_above_the_limit_is_found_out_by_the_probe(int lag)
+    public void Step_detects_a_lag_far_above_the_limit_by_probing(int lag)
     {
         var game = new FakeGame { PictureLag = lag };
         game.RunAlone(lag);
@@ -112,7 +112,7 @@ public sealed class FrozenHarvestTests
     }
 
     [Fact]
-    public void Step_in_a_world_that_creeps_though_frozen_discards_every_frame()
+    public void Step_in_a_world_that_creeps_while_frozen_discards_all_frames()
     {
         // 0.3 mm a tick: no tick differs by the millimetre that counts, but four of them do.
         var game = new FakeGame();
@@ -152,7 +152,7 @@ public sealed class FrozenHarvestTests
     [InlineData("vanish", "objectsChanged")]
     [InlineData("model", "objectsChanged")]
     [InlineData("move", "objectMoved")]
-    public void Step_with_a_world_that_changes_during_the_grab_discards_the_frame(string change, string reason)
+    public void Step_discards_the_frame_when_the_world_changes_during_a_grab(string change, string reason)
     {
         var game = new FakeGame();
         bool grabbed = false;
@@ -174,7 +174,7 @@ public sealed class FrozenHarvestTests
     }
 
     [Fact]
-    public void Step_with_a_world_that_moves_while_labels_are_made_discards_the_frame()
+    public void Step_discards_the_frame_when_the_world_moves_while_labelling()
     {
         // Each ray takes 3 ms of the 4 of a tick's budget, so labelling goes over ticks; then the pause is lost.
         var game = new FakeGame { MillisecondsPerRay = 3 };
@@ -196,7 +196,7 @@ public sealed class FrozenHarvestTests
     }
 
     [Fact]
-    public void Step_with_labelling_over_several_ticks_gives_the_labels_of_one()
+    public void Step_labels_the_same_over_several_ticks_as_in_one()
     {
         var sinks = new List<MemorySink>();
         foreach (double millisecondsPerRay in new[] { 0.0, 3.0 })

@@ -31,7 +31,7 @@ public sealed class HarvestSessionTests
     }
 
     [Fact]
-    public void Step_goes_through_the_phases_of_a_frame()
+    public void Step_runs_through_the_phases_of_a_frame()
     {
         var game = new FakeGame();
         using var session = new HarvestSession(Small with { MaxFrames = 2 }, game.Ports, new MemorySink());
@@ -67,7 +67,7 @@ public sealed class HarvestSessionTests
 
     [Theory]
     [MemberData(nameof(Calls))]
-    public void Step_with_a_port_that_fails_ends_the_harvest_with_its_message(string port, int failingCall)
+    public void Step_with_a_failing_port_ends_the_harvest_with_its_message(string port, int failingCall)
     {
         int calls = 0;
         var game = new FakeGame();
@@ -98,7 +98,7 @@ public sealed class HarvestSessionTests
     }
 
     [Fact]
-    public void Step_with_a_game_that_can_not_be_let_go_says_so_too()
+    public void Step_reports_a_game_that_cannot_be_unfrozen()
     {
         var game = new FakeGame { OnCall = call => _ = call is "Grab" or "Unfreeze" ? throw new InvalidOperationException($"{call} broke.") : 0 };
         var sink = new MemorySink();
@@ -146,7 +146,7 @@ public sealed class HarvestSessionTests
     }
 
     [Fact]
-    public void Stop_in_a_frozen_game_lets_it_go_on_and_closes_the_sink()
+    public void Stop_in_a_frozen_game_unfreezes_it_and_closes_the_sink()
     {
         var game = new FakeGame();
         var sink = new MemorySink();
@@ -177,7 +177,7 @@ public sealed class HarvestSessionTests
     }
 
     [Fact]
-    public void Step_with_more_objects_than_numbers_ends_with_a_clear_message()
+    public void Step_with_too_many_objects_to_number_ends_with_a_message()
     {
         // Each state has a car of its own.
         var game = new FakeGame();
@@ -209,7 +209,7 @@ public sealed class HarvestSessionTests
     }
 
     [Fact]
-    public void Step_reads_entities_around_the_camera_as_far_as_they_are_marked()
+    public void Step_reads_entities_up_to_the_ignore_region_range()
     {
         var asked = new List<(Vector3D Centre, double Range)>();
         var game = new FakeGame();
@@ -223,7 +223,7 @@ public sealed class HarvestSessionTests
     }
 
     [Fact]
-    public void Frame_labels_what_is_within_the_range_and_marks_what_is_beyond()
+    public void Frame_labels_objects_in_range_and_ignores_those_beyond()
     {
         // The car's origin is 12 m ahead and 2 m to the right of the camera; the bus is 40 m ahead.
         var game = new FakeGame

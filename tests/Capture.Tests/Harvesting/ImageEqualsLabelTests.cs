@@ -18,7 +18,7 @@ public sealed class ImageEqualsLabelTests
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public void Step_with_every_quirk_keeps_no_frame_whose_image_and_label_disagree(bool cameraReportedLate)
+    public void Step_with_any_quirk_keeps_only_frames_that_match_labels(bool cameraReportedLate)
     {
         var random = new Random(11);
         var game = new FakeGame { CameraReportedLate = cameraReportedLate };

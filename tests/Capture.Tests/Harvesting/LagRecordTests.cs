@@ -21,7 +21,7 @@ public sealed class LagRecordTests
     }
 
     [Fact]
-    public void Lag_of_a_camera_reported_late_is_one_less()
+    public void Lag_of_a_camera_reported_late_is_smaller_by_one()
     {
         LagRecord record = Record((-1, 0, 9), (0, 1, 9), (1, 2, 9), (2, 2, 0), (2, 2, 0), (2, 2, 0), (2, 2, 0));
 
@@ -29,7 +29,7 @@ public sealed class LagRecordTests
     }
 
     [Fact]
-    public void Lag_with_grain_in_the_picture_is_that_of_the_movement()
+    public void Lag_is_measured_from_movement_despite_image_noise()
     {
         LagRecord record = Record((0, 0, 9), (1, 1, 8), (2, 2, 9), (2, 2, 7), (2, 2, 1), (2, 2, 1.2), (2, 2, 0.9), (2, 2, 1.1));
 
@@ -37,7 +37,7 @@ public sealed class LagRecordTests
     }
 
     [Fact]
-    public void Lag_in_a_world_that_creeps_on_is_that_of_the_freeze()
+    public void Lag_in_a_creeping_world_is_measured_from_the_freeze()
     {
         // Creep from tick 3 to 5, pictures two ticks later: 5 to 7.
         LagRecord record = Record(
@@ -47,7 +47,7 @@ public sealed class LagRecordTests
     }
 
     [Fact]
-    public void Lag_in_a_world_that_creeps_on_unseen_is_that_of_the_freeze()
+    public void Lag_in_an_invisibly_creeping_world_is_that_of_the_freeze()
     {
         LagRecord record = Record(
             (0, 0, 9), (1, 1, 9), (2, 2, 9), (2.1, 2.1, 8), (2.2, 2.2, 9), (2.3, 2.3, 0), (2.3, 2.3, 0), (2.3, 2.3, 0), (2.3, 2.3, 0), (2.3, 2.3, 0), (2.3, 2.3, 0));
@@ -56,7 +56,7 @@ public sealed class LagRecordTests
     }
 
     [Fact]
-    public void Lag_of_a_creep_below_the_tolerance_of_standing_is_not_taken_for_a_longer_one()
+    public void Lag_is_not_overestimated_by_creep_below_the_tolerance()
     {
         // 0.2 mm a tick where the running game takes 5 mm; the pictures show it.
         LagRecord record = Record(
@@ -70,7 +70,7 @@ public sealed class LagRecordTests
         Assert.Null(Lag(Record((0, 0, 9), (1, 1, 9), (2, 2, 9), (2, 2, 0), (2, 2, 9), (2, 2, 0), (2, 2, 9), (2, 2, 0), (2, 2, 0), (2, 2, 0))));
 
     [Fact]
-    public void Lag_is_unknown_when_the_camera_stood_all_the_time() =>
+    public void Lag_is_unknown_when_the_camera_never_moved() =>
         Assert.Null(Lag(Record([.. Running.Select(_ => 2.0)], (2, 0, 9), (2, 1, 9), (2, 2, 9), (2, 2, 0), (2, 2, 0), (2, 2, 0))));
 
     [Fact]
@@ -78,7 +78,7 @@ public sealed class LagRecordTests
         Assert.Null(Lag(Record((0, 0, 0), (1, 1, 0), (2, 2, 0), (2, 2, 0), (2, 2, 0), (2, 2, 0))));
 
     [Fact]
-    public void Lag_is_unknown_when_the_picture_never_stood() =>
+    public void Lag_is_unknown_when_the_picture_never_settled() =>
         Assert.Null(Lag(Record((0, 0, 9), (1, 1, 9), (2, 2, 9), (2, 2, 9), (2, 2, 9), (2, 2, 9))));
 
     [Fact]

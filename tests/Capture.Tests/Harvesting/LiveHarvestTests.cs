@@ -29,7 +29,7 @@ public sealed class LiveHarvestTests
 
     [Theory]
     [MemberData(nameof(Quirks))]
-    public void Step_with_lagging_picture_labels_the_state_that_the_picture_shows(int lag, bool cameraLate)
+    public void Step_with_picture_lag_labels_the_state_in_the_picture(int lag, bool cameraLate)
     {
         var game = new FakeGame { PictureLag = lag, CameraReportedLate = cameraLate };
         var sink = new MemorySink();
@@ -92,7 +92,7 @@ public sealed class LiveHarvestTests
     }
 
     [Fact]
-    public void Step_in_a_flickering_world_measures_the_lag_nevertheless()
+    public void Step_measures_the_lag_in_a_flickering_world()
     {
         // The last byte of each picture is noise; the movement in the first ones is larger than three times that.
         var game = new FakeGame { PictureLag = 2, Noise = 1, MovementBytes = 600 };
@@ -117,7 +117,7 @@ public sealed class LiveHarvestTests
     }
 
     [Fact]
-    public void Step_with_a_spent_budget_leaves_occlusion_open_and_keeps_boxes()
+    public void Step_with_a_spent_budget_keeps_boxes_without_occlusion()
     {
         var game = new FakeGame { MillisecondsPerRay = 3, Rays = static (_, _, _) => new RayHit(1, 101) };
         game.Entities = entities => [.. entities, entities[0] with { Handle = 102 }];

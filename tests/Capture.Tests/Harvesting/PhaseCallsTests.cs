@@ -39,7 +39,7 @@ public sealed class PhaseCallsTests
     }
 
     [Fact]
-    public void Calls_of_others_between_two_steps_are_left_aside()
+    public void Calls_of_others_between_two_steps_are_not_counted()
     {
         var calls = new TestCalls();
         var game = new FakeGame();

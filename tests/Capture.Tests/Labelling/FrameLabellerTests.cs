@@ -43,7 +43,7 @@ public sealed class FrameLabellerTests
     }
 
     [Fact]
-    public void Label_object_half_outside_is_cut_and_its_amodal_box_is_not()
+    public void Label_clips_the_box_of_an_object_but_not_its_amodal_box()
     {
         // At 10 m the image reaches 10 m to the side: the near face spans 45 + 50 = 95 to 105, 10 high; 5 x 10 of it lie outside.
         // The far face begins at 50 + 50 * 9 / 12 = 87.5, 100 / 12 high. The silhouette is 100 + 7.5 * (10 + 100 / 12) / 2 = 168.75.
@@ -55,7 +55,7 @@ public sealed class FrameLabellerTests
     }
 
     [Fact]
-    public void Label_leaves_out_what_is_behind_beside_too_small_or_of_another_class()
+    public void Label_omits_objects_out_of_view_too_small_or_unselected()
     {
         EntityState[] entities =
         [
@@ -72,7 +72,7 @@ public sealed class FrameLabellerTests
     }
 
     [Fact]
-    public void Label_object_that_is_hidden_altogether_is_left_out_unless_wanted()
+    public void Label_omits_a_fully_hidden_object_unless_requested()
     {
         EntityState hidden = Entity(21, 0, 30);
 
@@ -94,7 +94,7 @@ public sealed class FrameLabellerTests
     }
 
     [Fact]
-    public void Label_with_masks_gives_visible_boxes_and_the_numbers_of_kept_objects_only()
+    public void Label_with_masks_gives_visible_boxes_and_ids_of_kept_objects()
     {
         FrameLabelling labelling = Label(Options with { Masks = true, MinBoxAreaPixels = 26 }, Near, Entity(21, 2, 18), Entity(22, -6, 30));
 
@@ -125,7 +125,7 @@ public sealed class FrameLabellerTests
     }
 
     [Fact]
-    public void Object_seen_beyond_the_range_is_an_ignore_region()
+    public void Visible_object_out_of_range_is_an_ignore_region()
     {
         FrameLabelling labelling = LabelWithDistant(Options, [Near], [Entity(21, 10, 20)]);
 
@@ -148,18 +148,18 @@ public sealed class FrameLabellerTests
     }
 
     [Fact]
-    public void Object_hidden_beyond_the_range_is_no_ignore_region() =>
+    public void Hidden_object_out_of_range_is_not_an_ignore_region() =>
         Assert.Empty(LabelWithDistant(Options, [Near], [Entity(21, 0, 30)]).IgnoreRegions);
 
     [Fact]
-    public void Object_too_small_or_of_another_class_beyond_the_range_is_no_ignore_region() =>
+    public void Small_or_unselected_object_out_of_range_is_not_ignored() =>
         Assert.Empty(LabelWithDistant(
             Options with { Classes = [ObjectClass.Car] },
             [],
             [Entity(21, 0, 60), Entity(22, 10, 20) with { Class = ObjectClass.Bus }]).IgnoreRegions);
 
     [Fact]
-    public void Object_beyond_the_range_that_no_ray_meets_is_an_undetermined_ignore_region()
+    public void Object_out_of_range_that_no_ray_hits_is_undetermined()
     {
         var labeller = Labeller(Options, new CuboidRays([]), new ObjectRegistry(1));
 
@@ -171,7 +171,7 @@ public sealed class FrameLabellerTests
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public void Object_that_no_ray_meets_is_an_ignore_region_and_no_label(bool masks)
+    public void Object_that_no_ray_hits_is_an_ignore_region_without_label(bool masks)
     {
         FrameLabelling labelling = Labeller(Options with { Masks = masks }, new CuboidRays([]), new ObjectRegistry(1)).Label(Snapshot([Near]), static () => true).Last()!;
 
@@ -184,7 +184,7 @@ public sealed class FrameLabellerTests
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public void Object_beyond_the_reach_of_rays_is_an_ignore_region_without_rays(bool masks)
+    public void Object_beyond_the_reach_of_rays_is_ignored_without_rays(bool masks)
     {
         FrameLabelling labelling = Label(Options with { Masks = masks, RayReachMetres = 8 }, Near);
 
@@ -196,7 +196,7 @@ public sealed class FrameLabellerTests
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public void Object_of_which_only_empty_space_is_in_the_image_is_neither_label_nor_region(bool masks)
+    public void Object_with_only_empty_space_in_view_has_no_label_or_region(bool masks)
     {
         // The image ends at 10 m to the right at 10 m ahead. Rays meet the entity at its right end only, from 11 m on.
         EntityState wide = Entity(20, 9, 10) with { ModelMax = new Vector3D(8, 1, 1) };

@@ -11,7 +11,7 @@ public sealed class ObjectRegistryTests
         10, ObjectClass.Car, "asea", new Pose(Vector3D.Zero, Axes.Identity), new Vector3D(-1, -2, 0), new Vector3D(1, 2, 1.5), Vector3D.Zero);
 
     [Fact]
-    public void IdOf_same_entity_elsewhere_is_the_same()
+    public void IdOf_an_entity_that_moved_is_the_same()
     {
         var registry = new ObjectRegistry(1);
 
@@ -34,7 +34,7 @@ public sealed class ObjectRegistryTests
     }
 
     [Fact]
-    public void IdOf_an_object_that_a_harvest_had_numbered_later_is_that_number_and_a_new_one_follows_the_greatest()
+    public void IdOf_uses_recorded_ids_and_numbers_new_objects_after_them()
     {
         var ids = new RecordedIds();
         ids.Add(SceneOf(Car with { Handle = 12 }, 3));
@@ -48,7 +48,7 @@ public sealed class ObjectRegistryTests
     }
 
     [Fact]
-    public void Remember_goes_before_what_an_earlier_scene_had()
+    public void Remember_prefers_the_ids_of_the_latest_scene()
     {
         // The handle came to another car of the same model, which a resumed harvest gave a number of its own.
         var registry = new ObjectRegistry(20);

@@ -21,7 +21,7 @@ public sealed class SessionJsonTests
         0);
 
     [Fact]
-    public void Text_of_a_finished_session_is_the_documented_one()
+    public void Text_of_a_finished_session_is_as_documented()
     {
         SessionRecord finished = Recording with
         {
@@ -126,7 +126,7 @@ public sealed class SessionJsonTests
     }
 
     [Fact]
-    public void Text_tells_which_ways_of_freezing_were_tried_and_what_they_did()
+    public void Text_records_the_freeze_trials_and_their_outcomes()
     {
         FreezeReport freezing = FreezeReport.Of(
         [
@@ -151,7 +151,7 @@ public sealed class SessionJsonTests
     }
 
     [Fact]
-    public void Text_says_how_well_the_game_could_be_read_where_that_is_known()
+    public void Text_records_how_well_the_game_was_read_when_known()
     {
         var end = new SessionEnd(99, 1.5, 3, [], [], null, null) { Reading = new ReadingReport(ListSource.Api, ListSource.Natives, ListSource.Api, 2) };
 
@@ -166,7 +166,7 @@ public sealed class SessionJsonTests
         Assert.EndsWith("},\n  \"state\": \"recording\"\n}\n", SessionJson.Text(Recording), StringComparison.Ordinal);
 
     [Fact]
-    public void Text_after_a_fault_says_so()
+    public void Text_after_a_fault_names_it()
     {
         var end = new SessionEnd(99, 1.5, 3, [], [], null, "The disk is full.");
 

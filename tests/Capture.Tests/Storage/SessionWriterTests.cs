@@ -71,7 +71,7 @@ public sealed class SessionWriterTests : IDisposable
     }
 
     [Fact]
-    public void Constructor_with_a_directory_in_use_is_refused_and_touches_nothing()
+    public void Constructor_refuses_an_occupied_directory_unchanged()
     {
         Directory.CreateDirectory(_folder.Session);
         File.WriteAllText(Path.Combine(_folder.Session, "notes.txt"), "mine");
@@ -94,7 +94,7 @@ public sealed class SessionWriterTests : IDisposable
     [InlineData(9, 1)]
     [InlineData(17, 3)]
     [InlineData(18, 4)]
-    public void Harvest_onto_a_disk_that_fills_up_leaves_whole_frames(int failingWrite, int wholeFrames)
+    public void Harvest_to_a_disk_that_fills_up_leaves_complete_frames(int failingWrite, int wholeFrames)
     {
         var files = new FailingFiles(_folder.Session, failingWrite);
         var game = new FakeGame();
@@ -112,7 +112,7 @@ public sealed class SessionWriterTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_onto_a_disk_that_stands_never_waits_and_loses_nothing()
+    public void Harvest_to_a_stalled_disk_neither_waits_nor_loses_frames()
     {
         using var files = new SlowFiles(_folder.Session);
         var game = new FakeGame();
@@ -132,7 +132,7 @@ public sealed class SessionWriterTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_into_a_folder_that_vanishes_ends_with_a_fault()
+    public void Harvest_into_a_folder_that_is_deleted_ends_with_a_fault()
     {
         var game = new FakeGame();
         using var writer = new SessionWriter(_folder.Session, Origin);
@@ -174,7 +174,7 @@ public sealed class SessionWriterTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_resumed_with_other_options_is_a_fault_and_changes_nothing()
+    public void Resuming_with_other_options_fails_and_changes_nothing()
     {
         using (var writer = new SessionWriter(_folder.Session, Origin))
         {

@@ -20,7 +20,7 @@ public sealed class CalibrateCommandTests
     }
 
     [Fact]
-    public void Calibrate_finds_a_lens_that_shows_markers_at_the_places_of_others()
+    public void Calibrate_finds_a_lens_shifted_by_a_tenth_of_the_width()
     {
         CliRun run = CliRun.Of("calibrate", "--seed", "5", "--size", "400x300", "--centre-offset", "0.1,0");
 
@@ -35,7 +35,7 @@ public sealed class CalibrateCommandTests
 
     [Fact]
     [Trait("Category", "Heavy")]
-    public void Calibrate_finds_a_shifted_lens_in_800_x_600_pixels()
+    public void Calibrate_finds_a_shifted_lens_at_800_x_600()
     {
         CliRun run = CliRun.Of("calibrate", "--seed", "5", "--centre-offset", "0.1,0");
 
@@ -44,7 +44,7 @@ public sealed class CalibrateCommandTests
     }
 
     [Fact]
-    public void Calibrate_that_cannot_hold_the_threshold_fails_with_a_message()
+    public void Calibrate_that_misses_the_threshold_fails_with_a_message()
     {
         CliRun run = CliRun.Of("calibrate", "--size", "400x300", "--threshold", "0.001");
 

@@ -27,7 +27,7 @@ public sealed class CutOffSessionTests : IDisposable
 
     [Theory]
     [MemberData(nameof(Commands))]
-    public void Command_leaves_a_last_line_without_a_line_feed_aside_and_says_so(string[] arguments)
+    public void Command_ignores_an_unfinished_last_line_and_says_so(string[] arguments)
     {
         File.AppendAllText(Labels, File.ReadAllText(Labels)[..500]);
 
@@ -38,7 +38,7 @@ public sealed class CutOffSessionTests : IDisposable
     }
 
     [Fact]
-    public void Validate_notes_a_last_line_without_a_line_feed()
+    public void Validate_notes_an_unfinished_last_line()
     {
         File.AppendAllText(Labels, File.ReadAllText(Labels)[..500]);
 
@@ -51,7 +51,7 @@ public sealed class CutOffSessionTests : IDisposable
 
     [Theory]
     [MemberData(nameof(Commands))]
-    public void Command_refuses_a_session_json_that_is_cut_off(string[] arguments)
+    public void Command_refuses_a_truncated_session_json(string[] arguments)
     {
         string header = Path.Combine(Session, SessionInfo.FileName);
         File.WriteAllText(header, File.ReadAllText(header)[..300]);
@@ -61,7 +61,7 @@ public sealed class CutOffSessionTests : IDisposable
     }
 
     [Fact]
-    public void Validate_of_an_unfinished_export_says_how_it_goes_on()
+    public void Validate_of_an_unfinished_export_names_the_next_step()
     {
         string export = _folder.PathOf("out");
         Assert.Equal(ExitCode.Done, Run(["export", "SESSION", "--format", "csv", "--out", "OUT", "--shard", "1/2"]).ExitCode);

@@ -9,7 +9,7 @@ public sealed class DoctorCommandTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void Problem_is_told_with_cause_advice_and_line()
+    public void Problem_is_reported_with_cause_advice_and_line()
     {
         string log = Write("2026-10-02 18:03:11 The harvest ended: 0 frames, discarded: 50 black, in out.\n");
         CliRun run = CliRun.Of("doctor", log);
@@ -30,7 +30,7 @@ public sealed class DoctorCommandTests : IDisposable
     }
 
     [Fact]
-    public void Log_without_a_problem_is_said_to_have_none()
+    public void Log_without_a_problem_is_reported_as_good()
     {
         string log = Write("2026-10-02 18:03:11 The test car is here.\n");
         CliRun run = CliRun.Of("doctor", log);
@@ -40,7 +40,7 @@ public sealed class DoctorCommandTests : IDisposable
     }
 
     [Fact]
-    public void Earlier_runs_are_looked_at_where_that_is_asked()
+    public void Earlier_runs_are_examined_on_request()
     {
         const string begin = "2026-10-02 18:03:11 GtaDataHarvester 0.1.0.0, API 3.6.0.0, GTA V Legacy 1.0.3179.0.\n";
         string log = Write(begin + "2026-10-02 18:03:11 The harvest: on\n" + begin);

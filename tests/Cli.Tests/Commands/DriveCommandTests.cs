@@ -7,7 +7,7 @@ public sealed class DriveCommandTests
     [Theory]
     [InlineData("stanley")]
     [InlineData("deepdriving")]
-    public void Drive_writes_figures_and_report_and_the_same_again(string controller)
+    public void Drive_writes_reproducible_figures_and_report(string controller)
     {
         using TemporaryFolder folder = new();
         CliRun run = Drive(folder.PathOf("one"), controller);
@@ -42,7 +42,7 @@ public sealed class DriveCommandTests
         CliRun.Of("drive", "--out", "unused", "--near", "here").AssertFailed(2, "--near takes two numbers, not 'here'.");
 
     [Fact]
-    public void Drive_over_a_drive_asks_for_overwrite_and_then_replaces_it()
+    public void Drive_over_a_drive_requires_overwrite_and_then_replaces_it()
     {
         using TemporaryFolder folder = new();
         string drive = folder.PathOf("drive");
@@ -58,7 +58,7 @@ public sealed class DriveCommandTests
     [Theory]
     [InlineData("session.json")]
     [InlineData("notes.txt")]
-    public void Drive_into_a_folder_of_something_else_is_refused_whatever_is_asked(string file)
+    public void Drive_always_refuses_a_folder_that_holds_other_files(string file)
     {
         using TemporaryFolder folder = new();
         File.WriteAllText(folder.PathOf(file), "mine");
@@ -78,7 +78,7 @@ public sealed class DriveCommandTests
     }
 
     [Fact]
-    public async Task Drive_that_is_cancelled_says_so_and_how_far_it_came()
+    public async Task Cancelled_drive_reports_its_progress()
     {
         using TemporaryFolder folder = new();
         using CancellationTokenSource cancelled = new();

@@ -30,7 +30,7 @@ public sealed class DriveOverBridgeTests : IDisposable
     }
 
     [Fact]
-    public async Task Client_and_game_in_processes_of_their_own_drive_and_both_end_well()
+    public async Task Client_and_game_in_separate_processes_drive_and_exit_cleanly()
     {
         string at = FreePlace();
         Task<CliRun> game = Start(
@@ -45,7 +45,7 @@ public sealed class DriveOverBridgeTests : IDisposable
     }
 
     [Fact]
-    public async Task Client_of_a_folder_that_comes_after_the_first_frame_drives_the_game()
+    public async Task Folder_client_started_after_the_first_frame_drives_the_game()
     {
         string shared = _folder.PathOf("shared");
         Task<CliRun> game = Start(
@@ -65,7 +65,7 @@ public sealed class DriveOverBridgeTests : IDisposable
     }
 
     [Fact]
-    public async Task Client_with_a_wrong_token_is_told_and_the_game_can_be_stopped()
+    public async Task Client_with_a_wrong_token_gets_an_error_and_the_game_stops()
     {
         string at = FreePlace();
         using CancellationTokenSource stopping = new();
@@ -89,7 +89,7 @@ public sealed class DriveOverBridgeTests : IDisposable
 
     [Fact]
     [Trait("Category", "Heavy")]
-    public async Task Game_that_loses_its_client_leaves_what_was_driven()
+    public async Task Game_that_loses_its_client_keeps_the_record()
     {
         string shared = _folder.PathOf("shared");
         Task<CliRun> game = Start(
@@ -120,15 +120,15 @@ public sealed class DriveOverBridgeTests : IDisposable
     }
 
     [Fact]
-    public void Client_of_nobody_fails() => CliRun.Of("drive", "--bridge", "socket", "--role", "client", "--at", "127.0.0.1:9")
+    public void Client_without_a_game_fails() => CliRun.Of("drive", "--bridge", "socket", "--role", "client", "--at", "127.0.0.1:9")
         .AssertFailed(ExitCode.InputOutput, "No bridge is to be reached at 127.0.0.1:9");
 
     [Fact]
-    public void Client_at_a_folder_that_is_not_there_fails() => CliRun.Of("drive", "--bridge", "folder", "--role", "client", "--folder", _folder.PathOf("none"))
+    public void Client_of_a_missing_folder_fails() => CliRun.Of("drive", "--bridge", "folder", "--role", "client", "--folder", _folder.PathOf("none"))
         .AssertFailed(ExitCode.InputOutput, _folder.PathOf("none"));
 
     [Fact]
-    public void Port_in_use_is_told()
+    public void Port_in_use_is_reported()
     {
         using TcpListener other = new(IPAddress.Loopback, 0);
         other.Start();
@@ -138,7 +138,7 @@ public sealed class DriveOverBridgeTests : IDisposable
     }
 
     [Fact]
-    public void Shared_folder_that_is_a_file_is_told()
+    public void Shared_folder_that_is_a_file_is_reported()
     {
         File.WriteAllText(_folder.PathOf("file"), "");
 
@@ -154,7 +154,7 @@ public sealed class DriveOverBridgeTests : IDisposable
     [InlineData("no token", "Others can reach 0.0.0.0: give a --token", "--bridge", "socket", "--role", "game", "--at", "0.0.0.0:4567")]
     [InlineData("no bridge", "--token needs a bridge", "--token", "sesame")]
     [InlineData("--patience", "--patience takes a number greater than 0", "--bridge", "socket", "--patience", "0")]
-    public void Options_that_cannot_be_are_refused(string what, string message, params string[] options)
+    public void Impossible_options_are_refused(string what, string message, params string[] options)
     {
         Assert.NotEmpty(what);
         CliRun.Of(["drive", "--out", _folder.PathOf("out"), .. options]).AssertFailed(ExitCode.Usage, message);

@@ -42,7 +42,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData("voc", "car=auto")]
     [InlineData("cityscapes", "other=static")]
     [InlineData("csv", "car=auto")]
-    public void Name_that_the_format_has_is_taken(string format, string map)
+    public void Format_accepts_its_own_class_names(string format, string map)
     {
         CliRun run = CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"), "--map", map);
 
@@ -54,7 +54,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData("openlane")]
     [InlineData("deepdriving")]
     [InlineData("webdataset")]
-    public void Names_do_nothing_in_formats_without_classes_of_their_own(string format) =>
+    public void Names_have_no_effect_on_formats_without_own_classes(string format) =>
         CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"), "--map", "car=auto")
             .AssertFailed(ExitCode.Usage, $"--map does nothing in {format}. It is for kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, csv.");
 
@@ -64,7 +64,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
             .AssertFailed(ExitCode.Usage, "--subclasses takes mutcd, light or both with a comma, not 'colour'.");
 
     [Fact]
-    public void Summary_says_how_many_regions_are_ignored()
+    public void Summary_counts_ignore_regions()
     {
         var result = new ExportResult(DatasetFormats.Find("kitti")!, 4, IsFinished: true)
         {
@@ -78,7 +78,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     }
 
     [Fact]
-    public void Summary_says_how_many_frames_were_left_out()
+    public void Summary_counts_omitted_frames()
     {
         var result = new ExportResult(DatasetFormats.Find("tusimple")!, 4, IsFinished: true)
         {
@@ -114,7 +114,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData("--map", "cars=Car", "--map takes classes with names, as bus=Car,truck=Car, not 'cars=Car'.")]
     [InlineData("--map", "car=", "--map takes classes with names, as bus=Car,truck=Car, not 'car='.")]
     [InlineData("--map", "car=A,car=B", "--map names car twice.")]
-    public void Export_with_an_option_that_makes_no_sense_says_what_it_takes(string option, string value, string message)
+    public void Export_with_an_impossible_value_names_the_accepted_ones(string option, string value, string message)
     {
         string[] format = option == "--format" ? [] : ["--format", "csv"];
 
@@ -130,7 +130,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData("--subclasses", "mutcd,light", "coco, coco-panoptic, yolo, yolo-segment, voc")]
     [InlineData("--images", "copy", "kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, tusimple, openlane, csv")]
     [InlineData("--split-block", "10", "kitti, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, deepdriving, tusimple, openlane, webdataset, csv")]
-    public void Export_takes_an_option_with_the_formats_only_in_which_it_does_something(string option, string value, string formats)
+    public void Export_refuses_an_option_that_has_no_effect_on_the_format(string option, string value, string formats)
     {
         foreach (string format in DatasetFormats.All.Select(format => format.Name))
         {
@@ -161,7 +161,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData("merge", "shards")]
     [InlineData("harvest")]
     [InlineData("drive")]
-    public void Folder_for_output_that_holds_something_else_is_a_usage_error(params string[] command)
+    public void Occupied_output_folder_is_a_usage_error(params string[] command)
     {
         foreach (string shard in (string[])["1/2", "2/2"])
         {
@@ -177,7 +177,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     }
 
     [Fact]
-    public void Export_of_a_malformed_line_names_the_session_that_it_is_in()
+    public void Export_of_a_malformed_line_names_its_session()
     {
         Directory.CreateDirectory(_folder.PathOf("other"));
         File.Copy(Path.Combine(session.Folder, "session.json"), _folder.PathOf("other/session.json"));
@@ -188,11 +188,11 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     }
 
     [Fact]
-    public void Export_of_no_session_is_an_input_error() =>
+    public void Export_of_a_missing_session_is_an_input_error() =>
         CliRun.Of("export", "no-such-session", "--format", "csv", "--out", _folder.PathOf("out")).AssertFailed(ExitCode.InputOutput, "no-such-session");
 
     [Fact]
-    public void Merge_of_a_finished_dataset_says_that_it_is_whole()
+    public void Merge_of_a_finished_dataset_reports_that_it_is_complete()
     {
         CliRun.Of("export", session.Folder, "--format", "csv", "--out", _folder.PathOf("whole"));
 
@@ -200,6 +200,6 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     }
 
     [Fact]
-    public void Merge_of_a_folder_without_shards_is_an_error_of_the_data() =>
+    public void Merge_of_a_folder_without_shards_is_a_data_error() =>
         CliRun.Of("merge", session.Folder, "--out", _folder.PathOf("out")).AssertFailed(ExitCode.BadData, "is a whole session, no shard of one");
 }

@@ -21,7 +21,7 @@ public sealed class ExportOnRealRoadsTests : IDisposable
 
     [RealWorldFact("nodes.zip")]
     [Trait("Category", "Heavy")]
-    public void OpenLane_lines_near_the_car_lie_on_the_road_on_slopes_too()
+    public void OpenLane_lines_near_the_car_lie_on_the_road_on_slopes()
     {
         // Within 10 m the grade of these roads changes by up to 8 %. A level frame would be off by their slopes of 10 % and more at once, and by the model's height.
         const double nearMetres = 10;

@@ -15,7 +15,7 @@ public sealed class HarvestCommandTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void Harvest_gives_a_valid_session_with_a_report_and_says_what_to_run_next()
+    public void Harvest_writes_a_valid_session_and_names_the_next_command()
     {
         CliRun run = Harvest(Session, "--frames", "3", "--masks");
 
@@ -34,7 +34,7 @@ public sealed class HarvestCommandTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_labels_things_in_sight()
+    public void Harvest_labels_visible_objects()
     {
         Harvest(Session, "--frames", "3");
 
@@ -64,7 +64,7 @@ public sealed class HarvestCommandTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_takes_its_options_into_the_session()
+    public void Harvest_records_its_options_in_the_session()
     {
         Harvest(
             Session, "--frames", "2", "--seed", "9", "--fov", "60", "--hz", "20", "--weather", "rain", "--time", "18:30", "--range", "40",
@@ -83,7 +83,7 @@ public sealed class HarvestCommandTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_of_a_game_with_quirks_is_valid_and_says_so()
+    public void Harvest_of_a_game_with_quirks_is_valid_and_lists_them()
     {
         const string quirks = "lag=2,lateCamera,heldCamera,creep=3,vanish=0.02,boxRays,missedRays=0.3";
         Harvest(Session, "--frames", "2", "--quirks", quirks);
@@ -96,7 +96,7 @@ public sealed class HarvestCommandTests : IDisposable
     [InlineData("paused.heldCamera", "timeScale")]
     [InlineData("heldCamera,timeScale.restless", "paused")]
     [InlineData("paused.visibility,timeScale.weather", "timeScale")]
-    public void Harvest_that_tries_the_ways_of_freezing_uses_the_better_one(string quirks, string better)
+    public void Harvest_that_tries_freeze_methods_uses_the_better_one(string quirks, string better)
     {
         CliRun run = Harvest(Session, "--frames", "2", "--freeze", "auto", "--quirks", quirks);
 
@@ -108,7 +108,7 @@ public sealed class HarvestCommandTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_whose_picture_is_late_goes_ahead_where_that_is_allowed()
+    public void Harvest_with_picture_lag_proceeds_when_allowed()
     {
         CliRun run = Harvest(Session, "--frames", "1", "--quirks", "lag=7", "--max-picture-lag", "7");
 
@@ -130,7 +130,7 @@ public sealed class HarvestCommandTests : IDisposable
     }
 
     [Fact]
-    public async Task Harvest_that_is_cancelled_leaves_a_valid_session()
+    public async Task Cancelled_harvest_leaves_a_valid_session()
     {
         // A thread of its own cancels once a frame is written: the pool's threads are busy rendering, and no time is right on every machine.
         using var cancellation = new CancellationTokenSource();
@@ -159,7 +159,7 @@ public sealed class HarvestCommandTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_into_empty_folders_as_a_full_disk_leaves_them_goes_ahead()
+    public void Harvest_into_empty_folders_left_by_a_full_disk_proceeds()
     {
         Directory.CreateDirectory(Path.Combine(Session, "frames"));
 
@@ -191,7 +191,7 @@ public sealed class HarvestCommandTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_with_props_sets_them_up_and_notes_their_file()
+    public void Harvest_with_props_places_them_and_records_their_file()
     {
         string lamps = _folder.File("lamps.json", """[{ "Name": "prop_streetlight_01", "Position": { "X": 1, "Y": 2, "Z": 3 }, "Rotation": { "X": 0, "Y": 0, "Z": 90 } }]""");
 

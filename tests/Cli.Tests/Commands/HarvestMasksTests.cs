@@ -15,7 +15,7 @@ public sealed class HarvestMasksTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void Frames_take_no_more_rays_than_are_asked_for()
+    public void Frames_respect_the_ray_limit()
     {
         Harvest(Session, "--frames", "2", "--masks", "--rays", "1000");
 
@@ -30,7 +30,7 @@ public sealed class HarvestMasksTests : IDisposable
     [Theory]
     [InlineData("--masks")]
     [InlineData("--no-report")]
-    public void What_is_beyond_the_reach_of_rays_is_marked_and_not_labelled(string option)
+    public void Objects_beyond_the_reach_of_rays_are_ignore_regions(string option)
     {
         Harvest(Session, "--frames", "2", option, "--ray-reach", "20");
 

@@ -30,7 +30,7 @@ public sealed class HarvestOnRealRoadsTests
     /// <summary>The first lights that can be seen from 0,-1000 come some ten seconds on; a frame a second for half a minute passes them.</summary>
     [RealWorldFact("nodes.zip")]
     [Trait("Category", "Heavy")]
-    public void Harvest_past_real_traffic_lights_labels_them_where_the_file_has_them()
+    public void Harvest_labels_real_traffic_lights_where_the_file_has_them()
     {
         using var folder = new TemporaryFolder();
         string session = folder.PathOf("session");

@@ -16,7 +16,7 @@ public sealed class HarvestRefusalTests : IDisposable
     [InlineData("--freeze", "slow", "--freeze takes paused, timeScale or auto, not 'slow'.")]
     [InlineData("--quirks", "pause.heldCamera", "--quirks takes some of lag=N, ")]
     [InlineData("--quirks", "paused.lag=2", "--quirks takes some of lag=N, ")]
-    public void Harvest_refuses_what_is_no_way_of_freezing(string option, string value, string message)
+    public void Harvest_refuses_an_unknown_freeze_method(string option, string value, string message)
     {
         CliRun run = Harvest(Session, option, value);
 
@@ -28,7 +28,7 @@ public sealed class HarvestRefusalTests : IDisposable
     [Theory]
     [InlineData(7)]
     [InlineData(40)]
-    public void Harvest_whose_picture_is_too_late_is_refused_and_leaves_no_folder(int lag)
+    public void Harvest_with_excessive_picture_lag_fails_without_a_folder(int lag)
     {
         Harvest(Session, "--frames", "2", "--seed", "3", "--hz", "2", "--quirks", $"lag={lag}").AssertFailed(
             ExitCode.HarvestFault, $"The picture is {lag} ticks behind the game, and the harvest allows for 4. Raise the limit (--max-picture-lag) and start again.");
@@ -47,7 +47,7 @@ public sealed class HarvestRefusalTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_into_a_session_asks_for_overwrite_and_then_replaces_it()
+    public void Harvest_into_a_session_requires_overwrite_to_replace_it()
     {
         Harvest(Session, "--frames", "2");
 
@@ -59,7 +59,7 @@ public sealed class HarvestRefusalTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_that_cannot_begin_leaves_the_session_that_it_was_to_replace()
+    public void Harvest_that_cannot_start_keeps_the_session_to_overwrite()
     {
         Harvest(Session, "--frames", "1");
 
@@ -83,7 +83,7 @@ public sealed class HarvestRefusalTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_never_replaces_what_is_no_session()
+    public void Harvest_never_replaces_a_folder_that_is_not_a_session()
     {
         _folder.File("precious.txt", "mine");
 
@@ -97,11 +97,11 @@ public sealed class HarvestRefusalTests : IDisposable
     [InlineData("serve", "8x8", "32 to 8192 each")]
     [InlineData("calibrate", "800", "288x216 to 8192x8192, as 800x600, not '800'")]
     [InlineData("project", "800", "1 to 65535 each")]
-    public void Size_that_cannot_be_is_refused_with_the_limits_of_its_command(string command, string size, string limits) =>
+    public void Impossible_size_is_refused_with_the_limits_of_the_command(string command, string size, string limits) =>
         CliRun.Of([command, "--size", size, .. Required(command)]).AssertFailed(ExitCode.Usage, limits);
 
     [Fact]
-    public void Harvest_of_a_view_too_wide_to_check_names_the_options_of_the_command()
+    public void Harvest_with_a_view_too_wide_to_check_names_the_options()
     {
         CliRun run = CliRun.Of("harvest", "--out", Session, "--frames", "1", "--size", "320x240", "--seed", "4", "--fov", "170", "--no-report");
 
@@ -140,7 +140,7 @@ public sealed class HarvestRefusalTests : IDisposable
     [InlineData("--time", "noon")]
     [InlineData("--near", "1")]
     [InlineData("--classes", "car,plane")]
-    public void Harvest_with_an_impossible_value_is_a_usage_error_and_writes_nothing(string option, string value)
+    public void Harvest_with_an_impossible_value_fails_and_writes_nothing(string option, string value)
     {
         CliRun.Of("harvest", "--out", Session, option, value).AssertFailed(ExitCode.Usage, option);
 
@@ -151,7 +151,7 @@ public sealed class HarvestRefusalTests : IDisposable
     public void Harvest_without_out_is_a_usage_error() => CliRun.Of("harvest").AssertFailed(ExitCode.Usage, "--out");
 
     [Fact]
-    public void Harvest_on_roads_that_are_not_there_is_an_input_error()
+    public void Harvest_with_a_missing_road_file_is_an_input_error()
     {
         CliRun run = Harvest(Session, "--roads", "no-such-roads.zip");
 
@@ -160,7 +160,7 @@ public sealed class HarvestRefusalTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_on_roads_that_are_none_is_a_data_error()
+    public void Harvest_with_an_invalid_road_file_is_a_data_error()
     {
         string roads = _folder.File("roads.json", "not roads");
 
@@ -171,7 +171,7 @@ public sealed class HarvestRefusalTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_with_props_that_are_none_is_a_data_error() =>
+    public void Harvest_with_an_invalid_prop_file_is_a_data_error() =>
         Harvest(Session, "--props", _folder.File("lamps.json", "{}")).AssertFailed(ExitCode.BadData, "lamps.json");
 
     private static CliRun Harvest(string session, params string[] arguments) =>

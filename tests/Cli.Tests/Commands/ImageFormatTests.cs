@@ -30,7 +30,7 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
     }
 
     [Fact]
-    public void Jpg_images_are_the_screenshots_in_the_quality_asked_for()
+    public void Jpg_images_are_the_screenshots_in_the_requested_quality()
     {
         CliRun run = CliRun.Of("harvest", "--out", Out, "--frames", "1", "--size", "160x120", "--seed", "3", "--hz", "2", "--image-format", "jpg", "--quality", "40");
 
@@ -64,7 +64,7 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
     }
 
     [Fact]
-    public void Shards_of_jpg_images_merge_to_the_bytes_of_one_run()
+    public void Shards_of_jpg_images_merge_to_the_bytes_of_a_single_run()
     {
         foreach (string shard in (string[])["1/2", "2/2"])
         {
@@ -99,7 +99,7 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
     [InlineData("png", "jpg")]
     [InlineData("bmp", "jpg")]
     [InlineData("bmp", "png")]
-    public void Converted_images_are_those_of_a_harvest_in_the_format(string from, string to)
+    public void Converted_images_equal_those_of_a_harvest_in_the_format(string from, string to)
     {
         AssertValidExport("kitti", harvested.SessionOf(from), "--image-format", to);
 

@@ -22,7 +22,7 @@ public sealed class KilledExportTests : IClassFixture<LongSession>, IDisposable
     [Theory]
     [Trait("Category", "Heavy")]
     [MemberData(nameof(Formats))]
-    public void Export_that_was_killed_goes_on_to_the_same_bytes(string format)
+    public void Killed_export_resumes_to_the_same_bytes(string format)
     {
         KillInTheMiddle(format);
         foreach (string name in (string[])["killed", "whole"])

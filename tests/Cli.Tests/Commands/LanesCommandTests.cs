@@ -78,7 +78,7 @@ public sealed class LanesCommandTests : IDisposable
     }
 
     [Fact]
-    public void Lanes_at_the_middle_of_the_box_in_a_scene_are_exactly_the_labels()
+    public void Lanes_at_the_box_centre_of_a_scene_equal_the_labels()
     {
         string session = _folder.PathOf("session");
         CliRun.Of("harvest", "--out", session, "--frames", "6", "--hz", "1", "--seed", "3", "--size", "64x48", "--no-report");
@@ -107,7 +107,7 @@ public sealed class LanesCommandTests : IDisposable
     }
 
     [Fact]
-    public void Lanes_of_narrow_roads_have_a_width_of_their_own()
+    public void Lanes_of_narrow_roads_have_a_separate_width()
     {
         string narrow = _folder.PathOf("narrow.csv");
         File.WriteAllText(narrow, File.ReadAllText(_roads).Replace(",2,2,0,,", ",2,2,0,narrowRoad,", StringComparison.Ordinal));
@@ -126,7 +126,7 @@ public sealed class LanesCommandTests : IDisposable
     }
 
     [Fact]
-    public void Lanes_takes_vehicles_of_a_file()
+    public void Lanes_reads_vehicles_from_a_file()
     {
         string vehicles = _folder.PathOf("vehicles.csv");
         File.WriteAllText(vehicles, "2.7,80,0,0\n8.1,75,0,0,6\n-2.7,70,0,180\n");
@@ -157,11 +157,11 @@ public sealed class LanesCommandTests : IDisposable
     [InlineData("71")]
     [InlineData("6s")]
     [InlineData("s")]
-    public void Lanes_with_an_impossible_look_ahead_is_a_fault_of_the_command_line(string ahead) =>
+    public void Lanes_with_an_impossible_look_ahead_is_a_usage_error(string ahead) =>
         CliRun.Of("lanes", "--roads", _roads, "--position", "8.1,50,0", "--heading", "0", "--look-ahead", ahead).AssertFailed(2, "--look-ahead takes");
 
     [Fact]
-    public void Lanes_off_the_road_says_so() =>
+    public void Lanes_reports_an_off_road_position() =>
         Assert.Equal("offRoad", Lanes("--position", "80,50,0", "--heading", "0").GetProperty("status").GetString());
 
     [Fact]
@@ -175,7 +175,7 @@ public sealed class LanesCommandTests : IDisposable
     }
 
     [Fact]
-    public void Lanes_without_roads_is_a_fault_of_the_command_line() =>
+    public void Lanes_without_roads_is_a_usage_error() =>
         CliRun.Of("lanes", "--position", "8.1,50,0", "--heading", "0").AssertFailed(2, "--roads");
 
     public void Dispose() => _folder.Dispose();

@@ -14,7 +14,7 @@ public sealed class MasksCommandTests
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public void Import_of_a_sessions_own_masks_keeps_its_visible_boxes_and_faces(bool match)
+    public void Importing_a_sessions_own_masks_keeps_visible_boxes_and_faces(bool match)
     {
         using var folder = new TemporaryFolder();
         string session = folder.PathOf("session");
@@ -43,7 +43,7 @@ public sealed class MasksCommandTests
 
     /// <summary>The harvest recorded what rays found of objects and faces; what was imported since counts.</summary>
     [Fact]
-    public void Relabelling_keeps_faces_hidden_of_which_the_imported_maps_show_nothing()
+    public void Relabel_keeps_faces_hidden_that_no_imported_map_shows()
     {
         using var folder = new TemporaryFolder();
         string session = folder.PathOf("session");
@@ -63,7 +63,7 @@ public sealed class MasksCommandTests
     }
 
     [Fact]
-    public void Import_into_a_session_with_a_report_makes_it_anew()
+    public void Import_into_a_session_with_a_report_rewrites_it()
     {
         using var folder = new TemporaryFolder();
         string session = folder.PathOf("session");
@@ -77,7 +77,7 @@ public sealed class MasksCommandTests
     }
 
     [Fact]
-    public void Import_of_no_folder_is_an_input_error()
+    public void Import_of_a_missing_folder_is_an_input_error()
     {
         using var folder = new TemporaryFolder();
         folder.File("session.json", """{ "formatVersion": 1, "game": "simulation", "image": { "width": 80, "height": 60 } }""");

@@ -9,7 +9,7 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void Merge_of_a_harvest_in_three_shards_gives_the_bytes_of_one_run()
+    public void Merge_of_three_shards_is_byte_identical_to_a_single_run()
     {
         // The report's title is the folder's name.
         CliRun merge = Merge("merged/session", "part-3", "part-1", "part-2");
@@ -38,14 +38,14 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
     [InlineData("part-1 part-2 other-3", "are shards of different sessions")]
     [InlineData("part-1 part-2 part-1", "Shard 1/3 is there twice")]
     [InlineData("part-1 whole/session", "is a whole session, no shard of one")]
-    public void Merge_of_folders_that_are_not_all_shards_of_one_session_is_an_error_of_the_data(string parts, string message)
+    public void Merge_of_folders_that_are_not_shards_of_one_session_fails(string parts, string message)
     {
         Merge("merged", parts.Split(' ')).AssertFailed(ExitCode.BadData, message);
         Assert.False(Directory.Exists(_folder.PathOf("merged")));
     }
 
     [Fact]
-    public void Merge_of_a_shard_that_lost_a_frame_says_which()
+    public void Merge_of_a_shard_that_lost_a_frame_names_it()
     {
         string part = Changed("part-2", "labels.jsonl", text => string.Concat(text.Split('\n').Where((_, line) => line != 1).Select(line => line + "\n")).TrimEnd() + "\n");
 
@@ -54,7 +54,7 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
     }
 
     [Fact]
-    public void Merge_of_a_shard_whose_last_frame_is_gone_says_that_others_go_on()
+    public void Merge_of_a_shard_missing_its_last_frame_fails()
     {
         string part = Changed("part-1", "labels.jsonl", text => string.Concat(text.Split('\n').Take(2).Select(line => line + "\n")));
 
@@ -62,7 +62,7 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
     }
 
     [Fact]
-    public void Merge_of_a_shard_that_was_cut_off_asks_to_run_it_again()
+    public void Merge_of_an_unfinished_shard_asks_to_run_it_again()
     {
         string part = Changed("part-2", "session.json", text => text.Replace("\"complete\"", "\"recording\"", StringComparison.Ordinal));
 
@@ -70,7 +70,7 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
     }
 
     [Fact]
-    public void Merge_of_a_folder_that_is_not_there_says_so() =>
+    public void Merge_reports_a_missing_folder() =>
         CliRun.Of("merge", _folder.PathOf("nowhere"), "--out", _folder.PathOf("out")).AssertFailed(ExitCode.InputOutput, "There is no folder '");
 
     [Fact]

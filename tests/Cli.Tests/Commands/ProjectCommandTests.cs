@@ -32,7 +32,7 @@ public sealed class ProjectCommandTests
     }
 
     [Fact]
-    public void Project_takes_the_lens_of_a_calibration_or_numbers_but_not_both()
+    public void Project_takes_a_calibrated_lens_or_numbers_but_not_both()
     {
         using var folder = new TemporaryFolder();
         string file = folder.File("lens.ini", "FocalScale = 2\nCentreOffsetX = 0.1\nCentreOffsetY = -0.05\nK1 = 0.2\nK2 = 0\n");
@@ -42,7 +42,7 @@ public sealed class ProjectCommandTests
     }
 
     [Fact]
-    public void Project_of_points_without_pixel_leaves_the_pixel_empty()
+    public void Project_of_points_out_of_view_leaves_the_pixel_empty()
     {
         CliRun run = CliRun.WithInput("0,-3,0\n0,0.1,0\n100,10,0\n", Camera);
 
@@ -53,7 +53,7 @@ public sealed class ProjectCommandTests
     }
 
     [Fact]
-    public void Project_with_an_aspect_follows_the_window_and_not_the_image()
+    public void Project_with_an_aspect_uses_that_of_the_window()
     {
         // The window is twice as wide as high: fx = 800 / (2 tan 45 * 2) = 200, so u = 400 + 200 * 1/10.
         CliRun run = CliRun.WithInput("1,10,0\n", [.. Camera, "--aspect", "2"]);
@@ -62,7 +62,7 @@ public sealed class ProjectCommandTests
     }
 
     [Fact]
-    public void Project_with_negative_position_and_rotation_takes_them_as_values()
+    public void Project_accepts_a_negative_position_and_rotation()
     {
         // A yaw of 90 degrees looks west (-x): the point 10 m west of the camera is in the middle.
         CliRun run = CliRun.WithInput(
@@ -80,7 +80,7 @@ public sealed class ProjectCommandTests
     }
 
     [Fact]
-    public void Project_of_a_file_leaves_out_blank_lines_and_comments()
+    public void Project_of_a_file_skips_blank_lines_and_comments()
     {
         using var folder = new TemporaryFolder();
         string points = folder.File("points.csv", "# x,y,z\n\n0,10,0\n");

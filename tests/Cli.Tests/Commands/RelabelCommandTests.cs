@@ -20,7 +20,7 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void Relabel_without_options_gives_the_same_labels_on_the_roads_that_the_session_keeps()
+    public void Relabel_without_options_reproduces_the_labels()
     {
         CliRun run = Relabel();
 
@@ -36,7 +36,7 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
     }
 
     [Fact]
-    public void Relabel_in_shards_merges_to_the_bytes_of_one_run()
+    public void Relabel_in_shards_merges_to_the_bytes_of_a_single_run()
     {
         string[] options = ["--lane-width", "3.7", "--look-ahead", "1s", "--range", "70"];
         Relabel(options);
@@ -58,7 +58,7 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
     [Theory]
     [InlineData("")]
     [InlineData("[Harvest]\nRate = 5\n[Lens]\n")]
-    public void Relabel_by_a_calibration_moves_the_camera_and_drops_the_masks(string before)
+    public void Relabel_by_a_calibration_moves_the_camera_and_drops_masks(string before)
     {
         CliRun run = Relabel("--calibration", _folder.File("lens.ini", before + Lens));
 
@@ -72,11 +72,11 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
     [InlineData("K1 = -0.03\n", "", "K1 is missing")]
     [InlineData("FocalScale = 1.02", "FocalScale = 12", "FocalScale is '12', which no lens has")]
     [InlineData("FocalScale = 1.02", "FocalScale = wide", "FocalScale is 'wide', which no lens has")]
-    public void Relabel_by_a_calibration_without_a_lens_is_an_error_of_the_data(string good, string bad, string message) =>
+    public void Relabel_by_a_calibration_without_a_lens_is_a_data_error(string good, string bad, string message) =>
         Relabel("--calibration", _folder.File("lens.txt", Lens.Replace(good, bad, StringComparison.Ordinal))).AssertFailed(ExitCode.BadData, message);
 
     [Fact]
-    public void Lanes_of_narrow_roads_have_the_width_that_harvest_and_relabel_are_told()
+    public void Lanes_of_narrow_roads_have_the_width_given_by_the_option()
     {
         string roads = _folder.File("roads.csv", NarrowStreet());
         string session = _folder.PathOf("session");
@@ -99,7 +99,7 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
     [Theory]
     [InlineData("metres")]
     [InlineData("0")]
-    public void Relabel_of_a_session_whose_lane_width_is_none_says_so(string width)
+    public void Relabel_reports_a_session_with_an_invalid_lane_width(string width)
     {
         string session = _folder.PathOf("session");
         CliRun.Of("harvest", "--out", session, "--frames", "1", "--size", "64x48", "--no-report");
@@ -110,7 +110,7 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
     }
 
     [Fact]
-    public void Relabel_takes_the_folder_of_a_survey_for_the_table_in_it_as_harvest_does()
+    public void Relabel_accepts_a_survey_folder_as_harvest_does()
     {
         string survey = Directory.CreateDirectory(_folder.PathOf("survey")).FullName + Path.DirectorySeparatorChar;
         File.WriteAllText(Path.Combine(survey, "spaces.csv"), "# none\n");
@@ -129,7 +129,7 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
         CliRun.Of("relabel", Session, "--out", Session + "/.", "--overwrite").AssertFailed(ExitCode.Usage, "is the recorded session itself");
 
     [Fact]
-    public void Relabel_onto_another_session_asks_for_overwrite()
+    public void Relabel_onto_another_session_requires_overwrite()
     {
         Relabel("--classes", "car");
 
@@ -147,7 +147,7 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
     [InlineData("--max-occluded", "2", "--max-occluded takes a number from 0 to 1")]
     [InlineData("--lane-width", "1", "--lane-width takes a number from 2 to 10")]
     [InlineData("--look-ahead", "6s", "--look-ahead takes metres from 0 to 70, or seconds from 0 to 5 as 1s")]
-    public void Relabel_with_an_option_that_makes_no_sense_says_what_it_takes(string option, string value, string message) =>
+    public void Relabel_with_an_impossible_value_names_the_accepted_ones(string option, string value, string message) =>
         Relabel(option, value).AssertFailed(ExitCode.Usage, message);
 
     private static string NarrowStreet()

@@ -24,7 +24,7 @@ public sealed class ReportCommandTests
     }
 
     [Fact]
-    public void Report_to_a_folder_that_is_not_there_is_an_output_error()
+    public void Report_to_a_missing_folder_is_an_output_error()
     {
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header);
@@ -42,7 +42,7 @@ public sealed class ReportCommandTests
     }
 
     [Fact]
-    public void Report_still_of_a_frame_that_is_not_there_is_a_data_error()
+    public void Report_still_of_a_missing_frame_is_a_data_error()
     {
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header);
@@ -54,7 +54,7 @@ public sealed class ReportCommandTests
     [InlineData("page.png")]
     [InlineData("frame.jpg", "--still", "7")]
     [InlineData("frame", "--still", "7")]
-    public void Report_to_a_file_that_is_called_otherwise_than_what_it_is_is_refused(string file, params string[] still)
+    public void Report_to_a_file_with_the_wrong_extension_is_refused(string file, params string[] still)
     {
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header);
@@ -67,7 +67,7 @@ public sealed class ReportCommandTests
     [Theory]
     [InlineData("--link")]
     [InlineData("--frames", "3")]
-    public void Option_of_the_page_does_nothing_with_a_still_picture_and_is_refused(params string[] option)
+    public void Page_option_is_refused_for_a_still_image(params string[] option)
     {
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header);
@@ -76,7 +76,7 @@ public sealed class ReportCommandTests
     }
 
     [Fact]
-    public void Report_still_takes_the_number_of_a_frame() =>
+    public void Report_still_accepts_a_frame_number() =>
         CliRun.Of("report", "session", "--still", "frame.png").AssertFailed(ExitCode.Usage, "--still takes a frame's number, as 12, not 'frame.png'.");
 
     [Theory]

@@ -20,7 +20,7 @@ public sealed class RoadsCommandTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void Import_then_info_tells_what_the_source_had()
+    public void Info_after_import_shows_the_content_of_the_source()
     {
         string from = _folder.File("roads.txt", Ipl);
         string csv = Path.Combine(_folder.Path, "roads.csv.gz");
@@ -40,7 +40,7 @@ public sealed class RoadsCommandTests : IDisposable
     }
 
     [Fact]
-    public void Compare_counts_the_one_way_links_that_agree_and_lanes_in_turns_them_round()
+    public void Compare_counts_agreeing_one_way_links_and_honours_lanes_in()
     {
         string ipl = _folder.File("roads.txt", Ipl);
         string csv = Path.Combine(_folder.Path, "roads.csv");
@@ -72,7 +72,7 @@ public sealed class RoadsCommandTests : IDisposable
     }
 
     [Fact]
-    public void Nodes_of_a_survey_that_was_told_the_edges_have_the_width_that_these_prove()
+    public void Nodes_of_a_survey_with_road_edges_have_the_measured_width()
     {
         // A lane each way to the north, 4.5 m wide, told twice at both ends.
         string survey = _folder.File("survey.csv", """
@@ -97,7 +97,7 @@ public sealed class RoadsCommandTests : IDisposable
     }
 
     [Fact]
-    public void Map_is_a_picture_or_a_vector_graphic_by_its_name()
+    public void Map_format_follows_the_file_extension()
     {
         string from = _folder.File("roads.txt", Ipl);
         string png = Path.Combine(_folder.Path, "map.png");
@@ -118,7 +118,7 @@ public sealed class RoadsCommandTests : IDisposable
     }
 
     [Fact]
-    public void Map_of_nodes_without_a_link_says_that_there_are_no_roads()
+    public void Map_of_nodes_without_a_link_reports_that_there_are_no_roads()
     {
         string from = _folder.File("roads.txt", Ipl.Split("0, 1, 2, 2, 1, 0")[0] + "end\n");
 
@@ -130,11 +130,11 @@ public sealed class RoadsCommandTests : IDisposable
     [InlineData("--area=-10,0,10,40", "2.5")] // 40 m
     [InlineData("--area=-5000,-5000,5555,5000", "660")] // 10,555 m: 659.6875 m a pixel
     [InlineData("--area=-50000,-50000,50000,50000", "6250")] // 100 km
-    public void Map_tells_its_scale_in_three_digits(string area, string metres) => Assert.Contains(
+    public void Map_shows_its_scale_in_three_digits(string area, string metres) => Assert.Contains(
         $" pixels of {metres} m;", CliRun.Of("roads", "map", _folder.File("roads.txt", Ipl), "--out", _folder.PathOf("map.png"), "--size", "16", area).Out, StringComparison.Ordinal);
 
     [Fact]
-    public void Import_of_a_corrupt_file_fails_with_its_place()
+    public void Import_of_a_corrupt_file_fails_with_the_position()
     {
         string from = _folder.File("roads.txt", Ipl.Replace("0, 1, 2, 2, 1, 0", "0, 9, 2, 2, 1, 0", StringComparison.Ordinal));
 

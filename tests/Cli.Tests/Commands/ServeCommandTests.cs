@@ -10,7 +10,7 @@ namespace Harvester.Cli.Tests.Commands;
 public sealed class ServeCommandTests
 {
     [Fact]
-    public void Served_game_tells_its_place_and_how_far_it_came()
+    public void Served_game_reports_its_address_and_progress()
     {
         CliRun run = CliRun.Of("serve", "--port", "0", "--duration", "0.5", "--traffic", "0");
 
@@ -20,7 +20,7 @@ public sealed class ServeCommandTests
     }
 
     [Fact]
-    public async Task Served_game_says_who_connects_and_what_a_client_did_wrong()
+    public async Task Served_game_reports_connections_and_client_errors()
     {
         string port = FreePort.Find().ToString(CultureInfo.InvariantCulture);
         Task<CliRun> serve = Task.Run(() => CliRun.Of("serve", "--port", port, "--duration", "3", "--traffic", "0", "--size", "80x60"));
@@ -51,7 +51,7 @@ public sealed class ServeCommandTests
     [InlineData("frame_00000001.png")]
     [InlineData("holiday.png", "frame_00000001.png")]
     [InlineData("session.json", "alive.txt", "frame_00000001.png")]
-    public void Shared_folder_that_holds_something_else_is_refused_and_stays_as_it_is(string foreign, params string[] others)
+    public void Shared_folder_with_other_files_is_refused_and_left_unchanged(string foreign, params string[] others)
     {
         using var folder = new TemporaryFolder();
         string[] files = [foreign, .. others];
@@ -71,7 +71,7 @@ public sealed class ServeCommandTests
     [Theory]
     [InlineData("controls.txt.tmp")]
     [InlineData("writing.part")]
-    public void Shared_folder_of_a_waiting_client_or_a_killed_game_is_taken(string sign)
+    public void Shared_folder_of_a_waiting_client_or_killed_game_is_reused(string sign)
     {
         using var folder = new TemporaryFolder();
         folder.File(sign, "");

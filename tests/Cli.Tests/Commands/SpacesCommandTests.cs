@@ -15,7 +15,7 @@ public sealed class SpacesCommandTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void Check_of_a_good_table_says_so()
+    public void Check_of_a_valid_table_succeeds()
     {
         string file = _folder.File("spaces.csv", Good + "\n");
 
@@ -26,7 +26,7 @@ public sealed class SpacesCommandTests : IDisposable
     }
 
     [Fact]
-    public void Check_of_a_bad_row_names_line_column_and_reason_and_exits_with_1()
+    public void Check_of_a_bad_row_names_line_column_and_reason_and_fails()
     {
         string file = _folder.File("spaces.csv", Good + "\n" + InsideOut + "\n");
 
@@ -59,7 +59,7 @@ public sealed class SpacesCommandTests : IDisposable
     [InlineData("model, hash, class, name, mutcd, face, fulX, fulY, fulZ, blrX, blrY, blrZ, facing, provenance,\"source\"\nstop,1\n", ExitCode.BadData)]
     [InlineData("# none yet\n", ExitCode.Done)]
     [InlineData(InsideOut + "\n", ExitCode.BadData)]
-    public void Check_of_a_table_without_a_good_row_counts_none(string content, int code)
+    public void Check_of_a_table_without_a_valid_row_counts_none(string content, int code)
     {
         CliRun run = CliRun.Of("spaces", "check", _folder.File("spaces.csv", content));
 
@@ -68,7 +68,7 @@ public sealed class SpacesCommandTests : IDisposable
     }
 
     [Fact]
-    public void List_shows_what_a_space_is()
+    public void List_shows_the_properties_of_a_face()
     {
         CliRun run = CliRun.Of("spaces", "list", _folder.File("spaces.csv", Good + "\n"));
 
@@ -97,7 +97,7 @@ public sealed class SpacesCommandTests : IDisposable
     }
 
     [Fact]
-    public void Gallery_draws_the_nearest_face_last_and_those_that_look_elsewhere_pale()
+    public void Gallery_draws_the_nearest_face_last_and_averted_faces_pale()
     {
         const string behind = "prop_sign_road_01a,,sign,BEHIND,R2-1,1,-0.7,0.24,2.5,0.3,0.06,1.2,-y,measured,a test";
         const string elsewhere = "prop_sign_road_01a,,sign,ELSEWHERE,R2-1,2,-0.7,0.94,2.5,0.3,0.86,1.2,+y,measured,a test";
@@ -113,7 +113,7 @@ public sealed class SpacesCommandTests : IDisposable
     }
 
     [Fact]
-    public void Gallery_draws_cuboids_on_photographs_and_shows_models_without_a_face()
+    public void Gallery_draws_cuboids_on_photos_and_models_without_a_face()
     {
         _folder.File("spaces.csv", Good + "\n");
         Directory.CreateDirectory(_folder.PathOf("photos"));
@@ -144,7 +144,7 @@ public sealed class SpacesCommandTests : IDisposable
     }
 
     [Fact]
-    public void Gallery_shows_a_flat_face_whole_on_its_photograph()
+    public void Gallery_shows_a_flat_face_completely_on_its_photo()
     {
         _folder.File("spaces.csv", Good.Replace("-0.04,", "-0.06,", StringComparison.Ordinal) + "\n");
         Directory.CreateDirectory(_folder.PathOf("photos"));
@@ -159,7 +159,7 @@ public sealed class SpacesCommandTests : IDisposable
     }
 
     [Fact]
-    public void Folder_of_a_survey_stands_for_its_table()
+    public void Survey_folder_is_accepted_in_place_of_its_table()
     {
         _folder.File("spaces.csv", Good + "\n");
 
@@ -168,7 +168,7 @@ public sealed class SpacesCommandTests : IDisposable
     }
 
     [Fact]
-    public void List_says_how_many_rows_it_leaves_out()
+    public void List_counts_omitted_rows()
     {
         CliRun run = CliRun.Of("spaces", "list", _folder.File("spaces.csv", Good + "\n" + InsideOut + "\n"));
 
@@ -177,7 +177,7 @@ public sealed class SpacesCommandTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_with_spaces_labels_by_the_files_rows_before_the_games_own()
+    public void Harvest_with_spaces_prefers_the_files_rows()
     {
         string session = _folder.PathOf("session");
         string file = _folder.File("spaces.csv", Good + "\n");
@@ -191,7 +191,7 @@ public sealed class SpacesCommandTests : IDisposable
     }
 
     [Fact]
-    public void A_row_that_is_refused_is_told_and_the_others_are_used()
+    public void Refused_row_is_reported_and_the_others_are_used()
     {
         string file = _folder.File("spaces.csv", InsideOut + "\n" + Good + "\n");
         string session = _folder.PathOf("session");
@@ -213,7 +213,7 @@ public sealed class SpacesCommandTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_with_a_table_of_which_no_row_is_good_does_not_begin()
+    public void Harvest_with_a_table_without_a_valid_row_fails()
     {
         string file = _folder.File("spaces.csv", InsideOut + "\n");
 

@@ -8,7 +8,7 @@ public sealed class ValidateCommandTests
         """{ "formatVersion": 1, "game": "simulation", "image": { "width": 80, "height": 60 }, "counters": { "captured": 0 } }""";
 
     [Fact]
-    public void Validate_of_a_good_session_says_so()
+    public void Validate_of_a_good_session_succeeds()
     {
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header);
@@ -20,7 +20,7 @@ public sealed class ValidateCommandTests
     }
 
     [Fact]
-    public void Validate_of_a_damaged_session_lists_the_problems_and_exits_with_1()
+    public void Validate_of_a_damaged_session_lists_problems_and_fails()
     {
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header);
@@ -40,7 +40,7 @@ public sealed class ValidateCommandTests
     }
 
     [Fact]
-    public void Validate_of_a_session_that_was_cut_off_notes_it()
+    public void Validate_notes_an_interrupted_session()
     {
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header.Replace(""", "counters": { "captured": 0 }""", "", StringComparison.Ordinal));
@@ -55,7 +55,7 @@ public sealed class ValidateCommandTests
     [InlineData("""{ "cameraErrorPixels": null }""", "", 2)]
     [InlineData("""{ "cameraErrorPixels": null }""", ""","pictureLag": { "cameraTicks": 1, "entityTicks": 1 }""", 1)]
     [InlineData("""{ "cameraErrorPixels": 0.2 }""", "", 0)]
-    public void Validate_notes_what_was_not_checked_when_the_session_was_recorded(string start, string lag, int notes)
+    public void Validate_notes_what_was_not_checked_while_recording(string start, string lag, int notes)
     {
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header.Replace(""", "counters":""", $""", "start": {start}{lag}, "counters":""", StringComparison.Ordinal));
@@ -67,7 +67,7 @@ public sealed class ValidateCommandTests
     }
 
     [Fact]
-    public void Validate_of_no_folder_is_an_input_error() =>
+    public void Validate_of_a_missing_folder_is_an_input_error() =>
         CliRun.Of("validate", "no-such-session").AssertFailed(ExitCode.InputOutput, "no-such-session");
 
     [Fact]

@@ -17,7 +17,7 @@ public sealed class BridgedGameTests
     private readonly SimulatedGame _game = new(new SimulationOptions { Seed = 1, TrafficDensity = 0, PedestrianDensity = 0 });
 
     [Fact]
-    public void Dead_client_stops_the_car_in_a_junction_too()
+    public void Dead_client_stops_the_car_even_in_a_junction()
     {
         bool isDead = false;
         using AnsweringBridge bridge = new(
@@ -43,7 +43,7 @@ public sealed class BridgedGameTests
     }
 
     [Fact]
-    public void Car_that_was_put_elsewhere_is_driven_by_a_new_controller_and_has_not_driven_there()
+    public void Teleported_car_gets_a_new_controller_and_no_distance()
     {
         int controllers = 0;
         using AnsweringBridge bridge = new(state => [new IndicatorsMessage(IndicatorOrder.Values(state.TorcsEquivalent), state.Frame)]);
@@ -68,7 +68,7 @@ public sealed class BridgedGameTests
     }
 
     [Fact]
-    public void Client_that_puts_the_car_beside_the_middle_of_its_lane_drives_it_from_there()
+    public void Client_can_reset_the_car_beside_its_lane_and_drive_on()
     {
         Pose at = _game.Ports.World.ReadEgo().Pose;
         Queue<ClientMessage> once = new([new ResetMessage(at.Position + (at.Axes.Right * 1.5), Angles.HeadingDegrees(at.Axes.Forward))]);

@@ -28,7 +28,7 @@ public sealed class BridgedDriveTests
     }
 
     [Fact]
-    public void Run_after_a_fault_in_the_middle_of_the_drive_fails_and_is_no_success()
+    public void Run_with_a_fault_in_the_middle_of_the_drive_fails()
     {
         using AnsweringBridge bridge = new(
             state => state.Frame < 5
@@ -49,7 +49,7 @@ public sealed class BridgedDriveTests
     }
 
     [Fact]
-    public void Run_with_a_client_that_stops_the_world_and_says_no_more_gives_up()
+    public void Run_gives_up_on_a_client_that_pauses_and_falls_silent()
     {
         using AnsweringBridge bridge = new(
             state => state.Frame < 5 ? [new ControlsMessage(Gentle, state.Frame), new StepMessage(0.1)] : [], new RequestFrameMessage());
@@ -58,7 +58,7 @@ public sealed class BridgedDriveTests
     }
 
     [Fact]
-    public void Run_goes_on_with_a_client_that_came_after_the_first_frame_and_waits_for_one()
+    public void Run_waits_for_a_client_that_joins_after_the_first_frame()
     {
         // Nobody was there for frame 0.
         using AnsweringBridge bridge = new(state => state.Frame == 0 ? [] : [new ControlsMessage(Gentle, state.Frame), new StepMessage(0.1)]);
@@ -67,7 +67,7 @@ public sealed class BridgedDriveTests
     }
 
     [Fact]
-    public void Run_goes_on_with_a_client_whose_first_word_is_a_step()
+    public void Run_continues_with_a_client_that_starts_with_a_step()
     {
         using AnsweringBridge bridge = new(state => [new StepMessage(0.1), .. state.TimeSeconds > 0 ? [new ControlsMessage(Gentle, null)] : Array.Empty<ClientMessage>()]);
 
@@ -75,7 +75,7 @@ public sealed class BridgedDriveTests
     }
 
     [Fact]
-    public void Run_in_real_time_does_not_hurry_after_a_pause()
+    public void Run_in_real_time_does_not_catch_up_after_a_pause()
     {
         var pause = TimeSpan.FromSeconds(0.5);
         using PausingBridge bridge = new(pause);

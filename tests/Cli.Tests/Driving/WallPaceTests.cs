@@ -8,7 +8,7 @@ public sealed class WallPaceTests
     private readonly Clock _clock = new();
 
     [Fact]
-    public void Ticks_keep_to_the_clock_however_long_their_work_takes()
+    public void Ticks_follow_the_clock_however_long_their_work_takes()
     {
         WallPace pace = new(Tick.TotalSeconds, _clock);
         for (int i = 0; i < 10; i++)
@@ -20,7 +20,7 @@ public sealed class WallPaceTests
     }
 
     [Fact]
-    public void World_that_has_stood_does_not_hurry_later()
+    public void Paused_world_does_not_catch_up_later()
     {
         WallPace pace = new(Tick.TotalSeconds, _clock);
         Go(pace, isStanding: false);
@@ -36,7 +36,7 @@ public sealed class WallPaceTests
     }
 
     [Fact]
-    public void Machine_that_was_too_slow_does_not_hurry_later()
+    public void Slow_machine_does_not_catch_up_later()
     {
         WallPace pace = new(Tick.TotalSeconds, _clock);
         Go(pace, isStanding: false);
@@ -47,7 +47,7 @@ public sealed class WallPaceTests
     }
 
     [Fact]
-    public void Hurried_ticks_are_due_at_once_and_give_nothing_to_those_after_them()
+    public void Hurried_ticks_are_due_at_once_without_affecting_later_ones()
     {
         WallPace pace = new(Tick.TotalSeconds, _clock);
         for (int i = 0; i < 100; i++)

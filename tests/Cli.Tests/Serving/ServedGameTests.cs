@@ -19,7 +19,7 @@ public sealed class ServedGameTests
     private readonly SimulatedGame _game = new(new SimulationOptions { Seed = 1, TrafficDensity = 0, PedestrianDensity = 0 });
 
     [Fact]
-    public void Client_in_lock_step_keeps_its_lane_by_the_indicators_that_it_was_told()
+    public void Client_in_lock_step_keeps_its_lane_by_the_sent_indicators()
     {
         const int frames = 300;
         List<double> offsetsInLane = [];

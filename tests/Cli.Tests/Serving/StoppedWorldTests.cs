@@ -19,7 +19,7 @@ public sealed class StoppedWorldTests
     [Theory]
     [InlineData(null)]
     [InlineData(0.1)]
-    public async Task Client_of_the_folder_drives_on_in_a_world_that_another_has_left_stopped(double? stepSeconds)
+    public async Task Folder_client_drives_on_in_a_world_left_paused_by_another(double? stepSeconds)
     {
         using TemporaryFolder folder = new();
         SimulatedGame game = new(new SimulationOptions { Seed = 1, TrafficDensity = 0, PedestrianDensity = 0 });

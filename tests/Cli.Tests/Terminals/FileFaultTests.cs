@@ -30,7 +30,7 @@ public sealed class FileFaultTests : IDisposable
     [InlineData("report {file}", "'{file}' is a file. Name the folder of a session.")]
     [InlineData("export {.} --format csv --out {file}", "'{file}' is a file. Name a folder.")]
     [InlineData("export {.} --format csv --out {file}/below", "'{file}' is a file. Name a folder.")]
-    public void File_that_is_missing_or_a_folder_is_told_in_one_line_with_what_to_do(string command, string message)
+    public void Missing_file_or_folder_is_reported_in_one_line_with_advice(string command, string message)
     {
         string[] words = [.. command.Split(' ').Select(InFolder)];
 
@@ -43,26 +43,26 @@ public sealed class FileFaultTests : IDisposable
     [InlineData("No space left on device : '/data/kitti/label.txt.partial'", 28, "'/data/kitti/label.txt'")]
     [InlineData("No space left on device", 28, "'kitti'")]
     [InlineData("There is not enough space on the disk. : 'D:\\out\\page.html.tmp'", unchecked((int)0x80070070), "'D:\\out\\page.html'")]
-    public void Full_disk_is_told_with_the_place_and_what_to_do(string message, int code, string place) => Assert.Equal(
+    public void Full_disk_is_reported_with_the_path_and_advice(string message, int code, string place) => Assert.Equal(
         $"The disk is full: {place} cannot be written. Free some space, or name a place on another disk, and give the command again.",
         FileFault.TextOf(new IOException(message, code), "kitti"));
 
     [Fact]
-    public void Full_disk_without_a_place_is_told_all_the_same() =>
+    public void Full_disk_without_a_path_is_still_reported() =>
         Assert.StartsWith("The disk is full. Free some space", FileFault.TextOf(new IOException("No space left on device", 28), output: null), StringComparison.Ordinal);
 
     [Fact]
-    public void File_without_the_right_to_read_it_is_told_as_such() => Assert.Equal(
+    public void File_without_read_permission_is_reported_as_such() => Assert.Equal(
         $"'{_folder.PathOf("file")}' may not be read or written. Ask for the right to, or name another.",
         FileFault.TextOf(new UnauthorizedAccessException($"Access to the path '{_folder.PathOf("file")}' is denied."), output: null));
 
     [Fact]
-    public void Folder_in_the_place_of_a_file_is_told_as_such() => Assert.Equal(
+    public void Folder_in_place_of_a_file_is_reported_as_such() => Assert.Equal(
         $"'{_folder.PathOf("folder")}' is a folder. Name a file.",
         FileFault.TextOf(new IOException($"Is a directory : '{_folder.PathOf("folder")}'"), output: null));
 
     [Fact]
-    public void What_the_project_says_itself_stays_as_it_is() =>
+    public void Messages_of_the_project_are_left_unchanged() =>
         Assert.Equal("'out' is no drive.", FileFault.TextOf(new FileNotFoundException("'out' is no drive."), "x"));
 
     private string InFolder(string text) => text

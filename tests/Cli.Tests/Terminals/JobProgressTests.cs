@@ -21,7 +21,7 @@ public sealed class JobProgressTests
         Assert.Equal("300 of 1000 m, 30.0 m/s, 24 s left", JobProgress.Describe(300, 1000, 30, "m"));
 
     [Fact]
-    public void Rate_leaves_the_start_up_out_and_is_unknown_at_first()
+    public void Rate_excludes_the_start_up_and_is_unknown_at_first()
     {
         var rate = new JobRate();
 
@@ -33,7 +33,7 @@ public sealed class JobProgressTests
     }
 
     [Fact]
-    public void Rate_is_unknown_while_nothing_more_is_done()
+    public void Rate_is_unknown_without_further_progress()
     {
         var rate = new JobRate();
 

@@ -15,7 +15,7 @@ public sealed class SuggestionTests
         CliRun.Of(arguments).AssertFailed(ExitCode.Usage, $"Did you mean {expected}?");
 
     [Fact]
-    public void Word_like_no_name_gets_no_suggestion()
+    public void Word_unlike_any_name_gets_no_suggestion()
     {
         CliRun run = CliRun.Of("harvest", "--out", "x", "--zzzzzzz");
 
@@ -28,7 +28,7 @@ public sealed class SuggestionTests
     [InlineData("frame", "frames", 1)]
     [InlineData("farmes", "frames", 1)]
     [InlineData("kitten", "sitting", 3)]
-    public void Mistakes_counts_letters_put_in_left_out_exchanged_and_swapped(string a, string b, int expected)
+    public void Mistakes_counts_inserted_missing_wrong_and_swapped_letters(string a, string b, int expected)
     {
         Assert.Equal(expected, Suggestion.Mistakes(a, b));
         Assert.Equal(expected, Suggestion.Mistakes(b, a));

@@ -107,7 +107,7 @@ public sealed class DoctorTests : IDisposable
     [InlineData(true, true, false, false, "found no GtaDataHarvester.dll")]
     [InlineData(true, true, true, false, "The mod wrote no log")]
     [InlineData(true, true, true, true, null)]
-    public void Log_that_is_missing_tells_what_was_not_loaded(bool hook, bool loader, bool loadsMod, bool mod, string? cause)
+    public void Missing_log_shows_what_was_not_loaded(bool hook, bool loader, bool loadsMod, bool mod, string? cause)
     {
         File.WriteAllText(Path.Combine(_game, "GTA5.exe"), string.Empty);
         Write(LogKind.ScriptHook, hook ? Hook : null);
@@ -134,7 +134,7 @@ public sealed class DoctorTests : IDisposable
     [InlineData("API 3.7.0.181, GTA V Enhanced 1.0.1013.17", "does not support Enhanced")]
     [InlineData("API 3.9.0.4, GTA V Enhanced 1.0.1013.17", null)]
     [InlineData("API 3.6.0.0, GTA V Legacy unknown", null)]
-    public void Versions_that_do_not_go_together_are_named(string versions, string? cause)
+    public void Incompatible_versions_are_named(string versions, string? cause)
     {
         Write(LogKind.Mod, $"2026-10-02 18:03:11 GtaDataHarvester 0.1.0.0, {versions}.\n");
 
@@ -161,7 +161,7 @@ public sealed class DoctorTests : IDisposable
     }
 
     [Fact]
-    public void Only_the_last_run_counts_unless_all_are_asked_for()
+    public void Only_the_last_run_counts_unless_all_are_requested()
     {
         const string failure = "2026-10-02 18:04:00 The road survey failed: row 3. Repair it or move it away.\n";
         Write(LogKind.Mod, Header + failure + Header + "2026-10-02 18:04:00 The harvest: on\n" + Header);
@@ -173,7 +173,7 @@ public sealed class DoctorTests : IDisposable
     }
 
     [Fact]
-    public void Same_problem_again_is_counted_and_its_last_line_shown()
+    public void Repeated_problem_is_counted_and_its_last_line_shown()
     {
         Write(LogKind.Mod, Header + string.Concat(Enumerable.Repeat("2026-10-02 18:04:00 The harvest ended: 0 frames, discarded: 50 black, in out.\n", 3)));
 
@@ -184,7 +184,7 @@ public sealed class DoctorTests : IDisposable
     [Theory]
     [InlineData("none", "Remove mods")]
     [InlineData("[Harvest] Freeze = TimeScale", "Freeze = Auto")]
-    public void Advice_on_a_world_that_does_not_stand_still_depends_on_the_way_of_freezing(string changes, string advice)
+    public void Advice_on_a_moving_frozen_world_depends_on_the_freeze_method(string changes, string advice)
     {
         Write(LogKind.Mod, Header.Replace("Changed settings: none", $"Changed settings: {changes}", StringComparison.Ordinal)
             + "2026-10-02 18:04:00 The harvest ended: 0 frames, discarded: 50 neverStill, in out.\n");
@@ -218,7 +218,7 @@ public sealed class DoctorTests : IDisposable
     [InlineData("")]
     [InlineData("\0\u0001\uFFFD\n\n")]
     [InlineData("milk\n")]
-    public void Log_without_a_line_of_the_mod_is_not_called_good(string text)
+    public void Log_without_a_line_of_the_mod_is_not_reported_as_good(string text)
     {
         Write(LogKind.Mod, text);
 
@@ -226,7 +226,7 @@ public sealed class DoctorTests : IDisposable
     }
 
     [Fact]
-    public void Log_under_another_name_is_known_by_what_it_says()
+    public void Renamed_log_is_recognised_by_its_content()
     {
         foreach ((string text, LogKind kind) in new[] { (Hook, LogKind.ScriptHook), (Loader, LogKind.Loader), (Header, LogKind.Mod) })
         {

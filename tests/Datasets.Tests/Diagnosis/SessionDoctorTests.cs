@@ -15,7 +15,7 @@ public sealed class SessionDoctorTests : IDisposable
     [Theory]
     [InlineData("black", "exclusive full screen", "windowed borderless")]
     [InlineData("neverStill", "went on moving", "Freeze = Auto")]
-    public void Session_that_lost_most_of_its_frames_says_why(string reason, string cause, string advice)
+    public void Session_that_lost_most_frames_is_explained(string reason, string cause, string advice)
     {
         _session.Info["options"] = JsonNode.Parse("""{ "freezeBy": "paused" }""");
         _session.Info["counters"] = JsonNode.Parse($$"""{ "captured": 3, "discarded": 52, "discards": { "{{reason}}": 50, "objectMoved": 2 } }""");
@@ -29,7 +29,7 @@ public sealed class SessionDoctorTests : IDisposable
     [Theory]
     [InlineData("The camera model is off by 3.1 px, more than the 1.0 px allowed: calibrate the camera first.", "does not fit the camera model")]
     [InlineData("The sky fell.", "ended by a failure")]
-    public void Session_with_a_fault_says_what_it_means(string fault, string cause)
+    public void Session_with_a_fault_is_explained(string fault, string cause)
     {
         _session.Info["state"] = "faulted";
         _session.Info["fault"] = fault;
@@ -38,7 +38,7 @@ public sealed class SessionDoctorTests : IDisposable
     }
 
     [Fact]
-    public void Session_that_was_cut_off_is_named()
+    public void Interrupted_session_is_named()
     {
         _session.Info["state"] = "recording";
         _session.Info.Remove("counters");

@@ -59,7 +59,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
 
     /// <summary>Reading the labels of long sessions takes minutes.</summary>
     [Fact]
-    public void Export_into_an_occupied_folder_is_refused_before_the_labels_are_read()
+    public void Export_refuses_an_occupied_folder_before_reading_labels()
     {
         Directory.CreateDirectory(Folder.PathOf("out"));
         File.WriteAllText(Folder.PathOf("out/thesis.tex"), "mine");
@@ -79,7 +79,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     [Theory]
     [InlineData("tusimple", "it has no lanes")]
     [InlineData("cityscapes", "it has no mask")]
-    public void Export_to_a_format_that_needs_more_than_there_is_leaves_nothing_to_go_on_with(string format, string message)
+    public void Export_without_the_data_a_format_needs_leaves_no_folder(string format, string message)
     {
         Session.Lines[0].Remove("mask");
 
@@ -125,7 +125,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     }
 
     [Fact]
-    public void Export_with_filters_leaves_the_rest_out()
+    public void Export_with_filters_omits_the_rest()
     {
         // The pedestrian is of another class; the car is seen to (1 - 0)(1 - 0.25) = 0.75.
         Session.DeterminePedestrians();
@@ -136,7 +136,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     }
 
     [Fact]
-    public void Export_with_or_without_parts_leaves_the_rest_out()
+    public void Export_of_parts_or_wholes_omits_the_others()
     {
         // The pedestrian of the second frame is a part of the car, whatever that may be.
         Session.Lines[1]["objects"]![1]!["parent"] = 1;
@@ -149,7 +149,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     }
 
     [Fact]
-    public void Shards_begin_in_a_folder_to_which_another_is_about_to_write_its_plan()
+    public void Shards_start_in_a_folder_whose_plan_is_still_being_written()
     {
         Directory.CreateDirectory(Folder.PathOf("out/.export"));
         using var other = new FileStream(Folder.PathOf("out/.export/plan.json.partial"), FileMode.CreateNew, FileAccess.Write, FileShare.None);
@@ -209,7 +209,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     }
 
     [Fact]
-    public void Export_of_a_lens_that_bends_by_less_than_a_pixel_to_kitti_is_made()
+    public void Export_to_kitti_accepts_a_lens_distortion_below_a_pixel()
     {
         // What a calibration finds of a straight lens: 0.0002 · r³ · f is under 0.1 pixels in the corner of an image of 90 degrees.
         Session.Lines[2]["camera"]!["distortion"]!["k1"] = 0.0002;

@@ -21,7 +21,7 @@ public sealed class DatasetValidatorTests(SimulatedSession simulated) : ExportTe
 
     [Theory]
     [MemberData(nameof(Formats))]
-    public void Validate_of_an_export_of_two_sessions_in_splits_finds_nothing(string format)
+    public void Validate_of_an_export_of_two_split_sessions_finds_nothing(string format)
     {
         Folder.Export(format, [simulated.Open(), simulated.Open()], new ExportOptions { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 1, 1) });
 
@@ -37,7 +37,7 @@ public sealed class DatasetValidatorTests(SimulatedSession simulated) : ExportTe
     }
 
     [Fact]
-    public void Validate_of_a_malformed_manifest_says_so()
+    public void Validate_reports_a_malformed_manifest()
     {
         Folder.Export("voc", simulated.Open());
         File.WriteAllText(Folder.PathOf("out/export.json"), "{\"plan\":{}}");

@@ -20,7 +20,7 @@ public sealed class ExportCountTests(SimulatedSession simulated) : ExportTests
     [InlineData("yolo-segment", "labels/train/*.txt", "\n")]
     [InlineData("voc", "Annotations/*.xml", "<bndbox>")]
     [InlineData("webdataset", "*.tar", "\"truncatedFraction\"")]
-    public void Objects_are_those_that_the_files_have(string format, string files, string mark)
+    public void Object_count_equals_that_of_the_files(string format, string files, string mark)
     {
         ExportResult result = Folder.Export(format, simulated.Open());
 
@@ -34,7 +34,7 @@ public sealed class ExportCountTests(SimulatedSession simulated) : ExportTests
         Assert.Equal(Folder.Export("yolo-segment", simulated.Open()).Objects, Folder.Export("cityscapes", simulated.Open(), to: "city").Objects);
 
     [Fact]
-    public void Filters_leave_labels_out_and_export_json_counts_both()
+    public void Filters_omit_labels_and_export_json_counts_both()
     {
         ExportResult all = Folder.Export("csv", simulated.Open(), to: "all");
         ExportResult some = Folder.Export("csv", simulated.Open(), new ExportOptions { MinVisibleFraction = 0.9 });
@@ -52,7 +52,7 @@ public sealed class ExportCountTests(SimulatedSession simulated) : ExportTests
     [Theory]
     [InlineData("tusimple")]
     [InlineData("openlane")]
-    public void Frames_without_known_lanes_are_counted_apart(string format)
+    public void Frames_without_known_lanes_are_counted_separately(string format)
     {
         string session = Folder.PathOf("session");
         foreach (string file in Directory.EnumerateFiles(simulated.Folder, "*", SearchOption.AllDirectories))

@@ -14,7 +14,7 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
 
     [Theory]
     [MemberData(nameof(DatasetExporterTests.Formats), MemberType = typeof(DatasetExporterTests))]
-    public void Export_goes_on_after_it_was_killed(string format)
+    public void Killed_export_resumes(string format)
     {
         ExportOptions splits = DatasetExporterTests.SplitsOf(format);
         Folder.Export(format, simulated.Open(), splits, "single");
@@ -28,7 +28,7 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
     }
 
     [Fact]
-    public void Export_does_not_go_on_with_other_options()
+    public void Export_does_not_resume_with_other_options()
     {
         KillAfter(2, "csv");
 
@@ -42,7 +42,7 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
     [InlineData("{\"frame\":1,", "{\"frame\":1.5,")]
     [InlineData("{\"frame\":1,", "{\"frame\":\"1\",")]
     [InlineData("{\"frame\":1,", "\u0000\u0000")]
-    public void Export_does_not_go_on_by_a_journal_that_is_damaged_or_of_another_version(string good, string bad)
+    public void Export_does_not_resume_from_a_damaged_or_foreign_journal(string good, string bad)
     {
         KillAfter(2, "csv");
         string journal = Folder.PathOf("killed/.export/journal-1-of-1.jsonl");
@@ -57,7 +57,7 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
     }
 
     [Fact]
-    public void Export_that_was_killed_while_it_took_its_working_folder_away_is_finished()
+    public void Export_killed_while_removing_its_working_folder_is_finished()
     {
         ExportResult whole = Folder.Export("csv", Session.Open());
         SortedDictionary<string, string> contents = Folder.Contents("out");
@@ -69,7 +69,7 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
     }
 
     [Fact]
-    public void Merge_that_was_killed_while_it_took_its_working_folder_away_is_finished()
+    public void Merge_killed_while_removing_its_working_folder_is_finished()
     {
         Folder.Export("csv", Session.Open(), to: "a", shard: new Shard(1, 2));
         Folder.Export("csv", Session.Open(), to: "b", shard: new Shard(2, 2));
@@ -84,7 +84,7 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
     }
 
     [Fact]
-    public void Export_or_merge_of_another_plan_does_not_finish_what_was_killed_at_its_end()
+    public void Export_or_merge_with_another_plan_does_not_finish_the_killed()
     {
         Folder.Export("csv", Session.Open());
         Directory.CreateDirectory(Folder.PathOf("out/.export"));
@@ -96,7 +96,7 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
     }
 
     [Fact]
-    public void Export_does_not_go_on_with_another_session_of_the_same_name()
+    public void Export_does_not_resume_with_a_different_session()
     {
         KillAfter(2, "csv");
         string other = Folder.PathOf("other/" + Path.GetFileName(simulated.Folder));

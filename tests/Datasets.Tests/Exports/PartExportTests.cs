@@ -80,7 +80,7 @@ public sealed class PartExportTests : ExportTests
     }
 
     [Fact]
-    public void Sign_of_which_no_face_is_known_is_whole()
+    public void Sign_without_a_known_face_is_exported_whole()
     {
         Session.Lines[0]["objects"]!.AsArray().RemoveAt(3);
         Session.Lines[0]["objects"]![2]!["knownParts"] = 0;

@@ -15,7 +15,7 @@ public sealed class SelectionTests : ExportTests
     private const string DontCare = "DontCare -1 -1 -10 69.5 23.5 79 35.5 -1 -1 -1 -1000 -1000 -1000 -10";
 
     [Fact]
-    public void Undetermined_object_is_a_region_that_kitti_does_not_evaluate()
+    public void Undetermined_object_is_a_dont_care_region_of_kitti()
     {
         ExportResult result = Folder.Export("kitti", Session.Open());
 
@@ -28,7 +28,7 @@ public sealed class SelectionTests : ExportTests
     }
 
     [Fact]
-    public void Undetermined_object_is_a_region_that_tracking_does_not_evaluate()
+    public void Undetermined_object_is_an_ignore_region_of_tracking()
     {
         Folder.Export("kitti-tracking", Session.Open());
 
@@ -63,7 +63,7 @@ public sealed class SelectionTests : ExportTests
     }
 
     [Fact]
-    public void Recorded_ignore_region_is_marked_as_the_format_has_it()
+    public void Recorded_ignore_region_is_marked_in_the_formats_own_way()
     {
         Session.Lines[0]["ignoreRegions"] = JsonNode.Parse("""[{ "reason": "beyondRange", "class": "truck", "box2d": [10, 20, 14, 26], "distanceMetres": 157 }]""");
         Session.DeterminePedestrians();
@@ -84,7 +84,7 @@ public sealed class SelectionTests : ExportTests
     [Theory]
     [InlineData("csv")]
     [InlineData("webdataset")]
-    public void No_visibility_filter_lets_an_undetermined_object_through(string format)
+    public void Every_visibility_filter_drops_an_undetermined_object(string format)
     {
         Assert.Equal(6, Folder.Export(format, Session.Open(), to: "all").Objects);
         Assert.Equal(3, Folder.Export(format, Session.Open(), new ExportOptions { MinVisibleFraction = 0.01 }).Objects);
@@ -102,7 +102,7 @@ public sealed class SelectionTests : ExportTests
     }
 
     [Fact]
-    public void Filtered_object_is_a_region_that_is_not_evaluated()
+    public void Filtered_object_becomes_an_ignore_region()
     {
         Session.DeterminePedestrians();
         var options = new ExportOptions { MinVisibleFraction = 0.78 };
@@ -121,7 +121,7 @@ public sealed class SelectionTests : ExportTests
     [InlineData(BoxKind.Visible, "0 0.50625 0.508333 0.0625 0.083333", "6 0.9375 0.5 0.125 0.2")]
     [InlineData(BoxKind.Cuboid, "0 0.5 0.5 0.075 0.1", "6 0.9375 0.5 0.125 0.2")]
     [InlineData(BoxKind.Amodal, "0 0.5 0.5 0.075 0.1", "6 0.93125 0.5 0.1375 0.2")]
-    public void Boxes_are_of_the_kind_that_is_asked_for(BoxKind boxes, string car, string pedestrian)
+    public void Boxes_are_of_the_requested_kind(BoxKind boxes, string car, string pedestrian)
     {
         Session.DeterminePedestrians();
         Session.Pedestrian(0)["box2dAmodal"]![0] = 69;

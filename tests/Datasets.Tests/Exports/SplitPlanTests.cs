@@ -7,7 +7,7 @@ public sealed class SplitPlanTests
     private static readonly DatasetSplit[] TrainAndVal = [new("train", 0.8), new("val", 0.2)];
 
     [Fact]
-    public void Of_meets_the_shares_on_average()
+    public void Splits_have_the_requested_shares_on_average()
     {
         var plan = new SplitPlan(TrainAndVal, 1, 1);
 
@@ -18,7 +18,7 @@ public sealed class SplitPlanTests
     }
 
     [Fact]
-    public void Of_keeps_blocks_together()
+    public void Splits_keep_blocks_together()
     {
         var plan = new SplitPlan(TrainAndVal, 1, 25);
 
@@ -31,7 +31,7 @@ public sealed class SplitPlanTests
     }
 
     [Fact]
-    public void Of_depends_on_seed_and_session()
+    public void Splits_depend_on_seed_and_session()
     {
         string[] Draw(int seed, int session) => [.. Enumerable.Range(0, 64).Select(frame => new SplitPlan(TrainAndVal, seed, 1).Of(session, frame))];
 
@@ -66,6 +66,6 @@ public sealed class SplitPlanTests
     [InlineData("../train", 0.8, "val", 0.2)]
     [InlineData("", 0.8, "val", 0.2)]
     [InlineData("train", double.NaN, "val", 0.2)]
-    public void Constructor_with_splits_that_make_no_sense_throws(string first, double firstShare, string second, double secondShare) =>
+    public void Constructor_with_invalid_splits_throws(string first, double firstShare, string second, double secondShare) =>
         Assert.Throws<ArgumentException>(() => new SplitPlan([new(first, firstShare), new(second, secondShare)], 1, 1));
 }

@@ -60,7 +60,7 @@ public sealed class UnusableSessionTests : ExportTests
     }
 
     [Fact]
-    public void Later_frame_that_the_format_cannot_represent_is_refused_before_anything_is_written()
+    public void Frame_the_format_cannot_represent_is_refused_before_writing()
     {
         _other.Lines[2]["camera"]!["distortion"]!["k1"] = 0.05;
 

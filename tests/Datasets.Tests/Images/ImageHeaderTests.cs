@@ -24,7 +24,7 @@ public sealed class ImageHeaderTests : IDisposable
     [Theory]
     [InlineData(600)]
     [InlineData(-600)]
-    public void Read_of_a_bmp_gives_size_and_depth_whichever_way_its_rows_run(int height)
+    public void Read_of_a_bmp_gives_size_and_depth_for_either_row_order(int height)
     {
         File.WriteAllBytes(_path, TestImages.Bmp(800, height));
 
@@ -32,7 +32,7 @@ public sealed class ImageHeaderTests : IDisposable
     }
 
     [Fact]
-    public void Read_of_a_bmp_that_is_cut_off_says_so()
+    public void Read_reports_a_truncated_bmp()
     {
         File.WriteAllBytes(_path, TestImages.Bmp(800, 600)[..50]);
 
@@ -43,7 +43,7 @@ public sealed class ImageHeaderTests : IDisposable
     [InlineData(0)]
     [InlineData(-1)]
     [InlineData(70000)]
-    public void Read_of_an_impossible_size_says_so(int width)
+    public void Read_reports_an_impossible_size(int width)
     {
         File.WriteAllBytes(_path, TestImages.Png(width, 600));
 
@@ -54,7 +54,7 @@ public sealed class ImageHeaderTests : IDisposable
     [InlineData(0)]
     [InlineData(8)]
     [InlineData(32)]
-    public void Read_of_a_few_bytes_says_so(int length)
+    public void Read_reports_a_file_of_a_few_bytes(int length)
     {
         File.WriteAllBytes(_path, TestImages.Png(800, 600)[..length]);
 

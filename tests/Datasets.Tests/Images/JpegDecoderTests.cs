@@ -31,7 +31,7 @@ public sealed class JpegDecoderTests : IDisposable
     }
 
     [Fact]
-    public void ReadRgb_of_subsampled_colours_differs_from_libjpeg_only_where_colours_meet()
+    public void ReadRgb_of_subsampled_jpeg_equals_libjpeg_except_at_edges()
     {
         // libjpeg interpolates between the samples of colour, of which each stands for two pixels: only the two at a border differ.
         const int tile = 16;
@@ -52,7 +52,7 @@ public sealed class JpegDecoderTests : IDisposable
     [Theory]
     [InlineData("progressive", "a progressive JPEG")]
     [InlineData("cmyk", "a JPEG of 4 components")]
-    public void ReadRgb_of_another_kind_says_what_it_is(string name, string kind)
+    public void ReadRgb_reports_the_kind_of_an_unsupported_jpeg(string name, string kind)
     {
         string message = Assert.Throws<DatasetFormatException>(() => JpegDecoder.ReadRgb(LibjpegPictures.PathOf(name + ".jpg"))).Message;
 
@@ -70,7 +70,7 @@ public sealed class JpegDecoderTests : IDisposable
     }
 
     [Fact]
-    public void ReadRgb_of_a_picture_without_its_last_pixels_says_so()
+    public void ReadRgb_reports_missing_pixels()
     {
         byte[] file = File.ReadAllBytes(LibjpegPictures.PathOf("quality-95.jpg"));
         File.WriteAllBytes(_path, [.. file[..^40], 0xFF, 0xD9]);
@@ -79,7 +79,7 @@ public sealed class JpegDecoderTests : IDisposable
     }
 
     [Fact]
-    public void ReadRgb_of_damaged_bytes_gives_a_picture_or_says_that_it_is_damaged()
+    public void ReadRgb_of_damaged_bytes_gives_a_picture_or_an_error()
     {
         byte[] good = File.ReadAllBytes(LibjpegPictures.PathOf("restarts.jpg"));
         var random = new Random(8);
@@ -109,7 +109,7 @@ public sealed class JpegDecoderTests : IDisposable
         Assert.Equal(new ImageHeader("image/jpeg", new ImageSize(45, 29), 24), ImageHeader.Read(LibjpegPictures.PathOf("quality-95.jpg")));
 
     [Fact]
-    public void ImageHeader_of_a_jpeg_that_is_cut_off_says_so()
+    public void ImageHeader_reports_a_truncated_jpeg()
     {
         File.WriteAllBytes(_path, File.ReadAllBytes(LibjpegPictures.PathOf("quality-95.jpg"))[..^3]);
 

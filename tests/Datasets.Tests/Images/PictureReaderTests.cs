@@ -37,7 +37,7 @@ public sealed class PictureReaderTests : IDisposable
     }
 
     [Fact]
-    public void Read_of_a_bmp_without_its_last_row_says_so()
+    public void Read_reports_a_bmp_without_its_last_row()
     {
         Write(ImageFormat.Bmp);
         byte[] file = File.ReadAllBytes(_path)[..^100];

@@ -53,7 +53,7 @@ public sealed class PngDecoderTests : IDisposable
     }
 
     [Fact]
-    public void ReadInstanceMap_of_a_colour_picture_says_what_it_reads()
+    public void ReadInstanceMap_of_a_colour_picture_names_the_expected_kind()
     {
         File.WriteAllBytes(_path, TestImages.Png(2, 2));
 
@@ -80,7 +80,7 @@ public sealed class PngDecoderTests : IDisposable
     [Theory]
     [InlineData(new byte[] { 0, 1, 2 })]
     [InlineData(new byte[] { 9, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0 })]
-    public void ReadRgb_of_damaged_rows_says_so(byte[] rows)
+    public void ReadRgb_reports_damaged_rows(byte[] rows)
     {
         WritePng(rows);
 
@@ -88,7 +88,7 @@ public sealed class PngDecoderTests : IDisposable
     }
 
     [Fact]
-    public void ReadRgb_of_a_grey_picture_says_what_it_reads()
+    public void ReadRgb_of_a_grey_picture_names_the_expected_kind()
     {
         File.WriteAllBytes(_path, TestImages.Png(2, 2, bitDepth: 16, colourType: 0));
 

@@ -40,7 +40,7 @@ public sealed class JsonListReaderTests : IDisposable
     [InlineData("{\"list\":[1,2", 0)]
     [InlineData("{\"list\":[1,\n2}", 1)]
     [InlineData("", 0)]
-    public void Read_of_what_is_not_json_throws_with_the_line(string text, long line) =>
+    public void Read_of_invalid_json_throws_with_the_line(string text, long line) =>
         Assert.Equal(line, Assert.ThrowsAny<JsonException>(() => Elements(text)).LineNumber);
 
     private List<string> Elements(string text)

@@ -34,7 +34,7 @@ public sealed class FaceImportTests : MapsOfAnotherTool
     }
 
     [Fact]
-    public void Import_hides_a_face_by_as_much_as_a_nearer_object_covers()
+    public void Import_hides_the_part_of_a_face_that_a_nearer_object_covers()
     {
         // The face is in columns 15 to 25; the pedestrian, 5 m away where the face is 6 m away, stands before columns 20 to 25.
         Session.AddSign(0);
@@ -55,7 +55,7 @@ public sealed class FaceImportTests : MapsOfAnotherTool
     }
 
     [Fact]
-    public void Import_hides_a_face_where_its_sign_is_not_seen()
+    public void Import_hides_a_face_whose_sign_is_invisible()
     {
         // Nothing but the post is seen.
         Session.AddSign(0);
@@ -71,7 +71,7 @@ public sealed class FaceImportTests : MapsOfAnotherTool
     /// <summary>A map does not tell the face from the rest of its sign, which may hide it; rays do.</summary>
 
     [Fact]
-    public void Import_keeps_what_rays_found_hidden_of_a_face_that_nothing_else_covers()
+    public void Import_keeps_ray_occlusion_of_a_face_covered_by_nothing_else()
     {
         Session.AddSign(0);
         JsonNode face = Session.Lines[0]["objects"]![3]!;

@@ -30,7 +30,7 @@ public sealed class MaskImporterTests : MapsOfAnotherTool
     }
 
     [Fact]
-    public void Import_by_overlap_finds_the_objects_and_leaves_out_other_things()
+    public void Import_by_overlap_finds_objects_and_omits_other_things()
     {
         InstanceMap map = Scene(900, 17);
         Fill(map, 900 + 1, 0, 0, 80, 20);
@@ -63,7 +63,7 @@ public sealed class MaskImporterTests : MapsOfAnotherTool
     }
 
     [Fact]
-    public void Import_farther_object_seen_through_a_gap_hides_nothing()
+    public void Import_object_seen_through_a_gap_hides_nothing()
     {
         // The car shows through the pedestrian's column 41.
         InstanceMap map = Scene(Car, Pedestrian);
@@ -89,7 +89,7 @@ public sealed class MaskImporterTests : MapsOfAnotherTool
     [InlineData("damaged", "damaged")]
     [InlineData("colour", "16-bit grey")]
     [InlineData("twice", "both of frame 2")]
-    public void Import_of_bad_maps_says_which_and_changes_nothing(string fault, string message)
+    public void Import_of_bad_maps_names_them_and_changes_nothing(string fault, string message)
     {
         string map = Path.Combine(Maps, "2.png");
         byte[] good = File.ReadAllBytes(map);
@@ -130,7 +130,7 @@ public sealed class MaskImporterTests : MapsOfAnotherTool
     }
 
     [Fact]
-    public void Import_of_no_folder_says_so() => Assert.Throws<DirectoryNotFoundException>(
+    public void Import_reports_a_missing_folder() => Assert.Throws<DirectoryNotFoundException>(
         () => MaskImporter.Import(Session.Open(), Path.Combine(Maps, "none"), MaskNumbers.Ids));
 
     [Fact]

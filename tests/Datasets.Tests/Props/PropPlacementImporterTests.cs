@@ -31,7 +31,7 @@ public sealed class PropPlacementImporterTests : IDisposable
     [InlineData("""[{"Name": "a", "Position": {"X": 1e999, "Y": 1, "Z": 1}, "Rotation": {"X": 0, "Y": 0, "Z": 0}}]""", "Position.X must be a finite number")]
     [InlineData("[{\"Name\": \"a\",\n", "line 2")]
     [InlineData("{}", "a list of props")]
-    public void Import_what_is_no_list_of_props_names_the_place(string text, string expected)
+    public void Import_of_an_invalid_prop_list_names_the_position(string text, string expected)
     {
         File.WriteAllText(_file, text);
 

@@ -35,7 +35,7 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     }
 
     [Fact]
-    public void Relabel_with_another_range_classes_and_sizes_gives_the_labels_of_a_harvest_with_them()
+    public void Relabel_with_range_classes_and_sizes_equals_a_harvest()
     {
         ObjectClass[] classes = [ObjectClass.Car, ObjectClass.Sign];
         SessionReader harvested = drive.Harvest("narrow", RecordedDrive.Options with
@@ -69,7 +69,7 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     }
 
     [Fact]
-    public void Relabel_with_what_is_hidden_altogether_gives_the_labels_of_a_harvest_with_it()
+    public void Relabel_with_hidden_objects_equals_a_harvest_with_them()
     {
         SessionReader made = Relabel(drive.Session, new RelabelOptions { MaxOccludedFraction = 1, Roads = drive.Roads });
 
@@ -78,7 +78,7 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     }
 
     [Fact]
-    public void Relabel_of_a_session_of_some_classes_brings_the_others_back_with_unknown_occlusion()
+    public void Relabel_restores_other_classes_with_unknown_occlusion()
     {
         SessionReader cars = drive.Harvest("cars", RecordedDrive.Options with { Classes = [ObjectClass.Car] });
 
@@ -93,7 +93,7 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     }
 
     [Fact]
-    public void Relabel_through_a_lens_gives_the_boxes_faces_and_lanes_of_a_harvest_through_it()
+    public void Relabel_through_a_lens_equals_a_harvest_through_it()
     {
         SessionReader harvested = drive.Harvest("bent", RecordedDrive.Options with { Lens = Bent, MaxOccludedFraction = 1 });
 
@@ -105,7 +105,7 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     }
 
     [Fact]
-    public void Relabel_through_a_lens_keeps_the_occlusion_of_what_is_wholly_in_the_image()
+    public void Relabel_through_a_lens_keeps_occlusion_of_uncropped_objects()
     {
         SessionReader made = Relabel(drive.Session, new RelabelOptions { Lens = Bent });
 
@@ -121,7 +121,7 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     }
 
     [Fact]
-    public void Relabel_through_a_lens_leaves_out_masks_that_rays_made_and_keeps_those_of_another_tool()
+    public void Relabel_through_a_lens_drops_ray_masks_but_not_imported_ones()
     {
         SessionReader made = Relabel(drive.MaskedSession, new RelabelOptions { Lens = Bent });
 
@@ -136,7 +136,7 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     }
 
     [Fact]
-    public void Relabel_with_other_faces_gives_the_faces_of_a_harvest_with_them()
+    public void Relabel_with_other_faces_equals_a_harvest_with_them()
     {
         ModelFace[] moved = [.. RecordedDrive.Table.Faces.Where(face => face.Class == ObjectClass.Sign).Select(face =>
             face with { Name = "MOVED", FrontUpperLeft = face.FrontUpperLeft + new Vector3D(0, 0, -0.25) })];
@@ -154,7 +154,7 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     }
 
     [Fact]
-    public void Relabel_keeps_the_painted_markings_of_the_session_as_the_new_lens_shows_them()
+    public void Relabel_shows_the_sessions_markings_through_the_new_lens()
     {
         SessionReader made = Relabel(drive.FullSession, new RelabelOptions { Lens = Bent, Roads = drive.Roads });
         SessionReader other = Relabel(drive.Session, new RelabelOptions { Roads = drive.Roads, LaneWidthMetres = 3.7 });
@@ -168,7 +168,7 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     }
 
     [Fact]
-    public void Relabel_with_other_lanes_gives_the_lanes_of_a_harvest_with_them_and_no_guess_of_what_is_hidden()
+    public void Relabel_with_other_lanes_equals_a_harvest_without_guessing()
     {
         SessionReader harvested = drive.Harvest("lanes", RecordedDrive.Options, LookAhead.OfSeconds(1), 3.7);
 
@@ -181,7 +181,7 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     }
 
     [Fact]
-    public void Relabel_without_roads_keeps_the_lanes_and_shows_their_markings_through_the_lens()
+    public void Relabel_without_roads_keeps_lanes_and_reprojects_markings()
     {
         SessionReader made = Relabel(drive.Session, new RelabelOptions { Lens = Bent });
 
@@ -214,7 +214,7 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     }
 
     [Fact]
-    public void Masks_lose_the_pixels_of_objects_that_are_labelled_no_more_and_nothing_else()
+    public void Masks_lose_only_the_pixels_of_objects_no_longer_labelled()
     {
         SessionReader made = Relabel(drive.MaskedSession, new RelabelOptions { Classes = [ObjectClass.Pedestrian, ObjectClass.Sign, ObjectClass.TrafficLight] });
 
@@ -233,7 +233,7 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     }
 
     [Fact]
-    public void Objects_keep_their_numbers_and_new_ones_follow_the_greatest()
+    public void Objects_keep_their_ids_and_new_ones_follow_the_largest()
     {
         SessionReader cars = drive.Harvest("few", RecordedDrive.Options with { Classes = [ObjectClass.Bus, ObjectClass.Car], MinBoxAreaPixels = 400 });
 
@@ -247,7 +247,7 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     }
 
     [Fact]
-    public void Shards_of_a_relabelling_merge_to_the_bytes_of_one_run()
+    public void Shards_of_a_relabelling_merge_to_the_bytes_of_a_single_run()
     {
         var changes = new RelabelOptions { Roads = drive.Roads, LaneWidthMetres = 3.7, RangeMetres = 90, MinBoxAreaPixels = 2 };
         SessionReader whole = Relabel(drive.MaskedSession, changes);

@@ -12,7 +12,7 @@ public sealed class CuboidEdgesTests
         new Pose(Vector3D.Zero, Axes.Identity), new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.15, Lens.Ideal));
 
     [Fact]
-    public void Of_a_cuboid_ahead_are_twelve_with_ends_worked_out_by_hand()
+    public void Edges_of_a_cuboid_ahead_match_hand_computed_ends()
     {
         (Vector2D Start, Vector2D End)[] edges = [.. CuboidEdges.Of(Camera, new Cuboid(new(0, 20, 0), new(1, 10, 1), Axes.Identity))];
 
@@ -24,7 +24,7 @@ public sealed class CuboidEdgesTests
     }
 
     [Fact]
-    public void Of_a_cuboid_across_the_near_plane_are_cut_there()
+    public void Edges_of_a_cuboid_are_clipped_at_the_near_plane()
     {
         (Vector2D Start, Vector2D End)[] edges = [.. CuboidEdges.Of(Camera, new Cuboid(new(0, 0, 0), new(1, 10, 1), Axes.Identity))];
 
@@ -35,6 +35,6 @@ public sealed class CuboidEdgesTests
     }
 
     [Fact]
-    public void Of_a_cuboid_behind_the_camera_are_none() =>
+    public void Cuboid_behind_the_camera_has_no_edges() =>
         Assert.Empty(CuboidEdges.Of(Camera, new Cuboid(new(0, -20, 0), new(1, 10, 1), Axes.Identity)));
 }

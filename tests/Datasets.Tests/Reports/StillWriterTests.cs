@@ -16,7 +16,7 @@ public sealed class StillWriterTests : IDisposable
     public void Dispose() => _session.Dispose();
 
     [Fact]
-    public void Write_draws_the_sides_of_a_box_in_its_classs_colour_and_leaves_the_rest()
+    public void Write_draws_box_edges_in_the_class_colour_and_nothing_else()
     {
         DrawOnBlack(1);
         _session.Car(1)["occludedFraction"] = 0.0;
@@ -47,7 +47,7 @@ public sealed class StillWriterTests : IDisposable
     }
 
     [Fact]
-    public void Write_of_a_frame_that_is_not_there_says_so() =>
+    public void Write_reports_a_missing_frame() =>
         Assert.Contains(
             "no frame 7",
             Assert.Throws<DatasetFormatException>(() => StillWriter.Write(_session.Open(), 7, _session.PathOf("still.png"))).Message,

@@ -22,12 +22,12 @@ public sealed class HostileFileTests : IDisposable
 
     [Theory]
     [MemberData(nameof(Formats))]
-    public void Import_mutated_file_reads_it_or_refuses_it_with_a_message(string format) => ImportMutated(format, seed: 1, count: 200);
+    public void Import_of_a_mutated_file_works_or_is_refused_with_a_message(string format) => ImportMutated(format, seed: 1, count: 200);
 
     [Theory]
     [MemberData(nameof(Formats))]
     [Trait("Category", "Heavy")]
-    public void Import_mutated_file_thousands_of_times_reads_it_or_refuses_it_with_a_message(string format) => ImportMutated(format, seed: 2, count: 4_000);
+    public void Import_of_a_mutated_file_succeeds_or_fails_with_a_message(string format) => ImportMutated(format, seed: 2, count: 4_000);
 
     private void ImportMutated(string format, int seed, int count)
     {
@@ -69,7 +69,7 @@ public sealed class HostileFileTests : IDisposable
     [InlineData("csv", "\nend", "\nedge,0,from,1,2\nend", "an edge has 6 fields")]
     [InlineData("csv", "\nend", "\nlink,0,1,1,1,0,,9\nend", "all links stand before the edges")]
     [InlineData("csv", "\nlink,", "\nlink,6", "must be a whole number from 0 to 5")]
-    public void Import_file_that_lies_names_the_place(string format, string healthy, string lie, string expected)
+    public void Import_of_an_inconsistent_file_names_the_position(string format, string healthy, string lie, string expected)
     {
         string text = Text(format);
         int at = text.IndexOf(healthy, StringComparison.Ordinal);
@@ -127,7 +127,7 @@ public sealed class HostileFileTests : IDisposable
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public void Import_of_many_files_is_refused_where_they_are_too_large_together(bool zipped)
+    public void Import_of_many_files_is_refused_when_too_large_in_total(bool zipped)
     {
         const int cells = 4;
         string folder = Directory.CreateTempSubdirectory("harvester-test-").FullName;

@@ -25,7 +25,7 @@ public sealed class NetworkComparisonTests : IDisposable
     }
 
     [Fact]
-    public void Links_elsewhere_across_or_on_another_level_are_not_matched()
+    public void Distant_crossing_or_stacked_links_are_not_matched()
     {
         RoadNetwork first = Network([(0, 0), (0, 100)], [(0, 1, 1, 0)]);
 
@@ -35,7 +35,7 @@ public sealed class NetworkComparisonTests : IDisposable
     }
 
     [Fact]
-    public void One_way_links_count_by_the_way_they_are_driven()
+    public void One_way_links_are_compared_by_travel_direction()
     {
         RoadNetwork first = Network([(0, 0), (0, 100), (0, 200), (0, 300)], [(0, 1, 1, 0), (1, 2, 1, 0), (2, 3, 1, 0)]);
         RoadNetwork second = Network([(0, 0), (0, 100), (0, 200), (0, 300)], [(0, 1, 1, 0), (1, 2, 0, 1), (2, 3, 1, 1)]);
@@ -48,7 +48,7 @@ public sealed class NetworkComparisonTests : IDisposable
     [Theory]
     [InlineData("ipl")]
     [InlineData("scene")]
-    public void Lanes_in_run_forward_unless_they_are_said_to_run_backward(string form)
+    public void Lanes_in_run_forward_by_default(string form)
     {
         RoadNetwork network = Network([(0, 0), (0, 100)], [(0, 1, 2, 0)]);
         File.WriteAllText(_file, form == "ipl" ? IplText.Of(network) : SceneText.Of(network));

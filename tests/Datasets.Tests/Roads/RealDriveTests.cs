@@ -17,7 +17,7 @@ public sealed class RealDriveTests(ITestOutputHelper output)
     private const double HeadingNoiseDegrees = 2;
 
     [RealWorldFact("nodes.zip")]
-    public void Match_over_100_km_finds_link_and_lane_of_99_percent_of_the_samples_outside_junctions_and_of_those_told_to_be_known()
+    public void Match_over_100_km_finds_99_percent_of_links_and_lanes()
     {
         RoadNetwork network = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network;
         var matcher = new RoadMatcher(new RoadCurves(network), new LaneModel(network));

@@ -27,7 +27,7 @@ public sealed class RealNetworkTests(ITestOutputHelper output)
     }
 
     [RealWorldFact("nodes.zip")]
-    public void Less_than_a_quarter_of_the_length_of_the_roads_is_in_junctions()
+    public void Less_than_a_quarter_of_the_road_length_is_in_junctions()
     {
         RoadNetwork network = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network;
         var curves = new RoadCurves(network);

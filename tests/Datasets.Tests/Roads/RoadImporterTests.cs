@@ -22,7 +22,7 @@ public sealed class RoadImporterTests : IDisposable
     public void Dispose() => File.Delete(_file);
 
     [Fact]
-    public void Import_dump_holds_a_link_once_and_removes_the_bias_of_truncation()
+    public void Import_dump_keeps_each_link_once_and_removes_truncation_bias()
     {
         File.WriteAllText(_file, TwoNodes);
 
@@ -57,7 +57,7 @@ public sealed class RoadImporterTests : IDisposable
     }
 
     [Fact]
-    public void Import_folder_passes_over_other_lists_that_are_made_of_the_game()
+    public void Import_folder_skips_other_lists_dumped_from_the_game()
     {
         string folder = Directory.CreateTempSubdirectory().FullName;
         try
@@ -79,7 +79,7 @@ public sealed class RoadImporterTests : IDisposable
     [InlineData("\"Id\": 8, \"StreetName\"", "\"Id\": \"8\", \"StreetName\"", "line 4")]
     [InlineData("\"LaneCountBackward\": 2}]}]}]", "\"LaneCountBackward\": 2}", "line 5")]
     [InlineData("\"X\": 10.25, \"Y\": -20.5, \"Z\": 3.0},\n   \"Conn", "\"X\": 1e999, \"Y\": -20.5, \"Z\": 3.0},\n   \"Conn", "finite")]
-    public void Import_corrupt_dump_names_the_place(string healthy, string corrupt, string expected)
+    public void Import_of_a_corrupt_dump_names_the_position(string healthy, string corrupt, string expected)
     {
         string text = TwoNodes.ReplaceLineEndings("\n").Replace(healthy, corrupt, StringComparison.Ordinal);
         Assert.NotEqual(TwoNodes.ReplaceLineEndings("\n"), text);
@@ -91,7 +91,7 @@ public sealed class RoadImporterTests : IDisposable
     }
 
     [Fact]
-    public void Import_link_into_a_cell_that_is_not_there_is_left_out_and_noted()
+    public void Import_omits_and_notes_a_link_into_a_missing_cell()
     {
         // x = 600 lies one cell of 512 m further east than x = 30.
         File.WriteAllText(_file, TwoNodes.Replace("\"Id\": 8, \"Position\": {\"X\": 30.0", "\"Id\": 8, \"Position\": {\"X\": 600.0", StringComparison.Ordinal));
@@ -103,7 +103,7 @@ public sealed class RoadImporterTests : IDisposable
     }
 
     [Fact]
-    public void Import_of_something_else_says_so()
+    public void Import_reports_an_unknown_file_type()
     {
         File.WriteAllText(_file, "no road data at all");
 

@@ -31,7 +31,7 @@ public sealed class RoundTripTests : IDisposable
     }
 
     [Fact]
-    public void Import_zip_of_ynd_xml_reads_back_the_network_whatever_the_entries_are_called()
+    public void Import_zip_of_ynd_xml_ignores_the_names_of_its_entries()
     {
         string file = Path.Combine(_folder, "roads.dat");
         using (ZipArchive zip = ZipFile.Open(file, ZipArchiveMode.Create))
@@ -47,7 +47,7 @@ public sealed class RoundTripTests : IDisposable
     }
 
     [Fact]
-    public void Import_one_ynd_xml_leaves_out_and_counts_the_links_into_other_cells()
+    public void Import_of_one_ynd_xml_omits_and_counts_links_to_other_cells()
     {
         (int area, string text) = YndText.Cells(_network).First();
         RoadImport import = RoadImporter.Import(Written(text));
@@ -65,7 +65,7 @@ public sealed class RoundTripTests : IDisposable
         AssertSame(WithoutCells(_network), RoadImporter.Import(Written(IplText.Of(_network))).Network);
 
     [Fact]
-    public void Nodes_without_the_games_numbers_have_none_in_the_csv_and_the_node_database()
+    public void Nodes_without_game_numbers_have_none_in_csv_and_database()
     {
         RoadNetwork network = RoadImporter.Import(Written(IplText.Of(_network))).Network;
         string file = Written(string.Empty);
@@ -84,7 +84,7 @@ public sealed class RoundTripTests : IDisposable
         AssertSame(WithoutCells(_network), RoadImporter.Import(Written(SceneText.Of(_network))).Network);
 
     [Fact]
-    public void Import_dump_reads_back_what_the_dump_can_hold()
+    public void Import_dump_restores_everything_a_dump_can_hold()
     {
         var nodes = _network.Nodes.Select(node => node with { Flags = node.Flags & DumpText.Flags, Speed = null, Density = null }).ToArray();
         var links = _network.Links.Select(link => link with { MedianWidth = null, Flags = RoadLinkFlags.None }).ToArray();

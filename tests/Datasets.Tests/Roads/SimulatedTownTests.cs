@@ -46,7 +46,7 @@ public sealed class SimulatedTownTests(ITestOutputHelper output) : IDisposable
     }
 
     [Fact]
-    public void Match_over_the_imported_town_finds_link_and_lane_of_a_car_in_the_true_one()
+    public void Match_in_the_imported_town_finds_the_true_link_and_lane()
     {
         // The car drives the town as it was built; the matcher has it with truncated nodes. The text keeps the order of the links.
         RoadNetwork imported = Import(IplText.Of(Stored(_town)));

@@ -58,7 +58,7 @@ public sealed class SessionReaderTests : IDisposable
     [InlineData("{}", true, 0)]
     [InlineData("{}\n", false, 1)]
     [InlineData("{}\n{}\n{\"frame\"", true, 2)]
-    public void ReadLines_leaves_a_line_without_end_aside(string labels, bool isUnfinished, int lines)
+    public void ReadLines_ignores_an_unfinished_last_line(string labels, bool isUnfinished, int lines)
     {
         SessionReader reader = _session.OpenWithLabels(labels);
 
@@ -66,7 +66,7 @@ public sealed class SessionReaderTests : IDisposable
     }
 
     [Fact]
-    public void ReadLabels_passes_over_fields_of_later_versions()
+    public void ReadLabels_ignores_fields_of_later_versions()
     {
         _session.Lines[0]["somethingNew"] = new JsonObject { ["a"] = 1 };
 
@@ -105,7 +105,7 @@ public sealed class SessionReaderTests : IDisposable
     }
 
     [Fact]
-    public void ReadLabels_of_axes_that_are_none_names_their_object()
+    public void ReadLabels_of_invalid_axes_names_their_object()
     {
         _session.Lines[0]["camera"]!["up"] = JsonNode.Parse("[0, 0, -1]");
 
@@ -115,11 +115,11 @@ public sealed class SessionReaderTests : IDisposable
     }
 
     [Fact]
-    public void SessionReader_of_no_folder_says_so() =>
+    public void SessionReader_reports_a_missing_folder() =>
         Assert.Contains("no folder", Assert.Throws<DirectoryNotFoundException>(() => new SessionReader("no-such-folder")).Message, StringComparison.Ordinal);
 
     [Fact]
-    public void SessionReader_of_another_folder_says_what_is_missing() =>
+    public void SessionReader_of_another_folder_names_the_missing_file() =>
         Assert.Contains("no session.json", Assert.Throws<FileNotFoundException>(() => new SessionReader(_session.Folder)).Message, StringComparison.Ordinal);
 
     [Fact]
@@ -132,7 +132,7 @@ public sealed class SessionReaderTests : IDisposable
     }
 
     [Fact]
-    public void ReadInfo_of_another_version_says_which_it_knows()
+    public void ReadInfo_of_another_version_names_the_supported_one()
     {
         _session.Info["formatVersion"] = 2;
 

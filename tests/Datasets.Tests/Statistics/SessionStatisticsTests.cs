@@ -29,7 +29,7 @@ public sealed class SessionStatisticsTests : IDisposable
     }
 
     [Fact]
-    public void Of_a_session_compares_what_KITTI_labels_too_and_tells_parts_apart()
+    public void Of_a_session_counts_KITTI_labels_and_parts_separately()
     {
         // In the last frame the car is the head of a light.
         _session.Car(2)["class"] = "trafficLight";
@@ -81,7 +81,7 @@ public sealed class SessionStatisticsTests : IDisposable
     }
 
     [Fact]
-    public void Histogram_counts_a_number_in_the_bin_that_begins_at_or_below_it()
+    public void Histogram_bins_include_their_lower_bound()
     {
         var histogram = new Histogram(0, 64, 256);
         foreach (double value in (double[])[0, 63.9, 64, 255, 256, 1e9])
@@ -94,7 +94,7 @@ public sealed class SessionStatisticsTests : IDisposable
     }
 
     [Fact]
-    public void Of_several_sessions_counts_objects_of_each_and_frames_by_hour_and_weather()
+    public void Of_several_sessions_counts_objects_and_frames_by_condition()
     {
         using var session = new TestSession();
 

@@ -19,7 +19,7 @@ public sealed class SpaceCheckTests : IDisposable
         "77",
         """{"face":0,"mutcd":null,"facesCamera":true,"facingAngleDegrees":10,"provenance":"derived","light":{"state":"red","method":"set","litFraction":null}}""",
         "light must be given for a trafficLight")]
-    public void Validate_finds_a_part_that_cannot_be(string parent, string space, string message)
+    public void Validate_finds_an_impossible_part(string parent, string space, string message)
     {
         _session.Car(1)["parent"] = JsonNode.Parse(parent);
         _session.Car(1)["space"] = JsonNode.Parse(space);

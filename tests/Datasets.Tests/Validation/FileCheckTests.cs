@@ -48,7 +48,7 @@ public sealed class FileCheckTests : IDisposable
     }
 
     [Fact]
-    public void Validate_finds_an_image_that_is_cut_off()
+    public void Validate_finds_a_truncated_image()
     {
         File.WriteAllBytes(_session.PathOf("frames/00000000.png"), TestImages.Png(80, 60)[..40]);
 
@@ -56,7 +56,7 @@ public sealed class FileCheckTests : IDisposable
     }
 
     [Fact]
-    public void Validate_finds_an_image_that_is_none()
+    public void Validate_finds_a_file_that_is_not_an_image()
     {
         File.WriteAllText(_session.PathOf("frames/00000000.png"), "not an image");
 
@@ -67,7 +67,7 @@ public sealed class FileCheckTests : IDisposable
     [InlineData("../frames/00000000.png")]
     [InlineData("frames\\..\\..\\x.png")]
     [InlineData("/etc/passwd")]
-    public void Validate_finds_a_path_out_of_the_session(string path)
+    public void Validate_finds_a_path_outside_the_session(string path)
     {
         _session.Lines[0]["image"] = path;
 

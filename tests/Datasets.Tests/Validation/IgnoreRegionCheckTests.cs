@@ -28,7 +28,7 @@ public sealed class IgnoreRegionCheckTests : IDisposable
     [InlineData("[60, 20, 81, 25]", 157, "ignoreRegions[0]: box2d [60, 20, 81, 25] does not lie in the image")]
     [InlineData("[60, 20, 60, 25]", 157, "ignoreRegions[0]: box2d [60, 20, 60, 25] has no area")]
     [InlineData("[60, 20, 70, 25]", -1, "ignoreRegions[0]: distanceMetres is -1")]
-    public void Region_that_cannot_be_is_a_problem(string box, double distance, string message)
+    public void Impossible_region_is_a_problem(string box, double distance, string message)
     {
         Mark(box, distance);
 
@@ -36,7 +36,7 @@ public sealed class IgnoreRegionCheckTests : IDisposable
     }
 
     [Fact]
-    public void Label_that_lists_a_box_that_it_lacks_is_a_problem()
+    public void Label_that_names_a_missing_box_is_a_problem()
     {
         _session.Lines[0]["objects"]![1]!["boxes"] = JsonNode.Parse("""["cuboid", "amodal", "visible"]""");
 

@@ -20,7 +20,7 @@ public sealed class MaskCheckTests : IDisposable
     }
 
     [Fact]
-    public void Object_that_says_it_is_seen_and_has_no_pixel_is_a_problem()
+    public void Visible_object_without_a_pixel_is_a_problem()
     {
         _session.PaintMask(0, 0, 0, 0, 80, 60);
         _session.Car(0)["box2dVisible"] = null;
@@ -29,7 +29,7 @@ public sealed class MaskCheckTests : IDisposable
     }
 
     [Fact]
-    public void Validate_finds_a_number_that_is_no_objects()
+    public void Validate_finds_a_mask_value_without_an_object()
     {
         _session.PaintMask(0, 999, 38, 28, 43, 33);
 
@@ -51,7 +51,7 @@ public sealed class MaskCheckTests : IDisposable
     }
 
     [Fact]
-    public void Validate_finds_pixels_of_an_object_that_says_it_has_none()
+    public void Validate_finds_pixels_of_a_hidden_object()
     {
         _session.Car(0)["box2dVisible"] = null;
 
@@ -70,7 +70,7 @@ public sealed class MaskCheckTests : IDisposable
     }
 
     [Fact]
-    public void Validate_finds_a_face_that_says_it_is_seen_on_a_sign_that_is_not()
+    public void Validate_finds_a_visible_face_on_an_invisible_sign()
     {
         _session.AddSign(0);
         _session.PaintMask(0, 1, 38, 28, 43, 33);
@@ -82,7 +82,7 @@ public sealed class MaskCheckTests : IDisposable
 
     /// <summary>As earlier versions imported the masks of other tools.</summary>
     [Fact]
-    public void Validate_finds_a_face_that_an_import_hid_on_a_sign_that_is_seen()
+    public void Validate_finds_an_imported_hidden_face_on_a_visible_sign()
     {
         _session.AddSign(0);
         JsonNode face = _session.Lines[0]["objects"]![3]!;
@@ -100,7 +100,7 @@ public sealed class MaskCheckTests : IDisposable
     }
 
     [Fact]
-    public void Validate_finds_what_only_a_mask_can_tell_in_a_label_without_one()
+    public void Validate_finds_mask_values_in_a_label_without_a_mask()
     {
         _session.Lines[0]["mask"] = null;
 

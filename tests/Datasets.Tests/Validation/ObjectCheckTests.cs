@@ -16,7 +16,7 @@ public sealed class ObjectCheckTests : IDisposable
     [InlineData("[37, 27, 43, 34]", "does not lie within box2dAmodal")]
     [InlineData("[43, 27, 37, 33]", "has no area")]
     [InlineData("[37, 27, 43, 27]", "has no area")]
-    public void Validate_finds_a_box_that_cannot_be(string box, string message)
+    public void Validate_finds_an_impossible_box(string box, string message)
     {
         _session.Car(2)["box2d"] = JsonNode.Parse(box);
 
@@ -35,7 +35,7 @@ public sealed class ObjectCheckTests : IDisposable
     }
 
     [Fact]
-    public void Validate_takes_pixels_outside_the_box_in_a_mask_of_another_tool()
+    public void Validate_accepts_pixels_outside_the_box_in_an_imported_mask()
     {
         _session.Lines[0]["pixelMap"] = null;
         _session.Car(0)["occlusionMethod"] = "imported";
@@ -61,7 +61,7 @@ public sealed class ObjectCheckTests : IDisposable
     [Theory]
     [InlineData("0.9")]
     [InlineData("null")]
-    public void Validate_finds_a_visible_fraction_that_does_not_follow(string visible)
+    public void Validate_finds_an_inconsistent_visible_fraction(string visible)
     {
         _session.Car(0)["visibleFraction"] = JsonNode.Parse(visible);
 

@@ -29,7 +29,7 @@ public sealed class SceneCheckTests : IDisposable
     public void Validate_of_a_harvest_with_masks_and_scenes_finds_nothing() => Assert.Empty(Problems());
 
     [Fact]
-    public void Validate_finds_a_scene_that_is_cut_off()
+    public void Validate_finds_a_truncated_scene()
     {
         File.WriteAllBytes(Scene, File.ReadAllBytes(Scene)[..400]);
 
@@ -37,7 +37,7 @@ public sealed class SceneCheckTests : IDisposable
     }
 
     [Fact]
-    public void Validate_finds_a_scene_that_is_gone()
+    public void Validate_finds_a_missing_scene()
     {
         File.Delete(Scene);
 
@@ -45,7 +45,7 @@ public sealed class SceneCheckTests : IDisposable
     }
 
     [Fact]
-    public void Validate_finds_that_all_scenes_are_gone()
+    public void Validate_finds_that_all_scenes_are_missing()
     {
         Directory.Delete(Path.GetDirectoryName(Scene)!, recursive: true);
 
@@ -56,7 +56,7 @@ public sealed class SceneCheckTests : IDisposable
     [InlineData(FramePaths.Roads, "node,1,0,0\n", "line 1")]
     [InlineData(FramePaths.Roads, "\u0089PNG", "line 1")]
     [InlineData(FramePaths.Faces, "# faces\nprop_sign_road_01a,0\n", "line 2, row")]
-    public void Validate_finds_roads_and_faces_that_cannot_be_read(string name, string content, string place)
+    public void Validate_finds_unreadable_roads_and_faces(string name, string content, string place)
     {
         File.WriteAllText(Path.Combine(_folder, name), content);
 
@@ -64,7 +64,7 @@ public sealed class SceneCheckTests : IDisposable
     }
 
     [Fact]
-    public void Validate_reads_roads_and_faces_only_where_they_are()
+    public void Validate_reads_roads_and_faces_only_if_present()
     {
         File.Delete(Path.Combine(_folder, FramePaths.Roads));
         File.Delete(Path.Combine(_folder, FramePaths.Faces));

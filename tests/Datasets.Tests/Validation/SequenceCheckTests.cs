@@ -38,7 +38,7 @@ public sealed class SequenceCheckTests : IDisposable
     [Theory]
     [InlineData(-5, "timeSeconds is -5; it must be 0 or more")]
     [InlineData(0.25, "timeSeconds is 0.25, but 0.5 came before")]
-    public void Validate_finds_a_time_that_falls(double seconds, string message)
+    public void Validate_finds_a_decreasing_time(double seconds, string message)
     {
         _session.Lines[1]["timeSeconds"] = seconds;
 
@@ -46,7 +46,7 @@ public sealed class SequenceCheckTests : IDisposable
     }
 
     [Fact]
-    public void Validate_takes_a_time_that_falls_in_a_game_started_anew()
+    public void Validate_accepts_a_time_reset_by_a_restarted_game()
     {
         (_session.Lines[2]["timeSeconds"], _session.Lines[2]["gameFrame"]) = (0.25, 3);
 
@@ -56,7 +56,7 @@ public sealed class SequenceCheckTests : IDisposable
     [Theory]
     [InlineData(0)]
     [InlineData(-7)]
-    public void Validate_finds_frame_numbers_that_do_not_rise(int frame)
+    public void Validate_finds_frame_numbers_that_do_not_increase(int frame)
     {
         _session.Lines[1]["frame"] = frame;
 

@@ -50,7 +50,7 @@ public sealed class SessionValidatorTests : IDisposable
     }
 
     [Fact]
-    public void Validate_of_a_session_cut_off_while_it_was_recorded_takes_its_lines_as_they_are()
+    public void Validate_of_an_interrupted_session_accepts_complete_lines()
     {
         _session.Info.Remove("counters");
         _session.Lines.RemoveAt(2);
@@ -59,7 +59,7 @@ public sealed class SessionValidatorTests : IDisposable
     }
 
     [Fact]
-    public void Validate_finds_lines_that_are_gone()
+    public void Validate_finds_missing_lines()
     {
         _session.Lines.RemoveAt(1);
 
@@ -77,7 +77,7 @@ public sealed class SessionValidatorTests : IDisposable
     }
 
     [Fact]
-    public void Validate_finds_a_line_that_is_cut_off()
+    public void Validate_finds_a_truncated_line()
     {
         string whole = _session.Lines[0].ToJsonString();
 
@@ -88,7 +88,7 @@ public sealed class SessionValidatorTests : IDisposable
     }
 
     [Fact]
-    public void Validate_leaves_a_last_line_without_a_line_feed_aside()
+    public void Validate_ignores_an_unfinished_last_line()
     {
         string lines = string.Concat(_session.Lines.Select(line => line.ToJsonString() + "\n"));
 

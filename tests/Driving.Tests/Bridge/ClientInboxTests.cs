@@ -12,7 +12,7 @@ public sealed class ClientInboxTests
     private readonly ClientInbox<string> _inbox = new();
 
     [Fact]
-    public void Commands_come_in_their_order_and_of_controls_the_newest_after_them()
+    public void Commands_keep_their_order_followed_by_the_newest_controls()
     {
         _inbox.Welcome(First);
         _inbox.TryPut(First, new StepMessage(1));
@@ -24,7 +24,7 @@ public sealed class ClientInboxTests
     }
 
     [Fact]
-    public void What_a_gone_client_said_before_and_says_after_goes_nowhere()
+    public void Messages_of_a_gone_client_are_dropped()
     {
         _inbox.Welcome(First);
         _inbox.TryPut(First, new PauseMessage(true));
@@ -39,7 +39,7 @@ public sealed class ClientInboxTests
     }
 
     [Fact]
-    public void What_a_replaced_client_said_before_and_says_after_goes_nowhere()
+    public void Messages_of_a_replaced_client_are_dropped()
     {
         _inbox.Welcome(First);
         _inbox.TryPut(First, new StepMessage(1));
@@ -53,7 +53,7 @@ public sealed class ClientInboxTests
     }
 
     [Fact]
-    public void That_a_client_is_gone_is_told_of_a_full_box_too()
+    public void Full_inbox_still_reports_a_gone_client()
     {
         _inbox.Welcome(First);
         int room = 0;
@@ -69,7 +69,7 @@ public sealed class ClientInboxTests
     }
 
     [Fact]
-    public void Clients_that_come_and_go_between_two_looks_are_one_that_is_gone()
+    public void Clients_that_come_and_go_between_reads_leave_once()
     {
         _inbox.Welcome(First);
         _inbox.Welcome(Second);
@@ -81,7 +81,7 @@ public sealed class ClientInboxTests
     }
 
     [Fact]
-    public void Nobody_is_gone_where_nobody_was_and_a_client_that_is_welcomed_again_stays()
+    public void Welcoming_the_same_client_again_reports_nobody_gone()
     {
         Assert.Null(_inbox.Welcome(First));
         _inbox.TryPut(First, new StepMessage(1));
@@ -91,7 +91,7 @@ public sealed class ClientInboxTests
     }
 
     [Fact]
-    public void Closed_box_takes_nobody()
+    public void Closed_inbox_accepts_no_client()
     {
         _inbox.Welcome(First);
         Assert.Equal(First, _inbox.Close());
@@ -100,7 +100,7 @@ public sealed class ClientInboxTests
     }
 
     [Fact]
-    public void Clients_on_other_threads_that_never_stop_talking_are_not_heard_once_they_are_replaced()
+    public void Replaced_clients_on_busy_threads_are_no_longer_heard()
     {
         const int clients = 4;
         const int rounds = 500;

@@ -39,7 +39,7 @@ public sealed class FolderBridgeTests : IDisposable
     }
 
     [Fact]
-    public void Controls_and_indicators_arrive_once_a_writing()
+    public void Controls_and_indicators_arrive_once_per_write()
     {
         using var bridge = new FolderBridge(_folder, Frames.Size);
 
@@ -54,7 +54,7 @@ public sealed class FolderBridgeTests : IDisposable
     }
 
     [Fact]
-    public void What_a_dead_client_left_behind_is_not_taken_for_new()
+    public void Files_left_by_a_dead_client_are_not_read_as_new()
     {
         Drop("controls.txt", "1 1 0\n");
         using var bridge = new FolderBridge(_folder, Frames.Size);
@@ -86,7 +86,7 @@ public sealed class FolderBridgeTests : IDisposable
     }
 
     [UnixFact]
-    public void File_that_can_never_be_read_is_reported_and_the_next_good_one_is_read()
+    public void Unreadable_file_is_reported_and_the_next_good_one_is_read()
     {
         using var bridge = new FolderBridge(_folder, Frames.Size);
 
@@ -109,7 +109,7 @@ public sealed class FolderBridgeTests : IDisposable
     }
 
     [Fact]
-    public void Bridge_survives_a_client_that_is_killed_and_restarted_100_times()
+    public void Bridge_survives_a_client_killed_and_restarted_100_times()
     {
         using var bridge = new FolderBridge(_folder, Frames.Size);
         var random = new Random(3);

@@ -27,7 +27,7 @@ public sealed class FolderClientTests : IDisposable
     }
 
     [Fact]
-    public void World_goes_on_without_what_was_outstanding_when_a_lock_step_client_dies_100_times()
+    public void World_resumes_without_pending_steps_when_a_client_dies()
     {
         for (int life = 0; life < 100; life++)
         {
@@ -65,7 +65,7 @@ public sealed class FolderClientTests : IDisposable
     [InlineData("controls.txt", "nonsense")]
     [InlineData("indicators.txt", "0\n")]
     [InlineData("command.json", """{"type":"requestFrame"}""")]
-    public void Client_that_thinks_long_stays_by_any_sign_of_life(string name, string content)
+    public void Slow_client_stays_connected_by_any_sign_of_life(string name, string content)
     {
         Command("""{"type":"pause","paused":true}""");
         Assert.Equal(new PauseMessage(true), Frames.AwaitMessage(_bridge));

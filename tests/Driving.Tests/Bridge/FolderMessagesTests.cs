@@ -9,14 +9,14 @@ public sealed class FolderMessagesTests
     private const string Indicators = "0.1 -7 3.5 7 75 75\n-6 -2 2 6\n60 60 60.5\n31\n";
 
     [Fact]
-    public void Controls_cut_off_anywhere_are_refused()
+    public void Truncated_controls_are_refused()
     {
         Assert.Equal(new ControlsMessage(new DrivingControls(-0.25, 0.5, 0.125), 31), FolderMessages.ParseControls(Controls));
         Assert.All(Enumerable.Range(0, Controls.Length), length => Assert.Throws<BridgeException>(() => FolderMessages.ParseControls(Controls[..length])));
     }
 
     [Fact]
-    public void Of_indicators_in_many_lines_that_are_cut_off_nothing_counts_but_all_thirteen()
+    public void Truncated_indicators_are_ignored_until_all_13_have_arrived()
     {
         double[] whole = [0.1, -7, 3.5, 7, 75, 75, -6, -2, 2, 6, 60, 60, 60.5];
         int withoutFrame = Indicators.Length - "31\n".Length;
@@ -37,7 +37,7 @@ public sealed class FolderMessagesTests
     }
 
     [Fact]
-    public void Line_ends_of_Windows_are_line_ends() =>
+    public void Windows_line_endings_are_accepted() =>
         Assert.Equal(new ControlsMessage(new DrivingControls(0, 0, 1), null), FolderMessages.ParseControls("0\r\n0\r\n1\r\n"));
 
     [Theory]
@@ -51,6 +51,6 @@ public sealed class FolderMessagesTests
     [InlineData("0 0 0 1e15 7\n")]
     [InlineData("0 0 0 NaN\n")]
     [InlineData("\n")]
-    public void Numbers_that_mean_nothing_are_refused(string text) =>
+    public void Numbers_that_are_not_valid_are_refused(string text) =>
         Assert.Throws<BridgeException>(() => FolderMessages.ParseControls(text));
 }

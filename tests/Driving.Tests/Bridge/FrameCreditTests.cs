@@ -9,7 +9,7 @@ public sealed class FrameCreditTests
     private readonly FrameCredit _credit = new();
 
     [Fact]
-    public void One_frame_goes_unanswered_and_no_second()
+    public void Only_one_frame_is_sent_without_an_answer()
     {
         Assert.True(_credit.TrySpend(Frames.State(1)));
         Assert.False(_credit.TrySpend(Frames.State(2)));
@@ -20,7 +20,7 @@ public sealed class FrameCreditTests
     [InlineData(5L, true)]
     [InlineData(6L, true)]
     [InlineData(null, true)]
-    public void Controls_answer_the_frame_that_they_name_or_all_where_they_name_none(long? named, bool isAnswered)
+    public void Controls_answer_the_frame_they_name_or_all_if_they_name_none(long? named, bool isAnswered)
     {
         _credit.TrySpend(Frames.State(5));
         _credit.Hear(new ControlsMessage(DrivingControls.Stop, named));
@@ -32,7 +32,7 @@ public sealed class FrameCreditTests
     [InlineData(4L, false)]
     [InlineData(5L, true)]
     [InlineData(null, true)]
-    public void Indicators_answer_as_controls_do(long? named, bool isAnswered)
+    public void Indicators_answer_a_frame_like_controls(long? named, bool isAnswered)
     {
         _credit.TrySpend(Frames.State(5));
         _credit.Hear(new IndicatorsMessage(new double[13], named));
@@ -41,7 +41,7 @@ public sealed class FrameCreditTests
     }
 
     [Fact]
-    public void Late_answer_to_an_earlier_frame_takes_no_credit_away()
+    public void Late_answer_to_an_earlier_frame_removes_no_credit()
     {
         _credit.TrySpend(Frames.State(5));
         _credit.Hear(new PauseMessage(false));
@@ -51,7 +51,7 @@ public sealed class FrameCreditTests
     }
 
     [Fact]
-    public void Step_and_request_bring_their_own_frame_and_no_other()
+    public void Step_and_request_grant_no_further_frame()
     {
         _credit.TrySpend(Frames.State(5));
         _credit.Hear(new RequestFrameMessage());
@@ -61,7 +61,7 @@ public sealed class FrameCreditTests
     }
 
     [Fact]
-    public void Frame_that_was_asked_for_goes_in_any_case_and_need_not_be_answered()
+    public void Requested_frame_is_always_sent_and_needs_no_answer()
     {
         _credit.TrySpend(Frames.State(5));
         Assert.True(_credit.TrySpend(Frames.State(6) with { IsAskedFor = true }));

@@ -11,7 +11,7 @@ public sealed class FrameFilesTests : IDisposable
     public FrameFilesTests() => _files = new FrameFiles(_folder);
 
     [Fact]
-    public void Frame_that_could_not_be_written_is_written_when_it_can_be()
+    public void Failed_frame_write_is_retried()
     {
         Directory.CreateDirectory(PathOf("state.txt"));
         _files.Put(Frames.State(3), Frames.Picture(3));
@@ -24,7 +24,7 @@ public sealed class FrameFilesTests : IDisposable
     }
 
     [Fact]
-    public void Newer_frame_takes_the_place_of_one_that_could_not_be_written()
+    public void Newer_frame_replaces_one_that_could_not_be_written()
     {
         Directory.CreateDirectory(PathOf("frame_00000003.png"));
         _files.Put(Frames.State(3), Frames.Picture(3));
@@ -36,7 +36,7 @@ public sealed class FrameFilesTests : IDisposable
     }
 
     [Fact]
-    public void Pictures_of_earlier_drives_are_deleted_and_nothing_that_is_named_otherwise()
+    public void Pictures_of_earlier_drives_are_deleted_and_other_files_kept()
     {
         string[] others = ["frame_0000001.png", "frame_000000012.png", "frame_0000000a.png", "frame_00000001.png.bak", "my_frame_00000001.png", "00000001.png"];
         string[] earlier = ["frame_00000000.png", "frame_00000123.png", "frame_99999999.png"];
@@ -47,7 +47,7 @@ public sealed class FrameFilesTests : IDisposable
     }
 
     [Fact]
-    public void Folder_that_was_taken_away_is_made_again()
+    public void Deleted_folder_is_recreated()
     {
         Write(0, 12);
         Directory.Delete(_folder, recursive: true);
@@ -57,7 +57,7 @@ public sealed class FrameFilesTests : IDisposable
     }
 
     [Fact]
-    public void Pictures_that_cannot_be_deleted_do_not_fill_the_disk_and_go_when_they_can_be()
+    public void Undeletable_pictures_do_not_fill_the_disk_and_are_retried()
     {
         for (int frame = 0; frame < 100; frame++)
         {

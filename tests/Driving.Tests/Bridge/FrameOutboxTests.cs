@@ -9,7 +9,7 @@ public sealed class FrameOutboxTests
     private readonly FrameOutbox _outbox = new(Frames.Size);
 
     [Fact]
-    public void Of_two_frames_the_newer_is_taken_with_its_picture_and_nothing_is_left()
+    public void Newer_of_two_frames_is_taken_with_its_picture()
     {
         Put(1);
         Put(2);
@@ -19,7 +19,7 @@ public sealed class FrameOutboxTests
     }
 
     [Fact]
-    public void Picture_that_was_taken_stays_while_newer_ones_are_put()
+    public void Taken_picture_is_unchanged_by_newer_ones()
     {
         Put(1);
         _outbox.TryTake(TimeSpan.Zero, static _ => true, out _, out PixelBuffer picture);
@@ -30,7 +30,7 @@ public sealed class FrameOutboxTests
     }
 
     [Fact]
-    public void Frame_that_may_not_go_is_replaced_by_the_newer_and_only_that_is_asked_about()
+    public void Withheld_frame_is_replaced_by_the_newer_one()
     {
         Put(1);
         Assert.False(_outbox.TryTake(TimeSpan.Zero, static _ => false, out _, out _));
@@ -43,7 +43,7 @@ public sealed class FrameOutboxTests
     }
 
     [Fact]
-    public void Frame_that_takes_the_place_of_one_that_was_asked_for_counts_as_asked_for()
+    public void Frame_that_replaces_a_requested_one_counts_as_requested()
     {
         _outbox.Put(Frames.State(1) with { IsAskedFor = true }, Frames.Picture(1));
         Put(2);

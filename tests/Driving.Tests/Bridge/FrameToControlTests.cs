@@ -21,7 +21,7 @@ public sealed class FrameToControlTests : IDisposable
     [Theory]
     [InlineData(0)]
     [InlineData(4)]
-    public void Answer_to_a_frame_that_is_there_by_the_next_tick_is_applied_in_it(int settleTicks)
+    public void Answer_that_arrives_by_the_next_tick_is_applied_in_it(int settleTicks)
     {
         const int ticks = 1_200;
         using var session = new DrivingSession(

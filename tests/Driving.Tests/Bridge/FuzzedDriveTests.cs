@@ -26,7 +26,7 @@ public sealed class FuzzedDriveTests
     [Trait("Category", "Heavy")]
     [InlineData(typeof(DeepDrivingController))]
     [InlineData(typeof(StanleyController))]
-    public void Ten_thousand_mutated_messages_never_end_the_drive_nor_move_the_wheel_beyond_its_range(Type controller)
+    public void Mutated_messages_never_end_the_drive_or_oversteer(Type controller)
     {
         var game = new FakeGame();
         var car = new FakeCar();
@@ -75,7 +75,7 @@ public sealed class FuzzedDriveTests
 
     [Fact]
     [Trait("Category", "Heavy")]
-    public void Clients_that_trickle_their_bytes_are_cut_off_and_hold_nobody_up()
+    public void Clients_that_trickle_bytes_are_cut_off_and_delay_nobody()
     {
         const string token = "open sesame";
         SocketBridgeOptions options = SocketBridgeOptions.Loopback with { Port = 0, Token = token, TokenPatience = TimeSpan.FromSeconds(10) };
@@ -109,7 +109,7 @@ public sealed class FuzzedDriveTests
     [InlineData(new byte[] { 0, 0, 0, 10, 0x7F, 0xFF, 0xFF, 0xFF })]
     [InlineData(new byte[] { 0, 0, 0, 10, 0xFF, 0xFF, 0xFF, 0xFF })]
     [InlineData(new byte[] { 0, 0, 0, 0, 0, 0, 0, 0 })]
-    public void Lengths_that_no_client_may_send_are_refused_before_anything_is_read(byte[] lengths)
+    public void Excessive_message_lengths_are_refused_before_reading(byte[] lengths)
     {
         using var bridge = new SocketBridge(SocketBridgeOptions.Loopback with { Port = 0 }, Frames.Size);
         using var client = new SocketClient(bridge.EndPoint);

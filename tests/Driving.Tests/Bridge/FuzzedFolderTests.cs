@@ -20,16 +20,16 @@ public sealed class FuzzedFolderTests : IDisposable
     [Theory]
     [InlineData(1, 250)]
     [InlineData(2, 250)]
-    public void Drive_goes_on_whatever_happens_in_the_folder(int seed, int deeds) => Fuzz(seed, deeds);
+    public void Drive_survives_random_changes_in_the_folder(int seed, int deeds) => Fuzz(seed, deeds);
 
     [Theory]
     [Trait("Category", "Heavy")]
     [InlineData(3, 2_000)]
-    public void Drive_goes_on_whatever_happens_in_the_folder_for_long(int seed, int deeds) => Fuzz(seed, deeds);
+    public void Drive_survives_many_random_changes_in_the_folder(int seed, int deeds) => Fuzz(seed, deeds);
 
     [UnixFact]
     [Trait("Category", "Heavy")]
-    public void Disk_that_never_answers_holds_up_neither_the_game_nor_the_end()
+    public void Disk_that_never_answers_blocks_neither_the_game_nor_its_end()
     {
         FolderBridge bridge = new(_folder, Frames.Size);
         using DrivingSession session = Session(bridge);
@@ -46,7 +46,7 @@ public sealed class FuzzedFolderTests : IDisposable
     }
 
     [UnixFact]
-    public void File_without_an_end_is_not_read_without_end()
+    public void Endless_file_is_not_read_for_ever()
     {
         using FolderBridge bridge = new(_folder, Frames.Size);
         File.CreateSymbolicLink(Path.Combine(_folder, "command.json"), "/dev/zero");

@@ -6,7 +6,7 @@ namespace Harvester.Driving.Tests.Bridge;
 public sealed class KeepAliveTests
 {
     [Fact]
-    public void Network_asks_after_five_seconds_and_five_times_a_second_apart()
+    public void Keep_alive_probes_after_five_seconds_and_five_times()
     {
         using var socket = new Socket(SocketType.Stream, ProtocolType.Tcp);
 

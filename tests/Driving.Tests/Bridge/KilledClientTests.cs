@@ -16,7 +16,7 @@ public sealed class KilledClientTests : IDisposable
 
     [UnixFact]
     [Trait("Category", "Heavy")]
-    public void Folder_survives_a_client_whose_process_is_killed_and_restarted_100_times()
+    public void Folder_survives_a_client_killed_and_restarted_100_times()
     {
         using var bridge = new FolderBridge(_folder, Frames.Size);
         var random = new Random(9);
@@ -36,7 +36,7 @@ public sealed class KilledClientTests : IDisposable
 
     [UnixFact]
     [Trait("Category", "Heavy")]
-    public void World_goes_on_when_a_client_in_lock_step_is_killed_100_times()
+    public void World_resumes_when_a_lock_step_client_is_killed()
     {
         var game = new FakeGame();
         var clock = new TestClock();

@@ -18,7 +18,7 @@ public sealed class KilledSocketClientTests : IDisposable
         new DrivingOptions { SettleTicks = 0 }, _game.Ports with { Car = _car }, _bridge, () => new DeepDrivingController());
 
     [Fact]
-    public void World_goes_on_without_what_was_outstanding_when_a_lock_step_client_dies_100_times()
+    public void World_resumes_without_pending_steps_when_a_client_dies()
     {
         for (int life = 0; life < 100; life++)
         {
@@ -44,7 +44,7 @@ public sealed class KilledSocketClientTests : IDisposable
     }
 
     [Fact]
-    public void Nothing_of_a_replaced_lock_step_client_is_obeyed_100_times()
+    public void Commands_of_a_replaced_lock_step_client_are_never_executed()
     {
         SocketClient client = Outstanding(0);
         for (int life = 1; life < 100; life++)

@@ -7,7 +7,7 @@ public sealed class WaitingRoomTests
     private readonly PendingClients<string> _room = new(2);
 
     [Fact]
-    public void Who_has_waited_longest_makes_room()
+    public void Longest_pending_connection_makes_room()
     {
         Assert.Null(_room.Enter("a"));
         Assert.Null(_room.Enter("b"));
@@ -17,7 +17,7 @@ public sealed class WaitingRoomTests
     }
 
     [Fact]
-    public void Each_leaves_once()
+    public void Each_pending_connection_leaves_once()
     {
         _room.Enter("a");
         _room.Enter("b");
@@ -29,7 +29,7 @@ public sealed class WaitingRoomTests
     }
 
     [Fact]
-    public void Closed_room_takes_nobody()
+    public void Closed_waiting_list_accepts_nobody()
     {
         _room.Enter("a");
 

@@ -9,7 +9,7 @@ public sealed class SilenceWatchTests
     private static readonly DrivingControls Left = new(0.5, 0.25, 0);
 
     [Fact]
-    public void Controls_hold_for_half_a_second_and_then_the_brake()
+    public void Controls_hold_for_half_a_second_before_the_brake()
     {
         var clock = new TestClock();
         var watch = new SilenceWatch(clock);
@@ -24,7 +24,7 @@ public sealed class SilenceWatchTests
     }
 
     [Fact]
-    public void Forget_brakes_until_the_client_speaks_again()
+    public void Forget_brakes_until_the_next_controls()
     {
         var watch = new SilenceWatch(new TestClock());
         watch.Hear(Left);

@@ -25,7 +25,7 @@ public sealed class SlowSocketClientTests : IDisposable
     [InlineData("""{"type":"controls","steering":0,"throttle":0,"brake":0}""")]
     [InlineData("""{"type":"indicators","values":[0,-7,3.5,7,75,75,-9.5,-1.6,2.4,5.5,75,30,40],"frame":FRAME}""")]
     [InlineData("""{"type":"pause","paused":false}""")]
-    public void Each_frame_that_a_slow_client_reads_is_not_older_than_its_last_answer(string answer)
+    public void Slow_client_never_reads_a_frame_older_than_its_last_answer(string answer)
     {
         using SocketClient client = Connected();
         for (int round = 0; round < 20; round++)
@@ -47,7 +47,7 @@ public sealed class SlowSocketClientTests : IDisposable
     }
 
     [Fact]
-    public void Client_that_only_looks_gets_one_frame_and_then_one_for_each_that_it_asks_for()
+    public void Passive_client_gets_one_frame_and_one_per_request()
     {
         using SocketClient client = Connected();
         Publish();
@@ -64,7 +64,7 @@ public sealed class SlowSocketClientTests : IDisposable
     }
 
     [Fact]
-    public void Frame_that_was_asked_for_comes_behind_one_that_is_not_answered()
+    public void Requested_frame_follows_one_that_was_not_answered()
     {
         using SocketClient client = Connected();
         Publish();
@@ -76,7 +76,7 @@ public sealed class SlowSocketClientTests : IDisposable
     }
 
     [Fact]
-    public void Next_client_gets_no_frame_that_waited_for_the_one_before()
+    public void Next_client_gets_no_frame_of_its_predecessor()
     {
         using SocketClient first = Connected();
         Publish();
@@ -89,7 +89,7 @@ public sealed class SlowSocketClientTests : IDisposable
     }
 
     [Fact]
-    public void Client_that_asks_for_frames_and_reads_none_is_cut_off_and_the_game_goes_on()
+    public void Client_that_requests_frames_but_reads_none_is_cut_off()
     {
         using SocketBridge bridge = Bridge(TimeSpan.FromSeconds(1));
         using SocketClient sleeper = Connected(bridge);
@@ -110,7 +110,7 @@ public sealed class SlowSocketClientTests : IDisposable
     }
 
     [Fact]
-    public void Frame_that_is_on_its_way_when_the_bridge_ends_arrives_whole()
+    public void Frame_in_transit_when_the_bridge_closes_arrives_complete()
     {
         // Of so large a picture the network keeps a part only.
         PixelBuffer large = new(new ImageSize(1000, 1000));

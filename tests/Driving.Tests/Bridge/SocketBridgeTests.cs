@@ -31,7 +31,7 @@ public sealed class SocketBridgeTests
     }
 
     [Fact]
-    public void Publish_without_a_reader_never_waits_and_the_newest_frame_wins()
+    public void Publish_without_a_reader_never_blocks_and_the_newest_wins()
     {
         using var bridge = new SocketBridge(AnyPort, Frames.Size);
         for (int frame = 0; frame < 1000; frame++)
@@ -48,7 +48,7 @@ public sealed class SocketBridgeTests
     }
 
     [Fact]
-    public void Of_a_client_that_goes_away_nothing_is_left_but_that_it_is_gone()
+    public void Client_that_disconnects_leaves_only_a_gone_message()
     {
         using var bridge = new SocketBridge(AnyPort, Frames.Size);
         using (var first = new SocketClient(bridge.EndPoint))
@@ -77,7 +77,7 @@ public sealed class SocketBridgeTests
     }
 
     [Fact]
-    public void Newer_client_takes_the_place_of_the_older()
+    public void Newer_client_replaces_the_older()
     {
         using var bridge = new SocketBridge(AnyPort, Frames.Size);
         using var first = new SocketClient(bridge.EndPoint);
@@ -104,7 +104,7 @@ public sealed class SocketBridgeTests
     [InlineData("""{"type":"reset","position":[1e39,2,3],"headingDegrees":0}""")]
     [InlineData("""{"type":"environment","timeOfDay":"25:00"}""")]
     [InlineData("""{"type":"environment","weather":"hail"}""")]
-    public void Client_that_sends_nonsense_is_told_and_cut_off_and_the_next_is_served(string nonsense)
+    public void Client_that_sends_nonsense_gets_an_error_and_is_cut_off(string nonsense)
     {
         using var bridge = new SocketBridge(AnyPort, Frames.Size);
         using (var client = new SocketClient(bridge.EndPoint))
@@ -142,7 +142,7 @@ public sealed class SocketBridgeTests
     }
 
     [Fact]
-    public void Client_that_never_reads_does_not_hold_up_the_game()
+    public void Client_that_never_reads_does_not_block_the_game()
     {
         using var bridge = new SocketBridge(AnyPort, Frames.Size);
         using var sleeper = new SocketClient(bridge.EndPoint);
@@ -165,7 +165,7 @@ public sealed class SocketBridgeTests
     [Theory]
     [InlineData("type")]
     [InlineData("field")]
-    public void Problem_of_a_long_text_of_several_lines_is_one_short_line(string where)
+    public void Long_multiline_problem_is_reported_in_one_short_line(string where)
     {
         string text = "a\\nb\\r\\u2028\\u0000" + new string('x', 30_000);
         using var bridge = new SocketBridge(AnyPort, Frames.Size);
@@ -179,7 +179,7 @@ public sealed class SocketBridgeTests
     }
 
     [Fact]
-    public void Connection_that_ended_before_it_could_be_served_is_given_back()
+    public void Connection_that_ends_before_it_is_served_is_released()
     {
         using var nobody = new System.Net.Sockets.TcpClient();
 

@@ -10,7 +10,7 @@ public sealed class SocketTokenTests
     private static readonly SocketBridgeOptions AnyPort = SocketBridgeOptions.Loopback with { Port = 0 };
 
     [Fact]
-    public void Client_without_the_token_is_cut_off_and_does_not_displace_the_welcome_one()
+    public void Client_without_the_token_is_cut_off_and_displaces_nobody()
     {
         using var bridge = new SocketBridge(AnyPort with { Token = "open sesame", TokenPatience = Timeout.InfiniteTimeSpan }, Frames.Size);
         using var friend = new SocketClient(bridge.EndPoint);
@@ -28,7 +28,7 @@ public sealed class SocketTokenTests
     }
 
     [Fact]
-    public void Connections_without_the_token_are_so_many_at_most_and_a_friend_comes_through()
+    public void Connections_without_the_token_are_limited_and_block_nobody()
     {
         // Nobody's time runs out here: who is cut off has made room.
         SocketBridgeOptions options = AnyPort with { Token = "open sesame", MaxPending = 4, TokenPatience = Timeout.InfiniteTimeSpan };
@@ -51,7 +51,7 @@ public sealed class SocketTokenTests
     }
 
     [Fact]
-    public void Connections_that_do_not_show_the_token_in_time_are_cut_off()
+    public void Connections_without_the_token_in_time_are_cut_off()
     {
         using var bridge = new SocketBridge(AnyPort with { Token = "open sesame", TokenPatience = TimeSpan.FromMilliseconds(50) }, Frames.Size);
         using var silent = new SocketClient(bridge.EndPoint);
@@ -64,7 +64,7 @@ public sealed class SocketTokenTests
     }
 
     [Fact]
-    public void Empty_token_is_none()
+    public void Empty_token_counts_as_no_token()
     {
         using var bridge = new SocketBridge(AnyPort with { Token = "" }, Frames.Size);
         using var client = new SocketClient(bridge.EndPoint);
@@ -74,7 +74,7 @@ public sealed class SocketTokenTests
     }
 
     [Fact]
-    public void Client_that_says_nothing_is_told_that_a_token_is_asked_for()
+    public void Silent_client_is_told_that_a_token_is_required()
     {
         using var bridge = new SocketBridge(AnyPort with { Token = "open sesame" }, Frames.Size);
         using var stranger = new SocketClient(bridge.EndPoint);
@@ -83,6 +83,6 @@ public sealed class SocketTokenTests
     }
 
     [Fact]
-    public void Listening_where_others_can_reach_needs_a_token() =>
+    public void Listening_on_a_public_interface_requires_a_token() =>
         Assert.Throws<ArgumentException>(() => new SocketBridge(new SocketBridgeOptions(IPAddress.Any, 0, null), Frames.Size));
 }

@@ -14,7 +14,7 @@ public sealed class ControllerTests
     [InlineData(5)]
     [InlineData(10)]
     [InlineData(20)]
-    public void DeepDriving_takes_back_a_metre_within_eight_seconds(double speed)
+    public void DeepDriving_corrects_a_metre_within_eight_seconds(double speed)
     {
         var loop = new ClosedLoop(new DeepDrivingController(), new LaneSection(1, 4), TorcsLock) { Offset = 3, Speed = speed };
 
@@ -27,7 +27,7 @@ public sealed class ControllerTests
     [InlineData(5)]
     [InlineData(10)]
     [InlineData(14)]
-    public void Stanley_takes_back_a_metre_without_leaving_the_lane(double speed)
+    public void Stanley_corrects_a_metre_without_leaving_the_lane(double speed)
     {
         var section = new LaneSection(2, 5.4);
         var loop = new ClosedLoop(new StanleyController(new StanleyOptions()), section, GameLock) { Offset = 3.7, Speed = speed };
@@ -80,7 +80,7 @@ public sealed class ControllerTests
     [Theory]
     [InlineData(0)]
     [InlineData(1)]
-    public void DeepDriving_runs_into_a_standing_vehicle_where_the_emergency_brake_stops(int lanesBeside)
+    public void DeepDriving_hits_a_parked_car_that_emergency_brakes_avoid(int lanesBeside)
     {
         // At 10 m/s the published law brakes by a tenth for each m/s too fast, from 15 m on: at 5 m it still has 8 of them (docs/driving.md).
         const double halvesOfTwoCars = 4.8;
@@ -107,7 +107,7 @@ public sealed class ControllerTests
     [Theory]
     [InlineData(14.9, 0.5095)]
     [InlineData(15.1, 0)]
-    public void DeepDriving_follows_the_optimal_velocity_within_fifteen_metres_only(double ahead, double brake)
+    public void DeepDriving_follows_the_optimal_velocity_only_within_15_m(double ahead, double brake)
     {
         // At 14.9 m: 20 · (1 - exp(-2.772 / 20 · 14.9 + 0.693)) = 14.928 m/s; a tenth of what 20.023 m/s is more.
         var section = new LaneSection(1, 4);
@@ -118,7 +118,7 @@ public sealed class ControllerTests
     }
 
     [Fact]
-    public void Plan_makes_the_published_law_steer_a_car_of_another_lock_by_the_same_angle()
+    public void Plan_scales_steering_to_the_steering_lock_of_the_car()
     {
         // Half a metre right of the middle: 0.5 / 8 / 1.5 of a radian is to be steered to the left, whatever the lock.
         const double wheelAngle = 0.5 / 8 / 1.5;
@@ -133,7 +133,7 @@ public sealed class ControllerTests
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
-    public void Plan_feeds_the_bend_of_the_lane_forward_to_the_published_law(bool isHeadingKnown)
+    public void Plan_adds_lane_curvature_feedforward_to_the_published_law(bool isHeadingKnown)
     {
         // The road's line bends by 50 m to the left, and the car drives 2 m right of it, along the middle of its lane, at 10 m/s. 10 m ahead
         // the line points 0.2 rad to the left; each frame the car turns by 1/52 rad, and at the car there is no angle. So what it steers is

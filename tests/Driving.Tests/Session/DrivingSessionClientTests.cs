@@ -8,7 +8,7 @@ namespace Harvester.Driving.Tests.Session;
 public sealed class DrivingSessionClientTests : DrivenGame
 {
     [Fact]
-    public void Gone_clients_steps_and_commands_are_dropped_the_car_brakes_and_the_world_goes_on()
+    public void Messages_of_a_gone_client_are_dropped_and_the_car_brakes()
     {
         using DrivingSession session = Session();
         Bridge.Say(new PauseMessage(true), new StepMessage(1), new StepMessage(1), new ControlsMessage(Left, null));
@@ -29,7 +29,7 @@ public sealed class DrivingSessionClientTests : DrivenGame
     }
 
     [Fact]
-    public void World_that_a_gone_client_stopped_goes_on()
+    public void World_stopped_by_a_gone_client_resumes()
     {
         using DrivingSession session = Session();
         Run(session, 1);
@@ -45,7 +45,7 @@ public sealed class DrivingSessionClientTests : DrivenGame
     }
 
     [Fact]
-    public void World_stands_where_the_next_client_stops_it_at_once_and_only_its_steps_count()
+    public void Next_client_can_stop_the_world_and_only_its_steps_count()
     {
         using DrivingSession session = Session();
         Bridge.Say(new PauseMessage(true), new StepMessage(1), new StepMessage(1), new RequestFrameMessage());
@@ -65,7 +65,7 @@ public sealed class DrivingSessionClientTests : DrivenGame
     }
 
     [Fact]
-    public void Next_clients_indicators_are_driven_by_a_new_controller()
+    public void Indicators_of_the_next_client_use_a_new_controller()
     {
         int controllers = 0;
         using DrivingSession session = Session(() =>

@@ -8,7 +8,7 @@ namespace Harvester.Driving.Tests.Session;
 public sealed class DrivingSessionPacingTests : DrivenGame
 {
     [Fact]
-    public void Step_lets_the_world_go_on_for_so_long_and_sends_one_frame_of_the_world_that_stands()
+    public void Step_advances_the_world_and_sends_one_frame_of_it()
     {
         Game.FreezeDelay = 2;
         Game.PictureLag = 3;
@@ -29,7 +29,7 @@ public sealed class DrivingSessionPacingTests : DrivenGame
     }
 
     [Fact]
-    public void Controls_hold_through_steps_however_long_the_client_thinks_between_them()
+    public void Controls_hold_through_steps_however_long_the_client_takes()
     {
         using DrivingSession session = Session();
         Bridge.Say(new PauseMessage(true), new ControlsMessage(Left, null));
@@ -60,7 +60,7 @@ public sealed class DrivingSessionPacingTests : DrivenGame
     }
 
     [Fact]
-    public void Requested_frame_comes_when_nothing_drawn_before_can_be_in_it()
+    public void Requested_frame_shows_nothing_drawn_before_the_request()
     {
         using DrivingSession session = Session(options: new DrivingOptions { RateHz = 1 });
         Run(session, 3);
@@ -72,7 +72,7 @@ public sealed class DrivingSessionPacingTests : DrivenGame
     }
 
     [Fact]
-    public void Requested_frame_comes_at_once_where_pictures_are_never_behind()
+    public void Requested_frame_comes_at_once_without_picture_lag()
     {
         using DrivingSession session = Session(options: new DrivingOptions { RateHz = 1, SettleTicks = 0 });
         Run(session, 3);
@@ -83,7 +83,7 @@ public sealed class DrivingSessionPacingTests : DrivenGame
     }
 
     [Fact]
-    public void Requested_frame_of_a_world_that_stands_comes_when_it_stands()
+    public void Requested_frame_of_a_paused_world_comes_once_it_stands()
     {
         Game.PictureLag = 3;
         using DrivingSession session = Session();

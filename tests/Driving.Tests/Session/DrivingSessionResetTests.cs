@@ -10,7 +10,7 @@ public sealed class DrivingSessionResetTests : DrivenGame
     private static readonly DrivingControls Right = new(-0.5, 0.75, 0);
 
     [Fact]
-    public void Controls_behind_a_reset_that_waits_for_a_step_drive_the_step_after_it()
+    public void Controls_after_a_reset_awaiting_a_step_drive_the_next_step()
     {
         using DrivingSession session = Session();
         Bridge.Say(new PauseMessage(true), new ControlsMessage(Left, null), new StepMessage(0.1));
@@ -36,7 +36,7 @@ public sealed class DrivingSessionResetTests : DrivenGame
     }
 
     [Fact]
-    public void Controls_before_a_reset_that_waits_for_a_step_do_not_drive_after_it()
+    public void Controls_before_a_reset_that_awaits_a_step_are_dropped()
     {
         using DrivingSession session = Session();
         Bridge.Say(new PauseMessage(true), new StepMessage(0.1));
@@ -49,7 +49,7 @@ public sealed class DrivingSessionResetTests : DrivenGame
     }
 
     [Fact]
-    public void Controls_held_for_a_reset_of_a_client_that_is_gone_are_void()
+    public void Controls_held_for_a_reset_of_a_gone_client_are_dropped()
     {
         using DrivingSession session = Session();
         Bridge.Say(new PauseMessage(true), new StepMessage(1), new ResetMessage(default, 90), new ControlsMessage(Left, null));

@@ -14,7 +14,7 @@ namespace Harvester.Driving.Tests.Session;
 public sealed class DrivingSessionTests : DrivenGame
 {
     [Fact]
-    public void Frames_go_out_ten_times_a_second_with_the_state_of_their_pictures()
+    public void Frames_are_sent_at_10_Hz_with_the_state_of_their_pictures()
     {
         using DrivingSession session = Session();
         Run(session, 60);
@@ -34,7 +34,7 @@ public sealed class DrivingSessionTests : DrivenGame
     }
 
     [Fact]
-    public void Car_brakes_until_the_client_speaks_and_half_a_second_after_its_last_word()
+    public void Car_brakes_until_the_client_speaks_and_after_it_falls_silent()
     {
         using DrivingSession session = Session();
         Run(session, 3);
@@ -51,7 +51,7 @@ public sealed class DrivingSessionTests : DrivenGame
     }
 
     [Fact]
-    public void Indicators_are_driven_by_the_controller_of_this_side()
+    public void Indicators_are_turned_into_controls_by_the_game()
     {
         var controller = new NotingController(Left);
         using DrivingSession session = Session(() => controller);
@@ -71,7 +71,7 @@ public sealed class DrivingSessionTests : DrivenGame
     }
 
     [Fact]
-    public void Indicators_beyond_any_road_are_told_and_the_brake_stays()
+    public void Indicators_beyond_any_road_are_reported_and_the_brake_holds()
     {
         using DrivingSession session = Session(() => new DeepDrivingController());
         Bridge.Say(new IndicatorsMessage([.. Enumerable.Repeat(1e308, 13)], null));
@@ -83,7 +83,7 @@ public sealed class DrivingSessionTests : DrivenGame
     }
 
     [Fact]
-    public void Lanes_of_known_roads_go_out_as_the_harvest_labels_them()
+    public void Lanes_of_known_roads_are_sent_as_the_harvest_labels_them()
     {
         // A straight one-way road north, 400 m, two lanes of 5.4 m: its left edge is 5.4 m left of the nodes, and so of the car.
         var network = new RoadNetwork(
@@ -106,7 +106,7 @@ public sealed class DrivingSessionTests : DrivenGame
     }
 
     [Fact]
-    public void Player_at_the_wheel_ends_the_drive_for_good_and_the_world_goes_on()
+    public void Player_input_ends_the_drive_and_the_world_resumes()
     {
         using DrivingSession session = Session();
         Bridge.Say(new PauseMessage(true), new ControlsMessage(Left, null));
@@ -124,7 +124,7 @@ public sealed class DrivingSessionTests : DrivenGame
     }
 
     [Fact]
-    public void Reset_puts_the_car_there_forgets_old_controls_and_starts_a_new_controller()
+    public void Reset_moves_the_car_and_starts_a_new_controller()
     {
         int controllers = 0;
         using DrivingSession session = Session(() =>
@@ -143,7 +143,7 @@ public sealed class DrivingSessionTests : DrivenGame
     }
 
     [Fact]
-    public void Controls_that_come_with_a_reset_count()
+    public void Controls_after_a_reset_in_the_same_tick_apply()
     {
         using DrivingSession session = Session();
         Bridge.Say(new ResetMessage(default, 0), new ControlsMessage(Left, null));
@@ -153,7 +153,7 @@ public sealed class DrivingSessionTests : DrivenGame
     }
 
     [Fact]
-    public void Controls_that_come_before_a_reset_in_the_same_tick_are_void_with_it()
+    public void Controls_before_a_reset_in_the_same_tick_are_dropped()
     {
         using DrivingSession session = Session();
         Bridge.Say(new ControlsMessage(Left, null), new ResetMessage(default, 0));
@@ -164,7 +164,7 @@ public sealed class DrivingSessionTests : DrivenGame
     }
 
     [Fact]
-    public void Environment_is_set_and_an_unknown_weather_is_told()
+    public void Environment_is_set_and_an_unknown_weather_is_reported()
     {
         using DrivingSession session = Session();
         Bridge.Say(new EnvironmentMessage("rain", new TimeSpan(17, 30, 0)), new EnvironmentMessage("hail", null));
@@ -176,7 +176,7 @@ public sealed class DrivingSessionTests : DrivenGame
     }
 
     [Fact]
-    public void Picture_that_cannot_be_used_is_told_and_commands_go_on()
+    public void Unusable_picture_is_reported_and_commands_continue()
     {
         Game.GrabAnswer = GrabResult.Refused("covered");
         using DrivingSession session = Session();
@@ -193,7 +193,7 @@ public sealed class DrivingSessionTests : DrivenGame
     }
 
     [Fact]
-    public void Fault_of_a_port_ends_the_drive_with_a_sentence_and_lets_the_world_go_on()
+    public void Port_fault_ends_the_drive_with_a_message_and_resumes_time()
     {
         using DrivingSession session = Session();
         Bridge.Say(new PauseMessage(true));
@@ -209,7 +209,7 @@ public sealed class DrivingSessionTests : DrivenGame
     [InlineData(nameof(FakeGame.ReadEgo))]
     [InlineData(nameof(FakeGame.Grab))]
     [InlineData(nameof(FakeGame.Unfreeze))]
-    public void Ports_that_throw_never_reach_the_games_loop(string port)
+    public void Port_exceptions_never_reach_the_game_loop(string port)
     {
         using DrivingSession session = Session();
         Game.OnCall = call => Assert.False(call == port, $"{port} fails.");
@@ -221,7 +221,7 @@ public sealed class DrivingSessionTests : DrivenGame
     }
 
     [Fact]
-    public void Stop_gives_back_a_world_that_was_stopped_and_touches_none_that_was_not()
+    public void Stop_resumes_a_paused_world_and_touches_no_running_one()
     {
         int unfreezes = 0;
         Game.OnCall = call => unfreezes += call == nameof(FakeGame.Unfreeze) ? 1 : 0;
@@ -243,7 +243,7 @@ public sealed class DrivingSessionTests : DrivenGame
     }
 
     [Fact]
-    public void Client_that_floods_the_bridge_does_not_hold_up_a_tick()
+    public void Client_that_floods_the_bridge_does_not_delay_a_tick()
     {
         using var flood = new FloodingBridge();
         using var session = new DrivingSession(new DrivingOptions(), Game.Ports with { Car = Car }, flood, () => new NotingController(Left));
@@ -254,7 +254,7 @@ public sealed class DrivingSessionTests : DrivenGame
     }
 
     [Fact]
-    public void Nothing_may_be_drawn_in_the_ticks_whose_display_a_picture_could_show()
+    public void Nothing_may_be_drawn_while_a_picture_could_show_it()
     {
         using DrivingSession session = Session();
         var free = new List<int>();

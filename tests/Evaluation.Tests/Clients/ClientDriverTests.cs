@@ -34,7 +34,7 @@ public sealed class ClientDriverTests
     }
 
     [Fact]
-    public void Run_in_lock_step_answers_again_when_an_answer_is_lost()
+    public void Run_in_lock_step_repeats_a_lost_answer()
     {
         using LockStepGame game = new() { LostSteps = 1 };
         ClientDriver driver = new(game, static () => new StandingController(), Ample, game);
@@ -45,7 +45,7 @@ public sealed class ClientDriverTests
     }
 
     [Fact]
-    public void Run_in_lock_step_answers_each_frame_once_when_a_step_takes_long()
+    public void Run_in_lock_step_answers_each_frame_once_in_a_long_step()
     {
         using LockStepGame game = new() { LooksOfFirstStep = 70 };
         ClientDriver driver = new(game, static () => new StandingController(), Ample, game);
@@ -56,7 +56,7 @@ public sealed class ClientDriverTests
     }
 
     [Fact]
-    public void Run_says_nothing_twice_over_a_link_that_loses_nothing()
+    public void Run_repeats_nothing_over_a_reliable_link()
     {
         using LockStepGame game = new() { LooksOfFirstStep = 70, MayLose = false };
         ClientDriver driver = new(game, static () => new StandingController(), Ample, game);
@@ -68,7 +68,7 @@ public sealed class ClientDriverTests
     [Theory]
     [InlineData(null)]
     [InlineData(0.1)]
-    public void Run_asks_for_the_first_frame_until_it_comes(double? stepSeconds)
+    public void Run_requests_the_first_frame_until_it_arrives(double? stepSeconds)
     {
         using LockStepGame game = new() { AskingsUntilItShows = 3 };
         ClientDriver driver = new(game, static () => new StandingController(), Ample, game);
@@ -83,7 +83,7 @@ public sealed class ClientDriverTests
     }
 
     [Fact]
-    public void Run_begins_with_a_new_controller_where_the_car_was_put_elsewhere()
+    public void Run_starts_a_new_controller_when_the_car_was_teleported()
     {
         int made = 0;
         using FakeLink link = new([FrameAt(0, 0), FrameAt(1, 1), FrameAt(2, 200), FrameAt(3, 201)]);

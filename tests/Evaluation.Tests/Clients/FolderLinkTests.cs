@@ -12,7 +12,7 @@ public sealed class FolderLinkTests : IDisposable
     private readonly string _folder = Directory.CreateTempSubdirectory().FullName;
 
     [Fact]
-    public void Folder_that_is_not_there_is_told()
+    public void Missing_folder_is_reported()
     {
         string missing = Path.Combine(_folder, "none");
 
@@ -20,7 +20,7 @@ public sealed class FolderLinkTests : IDisposable
     }
 
     [Fact]
-    public void Client_begins_with_a_hello_so_that_a_world_which_another_has_stopped_goes_on()
+    public void Client_begins_with_a_hello_that_resumes_a_paused_world()
     {
         using FolderLink link = new(_folder);
 
@@ -28,7 +28,7 @@ public sealed class FolderLinkTests : IDisposable
     }
 
     [Fact]
-    public void Frame_is_asked_for_by_a_hello_until_the_first_has_come()
+    public void Frame_is_requested_by_hello_until_the_first_arrives()
     {
         using FolderLink link = new(_folder);
         string first = File.ReadAllText(Path.Combine(_folder, "command.json"));
@@ -61,7 +61,7 @@ public sealed class FolderLinkTests : IDisposable
     [InlineData("")]
     [InlineData("0 -7 3.5")]
     [InlineData("0 -7 3.5 7 75 75 -9.5 -2 2 9.5 75 75 seventy\n3 0.3 5 1 frame_00000003.png -0.05\n")]
-    public void Receive_passes_over_a_state_that_is_not_whole(string state)
+    public void Receive_skips_an_incomplete_state(string state)
     {
         using FolderLink link = new(_folder);
         Write(state);
@@ -72,7 +72,7 @@ public sealed class FolderLinkTests : IDisposable
     }
 
     [Fact]
-    public void Answers_and_steps_are_told_from_those_before()
+    public void Answers_and_steps_are_distinguished_from_earlier_ones()
     {
         using FolderLink link = new(_folder);
         link.Send(new DrivingControls(-0.5, 0.25, 0), 12);
@@ -90,7 +90,7 @@ public sealed class FolderLinkTests : IDisposable
     }
 
     [Fact]
-    public void Folder_that_is_gone_is_told_and_not_tried_for_ever()
+    public void Deleted_folder_is_reported_after_limited_retries()
     {
         using FolderLink link = new(_folder);
         Directory.Delete(_folder, recursive: true);

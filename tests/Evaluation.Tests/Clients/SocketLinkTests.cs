@@ -33,7 +33,7 @@ public sealed class SocketLinkTests
     }
 
     [Fact]
-    public void Receive_of_frames_and_the_end_gives_the_newest_and_then_tells_the_end()
+    public void Receive_gives_the_newest_frame_and_then_the_end()
     {
         using FakeGame game = new();
         using SocketLink link = new("127.0.0.1", game.Port, null, Ample);
@@ -55,7 +55,7 @@ public sealed class SocketLinkTests
     }
 
     [Fact]
-    public void Receive_of_an_error_tells_its_reason() => AssertFails(
+    public void Receive_of_an_error_reports_its_reason() => AssertFails(
         FakeGame.Message("""{"type":"error","reason":"the first message must be a hello with the right token."}"""), "a hello with the right token");
 
     [Theory]
@@ -63,10 +63,10 @@ public sealed class SocketLinkTests
     [InlineData("[1]")]
     [InlineData("""{"type":"frame"}""")]
     [InlineData("""{"type":"frame","frame":1,"timeSeconds":0,"speedMetresPerSecond":5,"position":[0],"headingDegrees":0,"fast":true,"indicators":[1],"torcsEquivalent":[1]}""")]
-    public void Receive_of_what_is_no_frame_tells_so(string header) => AssertFails(FakeGame.Message(header), "what is no frame");
+    public void Receive_of_something_else_than_a_frame_fails(string header) => AssertFails(FakeGame.Message(header), "what is no frame");
 
     [Fact]
-    public void Receive_of_an_impossible_length_tells_it() => AssertFails([0x7f, 0, 0, 0, 0, 0, 0, 0], "a message of 2130706432 bytes");
+    public void Receive_of_an_impossible_length_reports_it() => AssertFails([0x7f, 0, 0, 0, 0, 0, 0, 0], "a message of 2130706432 bytes");
 
     [Fact]
     public void Receive_of_a_message_that_is_not_ended_gives_up()
@@ -79,7 +79,7 @@ public sealed class SocketLinkTests
     }
 
     [Fact]
-    public void Receive_of_a_message_that_the_end_cuts_off_fails()
+    public void Receive_of_a_truncated_message_fails()
     {
         using FakeGame game = new();
         using SocketLink link = new("127.0.0.1", game.Port, null, Ample);

@@ -6,7 +6,7 @@ namespace Harvester.Evaluation.Tests.Figures;
 public sealed class DriveFiguresTests
 {
     [Fact]
-    public void Of_counts_way_and_time_by_who_drives()
+    public void Of_counts_distance_and_time_by_driver()
     {
         DriveSample[] samples =
         [
@@ -49,7 +49,7 @@ public sealed class DriveFiguresTests
     }
 
     [Fact]
-    public void Of_a_vehicle_that_is_touched_for_long_is_one_collision()
+    public void Long_contact_with_a_vehicle_is_one_collision()
     {
         DriveSample[] samples =
         [

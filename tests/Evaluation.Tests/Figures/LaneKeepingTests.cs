@@ -24,7 +24,7 @@ public sealed class LaneKeepingTests
     }
 
     [Fact]
-    public void Crossing_that_ends_in_the_lane_beside_is_a_change_of_lane()
+    public void Crossing_that_ends_in_the_next_lane_is_a_lane_change()
     {
         var keeping = new LaneKeeping(
             [Drives.At(0, 0, 0, 2), Drives.At(1, 2, 0, 2), Drives.At(2, -2, 1, 2), Drives.At(3, 0, 1, 2)]);
@@ -53,7 +53,7 @@ public sealed class LaneKeepingTests
     }
 
     [Fact]
-    public void Departures_of_the_own_driver_and_in_junctions_do_not_count()
+    public void Departures_of_built_in_driver_or_in_junctions_are_ignored()
     {
         DriveSample[] samples = [Drives.At(0), Drives.At(1, 2) with { IsByController = false }, Drives.At(2) with { Lane = null }, Drives.At(3)];
 
@@ -61,7 +61,7 @@ public sealed class LaneKeepingTests
     }
 
     [Fact]
-    public void LateralErrors_leave_out_four_seconds_around_a_change_of_lane()
+    public void LateralErrors_skip_four_seconds_around_a_lane_change()
     {
         // A change of lane at 10.1 and 10.2 s of 30 s: the samples from 6.2 to 14.1 s are left out.
         DriveSample[] samples =

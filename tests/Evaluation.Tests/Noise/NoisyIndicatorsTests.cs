@@ -11,7 +11,7 @@ public sealed class NoisyIndicatorsTests
     private const int Frames = 20_000;
 
     [Fact]
-    public void Drive_errs_by_the_levels_on_the_mean_and_by_none_systematically()
+    public void Drive_has_the_mean_errors_of_the_levels_and_no_bias()
     {
         var section = new LaneSection(3, 5.4);
         LaneIndicators truth = IndicatorCalculator.Compute(0.1, 8.1, section, [new VehicleAhead(1, 30)]);

@@ -7,7 +7,7 @@ public sealed class ConvexPolygonTests
     private static readonly Vector2D[] Square = [new(0, 0), new(2, 0), new(2, 2), new(0, 2)];
 
     [Fact]
-    public void Hull_points_inside_and_on_the_sides_are_dropped()
+    public void Hull_drops_points_inside_and_on_the_edges()
     {
         IReadOnlyList<Vector2D> hull = ConvexPolygon.Hull([new(1, 1), new(2, 0), new(0, 0), new(1, 0), new(2, 2), new(0, 2), new(0, 0)]);
 

@@ -57,7 +57,7 @@ public sealed class CuboidProjectorTests
     [Theory]
     [InlineData(0, 2.4e4, 2.5e4)]
     [InlineData(0.01, 1.1e10, 1.2e10)]
-    public void Project_beside_the_camera_has_an_amodal_box_of_any_size_that_is_finite(double k2, double least, double most)
+    public void Project_beside_the_camera_has_a_finite_amodal_box(double k2, double least, double most)
     {
         // 8 m to the side and 2 m up at the near plane, 0.1 m ahead, is 80 and 20 focal lengths of 300 px; the lens multiplies that by 1 + k2 82.5^4.
         var wall = new Cuboid(new(8, 0, 0), new(0.01, 20, 2), Axes.Identity);
@@ -151,7 +151,7 @@ public sealed class CuboidProjectorTests
     [InlineData(-0.08, 0.01, false)]
     [InlineData(0.1, 0, true)]
     [InlineData(0.1, 0, false)]
-    public void Project_under_a_bent_lens_bounds_what_rays_meet_also_across_the_near_plane(double k1, double k2, bool isAcrossNearPlane)
+    public void Project_with_distortion_bounds_rays_across_the_near_plane(double k1, double k2, bool isAcrossNearPlane)
     {
         const double inside = 0.5;
         const double step = 0.2;

@@ -38,7 +38,7 @@ public sealed class LensFitterTests
     [InlineData(800, 600, 90)]
     [InlineData(1920, 1080, 50)]
     [InlineData(1920, 1080, 90)]
-    public void Fit_of_noisy_sightings_with_wrong_ones_is_right_over_the_whole_image(int width, int height, double fov)
+    public void Fit_of_noisy_sightings_with_outliers_holds_across_the_image(int width, int height, double fov)
     {
         const double noisePixels = 0.25;
         const double wrongFraction = 0.2;
@@ -62,7 +62,7 @@ public sealed class LensFitterTests
     [InlineData(0.1)]
     [InlineData(0.3)]
     [InlineData(0.4)]
-    public void Fit_leaves_out_the_wrong_sightings_and_no_other(double wrongFraction)
+    public void Fit_rejects_exactly_the_wrong_sightings(double wrongFraction)
     {
         CameraIntrinsics truth = Intrinsics(800, 600, 60, Injected);
         List<Sighting> sightings = Sightings(truth, new Random(3), 0.1, wrongFraction);
@@ -77,7 +77,7 @@ public sealed class LensFitterTests
     }
 
     [Fact]
-    public void Fit_ignores_the_lens_that_the_camera_came_with()
+    public void Fit_ignores_the_current_lens_of_the_camera()
     {
         CameraIntrinsics truth = Intrinsics(800, 600, 60, Injected);
         List<Sighting> sightings = Sightings(truth, new Random(4), 0.2, 0.1);
@@ -88,7 +88,7 @@ public sealed class LensFitterTests
     }
 
     [Fact]
-    public void Fit_tells_how_sure_it_is_of_the_corners()
+    public void Fit_reports_the_uncertainty_at_the_corners()
     {
         const double noisePixels = 0.3;
         const int trials = 100;
@@ -114,7 +114,7 @@ public sealed class LensFitterTests
     }
 
     [Fact]
-    public void Fit_of_sightings_near_the_middle_is_unsure_of_the_corners()
+    public void Fit_of_central_sightings_is_uncertain_at_the_corners()
     {
         CameraIntrinsics truth = Intrinsics(800, 600, 60, Injected);
         List<Sighting> all = Sightings(truth, new Random(6), 0.2, 0);
@@ -136,7 +136,7 @@ public sealed class LensFitterTests
     }
 
     [Fact]
-    public void Fit_of_nothing_but_wrong_sightings_has_no_small_error()
+    public void Fit_of_wrong_sightings_only_has_a_large_error()
     {
         CameraIntrinsics truth = Intrinsics(800, 600, 60, Injected);
 
@@ -146,7 +146,7 @@ public sealed class LensFitterTests
     }
 
     [Fact]
-    public void Fit_of_sightings_on_a_circle_or_in_one_place_is_undetermined()
+    public void Fit_of_sightings_on_a_circle_or_at_a_point_is_undetermined()
     {
         CameraIntrinsics truth = Intrinsics(800, 600, 60, Lens.Ideal);
         var camera = new Camera(Pose(), truth);

@@ -8,7 +8,7 @@ public sealed class MarkerPlanTests
     private const double Radius = 6;
 
     [Fact]
-    public void Across_puts_the_markers_within_half_a_radius_of_a_grid_three_radii_from_the_edges()
+    public void Across_puts_markers_near_a_grid_three_radii_from_the_edges()
     {
         MarkerPlan plan = MarkerPlan.Across(Camera(50, Lens.Ideal), 3, 2, Radius, [1]);
 
@@ -24,7 +24,7 @@ public sealed class MarkerPlanTests
     }
 
     [Fact]
-    public void Across_spreads_the_markers_evenly_over_the_fractions_of_a_pixel()
+    public void Across_spreads_markers_evenly_over_subpixel_positions()
     {
         MarkerPlan plan = MarkerPlan.Across(Camera(50, Lens.Ideal), 15, 11, Radius, [1]);
 
@@ -55,7 +55,7 @@ public sealed class MarkerPlanTests
     }
 
     [Fact]
-    public void Across_puts_each_marker_where_the_camera_sees_its_pixel_at_its_depth()
+    public void Across_puts_each_marker_where_its_pixel_and_depth_say()
     {
         Camera camera = Camera(90, new Lens(1.01, 0.002, -0.003, -0.03, 0.004));
 

@@ -78,7 +78,7 @@ public sealed class IndicatorCalculatorTests
     }
 
     [Fact]
-    public void Compute_between_half_and_one_metre_from_marking_has_both_systems()
+    public void Compute_near_a_marking_gives_both_indicator_systems()
     {
         // t = -1.25 (offset 7.25): middle lane, 0.75 m left of the right inner marking at offset 8.
         LaneIndicators at = Compute(lanes: 3, offset: 7.25);
@@ -176,7 +176,7 @@ public sealed class IndicatorCalculatorTests
     }
 
     [Fact]
-    public void Compute_on_marking_takes_vehicles_of_the_lanes_beside_it()
+    public void Compute_on_marking_uses_vehicles_of_both_adjacent_lanes()
     {
         VehicleAhead[] vehicles = [new(0, 20), new(1, 30)];
 
@@ -197,7 +197,7 @@ public sealed class IndicatorCalculatorTests
     }
 
     [Fact]
-    public void TorcsEquivalent_of_wide_lanes_is_what_torcs_would_say_at_the_same_place()
+    public void TorcsEquivalent_of_wide_lanes_equals_torcs_at_the_same_place()
     {
         VehicleAhead[] vehicles = [new(1, 65)];
         LaneIndicators wide = IndicatorCalculator.Compute(0.1, 1.5 * 5.4, new LaneSection(3, 5.4), vehicles);
@@ -215,7 +215,7 @@ public sealed class IndicatorCalculatorTests
     }
 
     [Fact]
-    public void Normalisation_brings_the_ends_of_each_range_to_a_tenth_and_nine_tenths()
+    public void Normalisation_maps_each_range_to_0_1_through_0_9()
     {
         // The published factors have five digits.
         const double publishedDigits = 2e-4;

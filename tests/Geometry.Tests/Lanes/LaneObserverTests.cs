@@ -54,7 +54,7 @@ public sealed class LaneObserverTests
     }
 
     [Fact]
-    public void Observe_on_an_s_curve_is_exact_away_from_the_change_of_curvature()
+    public void Observe_on_an_s_curve_is_exact_away_from_the_inflection()
     {
         var road = new AnalyticRoad((0.008, 120), (-0.008, 120));
         LaneObserver observer = Observer(road.Network(2, 1, 1));
@@ -70,7 +70,7 @@ public sealed class LaneObserverTests
     }
 
     [Fact]
-    public void Observe_counts_vehicles_along_the_curve_and_puts_them_into_lanes()
+    public void Observe_assigns_vehicles_along_the_curve_to_lanes()
     {
         LaneObserver observer = Observer(Arc.Network(2, 2, 1));
         TrafficVehicle[] vehicles =
@@ -111,7 +111,7 @@ public sealed class LaneObserverTests
     }
 
     [Fact]
-    public void Observe_beside_every_road_is_off_road_and_invents_nothing()
+    public void Observe_beside_every_road_is_off_road_without_indicators()
     {
         LaneObservation seen = Observer(Straight.Network(5, 1, 1)).Observe(new Vector3D(80, 50, 0), 0, 10, 4, [], null);
 
@@ -121,7 +121,7 @@ public sealed class LaneObserverTests
     }
 
     [Fact]
-    public void Observe_in_a_junction_says_so_and_invents_nothing()
+    public void Observe_in_a_junction_reports_it_without_indicators()
     {
         RoadNode[] nodes =
         [
@@ -138,7 +138,7 @@ public sealed class LaneObserverTests
     [Theory]
     [InlineData(1.9, true)]
     [InlineData(2.1, false)]
-    public void Observe_outside_the_outer_lanes_keeps_the_indicators_on_marking_for_two_metres_of_lanes_of_four(double outside, bool isKnown)
+    public void Observe_outside_the_lanes_stays_on_marking_for_two_metres(double outside, bool isKnown)
     {
         const double scale = 5.4 / 4;
         LaneObserver observer = Observer(Straight.Network(5, 2, 0));
@@ -163,7 +163,7 @@ public sealed class LaneObserverTests
     [InlineData(1, 15)]
     [InlineData(1, -15)]
     [InlineData(-1, 15)]
-    public void Observe_in_a_sharp_bend_is_not_led_astray_by_the_ends_of_links(int side, double turned)
+    public void Observe_in_a_sharp_bend_ignores_the_ends_of_links(int side, double turned)
     {
         // A radius of 15 m; a cubic between nodes 4 m apart keeps to such a circle within a millimetre.
         const double curveMetres = 0.002;
@@ -182,7 +182,7 @@ public sealed class LaneObserverTests
     }
 
     [Fact]
-    public void Observe_look_ahead_by_speed_is_one_second_of_way()
+    public void Observe_look_ahead_by_speed_is_one_second_of_travel()
     {
         RoadNetwork network = Straight.Network(5, 1, 1);
         var observer = new LaneObserver(new RoadCurves(network), new LaneModel(network), LookAhead.OfSeconds(1));
@@ -206,7 +206,7 @@ public sealed class LaneObserverTests
     }
 
     [Fact]
-    public void Trace_leaves_out_the_junction_and_goes_on_beyond_it()
+    public void Trace_skips_the_junction_and_continues_beyond_it()
     {
         RoadNode[] nodes = [Node(0, 0, -100), Node(1, 0, 0), Node(2, 0, 100), Node(3, 100, 0)];
         LaneObservation seen = Observer(new RoadNetwork(nodes, [Link(0, 1), Link(1, 2), Link(1, 3)])).Observe(new Vector3D(2.7, -30, 0), 0, 10, 4, [], null);

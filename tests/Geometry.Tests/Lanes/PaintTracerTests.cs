@@ -9,7 +9,7 @@ public sealed class PaintTracerTests
     private static readonly MarkingPaint White = new(MarkingStyle.Dashed, MarkingColour.White, 0.15);
 
     [Fact]
-    public void Paint_gets_the_number_of_the_boundary_beside_it_and_keeps_its_place()
+    public void Paint_takes_the_nearest_boundary_number_and_keeps_its_place()
     {
         // Two lanes from 0 to 10.8 m right of the line; an edge is painted 0.25 m inside.
         IReadOnlyList<LaneLine> lines = Trace(Line(10.55, 20, 90), Line(5.4, 20, 90), Line(0.1, 20, 90));
@@ -31,7 +31,7 @@ public sealed class PaintTracerTests
     }
 
     [Fact]
-    public void Paint_that_runs_the_other_way_is_turned_nearest_first()
+    public void Paint_in_the_opposite_direction_is_reversed()
     {
         LaneLine line = Assert.Single(Trace(Line(5.4, 90, 40)));
 
@@ -47,7 +47,7 @@ public sealed class PaintTracerTests
     }
 
     [Fact]
-    public void Paint_that_marks_no_boundary_or_crosses_it_is_left_out()
+    public void Paint_that_marks_no_boundary_or_crosses_it_is_omitted()
     {
         var across = new PaintedLine(White, [.. Enumerable.Range(0, 40).Select(i => new LinePoint(new Vector3D(i * 0.5, 80, 0), true))]);
 

@@ -10,7 +10,7 @@ public sealed class AdaptivePixelMapperTests
     private static readonly ImageSize Size = new(800, 600);
 
     [Fact]
-    public void Run_order_of_the_targets_changes_nothing()
+    public void Run_does_not_depend_on_the_order_of_targets()
     {
         TownScene scene = TownScene.Numbered(17, Size);
         List<MapTarget> targets = scene.Targets();
@@ -25,7 +25,7 @@ public sealed class AdaptivePixelMapperTests
     }
 
     [Fact]
-    public void Run_numbers_of_the_targets_change_only_the_numbers()
+    public void Run_ids_of_the_targets_change_only_the_ids()
     {
         TownScene scene = TownScene.Numbered(17, Size);
         List<MapTarget> targets = scene.Targets();

@@ -28,7 +28,7 @@ public sealed class ExhaustivePixelMapperTests
     }
 
     [Fact]
-    public void Map_nearer_entity_hides_and_the_world_has_no_number()
+    public void Map_nearer_entity_occludes_and_the_world_has_no_id()
     {
         var wide = new Cuboid(new(0, 15, 0), new(4, 0, 4), Axes.Identity);
         var near = new Cuboid(new(-50, 10, 0), new(50, 0, 50), Axes.Identity);

@@ -40,7 +40,7 @@ public sealed class MapOcclusionEstimatorTests
     }
 
     [Fact]
-    public void Estimate_wholly_hidden_is_one()
+    public void Estimate_of_a_fully_hidden_object_is_1()
     {
         OcclusionEstimate estimate = Estimate(
             [(Car, Target), (RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))], Sight.Unseen);
@@ -50,7 +50,7 @@ public sealed class MapOcclusionEstimatorTests
     }
 
     [Fact]
-    public void Estimate_hidden_object_takes_only_the_rays_that_show_it_is_there()
+    public void Estimate_of_a_hidden_object_takes_only_the_rays_that_find_it()
     {
         OcclusionEstimate estimate = Estimate([(Car, Target), (RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))], Sight.Unseen);
 
@@ -58,7 +58,7 @@ public sealed class MapOcclusionEstimatorTests
     }
 
     [Fact]
-    public void Estimate_object_without_anything_in_the_image_has_no_occlusion()
+    public void Estimate_of_an_object_outside_the_image_has_no_occlusion()
     {
         OcclusionEstimate estimate = Estimate([], Sight.Unseen);
 
@@ -68,7 +68,7 @@ public sealed class MapOcclusionEstimatorTests
     [Theory]
     [InlineData(Sight.NotAsked)]
     [InlineData(Sight.Undetermined)]
-    public void Estimate_object_of_which_nothing_is_known_takes_no_rays(Sight sight) =>
+    public void Estimate_of_an_unknown_object_takes_no_rays(Sight sight) =>
         Assert.Equal(new OcclusionEstimate { Sight = sight }, Estimate([(Car, Target)], sight));
 
     private static OcclusionEstimate Estimate(IReadOnlyList<(int Entity, Cuboid Solid)> solids, Sight sight)

@@ -17,7 +17,7 @@ public sealed class MaskOutlinesTests
     }
 
     [Fact]
-    public void Of_block_of_pixels_is_a_rectangle()
+    public void Outline_of_a_block_of_pixels_is_a_rectangle()
     {
         var map = new InstanceMap(new ImageSize(6, 5));
         map[2, 1] = map[3, 1] = map[4, 1] = map[2, 2] = map[3, 2] = map[4, 2] = 7;
@@ -29,7 +29,7 @@ public sealed class MaskOutlinesTests
     }
 
     [Fact]
-    public void Of_ring_has_a_hole_of_the_other_sense()
+    public void Outline_of_a_ring_has_a_hole_of_opposite_winding()
     {
         var map = new InstanceMap(new ImageSize(3, 3));
         Array.Fill(map.Ids, (ushort)1);
@@ -41,7 +41,7 @@ public sealed class MaskOutlinesTests
     }
 
     [Fact]
-    public void Of_pixels_that_touch_at_a_corner_are_apart()
+    public void Pixels_that_touch_at_a_corner_have_separate_outlines()
     {
         var map = new InstanceMap(new ImageSize(2, 2));
         map[0, 0] = map[1, 1] = 1;
@@ -50,7 +50,7 @@ public sealed class MaskOutlinesTests
     }
 
     [Fact]
-    public void Of_random_masks_enclose_as_much_as_they_have_pixels()
+    public void Outlines_of_random_masks_enclose_the_area_of_their_pixels()
     {
         var random = new Random(2);
         for (int i = 0; i < 200; i++)

@@ -6,7 +6,7 @@ namespace Harvester.Geometry.Tests.PixelMaps;
 public sealed class MaskRunsTests
 {
     [Fact]
-    public void Encode_goes_down_the_columns()
+    public void Encode_runs_down_the_columns()
     {
         // Columns of a 3 x 2 image: (0, 1), (1, 1), (0, 0): 1 outside, 3 inside, 2 outside.
         var map = new InstanceMap(new ImageSize(3, 2));

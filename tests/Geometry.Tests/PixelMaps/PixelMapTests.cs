@@ -8,7 +8,7 @@ public sealed class PixelMapTests
     private static readonly ImageSize Size = new(7, 5);
 
     [Fact]
-    public void Or_has_the_pixels_of_either_map()
+    public void Or_is_the_union_of_both_maps()
     {
         var random = new Random(1);
         PixelMap a = Draw(random);
@@ -31,7 +31,7 @@ public sealed class PixelMapTests
     }
 
     [Fact]
-    public void Count_follows_what_is_set_and_cleared()
+    public void Count_follows_set_and_cleared_pixels()
     {
         var map = new PixelMap(Size);
         map[3, 2] = true;

@@ -6,7 +6,7 @@ namespace Harvester.Geometry.Tests.PixelMaps;
 public sealed class ScatteredRankTests
 {
     [Fact]
-    public void Of_first_pixels_meet_every_aligned_rectangle_of_their_area_once()
+    public void First_pixels_hit_every_aligned_rectangle_of_their_area_once()
     {
         const int side = 128;
         var rank = new ScatteredRank(new ImageSize(side, side));
@@ -30,7 +30,7 @@ public sealed class ScatteredRankTests
     }
 
     [Fact]
-    public void Of_slanting_lines_are_met_as_often_as_by_chance_at_least()
+    public void Slanted_lines_are_hit_at_least_as_often_as_by_chance()
     {
         // 1 in 16 pixels: a line of 64 pixels is met 4 times on average, and missed by chance in exp(-4) = 2 % of cases.
         const int length = 64;

@@ -12,7 +12,7 @@ public sealed class SmallWorldMapTests
     [Theory]
     [InlineData(0.04, 2.0)]
     [InlineData(0.1, 0.9)]
-    public void Run_thin_thing_is_found_and_nearly_exact(double half, double halfHeight)
+    public void Run_maps_a_thin_object_almost_exactly(double half, double halfHeight)
     {
         // At 30 m a pixel is 30 / 643 = 0.047 m: a pole of 1.7 px and a pedestrian's width of 4.3 px.
         var thing = new Cuboid(new(1.3, 30, 0.2), new(half, half, halfHeight), Axes.FromHeading(20));
@@ -27,7 +27,7 @@ public sealed class SmallWorldMapTests
     }
 
     [Fact]
-    public void Run_thin_arms_of_an_object_that_fills_little_of_its_cuboid_are_found()
+    public void Run_finds_thin_arms_that_fill_little_of_their_cuboid()
     {
         // A traffic light at 40 m, where a pixel is 40 / 643 = 0.062 m: a pole of 2 px and an arm of 64 px by 2 px in a box of 64 by 97 px.
         var pole = new Cuboid(new(2, 40, 0), new(0.06, 0.06, 3), Axes.Identity);
@@ -44,7 +44,7 @@ public sealed class SmallWorldMapTests
     }
 
     [Fact]
-    public void Run_object_that_fills_the_image_costs_few_rays_whatever_is_behind_it()
+    public void Run_of_an_object_that_fills_the_image_takes_few_rays()
     {
         // 1920 x 1080 has 60 x 34 cells, with 2,135 corners. The map has no outline, so 1,000 rays are allowed.
         var size = new ImageSize(1920, 1080);

@@ -29,7 +29,7 @@ public sealed class StoppedMapTests
     }
 
     [Fact]
-    public void Run_more_rays_give_better_maps_and_say_how_good()
+    public void Run_with_more_rays_gives_better_maps_and_reports_quality()
     {
         TownScene scene = TownScene.Numbered(20, Size);
         List<MapTarget> targets = scene.Targets();
@@ -87,7 +87,7 @@ public sealed class StoppedMapTests
     }
 
     [Fact]
-    public void Run_time_up_stops_after_a_ray_and_goes_on_later()
+    public void Run_stops_after_a_ray_when_time_is_up_and_resumes_later()
     {
         TownScene scene = TownScene.Numbered(2, Size);
         AdaptivePixelMapper mapper = MapRun.Of(scene, scene.Targets(), new PixelMapOptions());

@@ -55,7 +55,7 @@ public sealed class TownMapTests
     }
 
     [Fact]
-    public void ExhaustiveMap_asked_in_the_boxes_only_is_that_of_the_whole_image()
+    public void ExhaustiveMap_of_the_boxes_equals_that_of_the_whole_image()
     {
         TownScene scene = TownScene.Numbered(40, new ImageSize(320, 240));
 

@@ -9,7 +9,7 @@ namespace Harvester.Geometry.Tests.PixelMaps;
 public sealed class UnseenTargetTests
 {
     [Fact]
-    public void Run_object_that_rays_do_not_meet_is_undetermined_and_not_drawn()
+    public void Run_marks_an_object_that_no_ray_hits_as_undetermined()
     {
         // The ghost lies behind the right half of a car, and rays pass through it.
         var car = new Cuboid(new(0, 20, 0), new(2, 1, 1), Axes.Identity);
@@ -23,7 +23,7 @@ public sealed class UnseenTargetTests
     }
 
     [Fact]
-    public void Run_hidden_object_is_not_taken_for_one_that_rays_do_not_meet()
+    public void Run_distinguishes_hidden_objects_from_those_no_ray_hits()
     {
         var wall = new Cuboid(new(0, 10, 0), new(9, 0.2, 9), Axes.Identity);
         var car = new Cuboid(new(0, 20, 0), new(2, 1, 1), Axes.Identity);
@@ -35,7 +35,7 @@ public sealed class UnseenTargetTests
     }
 
     [Fact]
-    public void Run_object_of_which_only_the_gaps_are_in_the_image_is_unseen()
+    public void Run_object_with_only_its_gaps_in_the_image_is_unseen()
     {
         // At 20 m the image ends at x = 20 tan(25 deg) 4/3 = 12.4 m: the post stands outside, the empty half of its cuboid inside.
         var post = new Cuboid(new(14.5, 20, 0), new(0.5, 0.5, 1), Axes.Identity);
@@ -49,7 +49,7 @@ public sealed class UnseenTargetTests
     }
 
     [Fact]
-    public void Run_beyond_the_reach_of_rays_costs_none_and_is_undetermined()
+    public void Run_beyond_the_reach_of_rays_is_undetermined_without_rays()
     {
         var car = new Cuboid(new(0, 200, 0), new(2, 1, 1), Axes.Identity);
         var world = new CuboidWorld([]);
@@ -65,7 +65,7 @@ public sealed class UnseenTargetTests
     }
 
     [Fact]
-    public void Run_distant_object_of_few_pixels_that_rays_do_not_meet_is_undetermined()
+    public void Run_marks_a_distant_object_that_no_ray_hits_as_undetermined()
     {
         // At 400 m it is 3 x 1.5 pixels: fewer rays than four go through its cuboid.
         var ghost = new Cuboid(new(0, 400, 0), new(1.5, 1, 0.75), Axes.Identity);
@@ -76,7 +76,7 @@ public sealed class UnseenTargetTests
     }
 
     [Fact]
-    public void Run_without_rays_asks_about_nothing()
+    public void Run_without_rays_queries_nothing()
     {
         var car = new Cuboid(new(0, 20, 0), new(2, 1, 1), Axes.Identity);
         var mapper = new AdaptivePixelMapper(

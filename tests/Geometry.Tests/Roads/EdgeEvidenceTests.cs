@@ -8,14 +8,14 @@ public sealed class EdgeEvidenceTests
     private static readonly RoadLink TwoAndOne = new(0, 1, 2, 1, 3, RoadLinkFlags.None);
 
     [Fact]
-    public void Width_of_a_two_way_road_is_that_of_the_lanes_between_median_and_edge()
+    public void Width_of_a_two_way_road_follows_from_median_and_edges()
     {
         // Half the median is 1.5 m: 1.5 + 2 · 4.5 on the right, 1.5 + 4.5 on the left.
         Assert.Equal((4.5, LaneWidthSource.Calibrated), Width(TwoAndOne, Start(10.5), Start(10.5), End(-6), End(-6)));
     }
 
     [Fact]
-    public void Width_of_a_one_way_road_is_that_of_the_lanes_between_the_edges_whichever_way_it_runs()
+    public void Width_of_a_one_way_road_follows_from_its_edges()
     {
         RoadEdge[] edges = [Start(-6), Start(-6), End(6), End(6)];
 
@@ -24,11 +24,11 @@ public sealed class EdgeEvidenceTests
     }
 
     [Fact]
-    public void Width_of_a_narrow_road_that_proves_itself_is_not_the_constant_of_narrow_ones() =>
+    public void Width_of_a_narrow_road_is_measured_if_its_edges_agree() =>
         Assert.Equal((4.5, LaneWidthSource.Calibrated), Width(TwoAndOne with { Flags = RoadLinkFlags.NarrowRoad }, Start(10.5), Start(10.5), End(-6), End(-6)));
 
     [Fact]
-    public void Width_is_in_the_middle_of_answers_that_nearly_agree()
+    public void Width_is_the_middle_of_answers_that_nearly_agree()
     {
         // Lanes of 4.5, 4.55, 4.6 and 4.6 m.
         (double width, _) = Width(TwoAndOne, Start(10.5), Start(10.6), End(-6.1), End(-6.1));
@@ -61,7 +61,7 @@ public sealed class EdgeEvidenceTests
     }
 
     [Fact]
-    public void Width_is_the_constant_where_the_median_is_not_known_or_there_are_no_lanes()
+    public void Width_is_the_constant_without_a_known_median_or_lanes()
     {
         RoadEdge[] edges = [Start(5), Start(5), End(-5), End(-5)];
 
@@ -71,7 +71,7 @@ public sealed class EdgeEvidenceTests
     }
 
     [Fact]
-    public void Width_of_a_road_between_nodes_above_each_other_is_the_constant()
+    public void Width_of_a_road_between_stacked_nodes_is_the_constant()
     {
         var network = new RoadNetwork([Node(0, 0), Node(1, 0)], [TwoAndOne], [Start(10.5), Start(10.5), Start(-6), Start(-6)]);
 

@@ -8,7 +8,7 @@ public sealed class JunctionExtentsTests
     private const double Corner = 1.5;
 
     [Fact]
-    public void A_junction_reaches_to_the_corners_of_the_roads_that_meet()
+    public void Junction_extends_to_the_corners_of_its_roads()
     {
         // A road of two lanes each way goes north, one of one lane each way crosses it.
         JunctionExtents extents = Of(
@@ -24,7 +24,7 @@ public sealed class JunctionExtentsTests
     }
 
     [Fact]
-    public void Roads_that_meet_at_a_slant_have_their_corner_further_off()
+    public void Roads_that_meet_at_a_slant_have_a_more_distant_corner()
     {
         // At 60 degrees the edges of two roads that are w wide on either side cross at (w + w cos 60) / sin 60.
         JunctionExtents extents = Of([(0, 0), (0, -60), (0, 60), (52, 30)], [Two(1, 0), Two(0, 2), Two(0, 3)]);
@@ -37,7 +37,7 @@ public sealed class JunctionExtentsTests
     }
 
     [Fact]
-    public void A_junction_reaches_on_over_links_that_are_shorter()
+    public void Junction_extends_across_links_shorter_than_itself()
     {
         JunctionExtents extents = Of([(0, 0), (0, -60), (0, 60), (4, 0), (60, 0)], [Two(1, 0), Two(0, 2), Two(0, 3), Two(3, 4)]);
 
@@ -46,7 +46,7 @@ public sealed class JunctionExtentsTests
     }
 
     [Fact]
-    public void A_road_that_others_merge_with_keeps_its_lanes()
+    public void Road_that_others_merge_with_keeps_its_lanes()
     {
         // A slip road joins a motorway at 15 degrees: the motorway goes on, the slip road's lane ends before.
         JunctionExtents extents = Of(
@@ -59,7 +59,7 @@ public sealed class JunctionExtentsTests
     }
 
     [Fact]
-    public void A_link_that_ties_two_carriageways_is_a_junction_and_they_are_not()
+    public void Link_between_two_carriageways_is_a_junction_unlike_them()
     {
         JunctionExtents extents = Of(
             [(0, -50), (0, 0), (0, 50), (14, 50), (14, 10), (14, -50)],
@@ -75,7 +75,7 @@ public sealed class JunctionExtentsTests
     }
 
     [Fact]
-    public void A_bend_and_a_dead_end_are_no_junctions()
+    public void Bend_and_dead_end_are_not_junctions()
     {
         JunctionExtents extents = Of([(0, 0), (0, 60), (60, 60)], [Two(0, 1), Two(1, 2)]);
 

@@ -5,7 +5,7 @@ namespace Harvester.Geometry.Tests.Roads;
 public sealed class NodeDatabaseTests
 {
     [Fact]
-    public void Entries_of_a_two_way_road_with_a_median_lie_either_side_of_it()
+    public void Entries_of_a_two_way_road_lie_on_both_sides_of_its_median()
     {
         // To the north, 2 lanes forward and 1 back, a median of 3 m, lanes of 5.4 m. Node 1 is in the middle of the road.
         List<NodeDatabaseEntry> entries = Entries(2, 1, 3);
@@ -32,11 +32,11 @@ public sealed class NodeDatabaseTests
     [InlineData(2, 0, null, true, true)]
     [InlineData(3, 0, null, false, true)]
     [InlineData(1, 1, 2.0, false, false)]
-    public void OnMarking_is_a_matter_of_lanes_and_median(int forward, int backward, double? median, bool onMarking, bool oneWay) =>
+    public void OnMarking_depends_on_lanes_and_median(int forward, int backward, double? median, bool onMarking, bool oneWay) =>
         Assert.All(Entries(forward, backward, median), entry => Assert.Equal((onMarking, oneWay), (entry.OnMarking, entry.OneWay)));
 
     [Fact]
-    public void Entries_of_a_one_way_road_begin_at_the_node_and_there_is_one_for_each()
+    public void Each_node_of_a_one_way_road_has_one_entry_starting_at_it()
     {
         List<NodeDatabaseEntry> entries = Entries(3, 0, null);
 
@@ -51,10 +51,10 @@ public sealed class NodeDatabaseTests
     }
 
     [Fact]
-    public void Entries_of_a_two_way_road_are_two_for_every_node() => Assert.Equal(6, Entries(1, 1, null).Count);
+    public void Two_way_road_has_two_entries_per_node() => Assert.Equal(6, Entries(1, 1, null).Count);
 
     [Fact]
-    public void Entries_of_a_calibrated_road_have_its_width_and_full_confidence()
+    public void Entries_of_a_calibrated_road_have_its_width_and_confidence_1()
     {
         RoadNetwork road = Road(1, 1, 0);
         var right = new RoadEdge(0, IsAtStart: true, new Vector3D(4.5, 0, 0));

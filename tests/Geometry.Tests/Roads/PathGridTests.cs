@@ -18,7 +18,7 @@ public sealed class PathGridTests
     }
 
     [Fact]
-    public void RemoveBias_over_random_places_leaves_no_mean_error_and_half_a_step_at_most()
+    public void RemoveBias_leaves_no_mean_error_and_at_most_half_a_step()
     {
         var random = new Random(8);
         double sum = 0;

@@ -7,7 +7,7 @@ public sealed class RoadContinuationsTests
     private static readonly (double X, double Y) Middle = (0, 0);
 
     [Fact]
-    public void Of_at_a_side_road_the_straight_road_goes_on_and_the_side_road_ends()
+    public void At_a_side_road_the_main_road_continues_and_the_other_ends()
     {
         RoadContinuations continuations = Star((1, 1), (0, -20), (0, 20), (20, 2));
 
@@ -18,7 +18,7 @@ public sealed class RoadContinuationsTests
     }
 
     [Fact]
-    public void Of_at_a_crossing_both_roads_go_on_straight()
+    public void At_a_crossing_both_roads_continue_straight()
     {
         RoadContinuations continuations = Star((1, 1), (0, -20), (-20, 0), (0, 20), (20, 0));
 
@@ -26,7 +26,7 @@ public sealed class RoadContinuationsTests
     }
 
     [Fact]
-    public void Of_where_two_meet_a_sharp_bend_is_still_one_road_but_a_turning_back_is_not()
+    public void Sharp_bend_of_two_links_continues_but_a_u_turn_does_not()
     {
         Assert.Equal(1, Star((1, 1), (0, -20), (20, 0)).Of(0, beyondEnd: false));
         // From the south and back to the south-south-east: a bend of 166 degrees.
@@ -34,7 +34,7 @@ public sealed class RoadContinuationsTests
     }
 
     [Fact]
-    public void Of_two_one_way_roads_that_meet_head_on_do_not_continue_each_other() =>
+    public void Two_one_way_roads_that_meet_head_on_do_not_continue() =>
         Assert.Equal(RoadContinuations.None, Star((1, 0), (0, -20), (0, 20)).Of(0, beyondEnd: false));
 
     /// <summary>Links from a node in the middle to others, all with the same lanes outwards and inwards.</summary>

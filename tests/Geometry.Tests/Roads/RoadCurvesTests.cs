@@ -14,7 +14,7 @@ public sealed class RoadCurvesTests
     [InlineData(60)]
     [InlineData(150)]
     [InlineData(-400)]
-    public void Markings_of_an_arc_with_truncated_nodes_lie_within_a_decimetre(double radius)
+    public void Markings_of_an_arc_with_truncated_nodes_are_within_10_cm(double radius)
     {
         // Right of a left turn (positive radius) a marking lies further from the centre of the circle.
         double sum = 0;
@@ -38,7 +38,7 @@ public sealed class RoadCurvesTests
     }
 
     [Fact]
-    public void Markings_of_an_s_curve_with_truncated_nodes_lie_within_a_decimetre()
+    public void Markings_of_an_s_curve_with_truncated_nodes_are_within_10_cm()
     {
         // A left turn about Middle, then a right turn of the same radius about the point that lies twice as far away.
         const double radius = 80;
@@ -71,7 +71,7 @@ public sealed class RoadCurvesTests
     }
 
     [Fact]
-    public void Curve_through_nodes_on_a_circle_is_the_circle_whatever_their_spacing()
+    public void Curve_through_nodes_on_a_circle_is_that_circle()
     {
         // Nodes are exact here; the rest is what a cubic of at most 12 m leaves of a circle of 40 m.
         var curves = new RoadCurves(Road(ArcPoints(40, new Random(3), angle: 3)));
@@ -83,7 +83,7 @@ public sealed class RoadCurvesTests
     }
 
     [Fact]
-    public void Curve_has_a_common_direction_at_every_node_of_a_chain_whichever_way_its_links_are_held()
+    public void Curve_is_smooth_at_every_node_whatever_the_link_direction()
     {
         RoadNetwork straight = Road(ArcPoints(30, new Random(1), angle: 2));
         RoadLink[] turned = [.. straight.Links.Select((link, i) => i % 2 == 0 ? link : link.Reversed())];

@@ -7,7 +7,7 @@ public sealed class RoadIndexTests
     private const double Reach = 12;
 
     [Fact]
-    public void Near_misses_no_link_within_reach_of_any_place()
+    public void Near_finds_every_link_within_range()
     {
         var random = new Random(12);
         RoadNode[] nodes = [.. Enumerable.Range(0, 300).Select(i => new RoadNode(0, i, new Vector3D(random.NextDouble() * 900, random.NextDouble() * 900, 0), "", RoadNodeFlags.None))];

@@ -37,7 +37,7 @@ public sealed class RoadMatcherTests
     }
 
     [Fact]
-    public void Match_heading_error_is_positive_where_the_car_points_right_of_the_road()
+    public void Match_heading_error_is_positive_when_pointing_right()
     {
         // 5 degrees clockwise of north is heading 355.
         RoadMatch match = Matcher(Road(1, 1, null, (0, 0), (0, 100))).Match(new Vector3D(2.7, 50, 0), 355);
@@ -46,7 +46,7 @@ public sealed class RoadMatcherTests
     }
 
     [Fact]
-    public void Match_one_way_road_held_from_its_end_is_centred_and_driven_its_way()
+    public void Match_of_a_reversed_one_way_link_is_centred_along_travel()
     {
         // Held from north to south but driven northwards, two lanes: 5.4 m either side of the line.
         RoadMatcher matcher = Matcher(Road(0, 2, null, (0, 100), (0, 0)));
@@ -64,11 +64,11 @@ public sealed class RoadMatcherTests
     [InlineData(2.7, 50, 0, East, RoadMatchOutcome.NotAlongAnyRoad)]
     [InlineData(-2.8, 50, 0, North, RoadMatchOutcome.BesideTheLanes)]
     [InlineData(8.2, 50, 0, North, RoadMatchOutcome.BesideTheLanes)]
-    public void Match_says_why_it_does_not_know(double x, double y, double z, double heading, RoadMatchOutcome expected) =>
+    public void Match_reports_why_it_has_no_result(double x, double y, double z, double heading, RoadMatchOutcome expected) =>
         Assert.Equal(expected, Matcher(Road(1, 1, null, (0, 0), (0, 100))).Match(new Vector3D(x, y, z), heading).Outcome);
 
     [Fact]
-    public void Match_on_crossing_bridges_goes_by_height()
+    public void Match_on_crossing_bridges_uses_height()
     {
         var network = new RoadNetwork(
             [Node(0, 0, 0), Node(0, 100, 0), Node(-50, 0, 6), Node(50, 100, 6)],
@@ -101,7 +101,7 @@ public sealed class RoadMatcherTests
     }
 
     [Fact]
-    public void Match_slip_lane_beside_the_road_wins_only_when_it_fits_better()
+    public void Match_prefers_a_slip_lane_only_when_it_fits_better()
     {
         RoadNode Slip(double x, double y) => Node(x, y, 0) with { Flags = RoadNodeFlags.SlipLane };
         var network = new RoadNetwork(
@@ -114,7 +114,7 @@ public sealed class RoadMatcherTests
     }
 
     [Fact]
-    public void Match_in_a_crossing_says_so_up_to_its_corners()
+    public void Match_in_a_crossing_is_a_junction_up_to_its_corners()
     {
         var network = new RoadNetwork(
             [Node(0, 0, 0), Node(0, 50, 0), Node(0, 100, 0), Node(50, 50, 0)],
@@ -129,7 +129,7 @@ public sealed class RoadMatcherTests
     }
 
     [Fact]
-    public void Match_of_a_car_that_changes_over_between_two_carriageways_is_in_a_junction()
+    public void Match_of_a_car_between_two_carriageways_is_in_a_junction()
     {
         // A link at 45 degrees ties two one-way roads; from its start on, a car along it is no longer in the lanes of either.
         var network = new RoadNetwork(
@@ -148,7 +148,7 @@ public sealed class RoadMatcherTests
     }
 
     [Fact]
-    public void Match_never_takes_a_short_cut_or_a_way_for_pedestrians()
+    public void Match_never_uses_a_short_cut_or_a_footpath()
     {
         foreach ((RoadLinkFlags link, RoadNodeFlags node) in new[]
         {

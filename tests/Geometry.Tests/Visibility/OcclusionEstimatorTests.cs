@@ -69,7 +69,7 @@ public sealed class OcclusionEstimatorTests
     }
 
     [Fact]
-    public void Estimate_entity_that_rays_never_meet_is_undetermined()
+    public void Estimate_entity_that_no_ray_hits_is_undetermined()
     {
         OcclusionEstimate estimate = Estimate([(RayHit.World, new(new(-50, 10, 0), new(50, 0.1, 50), Axes.Identity))]);
 
@@ -77,7 +77,7 @@ public sealed class OcclusionEstimatorTests
     }
 
     [Fact]
-    public void Estimate_entity_that_rays_never_meet_behind_a_wall_is_hidden()
+    public void Estimate_entity_that_no_ray_hits_behind_a_wall_is_hidden()
     {
         OcclusionEstimate estimate = Estimate([(RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))]);
 
@@ -94,7 +94,7 @@ public sealed class OcclusionEstimatorTests
     }
 
     [Fact]
-    public void Estimate_object_whose_part_in_the_image_is_empty_is_unseen_without_occlusion()
+    public void Estimate_of_an_object_whose_visible_part_is_empty_is_unseen()
     {
         // The image ends at x = y · 4/3 to the right. The cuboid reaches from x = 24 to 44 at 20 to 24 m; the object fills its right end, outside.
         Cuboid wide = new(new(34, 22, 0), new(10, 2, 2), Axes.Identity);
@@ -106,7 +106,7 @@ public sealed class OcclusionEstimatorTests
     }
 
     [Fact]
-    public void Estimate_takes_no_more_rays_than_it_says()
+    public void Estimate_respects_its_ray_limit()
     {
         var estimator = new OcclusionEstimator(16);
         var world = new CuboidWorld([]);

@@ -46,10 +46,10 @@ public sealed class SightFinderTests
     }
 
     [Fact]
-    public void Object_that_no_ray_meets_is_undetermined() => Assert.Equal(Sight.Undetermined, Find(Target, new CuboidWorld([])));
+    public void Object_that_no_ray_hits_is_undetermined() => Assert.Equal(Sight.Undetermined, Find(Target, new CuboidWorld([])));
 
     [Fact]
-    public void Object_whose_part_in_the_image_is_empty_is_unseen()
+    public void Object_whose_visible_part_is_empty_is_unseen()
     {
         // The image ends at x = y · 4/3 to the right. The cuboid reaches from x = 24 to 44 at 20 to 24 m; the object fills its right end, outside.
         Cuboid wide = new(new(34, 22, 0), new(10, 2, 2), Axes.Identity);

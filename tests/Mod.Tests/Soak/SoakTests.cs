@@ -11,7 +11,7 @@ public sealed class SoakTests(ITestOutputHelper output)
     private static readonly int[] BoolSizes = [1, 4, 8];
 
     [Fact]
-    public void A_million_ticks_with_faults_leave_no_exception_and_nothing_in_the_game()
+    public void A_million_ticks_with_faults_leak_no_exception_or_game_object()
     {
         var tally = new FaultTally();
         long ticks = 0;

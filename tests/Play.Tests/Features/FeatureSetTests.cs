@@ -27,7 +27,7 @@ public sealed class FeatureSetTests : IDisposable
     }
 
     [Fact]
-    public void Tick_stops_and_tells_a_feature_that_fails_and_lets_the_others_work()
+    public void Tick_stops_and_reports_a_failing_feature_and_runs_the_others()
     {
         var set = new FeatureSet(_messages, _calls, _clock, Feature("a"), Feature("b", failsIn: "b ticks"), Feature("c"));
 
@@ -40,7 +40,7 @@ public sealed class FeatureSetTests : IDisposable
     }
 
     [Fact]
-    public void Do_stops_a_feature_whose_key_fails_also_when_it_fails_to_stop()
+    public void Do_stops_a_feature_whose_key_fails_even_if_stopping_fails()
     {
         IFeature feature = Feature("a", failsIn: "a stops");
         var set = new FeatureSet(_messages, _calls, _clock, feature);
@@ -52,7 +52,7 @@ public sealed class FeatureSetTests : IDisposable
     }
 
     [Fact]
-    public void Finish_stops_all_in_the_opposite_order_before_it_waits_for_any()
+    public void Finish_stops_all_in_reverse_order_before_waiting_for_any()
     {
         var set = new FeatureSet(_messages, _calls, _clock, Feature("a"), Feature("b", failsIn: "b stops"), Feature("c"));
 
@@ -62,7 +62,7 @@ public sealed class FeatureSetTests : IDisposable
     }
 
     [Fact]
-    public void Try_tells_what_failed_on_another_thread_in_its_own_words()
+    public void Try_reports_the_message_of_a_failure_on_another_thread()
     {
         new FeatureSet(_messages, _calls, _clock).Try("a", Task.FromException(new IOException("The disk is full.")).Wait);
 
@@ -70,7 +70,7 @@ public sealed class FeatureSetTests : IDisposable
     }
 
     [Fact]
-    public void Log_tells_when_a_feature_comes_on_and_what_it_cost_when_it_goes_off()
+    public void Log_records_when_a_feature_starts_and_what_it_cost()
     {
         int ticks = 0;
         ScriptedFeature? feature = null;

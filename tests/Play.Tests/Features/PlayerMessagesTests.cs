@@ -11,7 +11,7 @@ public sealed class PlayerMessagesTests : IDisposable
     public void Dispose() => Directory.Delete(_folder, recursive: true);
 
     [Fact]
-    public void Tell_shows_and_logs_every_message_even_the_same_again()
+    public void Tell_shows_and_logs_every_message_even_repeated_ones()
     {
         var shown = new List<string>();
         var messages = new PlayerMessages(_folder, shown.Add, _clock);
@@ -51,7 +51,7 @@ public sealed class PlayerMessagesTests : IDisposable
     }
 
     [Fact]
-    public void Failures_in_every_tick_are_told_and_logged_every_five_seconds()
+    public void Failures_in_every_tick_are_shown_and_logged_every_5_seconds()
     {
         var shown = new List<string>();
         var messages = new PlayerMessages(_folder, shown.Add, _clock);
@@ -76,7 +76,7 @@ public sealed class PlayerMessagesTests : IDisposable
     }
 
     [Fact]
-    public void Failure_is_told_again_when_the_player_was_told_something_else()
+    public void Failure_is_shown_again_after_a_different_message()
     {
         var shown = new List<string>();
         var messages = new PlayerMessages(_folder, shown.Add, _clock);

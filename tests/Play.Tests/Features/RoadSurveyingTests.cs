@@ -30,7 +30,7 @@ public sealed class RoadSurveyingTests : IDisposable
     }
 
     [Fact]
-    public void Stop_writes_what_was_found_and_the_next_survey_goes_on_with_it()
+    public void Stop_saves_the_roads_and_the_next_survey_resumes_from_them()
     {
         RoadSurveying first = Surveying(new FakeRoadSource(Road()));
         first.Toggle();
@@ -45,7 +45,7 @@ public sealed class RoadSurveyingTests : IDisposable
     }
 
     [Fact]
-    public void Tick_writes_twice_a_minute_also_when_only_edges_were_found_since()
+    public void Tick_saves_twice_a_minute_even_if_only_edges_are_new()
     {
         // The edges of a link are asked for in the two ticks after the one that finds it.
         RoadSurveying surveying = Surveying(new FakeRoadSource(Road()));
@@ -62,7 +62,7 @@ public sealed class RoadSurveyingTests : IDisposable
     }
 
     [Fact]
-    public void Tick_offers_roads_at_once_and_calibrated_ones_some_seconds_later()
+    public void Tick_offers_roads_at_once_and_calibrated_ones_seconds_later()
     {
         RoadSurveying surveying = Surveying(new FakeRoadSource(Road()) { LaneWidth = 4.5 });
         surveying.Start();
@@ -76,7 +76,7 @@ public sealed class RoadSurveyingTests : IDisposable
     }
 
     [Fact]
-    public void Tick_with_roads_from_elsewhere_offers_none()
+    public void Tick_with_roads_from_another_source_offers_none()
     {
         RoadSurveying surveying = Surveying(new FakeRoadSource(Road()), givesLanes: false);
         surveying.Start();
@@ -87,7 +87,7 @@ public sealed class RoadSurveyingTests : IDisposable
     }
 
     [Fact]
-    public void Tick_with_a_damaged_file_fails_and_leaves_it_as_it_is()
+    public void Tick_with_a_damaged_file_fails_and_leaves_it_unchanged()
     {
         Directory.CreateDirectory(Path.GetDirectoryName(FilePath)!);
         File.WriteAllText(FilePath, "my notes\n");
@@ -102,7 +102,7 @@ public sealed class RoadSurveyingTests : IDisposable
     }
 
     [Fact]
-    public void Tick_and_Finish_tell_that_the_file_could_not_be_written_though_the_survey_is_off()
+    public void Tick_and_Finish_report_a_failed_save_after_the_survey()
     {
         RoadSurveying surveying = Surveying(new FakeRoadSource(Road()));
         surveying.Start();
@@ -119,7 +119,7 @@ public sealed class RoadSurveyingTests : IDisposable
     }
 
     [Fact]
-    public void Tick_switches_it_on_when_lanes_come_to_be_wanted_and_not_again_after_the_player_has_switched_it_off()
+    public void Tick_starts_it_when_lanes_are_needed_unless_switched_off()
     {
         bool areWanted = false;
         RoadSurveying surveying = Surveying(new FakeRoadSource(Road()), areLanesWanted: () => areWanted);

@@ -30,7 +30,7 @@ public sealed class SightTests
     }
 
     [Fact]
-    public void Vehicle_behind_the_camera_is_asked_after_seldom_and_found_before_it_can_be_seen()
+    public void Vehicle_behind_the_camera_is_polled_rarely_but_in_time()
     {
         const double metresPerTick = 1.2;
         _game.Add(EntityKind.Vehicle, 1, new Vector3D(3, -60, 0));
@@ -50,7 +50,7 @@ public sealed class SightTests
     }
 
     [Fact]
-    public void Ped_that_gets_into_a_vehicle_is_soon_gone_and_one_that_gets_out_soon_there()
+    public void Ped_entering_or_leaving_a_vehicle_is_noticed_soon()
     {
         _game.Add(EntityKind.Ped, 1, new Vector3D(0, 20, 0));
         Assert.Single(Look());
@@ -69,7 +69,7 @@ public sealed class SightTests
     }
 
     [Fact]
-    public void Things_that_stand_are_asked_after_seldom_and_not_all_in_one_tick()
+    public void Static_entities_are_polled_rarely_and_spread_over_ticks()
     {
         const int props = 30;
         for (int prop = 0; prop < props; prop++)
@@ -91,7 +91,7 @@ public sealed class SightTests
     }
 
     [Fact]
-    public void Entity_that_is_gone_is_gone_at_once_and_its_handle_may_come_again_for_another()
+    public void Deleted_entity_disappears_at_once_and_its_handle_is_reusable()
     {
         _game.Add(EntityKind.Vehicle, 1, new Vector3D(0, 20, 0));
         Look();
@@ -104,7 +104,7 @@ public sealed class SightTests
     }
 
     [Fact]
-    public void Entity_whose_place_cannot_be_read_is_left_out_until_it_can()
+    public void Entity_with_an_unreadable_position_is_omitted_until_readable()
     {
         _game.Add(EntityKind.Prop, 1, new Vector3D(0, 20, 0));
         _game.Unreadable.Add(1);
@@ -114,14 +114,14 @@ public sealed class SightTests
     }
 
     [Fact]
-    public void Lists_are_asked_for_once_in_some_ticks()
+    public void Lists_are_queried_once_in_several_ticks()
     {
         Assert.Equal(Ticks, TicksWhile(seen => seen.Count == 0));
         Assert.Equal(3 * Ticks / 6, _game.ListsAsked);
     }
 
     [Fact]
-    public void Window_is_asked_for_once_in_a_while_and_the_lens_in_every_tick()
+    public void Window_is_polled_occasionally_and_the_lens_in_every_tick()
     {
         for (int tick = 0; tick < Ticks; tick++)
         {
@@ -133,7 +133,7 @@ public sealed class SightTests
     }
 
     [Fact]
-    public void Ego_is_there_while_the_camera_is_mounted()
+    public void Ego_is_available_while_the_camera_is_mounted()
     {
         Assert.Null(_sight.ReadEgo());
         _game.Add(EntityKind.Vehicle, 7, new Vector3D(1, 2, 3));

@@ -12,7 +12,7 @@ public sealed class TickTimesTests
     [InlineData(0.9)]
     [InlineData(0.99)]
     [InlineData(1)]
-    public void Percentile_is_at_most_a_class_above_the_true_one(double share)
+    public void Percentile_is_at_most_one_bin_too_high(double share)
     {
         var random = new Random(3);
         double[] milliseconds = [.. Enumerable.Range(0, 1000).Select(_ => Math.Pow(10, (5 * random.NextDouble()) - 2))];
@@ -33,7 +33,7 @@ public sealed class TickTimesTests
     [Theory]
     [InlineData(0, 0.001)]
     [InlineData(1e12, 1e5)]
-    public void Times_beyond_the_scale_count_at_its_ends(double milliseconds, double expected)
+    public void Times_beyond_the_scale_count_in_the_outer_bins(double milliseconds, double expected)
     {
         var times = new TickTimes();
         times.Add(milliseconds);

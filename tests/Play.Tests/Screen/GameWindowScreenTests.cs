@@ -29,7 +29,7 @@ public sealed class GameWindowScreenTests : IDisposable
     }
 
     [Fact]
-    public void Grab_of_another_size_gives_what_the_scaler_makes_of_the_window()
+    public void Grab_of_another_size_equals_the_scaled_window()
     {
         var small = new PixelBuffer(new ImageSize(20, 15));
         _screen.Grab(_buffer);
@@ -52,7 +52,7 @@ public sealed class GameWindowScreenTests : IDisposable
     }
 
     [Fact]
-    public void Grab_after_a_minimised_window_comes_back_in_its_size_is_good()
+    public void Grab_after_a_minimised_window_is_restored_succeeds()
     {
         Assert.True(_screen.Grab(_buffer).IsGood);
         _desktop.IsMinimised = true;
@@ -63,7 +63,7 @@ public sealed class GameWindowScreenTests : IDisposable
     }
 
     [Fact]
-    public void Grab_of_a_window_moved_between_grabs_is_good()
+    public void Grab_of_a_window_moved_between_grabs_succeeds()
     {
         Assert.True(_screen.Grab(_buffer).IsGood);
         _desktop.Client = new PixelRectangle(0, 0, 80, 60);

@@ -18,7 +18,7 @@ public sealed class PictureJudgeTests
     [InlineData(0)]
     [InlineData(4)]
     [InlineData(35)]
-    public void RefusalOf_a_night_with_one_byte_lit_is_none(int index)
+    public void RefusalOf_a_black_picture_with_one_lit_byte_is_null(int index)
     {
         PixelBuffer night = Uniform(0, 0, 0);
         night.Bytes[index] = 1;

@@ -14,7 +14,7 @@ public sealed class WindowDescriptionTests
 
     [Theory]
     [MemberData(nameof(Cases))]
-    public void Window_that_fills_a_monitor_is_borderless_or_in_exclusive_full_screen(string mode, bool isExclusive)
+    public void Window_that_fills_a_monitor_is_borderless_or_full_screen(string mode, bool isExclusive)
     {
         Assert.Equal($"1920 x 1080, {mode}, 96 dpi", Describe(Left, Left, new DisplayFacts(96, isExclusive)));
         Assert.Equal($"2560 x 1440, {mode}, 144 dpi", Describe(Right, Right, new DisplayFacts(144, isExclusive)));
@@ -32,7 +32,7 @@ public sealed class WindowDescriptionTests
         Assert.Equal("minimised, 96 dpi", Describe(Framed, default, new DisplayFacts(96, false), isMinimised: true));
 
     [Fact]
-    public void Screen_describes_its_window_and_says_when_there_is_none()
+    public void Screen_describes_its_window_or_its_absence()
     {
         var desktop = new ScriptedDesktop { Facts = new DisplayFacts(96, false) };
         using var screen = new GameWindowScreen(desktop, ScriptedDesktop.Process);

@@ -47,7 +47,7 @@ public sealed class WindowJudgeTests
         Assert.Equal(refusal, Judge([Window(2, Other, new(left, top, right, bottom)), GameWindow()]).Refusal);
 
     [Fact]
-    public void Judge_minds_only_windows_above_that_show_something()
+    public void Judge_considers_only_visible_windows_above()
     {
         TopLevelWindow over = Window(2, Other, Client);
 
@@ -67,7 +67,7 @@ public sealed class WindowJudgeTests
         Assert.Equal(GrabRefusals.OffScreen, Judge([GameWindow() with { Client = new(left, top, right, bottom) }]).Refusal);
 
     [Fact]
-    public void Judge_accepts_a_window_on_a_monitor_left_of_and_above_the_first() =>
+    public void Judge_accepts_a_window_on_a_monitor_left_of_and_above() =>
         Assert.Null(Judge([GameWindow() with { Client = new(-2560, -700, -1, -1) }], Monitor, new(-2560, -1440, 0, 0)).Refusal);
 
     [Fact]
@@ -95,7 +95,7 @@ public sealed class WindowJudgeTests
     }
 
     [Fact]
-    public void Judge_takes_a_minimised_game_for_the_game()
+    public void Judge_recognises_a_minimised_game()
     {
         TopLevelWindow small = Window(2, Game, new(0, 0, 50, 50));
         TopLevelWindow game = GameWindow() with { IsMinimised = true, Client = default, Bounds = new(-32000, -32000, -31840, -31972) };
@@ -104,7 +104,7 @@ public sealed class WindowJudgeTests
     }
 
     [Fact]
-    public void Judge_keeps_to_the_known_window_until_it_is_gone()
+    public void Judge_keeps_the_known_window_until_it_closes()
     {
         TopLevelWindow known = Window(2, Game, new(600, 0, 700, 50));
         TopLevelWindow[] both = [GameWindow(), known];
@@ -114,7 +114,7 @@ public sealed class WindowJudgeTests
     }
 
     [Fact]
-    public void Judge_does_not_keep_to_a_handle_that_another_process_got() =>
+    public void Judge_drops_a_handle_reused_by_another_process() =>
         Assert.Equal(1, WindowJudge.Judge(new DesktopView([GameWindow(), Window(2, Other, new(600, 0, 700, 50))], [Monitor]), Game, 2).Window);
 
     private static WindowVerdict Judge(TopLevelWindow[] windows, params PixelRectangle[] monitors) =>

@@ -37,7 +37,7 @@ public sealed class BridgeSettingsTests
     }
 
     [Fact]
-    public void Nothing_said_is_a_socket_on_the_loopback_interface_without_a_token()
+    public void Default_is_a_loopback_socket_without_a_token()
     {
         BridgeSettings settings = Read("");
 
@@ -58,7 +58,7 @@ public sealed class BridgeSettingsTests
     [InlineData("Rate = 0", "0.1 to 60")]
     [InlineData("ClientPatience = 0", "1 to 86400")]
     [InlineData("Controller = Rails", "DeepDriving or Stanley")]
-    public void What_cannot_be_read_is_told_and_has_its_default(string line, string expected)
+    public void Unreadable_value_is_reported_and_has_its_default(string line, string expected)
     {
         IniFile ini = IniFile.Read(new StringReader("[Bridge]\n" + line));
         BridgeSettings settings = BridgeSettings.Read(ini, "default", text => "/mod/" + text);

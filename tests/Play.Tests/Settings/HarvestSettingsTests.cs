@@ -79,11 +79,11 @@ public sealed class HarvestSettingsTests
     [InlineData("Paused", FreezeMethod.Paused)]
     [InlineData("TimeScale", FreezeMethod.TimeScale)]
     [InlineData("Auto", null)]
-    public void Freeze_names_a_way_or_leaves_the_choice_to_a_trial(string value, FreezeMethod? expected) =>
+    public void Freeze_names_a_method_or_leaves_the_choice_to_a_trial(string value, FreezeMethod? expected) =>
         Assert.Equal(expected, HarvestSettings.Read(Read($"[Harvest]\nFreeze = {value}\n")).FreezeBy);
 
     [Fact]
-    public void Error_of_the_lens_of_zero_means_that_it_is_not_checked()
+    public void Lens_error_limit_of_zero_disables_the_check()
     {
         Assert.Null(HarvestSettings.Read(Read("[Lens]\nMaxError = 0\n")).MaxCalibrationErrorPixels);
     }

@@ -8,7 +8,7 @@ namespace Harvester.Play.Tests.Settings;
 public sealed class IniFileTests
 {
     [Fact]
-    public void Values_are_found_by_section_and_name_in_any_letters()
+    public void Values_are_found_by_section_and_name_in_any_case()
     {
         IniFile ini = Read("[Camera]\r\nOffset = 2\n[other]\nOFFSET=3\n");
 
@@ -18,7 +18,7 @@ public sealed class IniFileTests
     }
 
     [Fact]
-    public void Comments_are_passed_over_and_a_semicolon_within_a_value_is_not_one()
+    public void Comments_are_ignored_but_not_a_semicolon_within_a_value()
     {
         IniFile ini = Read("\uFEFF; head\n# too\n[S]\nA = x;y//z ; the rest\n");
 
@@ -27,7 +27,7 @@ public sealed class IniFileTests
     }
 
     [Fact]
-    public void Changes_are_the_values_asked_for_that_are_not_the_default_in_the_order_of_lines()
+    public void Changes_lists_values_other_than_the_default_in_file_order()
     {
         IniFile ini = Read("[S]\nText = other\nSame = 5.0\nFormat = bmp\nBad = x\nClasses = bus, car\nAlike = car, bus\nUnasked = 1\nEmpty =\n");
         ini.Choices<ObjectClass>("S", "Alike", [ObjectClass.Car, ObjectClass.Bus], "classes");
@@ -68,7 +68,7 @@ public sealed class IniFileTests
     [InlineData("NaN")]
     [InlineData("1e999")]
     [InlineData("many")]
-    public void Bad_number_is_told_with_its_line_and_the_default_holds(string text)
+    public void Bad_number_is_reported_with_its_line_and_the_default_used(string text)
     {
         IniFile ini = Read($"[S]\n\nA = {text}\n");
 
@@ -77,7 +77,7 @@ public sealed class IniFileTests
     }
 
     [Fact]
-    public void Missing_and_empty_values_give_the_default_silently()
+    public void Missing_and_empty_values_silently_use_the_default()
     {
         IniFile ini = Read("[S]\nA =\n");
 
@@ -92,7 +92,7 @@ public sealed class IniFileTests
     [InlineData("1", ImageFormat.Png, 1)]
     [InlineData("png,bmp", ImageFormat.Png, 1)]
     [InlineData("tiff", ImageFormat.Png, 1)]
-    public void Choice_takes_names_only(string text, ImageFormat expected, int complaints)
+    public void Choice_accepts_names_only(string text, ImageFormat expected, int complaints)
     {
         IniFile ini = Read($"[S]\nA = {text}\n");
 
@@ -112,7 +112,7 @@ public sealed class IniFileTests
     }
 
     [Fact]
-    public void Unknown_repeated_and_broken_lines_are_told_in_their_order()
+    public void Unknown_repeated_and_broken_lines_are_reported_in_order()
     {
         IniFile ini = Read("[S]\nnonsense\nA = 1\nTypo = 2\nA = 3\n");
         Assert.Equal(1, ini.Whole("S", "A", 0, 0, 10));

@@ -20,13 +20,13 @@ public sealed class DamagedSpaceTableTests
 
     [Fact]
     [Trait("Category", "Heavy")]
-    public void Read_never_throws_and_never_loses_a_good_row_under_100_000_mutations() => Mutate(100_000);
+    public void Read_of_mutated_tables_never_throws_or_loses_a_good_row() => Mutate(100_000);
 
     [Fact]
     public void Read_never_throws_and_never_loses_a_good_row_under_mutations() => Mutate(5_000);
 
     [Fact]
-    public void Read_takes_every_kind_of_line_end()
+    public void Read_accepts_every_line_ending()
     {
         var random = new Random(11);
         string[] ends = ["\n", "\r\n", "\r", "\n\n", " \n", "\t\r\n\r\n", "\n# end\n"];
@@ -42,7 +42,7 @@ public sealed class DamagedSpaceTableTests
     }
 
     [Fact]
-    public void Read_takes_every_encoding_that_marks_itself()
+    public void Read_accepts_every_encoding_with_a_byte_order_mark()
     {
         string text = string.Join("\n", Rows.Prepend(Header));
         foreach (Encoding encoding in (Encoding[])[new UTF8Encoding(false), new UTF8Encoding(true), Encoding.Unicode, Encoding.BigEndianUnicode, Encoding.UTF32])
@@ -55,7 +55,7 @@ public sealed class DamagedSpaceTableTests
     }
 
     [Fact]
-    public void Read_of_another_encoding_refuses_the_rows_whose_text_it_would_spoil()
+    public void Read_refuses_rows_that_a_wrong_encoding_would_corrupt()
     {
         FaceTableContent content = Read(Encoding.Latin1.GetBytes(string.Join("\n", Rows.Prepend(Header))));
 
@@ -64,7 +64,7 @@ public sealed class DamagedSpaceTableTests
     }
 
     [Fact]
-    public void Read_of_two_rows_that_ran_together_refuses_both_in_one_line()
+    public void Read_refuses_two_rows_merged_into_one_line()
     {
         FaceTableContent content = Read(Bytes(string.Join("\n", Header, Rows[0] + Rows[1], Rows[2], Rows[3])));
 

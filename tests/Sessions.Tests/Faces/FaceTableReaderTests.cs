@@ -55,7 +55,7 @@ public sealed class SpaceTableReaderTests
     [InlineData("estimated", "guessed", "provenance")]
     [InlineData("estimated", "3", "provenance")]
     [InlineData("standard size", "\"standard", "row")]
-    public void Read_bad_row_is_refused_with_line_and_column_and_the_others_are_used(string good, string bad, string column)
+    public void Read_refuses_a_bad_row_with_line_and_column_and_keeps_others(string good, string bad, string column)
     {
         FaceTableContent content = Read(Header + Yield + "\n" + Stop.Replace(good, bad, StringComparison.Ordinal) + "\n");
 
@@ -67,7 +67,7 @@ public sealed class SpaceTableReaderTests
     }
 
     [Fact]
-    public void Read_row_that_begins_as_a_header_does_is_a_row()
+    public void Read_row_that_starts_like_the_header_is_a_row()
     {
         string model = Stop.Replace("prop_sign_road_01a,-949234773", "model,", StringComparison.Ordinal);
 
@@ -112,7 +112,7 @@ public sealed class SpaceTableReaderTests
     }
 
     [Fact]
-    public void OverriddenBy_replaces_all_faces_of_a_model_and_keeps_the_others()
+    public void OverriddenBy_replaces_all_faces_of_a_model_and_no_others()
     {
         FaceTable shipped = Read(Header + Stop + "\n" + Yield + "\n").Table;
         FaceTable own = Read(Header + Stop.Replace("STOP", "HALT", StringComparison.Ordinal) + "\n").Table;

@@ -27,7 +27,7 @@ public sealed class ShippedTableTests
 
     // The rule of data/README.md: what has a head of red, amber and green is a light, and nothing at a railway crossing has one.
     [Fact]
-    public void Shipped_models_are_lights_if_they_are_signals_of_roads_and_signs_if_they_are_of_rails() =>
+    public void Shipped_road_signals_are_lights_and_rail_signals_are_signs() =>
         Assert.All(Shipped.Value.Table.Faces, face =>
         {
             bool isOfRails = face.Model.Contains("rail", StringComparison.Ordinal);

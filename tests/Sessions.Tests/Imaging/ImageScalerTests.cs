@@ -90,7 +90,7 @@ public sealed class ImageScalerTests
     }
 
     [Fact]
-    public void Scale_keeps_where_an_edge_lies()
+    public void Scale_keeps_the_position_of_an_edge()
     {
         // White from column 30 of 100 on: scaled to 40 columns the edge is at 30 · 40 / 100 = 12 exactly.
         PixelBuffer source = Picture(100, 1, [.. Enumerable.Range(0, 300).Select(i => (byte)(i / 3 < 30 ? 0 : 255))]);

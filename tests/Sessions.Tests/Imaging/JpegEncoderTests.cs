@@ -51,7 +51,7 @@ public sealed class JpegEncoderTests
     }
 
     [Fact]
-    public void A_used_encoder_writes_what_a_new_one_writes()
+    public void Reused_encoder_writes_the_same_bytes_as_a_new_one()
     {
         var used = new JpegEncoder();
         _ = Bytes(used, Noise(200, 100, seed: 2));

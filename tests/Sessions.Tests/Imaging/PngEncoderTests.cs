@@ -52,7 +52,7 @@ public sealed class PngEncoderTests
     }
 
     [Fact]
-    public void Write_long_run_of_the_greatest_bytes_keeps_the_checksum_within_its_range()
+    public void Write_of_a_long_run_of_maximal_bytes_has_a_valid_checksum()
     {
         // 0xFF in the first row only: Up turns the others to 0; a wide row makes Adler-32's sums grow fastest.
         var picture = new PixelBuffer(new ImageSize(30_000, 2));

@@ -25,7 +25,7 @@ public sealed class JsonLabelWriterTests
     }
 
     [Fact]
-    public void Line_with_a_mask_says_how_well_it_is_known()
+    public void Line_with_a_mask_has_its_quality()
     {
         string line = JsonLabelWriter.Line(Frame() with { Mask = "masks/00000003.png", PixelMap = new PixelMapLabel(4, 1200, 350) });
 
@@ -46,7 +46,7 @@ public sealed class JsonLabelWriterTests
     }
 
     [Fact]
-    public void Line_number_that_is_none_is_refused()
+    public void Line_refuses_a_number_that_is_not_finite()
     {
         FrameLabel frame = Frame();
 

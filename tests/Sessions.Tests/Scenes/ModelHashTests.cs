@@ -31,5 +31,5 @@ public sealed class ModelHashTests
     [InlineData("-2147483649")]
     [InlineData("1.5")]
     [InlineData("stop")]
-    public void TryParse_refuses_what_is_no_32_bit_number(string text) => Assert.False(ModelHash.TryParse(text, out _));
+    public void TryParse_rejects_anything_but_a_32_bit_number(string text) => Assert.False(ModelHash.TryParse(text, out _));
 }

@@ -19,7 +19,7 @@ public sealed class JsonTextTests
     }
 
     [Fact]
-    public void ToString_indented_puts_members_on_lines_and_leaves_arrays_whole()
+    public void ToString_indented_gives_members_lines_and_arrays_one_line()
     {
         JsonText json = new JsonText(indented: true).BeginObject()
             .Key("a").BeginObject().Key("b").Integer((long?)null).EndObject()

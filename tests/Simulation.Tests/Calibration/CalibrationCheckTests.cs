@@ -52,7 +52,7 @@ public sealed class CalibrationCheckTests
         AssertRecorded(Harvest(Game(), Options with { Image = new ImageSize(width, height), Lens = Right }, []), isChecked: true);
 
     [Fact]
-    public void Step_with_markers_partly_hidden_refuses_and_names_the_way_without_the_check()
+    public void Step_with_hidden_markers_fails_and_names_the_setting_to_skip()
     {
         var game = new RenderedGame { HiddenMarkers = 15 };
 
@@ -67,7 +67,7 @@ public sealed class CalibrationCheckTests
     [InlineData(8)]
     [InlineData(40)]
     [InlineData(60)]
-    public void Step_with_markers_that_come_later_than_allowed_refuses_and_says_how_late_the_picture_is(int lag)
+    public void Step_with_excessive_picture_lag_fails_and_reports_the_lag(int lag)
     {
         var game = new RenderedGame { PictureLag = lag };
 
@@ -81,11 +81,11 @@ public sealed class CalibrationCheckTests
     }
 
     [Fact]
-    public void Step_with_a_lag_that_is_just_allowed_records() =>
+    public void Step_with_the_largest_allowed_lag_records() =>
         AssertRecorded(Harvest(new RenderedGame { PictureLag = 7 }, Options with { Image = new ImageSize(160, 120), MaxPictureLagTicks = 7 }, []), isChecked: true);
 
     [Fact]
-    public void Step_in_a_game_that_shows_no_marker_records_with_a_warning_and_says_in_the_session_that_it_was_not_checked()
+    public void Step_without_visible_markers_warns_and_records_unchecked()
     {
         HarvestOutcome outcome = Harvest(new RenderedGame { HiddenMarkers = int.MaxValue }, Options, []);
 

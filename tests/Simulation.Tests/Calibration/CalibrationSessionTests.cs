@@ -33,7 +33,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     [InlineData(1)]
     [InlineData(2)]
     [InlineData(3)]
-    public void Step_with_late_pictures_and_posts_in_the_view_finds_a_shifted_lens(int lag)
+    public void Step_with_picture_lag_and_posts_in_view_finds_a_shifted_lens(int lag)
     {
         var image = new ImageSize(800, 600);
         var lens = new RenderLens(0.995, 0.004, -0.003, 0.015, -0.002);
@@ -46,7 +46,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Step_in_a_window_of_another_aspect_than_the_image_finds_the_lens()
+    public void Step_finds_the_lens_in_a_window_of_another_aspect()
     {
         var image = new ImageSize(800, 600);
         var game = new RenderedGame { Lens = Injected, WindowAspect = 16.0 / 9, VerticalFovDegrees = 60 };
@@ -58,7 +58,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Step_in_rain_that_falls_elsewhere_in_every_picture_finds_the_lens()
+    public void Step_finds_the_lens_in_rain()
     {
         var image = new ImageSize(800, 600);
         var game = new RenderedGame { Lens = Injected, VerticalFovDegrees = 60, RainMoves = true, Lighting = new Lighting { RainFraction = 1 } };
@@ -94,7 +94,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     [Theory]
     [InlineData(0.01, null, "camera moved|stand still")]
     [InlineData(0, "covered", "covered")]
-    public void Step_without_a_still_and_open_view_fails_with_a_message(double creep, string? refusal, string message)
+    public void Step_without_a_static_open_view_fails_with_a_message(double creep, string? refusal, string message)
     {
         var game = new RenderedGame { Creep = creep, Refusal = refusal };
         using var session = new CalibrationSession(new CalibrationOptions { Image = new ImageSize(80, 60), MarkerRadiusPixels = 1 }, game.Ports);

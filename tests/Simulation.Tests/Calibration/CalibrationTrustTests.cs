@@ -45,7 +45,7 @@ public sealed class CalibrationTrustTests(ITestOutputHelper output)
     [InlineData(0.1, 0)]
     [InlineData(0.2, -0.15)]
     [InlineData(-0.12, 0.18)]
-    public void Markers_that_are_seen_nearer_to_the_places_of_others_are_known(double offsetX, double offsetY)
+    public void Markers_nearer_to_the_position_of_another_are_identified(double offsetX, double offsetY)
     {
         // The coarse grid's neighbours are 60 pixels apart; 0.12 of 400 pixels is 48, 0.2 is 80.
         var image = new ImageSize(400, 300);
@@ -59,7 +59,7 @@ public sealed class CalibrationTrustTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Lens_is_checked_on_markers_that_it_was_not_fitted_to()
+    public void Lens_is_checked_on_markers_excluded_from_the_fit()
     {
         // After the coarse grid, its seven coded pictures and the fine grid comes the tenth: the one to check by, of which all markers stand 2 cm too high.
         var game = new RenderedGame { VerticalFovDegrees = 60, MarkerShift = new Vector3D(0, 0, 0.02), MarkerShiftFromShow = 10 };
@@ -82,7 +82,7 @@ public sealed class CalibrationTrustTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Calibration_says_how_far_markers_that_it_did_not_use_are_off()
+    public void Calibration_reports_the_error_of_the_unused_markers()
     {
         CalibrationSession session = Run(new RenderedGame { VerticalFovDegrees = 60 }, new ImageSize(400, 300));
 

@@ -14,7 +14,7 @@ public sealed class CarStateTests
     private static readonly CarLimits Limits = new();
 
     [Fact]
-    public void After_without_controls_rolls_straight_on_and_slows_by_air_and_tyres()
+    public void After_without_controls_coasts_straight_and_slows_down()
     {
         CarState car = Run(CarState.At(new Vector2D(3, 4), 0, 10, Limits), new DrivingControls(0, 0, 0), slope: 0, seconds: 1);
 
@@ -25,7 +25,7 @@ public sealed class CarStateTests
     }
 
     [Fact]
-    public void After_full_brake_stops_in_the_length_of_braking_and_does_not_roll_back()
+    public void After_full_braking_stops_in_distance_without_rolling_back()
     {
         CarState car = Run(CarState.At(default, 0, 16, Limits), DrivingControls.Stop, slope: 0, seconds: 4);
 
@@ -44,7 +44,7 @@ public sealed class CarStateTests
     }
 
     [Fact]
-    public void After_wheel_turned_at_a_crawl_the_rear_axle_runs_on_the_circle_of_the_bicycle()
+    public void After_at_a_crawl_the_rear_axle_follows_the_bicycle_model()
     {
         var limits = new CarLimits { Drag = 0, RollingResistance = 0, SteeringRate = 1000, CharacteristicSpeed = 1e9 };
         CarState car = CarState.At(default, 0, 2, limits);
@@ -61,7 +61,7 @@ public sealed class CarStateTests
     }
 
     [Fact]
-    public void After_more_asked_of_the_tyres_than_they_hold_the_car_runs_wide()
+    public void After_cornering_beyond_tyre_grip_the_car_runs_wide()
     {
         CarState car = Run(CarState.At(default, 0, 25, Limits), new DrivingControls(1, 0, 0), slope: 0, seconds: 1);
 

@@ -13,7 +13,7 @@ public sealed class DrivenEgoTests
     private const double Tick = 1.0 / 20;
 
     [Fact]
-    public void Drive_goes_where_wheel_and_pedals_say()
+    public void Drive_follows_wheel_and_pedals()
     {
         SimulatedGame game = new(new SimulationOptions { TrafficDensity = 0, PedestrianDensity = 0 });
         IDrivenCar car = game.Ports.Car!;
@@ -30,7 +30,7 @@ public sealed class DrivenEgoTests
     }
 
     [Fact]
-    public void Drive_stop_keeps_the_car_where_it_is_and_the_traffic_behind_it_without_touching()
+    public void Stopped_car_stays_and_traffic_stops_behind_without_contact()
     {
         SimulatedGame game = new(new SimulationOptions { Seed = 3, TrafficDensity = 2, PedestrianDensity = 0 });
         IDrivenCar car = game.Ports.Car!;
@@ -56,7 +56,7 @@ public sealed class DrivenEgoTests
     }
 
     [Fact]
-    public void Undriven_again_the_ego_finds_back_to_its_lane_and_goes_on_through_junctions()
+    public void Released_ego_returns_to_its_lane_and_drives_on()
     {
         SimulatedGame game = new(new SimulationOptions { Seed = 2, TrafficDensity = 0.5, PedestrianDensity = 0 });
         IDrivenCar car = game.Ports.Car!;
@@ -82,7 +82,7 @@ public sealed class DrivenEgoTests
     }
 
     [Fact]
-    public void Drive_into_another_vehicle_ends_there()
+    public void Drive_into_another_vehicle_stops_the_car()
     {
         SimulatedGame game = new(new SimulationOptions { Seed = 3, TrafficDensity = 1, PedestrianDensity = 0 });
         IDrivenCar car = game.Ports.Car!;
@@ -102,7 +102,7 @@ public sealed class DrivenEgoTests
     }
 
     [Fact]
-    public void Own_driver_stops_before_what_is_in_his_way_though_nobody_is_on_his_lane()
+    public void Built_in_driver_stops_for_obstacles_outside_its_lane_too()
     {
         SimulatedGame game = new(new SimulationOptions { TrafficDensity = 0, PedestrianDensity = 0 });
         Vehicle ego = game.World.Ego;
@@ -122,7 +122,7 @@ public sealed class DrivenEgoTests
     }
 
     [Fact]
-    public void Reset_puts_the_car_standing_on_the_road()
+    public void Reset_places_a_standing_car_on_the_road()
     {
         SimulatedGame game = new(new SimulationOptions { TrafficDensity = 0, PedestrianDensity = 0 });
         Run(game, 10, () => { });
@@ -139,7 +139,7 @@ public sealed class DrivenEgoTests
     }
 
     [Fact]
-    public void SetEnvironment_sets_what_is_given_and_time_goes_on_from_there()
+    public void SetEnvironment_sets_the_given_values_and_time_continues()
     {
         SimulatedGame game = new(new SimulationOptions { TrafficDensity = 0, PedestrianDensity = 0 });
         Run(game, 10, () => { });

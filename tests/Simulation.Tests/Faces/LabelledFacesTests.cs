@@ -34,7 +34,7 @@ public sealed class LabelledFacesTests
 
     [Fact]
     [Trait("Category", "Heavy")]
-    public void Labelled_faces_are_the_visible_ones_and_lights_are_read_in_1000_frames() =>
+    public void Labelled_faces_are_the_visible_ones_with_their_light_states() =>
         Judge(StreetOfFaces.Harvest(1_000, firstSeed: 1_000), fewestFaces: 5_000, fewestHeads: 500);
 
     [Fact]
@@ -55,7 +55,7 @@ public sealed class LabelledFacesTests
 
     [Fact]
     [Trait("Category", "Heavy")]
-    public void Heads_that_only_their_own_model_could_hide_count_as_visible_and_are_read()
+    public void Heads_hidden_only_by_their_own_model_are_visible_and_read()
     {
         int heads = 0, hidden = 0, unknown = 0;
         foreach ((FrameLabel label, IReadOnlyList<TrueFace> faces) in StreetOfFaces.Harvest(40, firstSeed: 400))

@@ -25,7 +25,7 @@ public sealed class IgnoreRegionTests(ITestOutputHelper output)
     [Theory]
     [InlineData(15, "snow")]
     [InlineData(17, "clouds")]
-    public void Every_object_clearly_visible_beyond_the_range_has_an_ignore_region(int seed, string weather)
+    public void Every_visible_object_out_of_range_is_an_ignore_region(int seed, string weather)
     {
         int expected = 0, regions = 0, empty = 0;
         var missed = new List<string>();

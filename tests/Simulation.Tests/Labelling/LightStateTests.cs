@@ -17,7 +17,7 @@ public sealed class LightStateTests(ITestOutputHelper output)
     [InlineData(4, true)]
     [InlineData(4, false)]
     [Trait("Category", "Heavy")]
-    public void State_of_every_head_is_told_and_is_the_one_in_the_picture(int seed, bool freeze)
+    public void State_of_every_head_is_the_one_in_the_picture(int seed, bool freeze)
     {
         (Dictionary<(int Frame, int Id), LightLabel> told, _) = Harvest(seed, freeze, ports => ports);
         (Dictionary<(int Frame, int Id), LightLabel> read, int fromOtherSides) = Harvest(seed, freeze, ports => ports with { Lights = null });

@@ -46,7 +46,7 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
 
     [RealWorldFact("nodes.zip")]
     [Trait("Category", "Heavy")]
-    public void Labelled_markings_lie_on_the_paint_on_the_games_own_network()
+    public void Labelled_markings_lie_on_the_paint_of_the_games_roads()
     {
         RoadNetwork network = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network;
         Vector2D[] places = [new(0, -1000), new(-700, 1000), new(-300, 6200), new(2000, 3000)];

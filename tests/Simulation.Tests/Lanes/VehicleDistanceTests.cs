@@ -19,7 +19,7 @@ public sealed class VehicleDistanceTests
     private const double ExactMetres = 0.05;
 
     [Fact]
-    public void Nearest_vehicle_of_each_lane_is_that_of_the_truth_in_1000_scenes()
+    public void Nearest_vehicle_per_lane_is_the_true_one_in_1000_scenes()
     {
         var game = new SimulatedGame(new SimulationOptions
         {

@@ -31,7 +31,7 @@ public sealed class FreezeChoiceTests
 
     [Theory]
     [MemberData(nameof(Cases))]
-    public void Harvest_is_frozen_in_the_better_way_and_says_so(FreezeQuirks paused, FreezeQuirks timeScale, FreezeMethod expected)
+    public void Harvest_uses_the_better_freeze_method_and_records_it(FreezeQuirks paused, FreezeQuirks timeScale, FreezeMethod expected)
     {
         SimulatedGame game = Game(paused, timeScale);
         using var session = new HarvestSession(Options, game.Ports, new MemorySink());
@@ -49,7 +49,7 @@ public sealed class FreezeChoiceTests
     [Theory]
     [InlineData(1)]
     [InlineData(3)]
-    public void Late_picture_does_not_hide_what_is_found(int lag)
+    public void Picture_lag_does_not_change_the_findings(int lag)
     {
         SimulatedGame game = Game(HeldCamera, None, new GameQuirks { PictureLagTicks = lag, IsCameraReportedLate = true });
         using var session = new HarvestSession(Options, game.Ports, new MemorySink());
@@ -60,7 +60,7 @@ public sealed class FreezeChoiceTests
     }
 
     [Fact]
-    public void World_that_stands_in_neither_way_is_warned_of()
+    public void World_that_neither_method_freezes_causes_a_warning()
     {
         SimulatedGame game = Game(Restless, Restless);
         using var session = new HarvestSession(Options, game.Ports, new MemorySink());
@@ -78,7 +78,7 @@ public sealed class FreezeChoiceTests
     }
 
     [Fact]
-    public void Way_that_is_given_is_used_without_a_trial()
+    public void Given_freeze_method_is_used_without_a_trial()
     {
         SimulatedGame game = Game(None, None);
         using var session = new HarvestSession(Options with { FreezeBy = FreezeMethod.TimeScale }, game.Ports, new MemorySink());
@@ -103,7 +103,7 @@ public sealed class FreezeChoiceTests
     }
 
     [Fact]
-    public void Stop_in_the_middle_of_a_trial_puts_camera_and_world_back()
+    public void Stop_during_a_trial_restores_camera_and_world()
     {
         SimulatedGame game = Game(None, None);
         using var session = new HarvestSession(Options, game.Ports, new MemorySink());

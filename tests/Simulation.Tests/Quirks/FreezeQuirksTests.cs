@@ -16,7 +16,7 @@ public sealed class FreezeQuirksTests
 
     [Theory]
     [MemberData(nameof(Methods))]
-    public void World_without_quirks_stands_still_in_every_respect(FreezeMethod method)
+    public void World_without_quirks_is_completely_frozen(FreezeMethod method)
     {
         SimulatedGame game = Frozen(method, new FreezeQuirks());
         (SceneSnapshot before, byte[] picture) = (Read(game), Grab(game));
@@ -32,7 +32,7 @@ public sealed class FreezeQuirksTests
 
     [Theory]
     [MemberData(nameof(Methods))]
-    public void Quirks_of_one_way_leave_the_other_alone(FreezeMethod method)
+    public void Quirks_of_one_freeze_method_do_not_affect_the_other(FreezeMethod method)
     {
         FreezeMethod other = method == FreezeMethod.Paused ? FreezeMethod.TimeScale : FreezeMethod.Paused;
         SimulatedGame game = Frozen(other, new FreezeQuirks { NeverStands = true, HoldsCamera = true, LetsWeatherGoOn = true, ChangesVisibility = true }, method);
@@ -49,7 +49,7 @@ public sealed class FreezeQuirksTests
     [InlineData(FreezeMethod.Paused, false)]
     [InlineData(FreezeMethod.Paused, true)]
     [InlineData(FreezeMethod.TimeScale, true)]
-    public void HoldsCamera_lets_a_change_take_effect_only_when_the_game_goes_on(FreezeMethod method, bool holds)
+    public void HoldsCamera_delays_camera_changes_until_the_game_runs(FreezeMethod method, bool holds)
     {
         SimulatedGame game = Frozen(method, new FreezeQuirks { HoldsCamera = holds });
         (SceneSnapshot before, byte[] picture) = (Read(game), Grab(game));
@@ -69,7 +69,7 @@ public sealed class FreezeQuirksTests
 
     [Theory]
     [MemberData(nameof(Methods))]
-    public void CreepTicks_the_world_goes_on_a_little_before_it_stands(FreezeMethod method)
+    public void CreepTicks_moves_the_world_for_some_ticks_after_a_freeze(FreezeMethod method)
     {
         const int most = 3;
         SimulatedGame game = Game(method, new FreezeQuirks { CreepTicks = most });
@@ -99,7 +99,7 @@ public sealed class FreezeQuirksTests
 
     [Theory]
     [MemberData(nameof(Methods))]
-    public void NeverStands_the_world_creeps_in_every_tick(FreezeMethod method)
+    public void NeverStands_moves_the_world_in_every_tick(FreezeMethod method)
     {
         SimulatedGame game = Frozen(method, new FreezeQuirks { NeverStands = true });
         for (int tick = 0; tick < 20; tick++)
@@ -113,7 +113,7 @@ public sealed class FreezeQuirksTests
 
     [Theory]
     [MemberData(nameof(Methods))]
-    public void LetsWeatherGoOn_the_hour_and_the_rain_go_on_in_a_standing_world(FreezeMethod method)
+    public void LetsWeatherGoOn_advances_hour_and_rain_in_a_frozen_world(FreezeMethod method)
     {
         SimulatedGame game = Frozen(method, new FreezeQuirks { LetsWeatherGoOn = true });
         (SceneSnapshot before, byte[] picture) = (Read(game), Grab(game));
@@ -126,7 +126,7 @@ public sealed class FreezeQuirksTests
 
     [Theory]
     [MemberData(nameof(Methods))]
-    public void ChangesVisibility_a_vehicle_comes_and_goes_in_a_standing_world(FreezeMethod method)
+    public void ChangesVisibility_toggles_a_vehicle_in_a_frozen_world(FreezeMethod method)
     {
         SimulatedGame game = Frozen(method, new FreezeQuirks { ChangesVisibility = true });
         List<int> counts = [];

@@ -20,7 +20,7 @@ public sealed class GameQuirksTests
     private static readonly Vector3D Margin = new(0.002, 0.002, 0.002);
 
     [Fact]
-    public void PictureLagTicks_shows_the_picture_and_truth_of_so_many_ticks_ago()
+    public void PictureLagTicks_shows_the_picture_of_that_many_ticks_ago()
     {
         const int lag = 2;
         SimulatedGame prompt = Game(new GameQuirks());
@@ -61,7 +61,7 @@ public sealed class GameQuirksTests
     }
 
     [Fact]
-    public void VanishingFraction_a_vehicle_is_gone_after_it_was_read_and_comes_back()
+    public void VanishingFraction_hides_a_vehicle_after_reading_for_a_while()
     {
         SimulatedGame game = Game(new GameQuirks { VanishingFraction = 1 });
         game.Tick(TickSeconds);
@@ -84,7 +84,7 @@ public sealed class GameQuirksTests
     }
 
     [Fact]
-    public void Lens_and_aspect_move_pixels_as_the_camera_model_says()
+    public void Lens_and_aspect_move_pixels_according_to_the_camera_model()
     {
         RenderLens bent = new(1.03, 0.01, -0.02, -0.05, 0.01);
         SimulatedGame game = new(new SimulationOptions { Seed = 6, Lens = bent, WindowAspect = 1.9 });
@@ -119,7 +119,7 @@ public sealed class GameQuirksTests
     }
 
     [Fact]
-    public void RaysMeetBoxes_rays_stop_at_the_box_around_an_entity()
+    public void RaysMeetBoxes_stops_rays_at_the_box_around_an_entity()
     {
         Dictionary<int, int> shapes = HitsByHandle(new GameQuirks());
         Dictionary<int, int> boxes = HitsByHandle(new GameQuirks { RaysMeetBoxes = true });
@@ -129,7 +129,7 @@ public sealed class GameQuirksTests
     }
 
     [Fact]
-    public void RayMissFraction_rays_pass_through_some_far_vehicles_the_same_with_the_same_seed()
+    public void RayMissFraction_misses_the_same_far_vehicles_per_seed()
     {
         SimulatedGame whole = Game(new GameQuirks());
         SimulatedGame holed = Game(new GameQuirks { RayMissFraction = 0.5 });

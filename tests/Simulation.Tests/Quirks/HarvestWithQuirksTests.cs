@@ -18,7 +18,7 @@ public sealed class HarvestWithQuirksTests
     [InlineData(1)]
     [InlineData(2)]
     [InlineData(3)]
-    public void Step_with_all_quirks_keeps_no_frame_whose_image_and_label_disagree(int lag) => Harvest(lag, frames: 40);
+    public void Step_with_all_quirks_keeps_only_frames_that_match_labels(int lag) => Harvest(lag, frames: 40);
 
     [Theory]
     [Trait("Category", "Heavy")]
@@ -26,10 +26,10 @@ public sealed class HarvestWithQuirksTests
     [InlineData(1)]
     [InlineData(2)]
     [InlineData(3)]
-    public void Step_for_long_with_all_quirks_keeps_no_frame_whose_image_and_label_disagree(int lag) => Harvest(lag, frames: 1000);
+    public void Step_for_long_with_all_quirks_keeps_only_matching_frames(int lag) => Harvest(lag, frames: 1000);
 
     [Fact]
-    public void Judge_finds_the_frames_of_a_harvest_that_does_not_wait_for_the_picture()
+    public void Judge_detects_frames_of_a_harvest_that_ignores_picture_lag()
     {
         // With a lag of 3 ticks and no wait each picture is older than its label, which shows as long as something moves.
         // The check of the camera at the start, which would refuse such a harvest, is left out with its markers.

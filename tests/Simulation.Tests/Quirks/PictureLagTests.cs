@@ -29,7 +29,7 @@ public sealed class PictureLagTests(ITestOutputHelper output)
     [InlineData(10)]
     [InlineData(21)]
     [Trait("Category", "Heavy")]
-    public void Creep_is_not_taken_for_lag(int seed)
+    public void Creep_is_not_mistaken_for_lag(int seed)
     {
         var quirks = new GameQuirks { PictureLagTicks = 2, Paused = new FreezeQuirks { CreepTicks = 3 } };
 

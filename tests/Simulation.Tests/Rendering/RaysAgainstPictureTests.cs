@@ -20,7 +20,7 @@ public sealed class RaysAgainstPictureTests
     [InlineData(3, 0, 0)]
     [InlineData(4, -0.25, 0.05)]
     [InlineData(5, 0.2, 0.02)]
-    public void Cast_through_a_pixels_centre_meets_what_the_pixel_shows(int seed, double k1, double k2)
+    public void Cast_through_a_pixel_centre_hits_what_the_pixel_shows(int seed, double k1, double k2)
     {
         RenderScene scene = TestScene.Seeded(seed);
         RenderCamera camera = TestScene.SeededCamera(seed) with { Lens = new RenderLens(0.97, 0.01, -0.02, k1, k2) };
@@ -45,7 +45,7 @@ public sealed class RaysAgainstPictureTests
     }
 
     [Fact]
-    public void Cast_passes_through_the_ignored_entity_and_stops_at_the_distance()
+    public void Cast_passes_through_the_ignored_entity_and_ends_at_max_range()
     {
         Mesh box = new MeshBuilder().AddBox(new(-1, -1, -1), new(1, 1, 1), TestScene.White).Build();
         var scene = new RenderScene([]);
@@ -61,7 +61,7 @@ public sealed class RaysAgainstPictureTests
     }
 
     [Fact]
-    public void Cast_meets_the_nearest_triangle_of_all()
+    public void Cast_hits_the_nearest_triangle()
     {
         // Against every triangle of the scene tried one by one.
         RenderScene scene = TestScene.Seeded(6);

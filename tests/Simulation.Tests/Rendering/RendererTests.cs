@@ -34,7 +34,7 @@ public sealed class RendererTests
     }
 
     [Fact]
-    public void Render_gives_the_depth_along_the_forward_axis_of_a_slanted_plane()
+    public void Render_gives_forward_axis_depth_of_a_slanted_plane()
     {
         // Ground 2 m below a level camera: the pixel centre v looks down by (v - 120) / 120 a metre ahead, so depth = 240 / (v - 120).
         Mesh ground = new MeshBuilder().AddQuad(new(-900, -900, -2), new(900, -900, -2), new(900, 900, -2), new(-900, 900, -2), TestScene.White).Build();

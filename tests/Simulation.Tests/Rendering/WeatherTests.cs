@@ -11,7 +11,7 @@ public class WeatherTests
     private const double Visible = 0.5;
 
     [Fact]
-    public void LightingOf_each_name_gives_a_picture_of_its_own()
+    public void LightingOf_each_name_gives_a_different_picture()
     {
         List<(string Name, byte[] Colour)> pictures = [.. WeatherNames.All.Select(name => (name, PictureOf(name)))];
 

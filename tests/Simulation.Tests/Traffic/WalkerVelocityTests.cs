@@ -20,7 +20,7 @@ public sealed class WalkerVelocityTests(ITestOutputHelper output)
     [Theory]
     [InlineData(3)]
     [InlineData(15)]
-    public void Velocity_is_the_way_of_a_tick_by_its_time(int seed)
+    public void Velocity_is_displacement_per_tick_time(int seed)
     {
         SimulatedWorld world = new(new SimulationOptions { Seed = seed, TrafficDensity = 0.1, PedestrianDensity = 3 });
         List<double> errors = [];

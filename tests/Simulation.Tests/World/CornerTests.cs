@@ -7,7 +7,7 @@ namespace Harvester.Simulation.Tests.World;
 public class CornerTests
 {
     [Fact]
-    public void Build_sharp_corner_ends_the_roads_and_leads_the_lanes_around_it()
+    public void Build_sharp_corner_leads_the_lanes_around_it()
     {
         // An arc of 15 / (2 tan 45°) = 7.5 m is too sharp for lanes that reach 5.4 m to the inner side.
         RoadPlan plan = Plan(new(0, -60, 0), new(0, -15, 0), new(0, 0, 0), new(15, 0, 0), new(60, 0, 0));

@@ -10,7 +10,7 @@ public class LaneLayoutTests
     [InlineData(2, 2, 4.0, RoadLinkFlags.None)]
     [InlineData(3, 1, 0.0, RoadLinkFlags.NarrowRoad)]
     [InlineData(3, 0, 0.0, RoadLinkFlags.None)]
-    public void Markings_lie_where_the_lane_rule_puts_them(int forward, int backward, double median, RoadLinkFlags flags)
+    public void Markings_lie_where_the_lane_rule_says(int forward, int backward, double median, RoadLinkFlags flags)
     {
         RoadLink link = new(0, 1, forward, backward, median, flags);
         LaneLayout layout = LaneLayout.Of(link);

@@ -22,7 +22,7 @@ public class RoadCurveTests
     }
 
     [Fact]
-    public void Project_finds_the_place_that_a_point_was_put_beside()
+    public void Project_finds_the_station_a_point_was_offset_from()
     {
         RoadCurve curve = QuarterCircle();
         for (double distance = 2; distance < curve.Length - 2; distance += 3.3)

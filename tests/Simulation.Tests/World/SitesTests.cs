@@ -15,7 +15,7 @@ public class SitesTests
     }
 
     [Fact]
-    public void Site_that_was_not_asked_for_lately_is_let_go()
+    public void Site_not_used_recently_is_released()
     {
         Site first = Sites.Town(51);
         foreach (int other in Enumerable.Range(52, 3))
@@ -27,7 +27,7 @@ public class SitesTests
     }
 
     [Fact]
-    public void World_on_a_shared_site_does_not_notice_the_other()
+    public void Worlds_on_a_shared_site_are_independent()
     {
         var options = new SimulationOptions { Seed = 43 };
         byte[] alone = PictureAfterTicks(new SimulatedGame(options));

@@ -12,7 +12,7 @@ public sealed class HandMarkingTests
         5, ObjectClass.Sign, "prop_sign_road_03c", new Pose(new Vector3D(10, 20, 3), Axes.FromHeading(90)), new Vector3D(-1, -1, 0), new Vector3D(1, 1, 3), Vector3D.Zero);
 
     [Fact]
-    public void ToSpace_has_the_corners_in_the_models_frame_and_looks_to_the_eye()
+    public void ToSpace_has_corners_in_the_model_frame_and_faces_the_viewer()
     {
         var marking = new HandMarking(Prop);
         Vector3D eye = Prop.Pose.ToWorld(new Vector3D(1, -6, 1.5));
@@ -35,7 +35,7 @@ public sealed class HandMarkingTests
     [InlineData(0, 5, Facing.Front)]
     [InlineData(-5, 0, Facing.Left)]
     [InlineData(5, 0, Facing.Right)]
-    public void ToSpace_looks_to_the_side_that_was_aimed_at(double x, double y, Facing expected)
+    public void ToSpace_faces_the_side_that_was_aimed_at(double x, double y, Facing expected)
     {
         var marking = new HandMarking(Prop);
         marking.Mark(Prop.Pose.ToWorld(new Vector3D(-0.3, -0.3, 1)), Prop.Pose.ToWorld(new Vector3D(x, y, 1)));
@@ -45,7 +45,7 @@ public sealed class HandMarkingTests
     }
 
     [Fact]
-    public void Mark_a_third_time_begins_anew()
+    public void Marking_a_third_time_starts_over()
     {
         var marking = new HandMarking(Prop);
         Vector3D eye = Prop.Pose.ToWorld(new Vector3D(0, -6, 1.5));
@@ -58,7 +58,7 @@ public sealed class HandMarkingTests
     }
 
     [Fact]
-    public void Mark_twice_at_one_place_makes_no_face()
+    public void Marking_the_same_point_twice_makes_no_face()
     {
         var marking = new HandMarking(Prop);
         marking.Mark(Prop.Pose.Position, Vector3D.Zero);

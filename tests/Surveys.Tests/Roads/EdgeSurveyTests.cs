@@ -15,7 +15,7 @@ public sealed class EdgeSurveyTests : IDisposable
     public void Dispose() => File.Delete(_file);
 
     [Fact]
-    public void Step_in_a_game_that_tells_the_edges_finds_the_width_of_the_lanes_of_every_link()
+    public void Step_with_edges_of_the_game_finds_every_lane_width()
     {
         RoadNetwork found = Surveyed(new FakeRoadSource(Street()) { LaneWidth = LaneWidth });
 
@@ -25,11 +25,11 @@ public sealed class EdgeSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Step_in_a_game_that_means_the_other_edge_finds_the_same() =>
+    public void Step_with_edges_swapped_by_the_game_finds_the_same_width() =>
         AssertCalibrated(Surveyed(new FakeRoadSource(Street()) { LaneWidth = LaneWidth, EdgeTold = sides => sides.OnTheLeft }));
 
     [Fact]
-    public void Step_in_a_game_that_mirrors_the_edges_keeps_the_constant_where_the_sides_differ()
+    public void Step_with_mirrored_edges_keeps_the_constant_if_sides_differ()
     {
         LaneModel lanes = new(Surveyed(new FakeRoadSource(Street()) { LaneWidth = LaneWidth, EdgeTold = sides => sides.Mirrored }));
 
@@ -40,7 +40,7 @@ public sealed class EdgeSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Step_in_a_game_that_tells_nothing_keeps_the_constant()
+    public void Step_without_edges_from_the_game_keeps_the_constant()
     {
         RoadNetwork found = Surveyed(new FakeRoadSource(Street()) { EdgeTold = _ => null });
 
@@ -49,25 +49,25 @@ public sealed class EdgeSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Step_in_a_game_that_always_tells_the_same_side_keeps_the_constant() =>
+    public void Step_with_edges_always_on_one_side_keeps_the_constant() =>
         AssertConstant(Surveyed(new FakeRoadSource(Street()) { EdgeTold = sides => sides.Node + new Vector3D(LaneWidth, 0, 0) }));
 
     [Fact]
-    public void Step_in_a_game_whose_answers_change_keeps_the_constant()
+    public void Step_with_inconsistent_edges_keeps_the_constant()
     {
         int asked = 0;
         AssertConstant(Surveyed(new FakeRoadSource(Street()) { EdgeTold = sides => sides.Node + (sides.Right * (sides.ToTheRight + (asked++ / 6 * 0.5))) }));
     }
 
     [Fact]
-    public void Step_in_a_game_that_tells_lanes_of_another_width_than_any_keeps_the_constant() =>
+    public void Step_with_implausible_lane_widths_keeps_the_constant() =>
         AssertConstant(Surveyed(new FakeRoadSource(Street()) { LaneWidth = 7.5 }));
 
     [Theory]
     [InlineData(1)]
     [InlineData(2)]
     [InlineData(3)]
-    public void Step_in_a_game_that_tells_any_point_keeps_the_constant_and_the_file_readable(int seed)
+    public void Step_with_random_edge_points_keeps_the_constant(int seed)
     {
         var random = new Random(seed);
         double[] scales = [1, 10, 1e4, 1e12, double.NaN, double.PositiveInfinity];
@@ -84,7 +84,7 @@ public sealed class EdgeSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Step_with_an_earlier_survey_asks_only_for_the_edges_that_it_lacks()
+    public void Step_with_an_earlier_survey_queries_only_missing_edges()
     {
         int asked = 0;
         FakeRoadSource Game() => new(Street())
@@ -110,7 +110,7 @@ public sealed class EdgeSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Step_asks_for_the_same_edges_again_in_another_tick()
+    public void Step_queries_the_same_edges_again_in_another_tick()
     {
         int tick = 0;
         var ticks = new List<(Vector3D, int)>();
@@ -132,7 +132,7 @@ public sealed class EdgeSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Step_on_a_drive_asks_for_the_edges_of_links_that_were_met_from_afar()
+    public void Step_on_a_drive_queries_edges_of_links_first_seen_from_afar()
     {
         var survey = new RoadSurvey(new FakeRoadSource(Street()) { LaneWidth = LaneWidth });
         // From here the game knows the nodes at 840 and 860 m; the one at 820 m is an end of a link that is met, but 155 m away.

@@ -16,7 +16,7 @@ public sealed class RoadSurveyTests : IDisposable
     public void Dispose() => File.Delete(_file);
 
     [Fact]
-    public void Step_over_a_drive_finds_every_node_and_link_with_lanes_and_median()
+    public void Step_over_a_drive_finds_all_nodes_and_links_with_lanes()
     {
         RoadNetwork town = Town();
         var survey = new RoadSurvey(new FakeRoadSource(town), callsPerStep: CallsPerStep);
@@ -28,7 +28,7 @@ public sealed class RoadSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Step_while_nodes_are_not_loaded_asks_for_nothing_else()
+    public void Step_before_nodes_are_loaded_queries_nothing_else()
     {
         var source = new FakeRoadSource(Town(), ticksUntilLoaded: 5);
         var survey = new RoadSurvey(source);
@@ -43,7 +43,7 @@ public sealed class RoadSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Step_keeps_to_its_budget_of_questions()
+    public void Step_respects_its_query_budget()
     {
         var source = new FakeRoadSource(Town());
         var survey = new RoadSurvey(source, callsPerStep: CallsPerStep);
@@ -56,7 +56,7 @@ public sealed class RoadSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Save_and_Load_go_on_with_an_earlier_drive()
+    public void Save_and_Load_resume_an_earlier_survey()
     {
         RoadNetwork town = Town();
         var first = new RoadSurvey(new FakeRoadSource(town));
@@ -74,7 +74,7 @@ public sealed class RoadSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Step_ignores_answers_that_cannot_be_true()
+    public void Step_ignores_impossible_answers()
     {
         var source = new BrokenRoadSource();
         var survey = new RoadSurvey(source);

@@ -17,10 +17,10 @@ public sealed class CityscapesCheckTests(SimulatedSession simulated) : CheckTest
     [InlineData(Labels, Labels + ": it is missing, but its image is there.")]
     [InlineData(Image, Instances + ": its image is missing.")]
     [InlineData(Image, "export.json: it counts 7 frames in train, but there are 6.")]
-    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
+    public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 
     [Fact]
-    public void Maps_that_do_not_agree_are_found()
+    public void Maps_that_disagree_are_found()
     {
         Export();
         InstanceMap map = PngDecoder.ReadInstanceMap(Folder.PathOf("out/" + Instances));
@@ -35,7 +35,7 @@ public sealed class CityscapesCheckTests(SimulatedSession simulated) : CheckTest
     [InlineData(24)]
     [InlineData(20_001)]
     [InlineData(34_000)]
-    public void Numbers_that_are_no_instances_are_found(int number)
+    public void Ids_without_an_instance_are_found(int number)
     {
         Export();
         InstanceMap map = PngDecoder.ReadInstanceMap(Folder.PathOf("out/" + Instances));

@@ -10,7 +10,7 @@ namespace Harvester.Datasets.Tests.Exports.Cityscapes;
 public sealed class CityscapesWriterTests(SimulatedSession simulated) : ExportTests
 {
     [Fact]
-    public void Polygons_drawn_one_over_the_other_are_the_labels()
+    public void Polygons_drawn_in_order_reproduce_the_label_map()
     {
         Folder.Export("cityscapes", simulated.Open());
         for (int frame = 0; frame < SimulatedSession.Frames; frame++)
@@ -88,7 +88,7 @@ public sealed class CityscapesWriterTests(SimulatedSession simulated) : ExportTe
     }
 
     [Fact]
-    public void Instance_ids_are_a_thousand_times_the_label_and_a_number()
+    public void Instance_ids_are_1000_times_the_label_plus_a_number()
     {
         Folder.Export("cityscapes", simulated.Open());
         int frame = 0;

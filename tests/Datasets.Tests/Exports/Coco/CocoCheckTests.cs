@@ -36,7 +36,7 @@ public sealed class CocoCheckTests(SimulatedSession simulated) : CheckTests(simu
     }
 
     [Fact]
-    public void An_id_that_is_there_twice_is_found()
+    public void Duplicate_id_is_found()
     {
         Export();
         int id = FirstId();
@@ -45,7 +45,7 @@ public sealed class CocoCheckTests(SimulatedSession simulated) : CheckTests(simu
     }
 
     [Fact]
-    public void A_field_that_is_missing_is_found()
+    public void Missing_field_is_found()
     {
         Export();
         Damage(File, "\"bbox\":[^\\]]*\\],", "");
@@ -53,7 +53,7 @@ public sealed class CocoCheckTests(SimulatedSession simulated) : CheckTests(simu
     }
 
     [Fact]
-    public void A_file_that_is_cut_off_is_found()
+    public void Truncated_file_is_found()
     {
         Export();
         Damage(File, "\"categories\":[\\s\\S]*", "");
@@ -91,7 +91,7 @@ public sealed class CocoCheckTests(SimulatedSession simulated) : CheckTests(simu
     [Theory]
     [InlineData(File, File + ": it is missing.")]
     [InlineData("images/train/00000004.png", File + ", line 6: image '00000004.png' is not in images/train.")]
-    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
+    public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 
     private int FirstId() =>
         int.Parse(Folder.Lines("out/" + File)[FirstAnnotationLine - 1].Split(':', ',')[1], System.Globalization.CultureInfo.InvariantCulture);

@@ -50,7 +50,7 @@ public sealed class CocoPanopticCheckTests(SimulatedSession simulated) : CheckTe
     [Theory]
     [InlineData(Picture, Labels + ", line 10: annotation of image 0: '" + Picture + "' is missing.")]
     [InlineData(Labels, Labels + ": it is missing.")]
-    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
+    public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 
     private void Write(PixelBuffer picture)
     {

@@ -85,7 +85,7 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : ExportTests
     }
 
     [Fact]
-    public void Without_masks_boxes_are_those_of_the_labels_and_there_is_no_segmentation()
+    public void Without_masks_boxes_equal_the_labels_without_segmentation()
     {
         Session.DeterminePedestrians();
         Session.Lines.ForEach(line => line["mask"] = null);

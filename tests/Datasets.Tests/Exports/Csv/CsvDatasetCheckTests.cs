@@ -29,7 +29,7 @@ public sealed class CsvDatasetCheckTests(SimulatedSession simulated) : CheckTest
         AssertDamageIsFound("objects.csv", pattern, replacement, $"objects.csv, line 2: {expected}");
 
     [Fact]
-    public void An_object_that_is_there_twice_is_found()
+    public void Duplicate_object_is_found()
     {
         Export();
         Damage("objects.csv", "^(0,1,.*\n)", "$1$1");
@@ -40,5 +40,5 @@ public sealed class CsvDatasetCheckTests(SimulatedSession simulated) : CheckTest
     [InlineData("frames.csv", "frames.csv: it is missing.")]
     [InlineData("objects.csv", "objects.csv: it is missing.")]
     [InlineData("images/00000002.png", "frames.csv, line 4: its image 'images/00000002.png' is missing.")]
-    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
+    public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 }

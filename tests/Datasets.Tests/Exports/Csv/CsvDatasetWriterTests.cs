@@ -3,7 +3,7 @@ namespace Harvester.Datasets.Tests.Exports.Csv;
 public sealed class CsvDatasetWriterTests : ExportTests
 {
     [Fact]
-    public void Objects_have_their_labels_values_and_empty_fields_for_what_is_not_known()
+    public void Objects_have_their_label_values_and_empty_unknown_fields()
     {
         Folder.Export("csv", Session.Open());
 
@@ -28,7 +28,7 @@ public sealed class CsvDatasetWriterTests : ExportTests
     }
 
     [Fact]
-    public void Frames_name_images_that_are_there()
+    public void Frames_name_existing_images()
     {
         Folder.Export("csv", Session.Open());
 
@@ -39,7 +39,7 @@ public sealed class CsvDatasetWriterTests : ExportTests
     }
 
     [Fact]
-    public void Names_with_commas_and_quotes_come_back_as_they_are()
+    public void Names_with_commas_and_quotes_survive_a_round_trip()
     {
         Session.Car(0)["name"] = "Stop, \"all way\"";
         Folder.Export("csv", Session.Open());

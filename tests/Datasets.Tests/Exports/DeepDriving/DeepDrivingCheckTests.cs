@@ -32,10 +32,10 @@ public sealed class DeepDrivingCheckTests(SimulatedSession simulated) : CheckTes
     [InlineData("images/00000003.png", Table + ", line 5: its image 'images/00000003.png' is missing, or there twice.")]
     [InlineData("images/00000003.png", "indicators/00000003.txt: its image is missing.")]
     [InlineData("normalised/00000003.txt", Table + ", line 5: normalised/00000003.txt is missing, or has other numbers.")]
-    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
+    public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 
     [Fact]
-    public void An_image_that_no_row_names_is_found()
+    public void Image_without_a_row_is_found()
     {
         Export();
         Damage(Table, "^3,.*\n", "");

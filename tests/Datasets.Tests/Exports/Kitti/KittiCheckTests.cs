@@ -42,7 +42,7 @@ public sealed class KittiCheckTests(SimulatedSession simulated) : CheckTests(sim
     [InlineData("training/image_2/000003.png", "ImageSets/train.txt, line 4: '000003' is not in the dataset.")]
     [InlineData("training/image_2/000003.png", "export.json: it counts 7 frames in train, but there are 6.")]
     [InlineData("ImageSets/train.txt", "ImageSets/*.txt: '000000' is in no list.")]
-    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
+    public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 
     [Fact]
     public void A_frame_in_two_splits_is_found()
@@ -54,7 +54,7 @@ public sealed class KittiCheckTests(SimulatedSession simulated) : CheckTests(sim
     }
 
     [Fact]
-    public void An_image_that_is_cut_off_is_found()
+    public void Truncated_image_is_found()
     {
         Export();
         byte[] image = File.ReadAllBytes(Folder.PathOf("out/training/image_2/000005.png"));

@@ -32,7 +32,7 @@ public sealed class KittiLeaningTests : ExportTests
     }
 
     [Fact]
-    public void Object_that_leans_too_far_is_listed_with_its_error()
+    public void Object_tilted_too_far_is_listed_with_its_error()
     {
         Box2D truth = PitchCar(30);
         Folder.Export("kitti", Session.Open(), Cuboids);
@@ -50,7 +50,7 @@ public sealed class KittiLeaningTests : ExportTests
     }
 
     [Fact]
-    public void Object_that_misses_without_being_listed_is_found()
+    public void Unlisted_projection_error_is_found()
     {
         PitchCar(30);
         Folder.Export("kitti", Session.Open(), Cuboids);

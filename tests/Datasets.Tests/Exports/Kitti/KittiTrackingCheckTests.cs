@@ -15,7 +15,7 @@ public sealed class KittiTrackingCheckTests(SimulatedSession simulated) : CheckT
         AssertDamageIsFound(Labels, pattern, replacement, $"{Labels}, line 1: {expected}");
 
     [Fact]
-    public void A_track_that_is_there_twice_is_found()
+    public void Duplicate_track_is_found()
     {
         Export();
         Damage(Labels, "^(.*\n)", "$1$1");
@@ -33,7 +33,7 @@ public sealed class KittiTrackingCheckTests(SimulatedSession simulated) : CheckT
     }
 
     [Fact]
-    public void Frames_that_go_back_are_found()
+    public void Frames_in_descending_order_are_found()
     {
         Export();
         string first = Folder.Lines("out/" + Labels)[0];
@@ -47,5 +47,5 @@ public sealed class KittiTrackingCheckTests(SimulatedSession simulated) : CheckT
     [InlineData("training/evaluate_tracking.seqmap.training", "training/evaluate_tracking.seqmap.training: it has no line '0000 empty 000000 000007'.")]
     [InlineData("ImageSets/train.txt", "ImageSets/*.txt: '0000' is in no list.")]
     [InlineData("training/image_02/0000/000006.png", "export.json: it counts 7 frames in train, but there are 6.")]
-    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
+    public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 }

@@ -23,7 +23,7 @@ public sealed class KittiTypeTests : ExportTests
     [InlineData("bus", "bus", "Truck")]
     [InlineData("bicycle", "bmx", "Cyclist")]
     [InlineData("car", "speedo", "Car")]
-    public void Type_is_the_one_that_is_asked_for(string kind, string model, string expected)
+    public void Type_is_the_requested_one(string kind, string model, string expected)
     {
         var names = new Dictionary<ObjectClass, string> { [ObjectClass.Bus] = "Truck", [ObjectClass.Bicycle] = "Cyclist", [ObjectClass.Car] = "Car" };
 

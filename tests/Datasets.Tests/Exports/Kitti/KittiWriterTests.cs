@@ -30,7 +30,7 @@ public sealed class KittiWriterTests(SimulatedSession simulated) : ExportTests
     [InlineData(0, 1, -1, 0, 3.1416)]
     [InlineData(0, -1, 1, 0, 0)]
     [InlineData(-1, 0, 0, -1, 1.5708)]
-    public void Rotation_y_is_the_turn_from_the_camera_s_right(int rightX, int rightY, int forwardX, int forwardY, double expected)
+    public void Rotation_y_is_the_angle_from_the_camera_right_axis(int rightX, int rightY, int forwardX, int forwardY, double expected)
     {
         Session.Car(0)["box3d"]!["right"] = new JsonArray(rightX, rightY, 0);
         Session.Car(0)["box3d"]!["forward"] = new JsonArray(forwardX, forwardY, 0);

@@ -40,7 +40,7 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
     }
 
     [Fact]
-    public void OpenLane_points_projected_with_the_intrinsics_fall_onto_their_pixels()
+    public void OpenLane_points_project_onto_their_pixels()
     {
         Folder.Export("openlane", simulated.Open());
         string[] list = Folder.Lines("out/train.txt");
@@ -126,7 +126,7 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
     }
 
     [Fact]
-    public void OpenLane_line_that_leaves_the_image_and_comes_back_is_one()
+    public void OpenLane_line_that_leaves_and_reenters_the_image_is_one()
     {
         SetMarkings(
             new LaneLineView(1, true, [PointAt(20, 50, 5), PointAt(0, 45, 8)]),
@@ -137,7 +137,7 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
     }
 
     [Fact]
-    public void OpenLane_line_that_ends_and_begins_again_within_the_image_is_two()
+    public void OpenLane_line_interrupted_within_the_image_becomes_two()
     {
         SetMarkings(
             new LaneLineView(1, true, [PointAt(20, 50, 5), PointAt(24, 45, 8)]),

@@ -44,5 +44,5 @@ public sealed class OpenLaneCheckTests(SimulatedSession simulated) : CheckTests(
     [InlineData(Labels, Labels + ": it is missing, but its image is there.")]
     [InlineData("images/" + Frame + ".png", Labels + ": its image is missing.")]
     [InlineData("train.txt", "*.txt: '" + Frame + ".png' is in no list.")]
-    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
+    public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 }

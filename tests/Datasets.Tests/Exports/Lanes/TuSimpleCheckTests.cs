@@ -26,7 +26,7 @@ public sealed class TuSimpleCheckTests(SimulatedSession simulated) : CheckTests(
     }
 
     [Fact]
-    public void An_image_without_labels_and_labels_that_are_missing_are_found()
+    public void Image_without_labels_and_missing_labels_are_found()
     {
         Export();
         Delete(Labels);

@@ -23,5 +23,5 @@ public sealed class VocCheckTests(SimulatedSession simulated) : CheckTests(simul
     [InlineData("JPEGImages/00000001.png", "ImageSets/Main/train.txt, line 2: '00000001' is not in the dataset.")]
     [InlineData("ImageSets/Main/train.txt", "ImageSets/Main/*.txt: '00000000' is in no list.")]
     [InlineData("labelmap.txt", "labelmap.txt: the class 'car' is missing.")]
-    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
+    public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 }

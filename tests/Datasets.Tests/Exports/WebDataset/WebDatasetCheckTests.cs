@@ -8,7 +8,7 @@ public sealed class WebDatasetCheckTests(SimulatedSession simulated) : CheckTest
     private const string Archive = "train-000000.tar";
 
     [Fact]
-    public void An_archive_that_is_cut_off_is_found()
+    public void Truncated_archive_is_found()
     {
         Export();
         byte[] archive = Bytes();
@@ -39,14 +39,14 @@ public sealed class WebDatasetCheckTests(SimulatedSession simulated) : CheckTest
     }
 
     [Fact]
-    public void A_label_that_cannot_be_read_is_found()
+    public void Unreadable_label_is_found()
     {
         Rewrite(entry => entry.Name == "00000002.json" ? (entry.Name, Encoding.UTF8.GetBytes("{\"frame\":2}")) : entry);
         AssertFound($"{Archive}: sample 00000002: json: gameFrame is missing.");
     }
 
     [Fact]
-    public void Parts_that_are_not_what_the_label_says_are_found()
+    public void Parts_that_contradict_the_label_are_found()
     {
         Rewrite(entry => entry.Name switch
         {
@@ -63,14 +63,14 @@ public sealed class WebDatasetCheckTests(SimulatedSession simulated) : CheckTest
     }
 
     [Fact]
-    public void A_sample_that_is_there_twice_is_found()
+    public void Duplicate_sample_is_found()
     {
         Rewrite(entry => entry.Name.StartsWith("00000003", StringComparison.Ordinal) ? (entry.Name.Replace('3', '1'), entry.Content) : entry);
         AssertFound($"{Archive}: sample 00000001: it is there twice, here or in another archive.");
     }
 
     [Fact]
-    public void Archives_that_are_missing_or_of_no_split_are_found()
+    public void Archives_missing_or_without_a_split_are_found()
     {
         Export();
         File.Move(Folder.PathOf("out/" + Archive), Folder.PathOf("out/test-000000.tar"));

@@ -11,7 +11,7 @@ public sealed class WebDatasetWriterTests(SimulatedSession simulated) : ExportTe
     private const int Block = 512;
 
     [Fact]
-    public void Archive_has_image_label_and_mask_of_each_frame_next_to_each_other()
+    public void Archive_has_image_label_and_mask_of_a_frame_side_by_side()
     {
         Folder.Export("webdataset", simulated.Open());
 

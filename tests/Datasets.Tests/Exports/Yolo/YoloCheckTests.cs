@@ -25,7 +25,7 @@ public sealed class YoloCheckTests(SimulatedSession simulated) : CheckTests(simu
     [InlineData("data.yaml", "data.yaml: it is missing.")]
     [InlineData(Label, Label + ": it is missing, but its image is there.")]
     [InlineData("images/train/00000002.png", Label + ": its image is missing.")]
-    public void A_missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
+    public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 
     [Fact]
     public void A_frame_in_two_splits_is_found()

@@ -43,7 +43,7 @@ public sealed class SpaceSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Survey_that_was_cut_off_goes_on_with_the_model_it_was_at()
+    public void Interrupted_survey_resumes_with_the_current_model()
     {
         var first = new PropStage(KnownProps.All, Place) { RaysUntilFailure = RaysIntoSecondModel };
         using (FaceSurvey cut = Start(first, "plate", "octagon", "diamond"))
@@ -63,7 +63,7 @@ public sealed class SpaceSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Survey_passes_over_a_model_that_the_game_lacks()
+    public void Survey_skips_a_model_missing_from_the_game()
     {
         PropStage stage = Run("nothing", "plate");
 
@@ -72,7 +72,7 @@ public sealed class SpaceSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Survey_of_a_light_without_bones_of_its_heads_does_not_call_its_rows_measured()
+    public void Survey_of_a_light_without_head_bones_gives_derived_rows()
     {
         var stage = new PropStage(KnownProps.All, Place);
         using (var survey = new FaceSurvey(
@@ -85,7 +85,7 @@ public sealed class SpaceSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Survey_keeps_the_face_on_the_back_that_rays_cannot_find_and_replaces_those_that_they_can()
+    public void Survey_replaces_faces_that_rays_find_and_keeps_the_back()
     {
         ModelFace back = Known("plate", 1, Facing.Front);
         var model = new SurveyedModel("plate", ObjectClass.Sign, "STOP", "R1-1") { Known = [Known("plate", 0, Facing.Back), back, Known("plate", 2, Facing.Back)] };
@@ -102,7 +102,7 @@ public sealed class SpaceSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Survey_keeps_no_first_face_that_was_guessed_to_look_the_other_way()
+    public void Survey_drops_a_first_face_guessed_in_the_wrong_direction()
     {
         Survey(new SurveyedModel("plate", ObjectClass.Sign, "STOP", "R1-1") { Known = [Known("plate", 0, Facing.Front)] });
 
@@ -110,7 +110,7 @@ public sealed class SpaceSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Survey_that_finds_more_faces_gives_the_kept_one_a_number_of_its_own()
+    public void Survey_that_finds_more_faces_renumbers_the_kept_one()
     {
         Survey(new SurveyedModel("two", ObjectClass.Sign, "STOP", "R1-1") { Known = [Known("two", 0, Facing.Back), Known("two", 1, Facing.Front)] });
 
@@ -120,7 +120,7 @@ public sealed class SpaceSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Survey_of_a_light_keeps_no_head_that_it_did_not_find()
+    public void Survey_of_a_light_drops_heads_it_did_not_find()
     {
         const string light = "prop_traffic_01a";
         ModelFace estimated = Known(light, 9, Facing.Front) with { Class = ObjectClass.TrafficLight };
@@ -130,7 +130,7 @@ public sealed class SpaceSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Survey_that_is_disposed_leaves_nothing_standing()
+    public void Disposed_survey_removes_its_models()
     {
         var stage = new PropStage(KnownProps.All, Place);
         FaceSurvey survey = Start(stage, "plate");
