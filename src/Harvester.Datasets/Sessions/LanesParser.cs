@@ -34,7 +34,7 @@ internal static class LanesParser
     };
 
     private static LaneIndicators ReadIndicators(JsonFields values, JsonFields valid) =>
-        NamedIndicators.From(name => new Indicator(values.Number(name), valid.Boolean(name)));
+        LaneIndicators.From(indicator => new Indicator(values.Number(indicator.Name), valid.Boolean(indicator.Name)));
 
     private static VehicleInLane ReadVehicle(JsonFields vehicle) =>
         new(

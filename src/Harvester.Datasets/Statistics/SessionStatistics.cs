@@ -104,12 +104,9 @@ public sealed class SessionStatistics
         Frames++;
         _framesOfWeathers[label.Environment.Weather] = _framesOfWeathers.GetValueOrDefault(label.Environment.Weather) + 1;
         _framesOfHours[label.Environment.TimeOfDay.Hours] = _framesOfHours.GetValueOrDefault(label.Environment.TimeOfDay.Hours) + 1;
-        foreach ((string name, Indicator indicator) in label.Lanes is { } lanes ? NamedIndicators.Of(lanes.Indicators) : [])
+        if (label.Lanes is { } lanes)
         {
-            if (indicator.IsValid)
-            {
-                _indicators[name] = _indicators.GetValueOrDefault(name).With(indicator.Value);
-            }
+            Add(lanes.Indicators);
         }
 
         foreach (ObjectLabel item in label.Objects)
@@ -129,6 +126,17 @@ public sealed class SessionStatistics
             if (item.OccludedFraction is { } occluded)
             {
                 OccludedFractions.Add(occluded);
+            }
+        }
+    }
+
+    private void Add(LaneIndicators indicators)
+    {
+        foreach (IndicatorDefinition indicator in IndicatorTable.All)
+        {
+            if (indicator.Of(indicators) is { IsValid: true, Value: double value })
+            {
+                _indicators[indicator.Name] = _indicators.GetValueOrDefault(indicator.Name).With(value);
             }
         }
     }

@@ -12,20 +12,6 @@ internal static class LanesCheck
     /// <summary>Numbers in files are rounded to at least three decimals, and scaled by the width of a lane.</summary>
     private const double Rounding = 0.01;
 
-    private static readonly IndicatorRange Dist = IndicatorRanges.Dist with { Max = IndicatorCalculator.VehicleRange };
-
-    private static readonly Dictionary<string, IndicatorRange> Ranges = new(StringComparer.Ordinal)
-    {
-        [NamedIndicators.Angle] = IndicatorRanges.Angle,
-        ["toMarkingL"] = IndicatorRanges.ToMarkingL,
-        ["toMarkingM"] = IndicatorRanges.ToMarkingM,
-        ["toMarkingR"] = IndicatorRanges.ToMarkingR,
-        ["toMarkingLL"] = IndicatorRanges.ToMarkingLL,
-        ["toMarkingML"] = IndicatorRanges.ToMarkingML,
-        ["toMarkingMR"] = IndicatorRanges.ToMarkingMR,
-        ["toMarkingRR"] = IndicatorRanges.ToMarkingRR,
-    };
-
     public static IEnumerable<string> Problems(LanesLabel lanes)
     {
         if (lanes.Confidence is < 0 or > 1)
@@ -45,20 +31,20 @@ internal static class LanesCheck
             ("indicators", lanes.Indicators, atLookAhead), ("torcsEquivalent", lanes.TorcsEquivalent, 1), ("atCar.indicators", lanes.IndicatorsAtCar, null),
         })
         {
-            foreach ((string indicator, Indicator value) in NamedIndicators.Of(indicators))
+            foreach (IndicatorDefinition indicator in IndicatorTable.All)
             {
-                if (Problem(indicator, value, scaleOfMarkings) is { } problem)
+                if (Problem(indicator, indicator.Of(indicators), scaleOfMarkings) is { } problem)
                 {
-                    yield return $"lanes.{name}.{indicator} is {problem}";
+                    yield return $"lanes.{name}.{indicator.Name} is {problem}";
                 }
             }
         }
     }
 
-    private static string? Problem(string name, Indicator indicator, double? scale)
+    private static string? Problem(IndicatorDefinition definition, Indicator indicator, double? scale)
     {
-        bool isToMarking = Ranges.ContainsKey(name) && name != NamedIndicators.Angle;
-        IndicatorRange range = Ranges.GetValueOrDefault(name, Dist);
+        bool isToMarking = definition.Quantity == IndicatorQuantity.ToMarking;
+        IndicatorRange range = definition.Range;
         if (!indicator.IsValid)
         {
             return Math.Abs(indicator.Value - range.InactiveValue) > Rounding

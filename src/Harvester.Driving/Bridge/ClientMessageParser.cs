@@ -2,6 +2,7 @@ using System;
 using System.Globalization;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Driving.Bridge;
@@ -9,9 +10,6 @@ namespace Harvester.Driving.Bridge;
 /// <summary>Reads the header of a client's message. Fields, units and ranges: docs/bridge.md.</summary>
 public static class ClientMessageParser
 {
-    /// <summary>How many indicators a network gives.</summary>
-    public const int IndicatorCount = 13;
-
     private const double MaxStepSeconds = 10;
     private const double MaxCoordinate = 100_000;
     private const double MaxHeadingDegrees = 360;
@@ -26,7 +24,7 @@ public static class ClientMessageParser
         {
             "controls" => new ControlsMessage(
                 new DrivingControls(fields.Number("steering"), fields.Number("throttle"), fields.Number("brake")), FrameOf(fields)),
-            "indicators" => new IndicatorsMessage(fields.Numbers("values", IndicatorCount), FrameOf(fields)),
+            "indicators" => new IndicatorsMessage(fields.Numbers("values", IndicatorTable.Count), FrameOf(fields)),
             "reset" => new ResetMessage(PositionOf(fields), HeadingOf(fields)),
             "environment" => new EnvironmentMessage(
                 fields.Has("weather") ? WeatherOf(fields) : null, fields.Has("timeOfDay") ? TimeOf(fields) : null),

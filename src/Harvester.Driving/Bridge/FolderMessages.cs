@@ -1,7 +1,7 @@
 using System;
 using System.Globalization;
 using Harvester.Capture.Ports;
-using Harvester.Sessions.Labels;
+using Harvester.Geometry.Lanes;
 
 namespace Harvester.Driving.Bridge;
 
@@ -16,8 +16,8 @@ internal static class FolderMessages
 
     public static ClientMessage ParseIndicators(string text)
     {
-        double[] numbers = Numbers(text, IndicatorOrder.Count, "indicators.txt");
-        return new IndicatorsMessage([.. new ArraySegment<double>(numbers, 0, IndicatorOrder.Count)], FrameOf(numbers, IndicatorOrder.Count));
+        double[] numbers = Numbers(text, IndicatorTable.Count, "indicators.txt");
+        return new IndicatorsMessage([.. new ArraySegment<double>(numbers, 0, IndicatorTable.Count)], FrameOf(numbers, IndicatorTable.Count));
     }
 
     public static ClientMessage ParseControls(string text)

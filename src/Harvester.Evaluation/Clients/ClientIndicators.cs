@@ -26,9 +26,8 @@ internal static class ClientIndicators
     /// <summary>Width of a lane for which the indicators in metres are as they are; that of ordinary roads where they do not tell.</summary>
     public static LaneSection SectionOf(IReadOnlyList<double> torcsEquivalent, IReadOnlyList<double> metres)
     {
-        const int toMarkingM = 2, toMarkingMR = 8;
         LaneIndicators torcs = Of(torcsEquivalent);
-        int known = torcs.ToMarkingMR.IsValid ? toMarkingMR : toMarkingM;
+        int known = IndicatorTable.IndexOf(torcs.ToMarkingMR.IsValid ? "toMarkingMR" : "toMarkingM");
         bool tells = (torcs.ToMarkingMR.IsValid || torcs.ToMarkingM.IsValid) && torcsEquivalent[known] * metres[known] > 0;
         return tells ? new LaneSection(1, LaneSection.TorcsLaneWidth * metres[known] / torcsEquivalent[known]) : Ordinary;
     }

@@ -6,7 +6,6 @@ using System.Threading;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Controllers;
 using Harvester.Geometry.Lanes;
-using Harvester.Sessions.Labels;
 
 namespace Harvester.Evaluation.Clients;
 
@@ -16,7 +15,7 @@ namespace Harvester.Evaluation.Clients;
 /// </summary>
 public sealed class FolderLink : IBridgeLink
 {
-    private const int Values = IndicatorOrder.Count + 4;
+    private static readonly int Values = IndicatorTable.Count + 4;
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(3);
 
     /// <summary>A file that somebody else has open for a moment, or a disk that fails for one, is tried again for so long.</summary>
@@ -108,8 +107,8 @@ public sealed class FolderLink : IBridgeLink
             return null;
         }
 
-        LaneIndicators torcs = ClientIndicators.Of(numbers[..IndicatorOrder.Count]);
-        const int frame = IndicatorOrder.Count, time = frame + 1, speed = frame + 2, fast = frame + 3;
+        LaneIndicators torcs = ClientIndicators.Of(numbers[..IndicatorTable.Count]);
+        int frame = IndicatorTable.Count, time = frame + 1, speed = frame + 2, fast = frame + 3;
         DrivingState seen = new(
             ClientIndicators.InMetres(torcs, ClientIndicators.Ordinary, angleAhead), torcs, numbers[fast] > 0, numbers[speed]);
         return new ClientFrame((long)numbers[frame], numbers[time], seen, null);

@@ -50,9 +50,10 @@ internal static class LanesJson
     private static void AppendValues(JsonText json, LaneIndicators indicators)
     {
         json.BeginObject();
-        foreach ((string name, Indicator indicator) in NamedIndicators.Of(indicators))
+        foreach (IndicatorDefinition indicator in IndicatorTable.All)
         {
-            json.Key(name).Number(indicator.Value, name == NamedIndicators.Angle ? AngleDecimals : LabelDecimals.Metres);
+            int decimals = indicator.Quantity == IndicatorQuantity.Angle ? AngleDecimals : LabelDecimals.Metres;
+            json.Key(indicator.Name).Number(indicator.Of(indicators).Value, decimals);
         }
 
         json.EndObject();
@@ -61,9 +62,9 @@ internal static class LanesJson
     private static void AppendFlags(JsonText json, LaneIndicators indicators)
     {
         json.BeginObject();
-        foreach ((string name, Indicator indicator) in NamedIndicators.Of(indicators))
+        foreach (IndicatorDefinition indicator in IndicatorTable.All)
         {
-            json.Key(name).Boolean(indicator.IsValid);
+            json.Key(indicator.Name).Boolean(indicator.Of(indicators).IsValid);
         }
 
         json.EndObject();

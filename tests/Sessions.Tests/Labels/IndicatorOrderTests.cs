@@ -23,7 +23,8 @@ public sealed class IndicatorOrderTests
     }
 
     [Fact]
-    public void Values_have_the_order_of_the_names() => Assert.Equal(IndicatorOrder.Count, IndicatorOrder.Names.Count);
+    public void Values_are_in_the_order_of_the_table() => Assert.Equal(
+        IndicatorTable.All.Select(indicator => indicator.Range.InactiveValue), IndicatorOrder.Values(LaneIndicators.Unknown));
 
     [Fact]
     public void FromValues_of_another_count_is_refused() =>

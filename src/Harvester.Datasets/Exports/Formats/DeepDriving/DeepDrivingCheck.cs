@@ -6,7 +6,6 @@ using Harvester.Datasets.Exports.Checks;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Lanes;
-using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Formats.DeepDriving;
 
@@ -81,7 +80,7 @@ internal static class DeepDrivingCheck
     /// <summary>The values after the status: metres, flags, TORCS's and normalised ones, thirteen each, and fast.</summary>
     private static string? ValueProblem(DatasetContent dataset, string stem, bool isFast, double[] values)
     {
-        const int count = IndicatorOrder.Count;
+        int count = IndicatorTable.Count;
         double[] metres = values[..count];
         double[] normalised = values[(3 * count)..(4 * count)];
         if (values[count..(2 * count)].Any(flag => flag is not (0 or 1)))
@@ -91,7 +90,7 @@ internal static class DeepDrivingCheck
 
         double[] expected = [.. DeepDrivingWriter.Normalised(values[(2 * count)..(3 * count)]), DeepDrivingNormalisation.Fast(isFast)];
         int wrong = Array.FindIndex([.. expected.Zip(values.Skip(3 * count), (a, b) => Math.Abs(a - b))], difference => difference > Rounding);
-        return wrong >= 0 ? $"normalised_{IndicatorOrder.Names.Append("fast").ElementAt(wrong)} is not the map of its value."
+        return wrong >= 0 ? $"normalised_{DeepDrivingWriter.Columns.Append("fast").ElementAt(wrong)} is not the map of its value."
             : Math.Abs(metres[0]) > Math.PI + Rounding ? "angle is not from -pi to pi."
             : FileProblem(dataset, $"indicators/{stem}.txt", metres) ?? FileProblem(dataset, $"normalised/{stem}.txt", normalised);
     }
@@ -99,6 +98,8 @@ internal static class DeepDrivingCheck
     private static string? FileProblem(DatasetContent dataset, string name, double[] row)
     {
         string[] lines = [.. dataset.Lines(name).Select(line => line.Text)];
-        return lines.Length == 1 && Numbers.Parse(lines[0].Split(' ')) is { } numbers && numbers.SequenceEqual(row) ? null : $"{name} is missing, or has other numbers.";
+        return lines.Length == 1 && Numbers.Parse(lines[0].Split(' ')) is { } numbers && numbers.SequenceEqual(row)
+            ? null
+            : $"{name} is missing, or has other numbers.";
     }
 }

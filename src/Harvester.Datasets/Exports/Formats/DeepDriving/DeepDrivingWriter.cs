@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Geometry.Cameras;
@@ -11,8 +10,8 @@ using Harvester.Sessions.Text;
 namespace Harvester.Datasets.Exports.Formats.DeepDriving;
 
 /// <summary>
-/// What DeepDriving trains on: images of 280 x 210 and the thirteen indicators, as a table and as one text file a frame, in metres and as the
-/// network's loss has them. See docs/exports/deepdriving.md.
+/// What DeepDriving trains on: images of 280 x 210 and the thirteen indicators, as a table and as one text file per frame, in metres and
+/// as the network's loss layer maps them. See docs/exports/deepdriving.md.
 /// </summary>
 internal sealed class DeepDrivingWriter : IDatasetWriter
 {
@@ -21,23 +20,20 @@ internal sealed class DeepDrivingWriter : IDatasetWriter
     /// <summary>Size of the network's input.</summary>
     public static ImageSize Size { get; } = new(280, 210);
 
+    /// <summary>Columns of the indicators. The table keeps the spelling with an underscore, such as toMarking_LL.</summary>
+    public static IReadOnlyList<string> Columns { get; } =
+        [.. IndicatorTable.All.Select(indicator => indicator.Place.Length == 0
+            ? indicator.Name
+            : indicator.Name.Insert(indicator.Name.Length - indicator.Place.Length, "_"))];
+
     /// <summary>First line of the table, with its end.</summary>
     public static string Header { get; } = string.Join(
         ',',
         [
             "frame", "split", "image", "status", "fast",
-            .. IndicatorOrder.Names, .. IndicatorOrder.Names.Select(name => "valid_" + name), .. IndicatorOrder.Names.Select(name => "torcs_" + name),
-            .. IndicatorOrder.Names.Select(name => "normalised_" + name), "normalised_fast",
+            .. Columns, .. Columns.Select(name => "valid_" + name), .. Columns.Select(name => "torcs_" + name),
+            .. Columns.Select(name => "normalised_" + name), "normalised_fast",
         ]) + "\n";
-
-    private static readonly Func<double, double>[] Maps =
-    [
-        DeepDrivingNormalisation.Angle,
-        DeepDrivingNormalisation.ToMarkingL, DeepDrivingNormalisation.ToMarkingM, DeepDrivingNormalisation.ToMarkingR,
-        DeepDrivingNormalisation.Dist, DeepDrivingNormalisation.Dist,
-        DeepDrivingNormalisation.ToMarkingLL, DeepDrivingNormalisation.ToMarkingML, DeepDrivingNormalisation.ToMarkingMR, DeepDrivingNormalisation.ToMarkingRR,
-        DeepDrivingNormalisation.Dist, DeepDrivingNormalisation.Dist, DeepDrivingNormalisation.Dist,
-    ];
 
     private readonly ImageFormat _format;
     private readonly PictureEncoder _encoder;
@@ -63,7 +59,8 @@ internal sealed class DeepDrivingWriter : IDatasetWriter
             ',',
             [
                 Numbers.Text(frame.Index), frame.Split, image, JsonName.Of(lanes.Status), Flag(lanes.IsFast),
-                .. metres.Select(Text), .. NamedIndicators.Of(lanes.Indicators).Select(named => Flag(named.Indicator.IsValid)), .. torcs.Select(Text),
+                .. metres.Select(Text), .. IndicatorTable.All.Select(indicator => Flag(indicator.Of(lanes.Indicators).IsValid)),
+                .. torcs.Select(Text),
                 .. normalised.Select(Text), Text(DeepDrivingNormalisation.Fast(lanes.IsFast)),
             ]));
         return default;
@@ -73,7 +70,7 @@ internal sealed class DeepDrivingWriter : IDatasetWriter
         [new("indicators.csv", [AggregateSection.Literal(Header), AggregateSection.Lines("rows")])];
 
     /// <summary>The loss layer's maps of values in the order of the indicators.</summary>
-    public static double[] Normalised(double[] torcs) => [.. torcs.Zip(Maps, (value, map) => map(value))];
+    public static double[] Normalised(double[] torcs) => [.. torcs.Zip(IndicatorTable.All, (value, indicator) => indicator.Normalise(value))];
 
     private static string Text(double value) => InvariantNumber.Format(value, Decimals);
 
