@@ -7,7 +7,7 @@ using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
-using Harvester.Sessions.Labels;
+using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 
@@ -66,7 +66,8 @@ internal static class StatsCommand
         yield return Listed("hour of day", statistics.FramesOfHours.Select(pair => Text($"{pair.Key:00}: {pair.Value}")));
         foreach ((string name, IndicatorSpan span) in statistics.Indicators)
         {
-            yield return Text($"indicator {name}, {(name == NamedIndicators.Angle ? "rad" : "m")}: {Counted.Of(span.Count, "frame")}, {span.Least:0.00} to {span.Greatest:0.00}");
+            string unit = IndicatorTable.All[IndicatorTable.IndexOf(name)].Unit;
+            yield return Text($"indicator {name}, {unit}: {Counted.Of(span.Count, "frame")}, {span.Least:0.00} to {span.Greatest:0.00}");
         }
     }
 
