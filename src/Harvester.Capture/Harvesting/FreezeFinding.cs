@@ -27,13 +27,13 @@ public sealed record FreezeFinding(FreezeMethod Method, bool SawMovement, int? S
     /// <summary>The finding in words, for a log.</summary>
     public override string ToString()
     {
-        string movement = SawMovement ? string.Empty : " (nothing had moved before)";
+        string movement = SawMovement ? string.Empty : " (nothing was moving before)";
         string world = SettleTicks is { } ticks
             ? FormattableString.Invariant($"the world stood still after {ticks} ticks")
             : "the world never stood still";
-        string environment = HoldsEnvironment == false ? ", weather or hour went on" : string.Empty;
+        string environment = HoldsEnvironment == false ? ", weather or time of day changed" : string.Empty;
         string camera = MovesCamera switch { true => ", the camera could be moved", false => ", the camera could not be moved", null => string.Empty };
-        string picture = PictureChange is { } change ? FormattableString.Invariant($", the picture changed by {change:0.00} of 255") : string.Empty;
+        string picture = PictureChange is { } change ? FormattableString.Invariant($", the image changed by {change:0.00} of 255") : string.Empty;
         return $"{Method}: {world}{movement}{environment}{camera}{picture}";
     }
 }

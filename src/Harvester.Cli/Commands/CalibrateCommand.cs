@@ -81,11 +81,11 @@ internal static class CalibrateCommand
     private static void Write(CalibrationResult result, TextWriter output)
     {
         Lens lens = result.Lens;
-        output.WriteLine(FormattableString.Invariant($"; {result.After.Count} of {result.Shown} markers used, {result.Outliers} left out"));
-        output.WriteLine(FormattableString.Invariant($"; before: {result.Before.RmsPixels:0.000} px RMS, {result.Before.MaxPixels:0.000} px at most"));
-        output.WriteLine(FormattableString.Invariant($"; after:  {result.After.RmsPixels:0.000} px RMS, {result.After.MaxPixels:0.000} px at most"));
-        output.WriteLine(FormattableString.Invariant($"; check:  {result.Validation.RmsPixels:0.000} px RMS, {result.Validation.MaxPixels:0.000} px at most, on {result.Validation.Count} markers that the lens was not fitted to"));
-        output.WriteLine(FormattableString.Invariant($"; uncertainty: {result.UncertaintyPixels:0.000} px at the corners, in 95 of 100 calibrations"));
+        output.WriteLine(FormattableString.Invariant($"; {result.After.Count} of {result.Shown} markers used, {result.Outliers} outliers excluded"));
+        output.WriteLine(FormattableString.Invariant($"; before: {result.Before.RmsPixels:0.000} px RMS, {result.Before.MaxPixels:0.000} px max"));
+        output.WriteLine(FormattableString.Invariant($"; after:  {result.After.RmsPixels:0.000} px RMS, {result.After.MaxPixels:0.000} px max"));
+        output.WriteLine(FormattableString.Invariant($"; check:  {result.Validation.RmsPixels:0.000} px RMS, {result.Validation.MaxPixels:0.000} px max, on {result.Validation.Count} markers not used for the fit"));
+        output.WriteLine(FormattableString.Invariant($"; uncertainty at the corners: {result.UncertaintyPixels:0.000} px (95 % confidence)"));
         output.WriteLine(FormattableString.Invariant($"FocalScale = {lens.FocalScale:0.000000}"));
         output.WriteLine(FormattableString.Invariant($"CentreOffsetX = {WithoutMinusZero(lens.CentreOffsetX):0.000000}"));
         output.WriteLine(FormattableString.Invariant($"CentreOffsetY = {WithoutMinusZero(lens.CentreOffsetY):0.000000}"));

@@ -59,19 +59,19 @@ internal static class ValidateCommand
 
             if (validation.Info is { CapturedFrames: null })
             {
-                terminal.Out.WriteLine("Note: the recording was cut off before session.json could be closed; the frames it has are listed all the same.");
+                terminal.Out.WriteLine("Note: the recording was cut off before session.json was complete; the frames recorded until then are included.");
             }
 
             if (validation.Undetermined > 0)
             {
                 terminal.Out.WriteLine(
-                    $"Warning: of {validation.Undetermined} of {Counted.Of(validation.Objects, "label")} it is not known how much is seen (occlusionMethod none); filters by visibility leave them out.");
+                    $"Warning: the visibility of {validation.Undetermined} of {Counted.Of(validation.Objects, "label")} is unknown (occlusionMethod none); visibility filters leave them out.");
             }
 
             if (validation.UndeterminedRegions > 0)
             {
                 terminal.Out.WriteLine(
-                    $"Warning: whether {Counted.Of(validation.UndeterminedRegions, "object")} can be seen could not be determined; they have regions to ignore instead of labels.");
+                    $"Warning: the visibility of {Counted.Of(validation.UndeterminedRegions, "object")} could not be determined; they have ignore regions instead of labels.");
             }
 
             foreach (string open in validation.Info?.Unchecked ?? [])

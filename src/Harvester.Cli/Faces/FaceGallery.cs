@@ -26,7 +26,7 @@ internal sealed class FaceGallery
         article { padding: 12px 14px; } article h2 { font-size: 14px; text-transform: none; letter-spacing: 0; color: var(--ink); }
         header { display: block; } header .hint { max-width: 75em; margin-top: 6px; }
         img { max-width: 100%; display: block; } svg { overflow: visible; } .photo { margin: 4px; }
-        table { width: auto; margin-top: 8px; } td { text-align: left; padding: 3px 14px 3px 0; white-space: normal; }
+        table { width: auto; margin-top: 8px; } td { text-align: left; padding: 3px 14px 3px 0; } td:nth-child(2) { white-space: normal; }
         polygon { stroke: var(--ink); } polyline { fill: none; stroke: var(--quiet); }
         .estimated { stroke-dasharray: 4; } .away { fill-opacity: .25; stroke-opacity: .4; } .hidden { stroke-dasharray: 2 3; stroke-opacity: .7; }
 

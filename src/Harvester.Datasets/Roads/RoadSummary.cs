@@ -5,10 +5,10 @@ using Harvester.Geometry.Roads;
 
 namespace Harvester.Datasets.Roads;
 
-/// <summary>A network in numbers.</summary>
+/// <summary>Counts and lengths of a road network.</summary>
 public static class RoadSummary
 {
-    /// <summary>The counts and lengths of a network, each with its name, in a fixed order. Flags that no node or link has are left out.</summary>
+    /// <summary>Names and values in a fixed order; flags that no node or link has are left out.</summary>
     public static IReadOnlyList<(string Name, string Value)> Of(RoadNetwork network)
     {
         ArgumentNullException.ThrowIfNull(network);
@@ -21,8 +21,8 @@ public static class RoadSummary
             ("links", Text(network.Links.Count)),
             ("length", FormattableString.Invariant($"{metres / 1000:0.0} km")),
             ("cells with nodes", Text(network.Nodes.Select(node => node.Area).Where(area => area != RoadNode.NoArea).Distinct().Count())),
-            ("nodes with a street", Text(network.Nodes.Count(node => node.Street.Length > 0))),
-            ("links driven by cars", Text(network.Links.Count(link => RoadContinuations.IsDrivable(network, link)))),
+            ("nodes with a street name", Text(network.Nodes.Count(node => node.Street.Length > 0))),
+            ("drivable links", Text(network.Links.Count(link => RoadContinuations.IsDrivable(network, link)))),
             ("one-way links", Text(network.Links.Count(link => link.IsOneWay))),
             ("links with a known median", Text(network.Links.Count(link => link.MedianWidth is not null))),
             ("links with calibrated lanes", Text(Enumerable.Range(0, network.Links.Count).Count(link => lanes.WidthOf(link).Source == LaneWidthSource.Calibrated))),
@@ -30,9 +30,9 @@ public static class RoadSummary
         rows.AddRange(Counts<RoadNodeFlags>("node", flag => network.Nodes.Count(node => node.Flags.HasFlag(flag))));
         rows.AddRange(Counts<RoadLinkFlags>("link", flag => network.Links.Count(link => link.Flags.HasFlag(flag))));
         rows.AddRange(network.Links
-            .GroupBy(link => (Most: Math.Max(link.LanesForward, link.LanesBackward), Least: Math.Min(link.LanesForward, link.LanesBackward)))
+            .GroupBy(link => (Max: Math.Max(link.LanesForward, link.LanesBackward), Min: Math.Min(link.LanesForward, link.LanesBackward)))
             .OrderBy(lanes => lanes.Key)
-            .Select(lanes => (FormattableString.Invariant($"lanes {lanes.Key.Most} and {lanes.Key.Least}"), Text(lanes.Count()))));
+            .Select(lanes => (FormattableString.Invariant($"links with {lanes.Key.Max} + {lanes.Key.Min} lanes"), Text(lanes.Count()))));
         return rows;
     }
 

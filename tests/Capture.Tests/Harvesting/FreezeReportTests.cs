@@ -36,8 +36,8 @@ public sealed class FreezeReportTests
 
     [Fact]
     public void Text_describes_each_freeze_method_and_the_choice() => Assert.Equal(
-        "Paused: the world never stood still; TimeScale: the world stood still after 2 ticks (nothing had moved before), weather or hour went on, "
-        + "the camera could not be moved, the picture changed by 0.50 of 255; TimeScale is used.",
+        "Paused: the world never stood still; TimeScale: the world stood still after 2 ticks (nothing was moving before), weather or time of day changed, "
+        + "the camera could not be moved, the image changed by 0.50 of 255; TimeScale is used.",
         FreezeReport.Of(
         [
             new FreezeFinding(FreezeMethod.Paused, true, null),

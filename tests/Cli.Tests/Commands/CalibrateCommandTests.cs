@@ -29,8 +29,8 @@ public sealed class CalibrateCommandTests
         // A tenth of 400 pixels; 0.0005 of them are 0.2 px.
         Assert.Equal(0.1, Value(run, "CentreOffsetX"), 0.0005);
         Assert.Equal(0, Value(run, "CentreOffsetY"), 0.0005);
-        Assert.Contains("markers that the lens was not fitted to", run.Out, StringComparison.Ordinal);
-        Assert.Contains("; uncertainty: 0.", run.Out, StringComparison.Ordinal);
+        Assert.Contains("markers not used for the fit", run.Out, StringComparison.Ordinal);
+        Assert.Contains("; uncertainty at the corners: 0.", run.Out, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -32,7 +32,7 @@ public sealed class MasksCommandTests
         CliRun run = CliRun.Of(["masks", "import", session, maps, .. match ? (string[])["--match"] : []]);
 
         Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
-        Assert.Contains("2 masks imported", run.Out, StringComparison.Ordinal);
+        Assert.Matches($@": 2 masks imported; \d+ of {before.Count} labelled objects have visible pixels\n$", run.Out);
         Assert.Equal(ExitCode.Done, CliRun.Of("validate", session).ExitCode);
         Assert.NotEmpty(before.OfType<string>());
         Assert.Equal(before, VisibleBoxes(session));

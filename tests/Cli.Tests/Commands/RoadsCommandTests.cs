@@ -34,7 +34,7 @@ public sealed class RoadsCommandTests : IDisposable
         Assert.Matches(@"node flag Highway +2\n", info.Out);
         Assert.Matches(@"node flag TrafficLight +1\n", info.Out);
         Assert.Matches(@"link flag NarrowRoad +1\n", info.Out);
-        Assert.Matches(@"lanes 2 and 1 +1\n", info.Out);
+        Assert.Matches(@"links with 2 \+ 1 lanes +1\n", info.Out);
         Assert.Matches(@"length +0\.0 km\n", info.Out);
         Assert.False(File.Exists(csv + ".tmp"));
     }
@@ -51,8 +51,8 @@ public sealed class RoadsCommandTests : IDisposable
 
         Assert.Equal(0, same.ExitCode);
         Assert.Matches(@"matched with a link of B +2 \(100\.0 %\)\n", same.Out);
-        Assert.Matches(@"driven the same way +1 \(100\.0 %\)\n", same.Out);
-        Assert.Matches(@"driven opposite ways +1 \(100\.0 %\)\n", turned.Out);
+        Assert.Matches(@"same direction +1 \(100\.0 %\)\n", same.Out);
+        Assert.Matches(@"opposite directions +1 \(100\.0 %\)\n", turned.Out);
         Assert.Equal(2, CliRun.Of("roads", "compare", ipl, csv, "--lanes-in", "sideways").ExitCode);
     }
 

@@ -27,9 +27,9 @@ internal static class RoadsCompareCommand
             Write("matched with a link of B", comparison.Matched, comparison.Links);
             Write("same lanes", comparison.SameLanes, comparison.Matched);
             Write("one-way in both", comparison.OneWayInBoth, comparison.Matched);
-            Write("  driven the same way", comparison.SameWay, comparison.OneWayInBoth);
-            Write("  driven opposite ways", comparison.OppositeWays, comparison.OneWayInBoth);
-            Write("one-way in one only", comparison.OneWayInOne, comparison.Matched);
+            Write("  same direction", comparison.SameWay, comparison.OneWayInBoth);
+            Write("  opposite directions", comparison.OppositeWays, comparison.OneWayInBoth);
+            Write("one-way in only one", comparison.OneWayInOne, comparison.Matched);
             return ExitCode.Done;
         });
         return command;

@@ -31,7 +31,7 @@ internal static class RoadsNodesCommand
                 using var text = new StreamWriter(stream, leaveOpen: true);
                 count = NodeDatabaseWriter.Write(database, text);
             });
-            terminal.Out.WriteLine($"{file}: {count} entries of {Counted.Of(network.Nodes.Count, "node")}");
+            terminal.Out.WriteLine($"{file}: {count} entries for {Counted.Of(network.Nodes.Count, "node")}");
             return ExitCode.Done;
         });
         return command;

@@ -76,10 +76,10 @@ internal sealed class RoadAssembly
     public RoadImport Finish(string format, params IEnumerable<string> furtherNotes)
     {
         var notes = new List<string>(furtherNotes);
-        Note(notes, _leadOutside, "links lead to cells that are not among the files and were left out");
-        Note(notes, _contradictions, "links are told differently at their two ends; what was read first was kept");
-        Note(notes, _repetitions, "links are given twice and were taken once");
-        Note(notes, _loops, "links lead back to their own node and were left out");
+        Note(notes, _leadOutside, "links lead to cells without a file and were left out");
+        Note(notes, _contradictions, "links have contradictory data at their two ends; the data read first was used");
+        Note(notes, _repetitions, "links occur twice and were imported once");
+        Note(notes, _loops, "links lead from a node to itself and were left out");
         return new RoadImport(new RoadNetwork(_nodes, _links), format, notes);
     }
 
