@@ -36,7 +36,7 @@ public static class StillWriter
         FrameLabel label = session.ReadLabels().FirstOrDefault(candidate => candidate.Frame == frame)
             ?? throw new DatasetFormatException($"'{session.Folder}' has no frame {frame}.");
         PixelBuffer picture = ReadPicture(session, label.Image);
-        var canvas = new PictureCanvas(picture);
+        var canvas = new LineCanvas(picture);
         Camera camera = LabelCamera.Of(label.Camera);
 
         // The farthest first, so that the nearest lies on top.

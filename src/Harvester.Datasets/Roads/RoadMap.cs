@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using Harvester.Datasets.Images;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Roads;
@@ -21,6 +22,9 @@ public sealed class RoadMap
 
     /// <summary>Straight pieces in which a curve is drawn.</summary>
     private const int Pieces = 4;
+
+    /// <summary>Fraction of a pixel that is rounding: the longer side would else be a pixel too long.</summary>
+    private const double RoundingPixels = 1e-6;
 
     private readonly RoadCurves _curves;
     private readonly double _west;
@@ -48,7 +52,7 @@ public sealed class RoadMap
         _west = shown.XMin;
         _north = shown.YMax;
         _pixelsPerMetre = longSidePixels / Math.Max(width, height);
-        Size = new ImageSize(Math.Max(1, (int)Math.Ceiling(width * _pixelsPerMetre)), Math.Max(1, (int)Math.Ceiling(height * _pixelsPerMetre)));
+        Size = new ImageSize(PixelsOf(width), PixelsOf(height));
     }
 
     /// <summary>Size of the map.</summary>
@@ -63,19 +67,21 @@ public sealed class RoadMap
     /// <summary>Draws the map as a picture.</summary>
     public PixelBuffer Draw()
     {
-        var canvas = new MapCanvas(Size);
+        var picture = new PixelBuffer(Size);
+        Array.Fill(picture.Bytes, byte.MaxValue);
+        var canvas = new LineCanvas(picture);
         foreach (RoadMapStyle style in RoadMapStyle.InOrder)
         {
             foreach (Vector2D[] line in Lines(style))
             {
                 for (int i = 1; i < line.Length; i++)
                 {
-                    canvas.DrawLine(line[i - 1], line[i], style.Weight * StreetWidthPixels, style);
+                    canvas.Line(line[i - 1], line[i], style.Weight * StreetWidthPixels, style.Colour);
                 }
             }
         }
 
-        return canvas.Picture;
+        return picture;
     }
 
     /// <summary>Writes the map as an SVG picture with a path for each kind of road, and with a legend unless the map is tiny.</summary>
@@ -113,7 +119,7 @@ public sealed class RoadMap
         svg.End().NewLine();
     }
 
-    private static string ColourOf(RoadMapStyle style) => string.Create(CultureInfo.InvariantCulture, $"#{style.Red:x2}{style.Green:x2}{style.Blue:x2}");
+    private static string ColourOf(RoadMapStyle style) => string.Create(CultureInfo.InvariantCulture, $"#{style.Colour:x6}");
 
     private static Box2D Bounds(RoadNetwork network)
     {
@@ -129,6 +135,8 @@ public sealed class RoadMap
         double margin = (MarginFraction * Math.Max(east - west, north - south)) + 1;
         return new Box2D(west - margin, south - margin, east + margin, north + margin);
     }
+
+    private int PixelsOf(double metres) => Math.Max(1, (int)Math.Ceiling((metres * _pixelsPerMetre) - RoundingPixels));
 
     /// <summary>The lines of a kind that touch the map, in pixels.</summary>
     private IEnumerable<Vector2D[]> Lines(RoadMapStyle style)

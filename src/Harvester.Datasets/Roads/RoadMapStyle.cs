@@ -4,23 +4,21 @@ namespace Harvester.Datasets.Roads;
 
 /// <summary>How a kind of road is drawn on a map; the kinds are drawn in this order, the important ones last.</summary>
 /// <param name="Name">The kind.</param>
-/// <param name="Red">0 to 255.</param>
-/// <param name="Green">0 to 255.</param>
-/// <param name="Blue">0 to 255.</param>
+/// <param name="Colour">0xRRGGBB.</param>
 /// <param name="Weight">Width of its line, as a multiple of that of a street.</param>
-internal sealed record RoadMapStyle(string Name, byte Red, byte Green, byte Blue, double Weight)
+internal sealed record RoadMapStyle(string Name, int Colour, double Weight)
 {
-    public static readonly RoadMapStyle Water = new("water", 150, 190, 220, 0.6);
+    public static readonly RoadMapStyle Water = new("water", 0x96BEDC, 0.6);
 
-    public static readonly RoadMapStyle NotDrivable = new("not drivable", 200, 200, 200, 0.5);
+    public static readonly RoadMapStyle NotDrivable = new("not drivable", 0xC8C8C8, 0.5);
 
-    public static readonly RoadMapStyle OffRoad = new("unpaved", 176, 142, 98, 0.7);
+    public static readonly RoadMapStyle OffRoad = new("unpaved", 0xB08E62, 0.7);
 
-    public static readonly RoadMapStyle Street = new("street", 90, 90, 90, 1);
+    public static readonly RoadMapStyle Street = new("street", 0x5A5A5A, 1);
 
-    public static readonly RoadMapStyle OneWay = new("one-way", 40, 110, 180, 1);
+    public static readonly RoadMapStyle OneWay = new("one-way", 0x286EB4, 1);
 
-    public static readonly RoadMapStyle Highway = new("highway", 220, 120, 20, 1.6);
+    public static readonly RoadMapStyle Highway = new("highway", 0xDC7814, 1.6);
 
     public static readonly RoadMapStyle[] InOrder = [Water, NotDrivable, OffRoad, Street, OneWay, Highway];
 

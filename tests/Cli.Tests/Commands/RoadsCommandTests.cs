@@ -1,3 +1,5 @@
+using System.Xml.Linq;
+
 namespace Harvester.Cli.Tests.Commands;
 
 public sealed class RoadsCommandTests : IDisposable
@@ -94,6 +96,31 @@ public sealed class RoadsCommandTests : IDisposable
 
         Assert.Contains("1,true,false,0 0 10,-4.5 0 10,0 0 10,4.5 0 10,0 1 0,1,1,4.5,calibrated,0,1,false,0", File.ReadAllLines(csv));
         Assert.Matches(@"links with calibrated lanes +1\n", CliRun.Of("roads", "info", imported).Out);
+    }
+
+    // 2000 / 15 * 15 is more than 2000 in doubles.
+    [Fact]
+    public void Longer_side_of_a_map_has_the_size_asked_for()
+    {
+        string from = _folder.File("roads.txt", Ipl);
+        string svg = _folder.PathOf("map.svg");
+
+        CliRun run = CliRun.Of("roads", "map", from, "--out", svg, "--area=-5,0,5,15", "--size", "2000");
+
+        Assert.StartsWith($"{svg}: 1334 x 2000 pixels of 0.0075 m; ", run.Out, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Kinds_of_roads_have_the_colours_of_the_legend()
+    {
+        string svg = _folder.PathOf("map.svg");
+        CliRun.Of("roads", "map", _folder.File("roads.txt", Ipl), "--out", svg, "--size", "400");
+
+        XElement[] paths = [.. XDocument.Load(svg).Descendants().Where(element => element.Name.LocalName == "path")];
+
+        Assert.Equal(["highway", "one-way", "street", "unpaved", "not drivable", "water"], paths[6..].Select(path => path.ElementsAfterSelf().First().Value));
+        Assert.Equal(paths[..6].Reverse().Select(path => path.Attribute("stroke")!.Value), paths[6..].Select(path => path.Attribute("stroke")!.Value));
+        Assert.Equal("#dc7814", paths[6].Attribute("stroke")!.Value);
     }
 
     [Fact]

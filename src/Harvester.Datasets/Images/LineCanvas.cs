@@ -2,28 +2,25 @@ using System;
 using Harvester.Geometry;
 using Harvester.Sessions.Imaging;
 
-namespace Harvester.Datasets.Reports;
+namespace Harvester.Datasets.Images;
 
-/// <summary>Draws smooth lines on a picture, in continuous pixels.</summary>
-internal sealed class PictureCanvas
+/// <summary>Draws smooth lines with round ends on a picture.</summary>
+/// <param name="picture">The picture, which the lines change.</param>
+internal sealed class LineCanvas(PixelBuffer picture)
 {
-    private readonly PixelBuffer _picture;
-
-    public PictureCanvas(PixelBuffer picture) => _picture = picture;
-
-    /// <summary>Draws a line; what lies outside the picture is left out.</summary>
-    /// <param name="start">One end.</param>
+    /// <summary>Draws a line; the part outside the picture is left out.</summary>
+    /// <param name="start">One end, pixels from the upper left corner of the picture.</param>
     /// <param name="end">The other end.</param>
     /// <param name="width">Thickness, pixels.</param>
     /// <param name="colour">0xRRGGBB.</param>
     /// <param name="opacity">0 to 1.</param>
-    public void Line(Vector2D start, Vector2D end, double width, int colour, double opacity)
+    public void Line(Vector2D start, Vector2D end, double width, int colour, double opacity = 1)
     {
         double reach = (width / 2) + 1;
-        int left = Clamp(Math.Min(start.X, end.X) - reach, _picture.Size.Width);
-        int right = Clamp(Math.Max(start.X, end.X) + reach, _picture.Size.Width);
-        int top = Clamp(Math.Min(start.Y, end.Y) - reach, _picture.Size.Height);
-        int bottom = Clamp(Math.Max(start.Y, end.Y) + reach, _picture.Size.Height);
+        int left = Clamp(Math.Min(start.X, end.X) - reach, picture.Size.Width);
+        int right = Clamp(Math.Max(start.X, end.X) + reach, picture.Size.Width);
+        int top = Clamp(Math.Min(start.Y, end.Y) - reach, picture.Size.Height);
+        int bottom = Clamp(Math.Max(start.Y, end.Y) + reach, picture.Size.Height);
         for (int row = top; row < bottom; row++)
         {
             for (int column = left; column < right; column++)
@@ -38,7 +35,7 @@ internal sealed class PictureCanvas
         }
     }
 
-    /// <summary>Draws the sides of a box.</summary>
+    /// <summary>Draws the sides of a box. See <see cref="Line"/>.</summary>
     public void Rectangle(Box2D box, double width, int colour, double opacity)
     {
         var upperLeft = new Vector2D(box.XMin, box.YMin);
@@ -51,7 +48,7 @@ internal sealed class PictureCanvas
         Line(lowerLeft, upperLeft, width, colour, opacity);
     }
 
-    private static int Clamp(double value, int most) => (int)Math.Clamp(Math.Floor(value), 0, most);
+    private static int Clamp(double value, int max) => (int)Math.Clamp(Math.Floor(value), 0, max);
 
     private static double Distance(Vector2D point, Vector2D start, Vector2D end)
     {
@@ -63,7 +60,7 @@ internal sealed class PictureCanvas
 
     private void Blend(int column, int row, int colour, double share)
     {
-        Span<byte> pixel = _picture.Bytes.AsSpan(((row * _picture.Size.Width) + column) * PixelBuffer.BytesPerPixel, PixelBuffer.BytesPerPixel);
+        Span<byte> pixel = picture.Bytes.AsSpan(((row * picture.Size.Width) + column) * PixelBuffer.BytesPerPixel, PixelBuffer.BytesPerPixel);
         for (int channel = 0; channel < pixel.Length; channel++)
         {
             int wanted = (colour >> (8 * (2 - channel))) & 0xFF;
