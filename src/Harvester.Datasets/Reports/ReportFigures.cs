@@ -7,6 +7,7 @@ using Harvester.Datasets.Json;
 using Harvester.Datasets.Reports.Colours;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
+using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 
@@ -123,6 +124,7 @@ internal static class ReportFigures
         foreach ((string name, IndicatorSpan span) in indicators)
         {
             json.WriteStartObject(name);
+            json.WriteString("unit", IndicatorTable.All[IndicatorTable.IndexOf(name)].Unit);
             json.WriteNumber("frames", span.Count);
             json.Number("least", span.Least, Decimals);
             json.Number("greatest", span.Greatest, Decimals);

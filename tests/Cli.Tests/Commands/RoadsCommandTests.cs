@@ -114,7 +114,7 @@ public sealed class RoadsCommandTests : IDisposable
     public void Kinds_of_roads_have_the_colours_of_the_legend()
     {
         string svg = _folder.PathOf("map.svg");
-        CliRun.Of("roads", "map", _folder.File("roads.txt", Ipl), "--out", svg, "--size", "400");
+        CliRun.Of("roads", "map", _folder.File("roads.txt", Ipl), "--out", svg, "--area=-20,0,20,40", "--size", "400");
 
         XElement[] paths = [.. XDocument.Load(svg).Descendants().Where(element => element.Name.LocalName == "path")];
 

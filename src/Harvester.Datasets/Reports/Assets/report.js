@@ -145,9 +145,8 @@ function counts() {
 }
 
 function indicators() {
-  const unit = name => name === "angle" ? "rad" : "m";
   const rows = Object.entries(data.indicators).map(([name, span]) =>
-    [name, span.frames, `${fixed(span.least, 2)} ${unit(name)}`, `${fixed(span.greatest, 2)} ${unit(name)}`]);
+    [name, span.frames, `${fixed(span.least, 2)} ${span.unit}`, `${fixed(span.greatest, 2)} ${span.unit}`]);
   table("indicators", ["Lane indicator", "Frames", "Min", "Max"], rows);
   byId("lanes").hidden = rows.length === 0;
 }
