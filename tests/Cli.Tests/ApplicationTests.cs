@@ -34,6 +34,21 @@ public sealed class ApplicationTests
         Assert.Contains($"  harvester {command}", run.Out.Replace("echo 0,10,0 | ", "", StringComparison.Ordinal), StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void Help_lists_the_exit_codes_of_the_docs()
+    {
+        string help = CliRun.Of("--help").Out;
+        string docs = File.ReadAllText(Path.Combine(AppContext.BaseDirectory, "command-line.md"));
+
+        string[] rows = [.. docs.Split('\n').Where(line => line.Length > 2 && line[0] == '|' && char.IsAsciiDigit(line[2]))];
+        Assert.Equal(7, rows.Length);
+        Assert.All(rows, row => Assert.Contains(InHelp(row.Split('|')), help, StringComparison.Ordinal));
+
+        // The docs say more of SIGTERM than fits into the help.
+        static string InHelp(string[] cells) =>
+            $"\n  {cells[1].Trim(),-5}{cells[2].Trim().Replace(", which `kill`, `timeout` and batch systems send", "", StringComparison.Ordinal)}\n";
+    }
+
     public static TheoryData<string> Commands => [.. CommandsWithin("")];
 
     [Theory]

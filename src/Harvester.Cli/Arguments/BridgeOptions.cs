@@ -11,16 +11,16 @@ namespace Harvester.Cli.Arguments;
 /// <summary>The options that say over what a client drives, the same wherever a command has them.</summary>
 internal sealed class BridgeOptions
 {
-    private readonly Option<string?> _folder = new("--folder") { Description = "Share this folder instead of listening at a socket", HelpName = "DIR" };
+    private readonly Option<string?> _folder = new("--folder") { Description = "Exchange files in this folder instead of listening on a socket", HelpName = "DIR" };
     private readonly Option<string> _address = new("--address")
     {
-        Description = "Where the socket listens; anything but the loopback interface needs a token",
+        Description = "IP address to listen on; any but loopback requires --token",
         HelpName = "ADDRESS",
         DefaultValueFactory = _ => IPAddress.Loopback.ToString(),
     };
 
-    private readonly Option<int> _port = ValueParsers.Integer("--port", "N", "The socket's port; 0 for any free one", 0, IPEndPoint.MaxPort);
-    private readonly Option<string?> _token = new("--token") { Description = "What a client must show", HelpName = "WORD" };
+    private readonly Option<int> _port = ValueParsers.Integer("--port", "N", "Port to listen on; 0 for any free port", 0, IPEndPoint.MaxPort);
+    private readonly Option<string?> _token = new("--token") { Description = "Secret that a client must send", HelpName = "WORD" };
 
     public BridgeOptions()
     {
@@ -55,7 +55,7 @@ internal sealed class BridgeOptions
         string address = parsed.GetRequiredValue(_address);
         if (!IPAddress.TryParse(address, out IPAddress? parsedAddress))
         {
-            throw new UsageException($"--address takes an address as 127.0.0.1, not '{address}'.");
+            throw new UsageException($"--address takes an IP address, e.g. 127.0.0.1, not '{address}'.");
         }
 
         SocketBridge bridge = SocketBridges.Open(new IPEndPoint(parsedAddress, parsed.GetValue(_port)), parsed.GetValue(_token), driving.Picture);

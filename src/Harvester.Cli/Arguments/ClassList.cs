@@ -16,7 +16,7 @@ internal static class ClassList
     /// <param name="purpose">What happens to these classes only, as in "Label".</param>
     public static Option<string?> Option(string purpose) => new("--classes")
     {
-        Description = $"{purpose} these classes only, with commas between them: {Names}",
+        Description = $"{purpose} only these classes, separated by commas: {Names}",
         HelpName = "A,B",
     };
 
@@ -25,5 +25,5 @@ internal static class ClassList
     public static IReadOnlyList<ObjectClass>? Parse(string? text) => text is null ? null : [.. text.Split(',').Select(name => ParseOne(name.Trim()))];
 
     private static ObjectClass ParseOne(string name) =>
-        JsonNames.TryRead(name, out ObjectClass kind) ? kind : throw new UsageException($"--classes takes some of {Names}, not '{name}'.");
+        JsonNames.TryRead(name, out ObjectClass kind) ? kind : throw new UsageException($"--classes takes a comma-separated list of {Names}, not '{name}'.");
 }

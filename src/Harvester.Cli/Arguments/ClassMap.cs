@@ -8,13 +8,13 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Cli.Arguments;
 
-/// <summary>Names for classes on the command line, as bus=Car,truck=Car.</summary>
+/// <summary>Names for classes on the command line, e.g. bus=Car,truck=Car.</summary>
 internal static class ClassMap
 {
     /// <summary>The option.</summary>
     public static Option<string?> Option() => new("--map")
     {
-        Description = "Names of classes in the dataset, as bus=Car,truck=Car; classes with one name become one class",
+        Description = "Names of classes in the dataset, e.g. bus=Car,truck=Car; classes with the same name are merged",
         HelpName = "CLASS=NAME,...",
     };
 
@@ -28,8 +28,8 @@ internal static class ClassMap
             string[] words = [.. entry.Split('=').Select(word => word.Trim())];
             if (words.Length != 2 || !JsonNames.TryRead(words[0], out ObjectClass kind) || !IsName(words[1]))
             {
-                throw new UsageException($"--map takes classes with names, as bus=Car,truck=Car, not '{entry}'. Classes: {string.Join(", ", JsonNames.All<ObjectClass>())}. "
-                    + "Names are of letters, digits, blanks, - and _.");
+                throw new UsageException($"--map takes classes with names, e.g. bus=Car,truck=Car, not '{entry}'. Classes: {string.Join(", ", JsonNames.All<ObjectClass>())}. "
+                    + "Names consist of letters, digits, spaces, - and _.");
             }
 
             if (format.Names is { } known && !known.Contains(words[1]))

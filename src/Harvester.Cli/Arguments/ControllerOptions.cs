@@ -11,7 +11,7 @@ internal sealed class ControllerOptions
     private readonly Option<string> _controller;
     private readonly Option<bool> _emergencyBrake = new("--emergency-brake")
     {
-        Description = "Let the controller brake as hard as it must behind vehicles, which DeepDriving's law does not",
+        Description = "Brake as hard as necessary behind vehicles, which DeepDriving's control law does not",
     };
 
     /// <summary>Makes the options.</summary>

@@ -12,11 +12,11 @@ namespace Harvester.Cli.Arguments;
 /// <summary>The options that say over what bridge a drive goes, and from which side.</summary>
 internal static class DriveBridgeOptions
 {
-    private static readonly Option<string> Bridge = Word("--bridge", "B", "What lies between game and controller: direct, folder, socket", "direct");
-    private static readonly Option<string> Role = Word("--role", "R", "What this process is of a bridge: both, game, client", "both");
-    private static readonly Option<DirectoryInfo?> Folder = new("--folder") { Description = "The shared folder of a folder bridge [default: bridge in the folder of --out]", HelpName = "DIR" };
-    private static readonly Option<string?> At = new("--at") { Description = "Where a socket bridge listens, or where the game is [default: 127.0.0.1:4567]", HelpName = "ADDRESS:PORT" };
-    private static readonly Option<string?> Token = new("--token") { Description = "What a client on another machine has to show", HelpName = "WORD" };
+    private static readonly Option<string> Bridge = Word("--bridge", "B", "Connection between game and controller: direct, folder or socket", "direct");
+    private static readonly Option<string> Role = Word("--role", "R", "Side of the bridge that this process runs: game, client or both", "both");
+    private static readonly Option<DirectoryInfo?> Folder = new("--folder") { Description = "Shared folder of a folder bridge [default: bridge in the folder of --out]", HelpName = "DIR" };
+    private static readonly Option<string?> At = new("--at") { Description = "Address of a socket bridge: the game listens there, the client connects to it [default: 127.0.0.1:4567]", HelpName = "ADDRESS:PORT" };
+    private static readonly Option<string?> Token = new("--token") { Description = "Secret that a client on another machine must send", HelpName = "WORD" };
 
     private static readonly Option<double> Patience = Patient();
 
@@ -43,13 +43,13 @@ internal static class DriveBridgeOptions
         };
         if (kind == BridgeName.Direct && role != DriveRole.Both)
         {
-            throw new UsageException("--role game and client need a bridge: --bridge folder or socket.");
+            throw new UsageException("--role game and --role client need --bridge folder or --bridge socket.");
         }
 
         Option? stray = All.Skip(2).FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false });
         if (kind == BridgeName.Direct && stray is not null)
         {
-            throw new UsageException($"{stray.Name} needs a bridge: --bridge folder or socket.");
+            throw new UsageException($"{stray.Name} needs --bridge folder or --bridge socket.");
         }
 
         string? folder = parsed.GetValue(Folder)?.FullName ?? (outFolder is null ? null : Path.Combine(outFolder, BridgeFolder.DefaultName));
@@ -69,12 +69,12 @@ internal static class DriveBridgeOptions
 
     private static IPEndPoint ParsePlace(string text) => IPEndPoint.TryParse(text, out IPEndPoint? place) && place.Port > 0
         ? place
-        : throw new UsageException($"--at takes an address with a port as 127.0.0.1:4567, not '{text}'.");
+        : throw new UsageException($"--at takes an IP address and a port, e.g. 127.0.0.1:4567, not '{text}'.");
 
     private static Option<double> Patient()
     {
         Option<double> patience = ValueParsers.Number(
-            "--patience", "S", "Seconds on the clock to wait for the other side before giving up", value => value is > 0 and <= 86_400, "a number greater than 0, 86400 at most");
+            "--patience", "S", "Time to wait for the other side, seconds of real time", value => value is > 0 and <= 86_400, "a number greater than 0 and at most 86400");
         patience.DefaultValueFactory = _ => 60;
         return patience;
     }

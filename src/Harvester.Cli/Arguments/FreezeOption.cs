@@ -13,8 +13,8 @@ internal static class FreezeOption
 
     public static Option<string> Create() => new("--freeze")
     {
-        Description = $"How the game is frozen for each frame: {Paused}, {TimeScale}, or {Auto} to try both at the start and use the better one",
-        HelpName = "WAY",
+        Description = $"How to freeze the game for a frame: {Paused}, {TimeScale}, or {Auto} to measure both at the start and use the better one",
+        HelpName = "METHOD",
         DefaultValueFactory = _ => Paused,
     };
 

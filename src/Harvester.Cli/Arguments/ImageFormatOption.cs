@@ -17,7 +17,7 @@ internal static class ImageFormatOption
     public static Option<int?> Quality() => ValueParsers.Optional<int>(
         "--quality",
         "N",
-        FormattableString.Invariant($"Quality of jpg images, {JpegEncoder.MinQuality} to {JpegEncoder.MaxQuality} [default: {JpegEncoder.DefaultQuality}]"),
+        FormattableString.Invariant($"Quality of JPEG images, {JpegEncoder.MinQuality} to {JpegEncoder.MaxQuality} [default: {JpegEncoder.DefaultQuality}]"),
         ParseQuality,
         FormattableString.Invariant($"a whole number from {JpegEncoder.MinQuality} to {JpegEncoder.MaxQuality}"));
 
@@ -27,7 +27,7 @@ internal static class ImageFormatOption
     {
         null => JpegEncoder.DefaultQuality,
         { } asked when format == ImageFormat.Jpeg => asked,
-        _ => throw new UsageException($"{quality.Name} does nothing without --image-format jpg."),
+        _ => throw new UsageException($"{quality.Name} has no effect without --image-format jpg."),
     };
 
     private static ImageFormat? Parse(string text) => text switch

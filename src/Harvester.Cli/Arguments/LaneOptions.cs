@@ -12,14 +12,14 @@ internal static class LaneOptions
 
     private const string LookAheadName = "--look-ahead";
     private const string LookAheadForm = "M|Ss";
-    private const string LookAheadPurpose = "How far ahead the lane indicators are measured: metres along the road, or seconds of way as 1s; 0 is at the car";
-    private const string LookAheadRange = "metres from 0 to 70, or seconds from 0 to 5 as 1s";
+    private const string LookAheadPurpose = "Look-ahead of the lane indicators: metres along the road, or seconds of travel, e.g. 1s; 0 is at the car";
+    private const string LookAheadRange = "metres from 0 to 70, or seconds from 0 to 5, e.g. 1s";
     private const string WidthForm = "M";
     private const string WidthRange = "a number from 2 to 10";
     private const string LaneWidthName = "--lane-width";
-    private const string LaneWidthPurpose = "Width of the lanes of ordinary roads, metres";
+    private const string LaneWidthPurpose = "Lane width of ordinary roads, metres";
     private const string NarrowLaneWidthName = "--narrow-lane-width";
-    private const string NarrowLaneWidthPurpose = "Width of the lanes of narrow roads, metres";
+    private const string NarrowLaneWidthPurpose = "Lane width of narrow roads, metres";
 
     /// <summary>Where the indicators are measured.</summary>
     public static Option<LookAhead> LookAhead() =>

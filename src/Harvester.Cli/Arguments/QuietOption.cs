@@ -13,7 +13,7 @@ internal static class QuietOption
 
     public static Option<bool> Create() => new("--quiet", "-q")
     {
-        Description = "Print no progress and no summary; errors and warnings still go to standard error",
+        Description = "Omit progress and summaries; errors and warnings still go to standard error",
         Recursive = true,
     };
 

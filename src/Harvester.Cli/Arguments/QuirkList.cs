@@ -9,13 +9,13 @@ namespace Harvester.Cli.Arguments;
 internal static class QuirkList
 {
     private const string Form =
-        "lag=N, lateCamera, vanish=P, boxRays, missedRays=P; of the frozen world creep=N, restless, heldCamera, weather, visibility, each also with "
-        + "'paused.' or 'timeScale.' before it for one way of freezing only (N ticks, 0 to 60; P 0 to 1)";
+        "lag=N, lateCamera, vanish=P, boxRays, missedRays=P, and while the world is frozen creep=N, restless, heldCamera, weather, visibility; "
+        + "the prefix paused. or timeScale. limits one of the latter to one freeze method (N: 0 to 60 ticks; P: fraction, 0 to 1)";
     private const int MaxTicks = 60;
 
     public static Option<string?> Option() => new("--quirks")
     {
-        Description = "Let the simulated game misbehave as the real one does, with commas between: " + Form,
+        Description = "Imitate faults of the real game, separated by commas: " + Form,
         HelpName = "A,B",
     };
 
@@ -25,7 +25,7 @@ internal static class QuirkList
         GameQuirks quirks = new();
         foreach (string part in list?.Split(',') ?? [])
         {
-            quirks = With(quirks, part.Trim()) ?? throw new UsageException($"--quirks takes some of {Form}, not '{part.Trim()}'.");
+            quirks = With(quirks, part.Trim()) ?? throw new UsageException($"--quirks takes a comma-separated list of {Form}, not '{part.Trim()}'.");
         }
 
         return quirks;

@@ -5,5 +5,5 @@ namespace Harvester.Cli.Arguments;
 /// <summary>The argument that names a session, the same wherever a command has it.</summary>
 internal static class SessionArgument
 {
-    public static Argument<string> Create() => new("SESSION") { Description = "Folder of a session, as harvest writes it" };
+    public static Argument<string> Create() => new("SESSION") { Description = "Folder of a session" };
 }

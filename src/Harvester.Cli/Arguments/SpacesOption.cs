@@ -7,10 +7,10 @@ namespace Harvester.Cli.Arguments;
 internal static class SpacesOption
 {
     /// <summary>The option.</summary>
-    /// <param name="before">Before what other table it goes, as in "the recorded one".</param>
-    public static Option<FileSystemInfo?> Create(string before) => new("--spaces")
+    /// <param name="overridden">The table that it takes precedence over, e.g. "the recorded table".</param>
+    public static Option<FileSystemInfo?> Create(string overridden) => new("--spaces")
     {
-        Description = $"Faces of signs and heads of lights by this table, before {before}; a survey's folder stands for the table in it",
+        Description = $"Table of sign faces and traffic light heads, or the folder of a survey; takes precedence over {overridden}",
         HelpName = "FILE|DIR",
     };
 }

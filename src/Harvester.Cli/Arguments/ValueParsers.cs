@@ -13,11 +13,11 @@ internal static class ValueParsers
 {
     /// <summary>An option of three numbers, as -75.3,-820.1,26.</summary>
     public static Option<Vector3D> Vector(string name, string form, string description) =>
-        Parsed<Vector3D>(name, form, description, text => Numbers(text, 3) is { } n ? new Vector3D(n[0], n[1], n[2]) : null, "three numbers");
+        Parsed<Vector3D>(name, form, description, text => Numbers(text, 3) is { } n ? new Vector3D(n[0], n[1], n[2]) : null, "three numbers, e.g. 10,-20.5,3");
 
     /// <summary>An option of two numbers, as 0,-1000.</summary>
     public static Option<Vector2D?> Point(string name, string form, string description) =>
-        Optional<Vector2D>(name, form, description, text => Numbers(text, 2) is { } n ? new Vector2D(n[0], n[1]) : null, "two numbers");
+        Optional<Vector2D>(name, form, description, text => Numbers(text, 2) is { } n ? new Vector2D(n[0], n[1]) : null, "two numbers, e.g. 0,-1000");
 
     /// <summary>An option of an image's size, as 800x600.</summary>
     /// <param name="name">The option.</param>
@@ -27,8 +27,8 @@ internal static class ValueParsers
     public static Option<ImageSize> Size(string name, string description, ImageSize least, int most)
     {
         string allowed = least.Width == least.Height
-            ? FormattableString.Invariant($"width and height in pixels, {least.Width} to {most} each, as 800x600")
-            : FormattableString.Invariant($"width and height in pixels, {least.Width}x{least.Height} to {most}x{most}, as 800x600");
+            ? FormattableString.Invariant($"width and height in pixels, {least.Width} to {most} each, e.g. 800x600")
+            : FormattableString.Invariant($"width and height in pixels, {least.Width}x{least.Height} to {most}x{most}, e.g. 800x600");
         return Parsed(name, "WxH", description, Parse, allowed);
 
         ImageSize? Parse(string text) =>

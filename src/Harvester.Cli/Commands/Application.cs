@@ -22,17 +22,17 @@ internal static class Application
     private const string ReplacementCharacter = "\uFFFD";
 
     private const string Description =
-        "Harvests labelled driving images from a simulated game, checks and shows what was harvested, and exports it to dataset formats.";
+        "Harvests labelled driving images from a simulated game, and checks, shows and exports sessions, also those of the mod for GTA V.";
 
     private const string ExitCodes =
         "Exit codes:\n"
-        + "  0    done\n"
-        + "  1    the data is at fault: a session or logs with problems, a malformed file\n"
-        + "  2    the command line is at fault, or names a folder for output that holds something else\n"
+        + "  0    success\n"
+        + "  1    bad data: a session or log with problems, a malformed file\n"
+        + "  2    error on the command line, including an occupied output folder\n"
         + "  3    a file cannot be read or written, or a bridge to another program failed\n"
-        + "  4    the game failed; what was written is whole\n"
-        + "  130  stopped by Ctrl+C (SIGINT); what was written is whole\n"
-        + "  143  stopped by SIGTERM; what was written is whole\n\n"
+        + "  4    the simulated game failed, or a calibration or harvest refused its result\n"
+        + "  130  stopped by Ctrl+C (SIGINT); what was written is valid\n"
+        + "  143  stopped by SIGTERM; what was written is valid\n\n"
         + "Tab completion for bash, zsh and PowerShell: docs/command-line.md";
 
     /// <summary>Runs one command line.</summary>

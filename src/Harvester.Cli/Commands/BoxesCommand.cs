@@ -5,18 +5,18 @@ using Harvester.Cli.Terminals;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester boxes: the boxes and fractions of cuboids in an image, as JSON; the tool to debug a label with.</summary>
+/// <summary>harvester boxes: the boxes and fractions of cuboids in an image, as JSON; useful to debug a label.</summary>
 internal static class BoxesCommand
 {
     private const string Notes =
-        "The scene's fields are described in docs/boxes-schema.md; a label's camera and box3d can be pasted into it.\n\n"
+        "docs/boxes-schema.md describes the file. The camera and the box3d of a label can be pasted into it, to debug a label.\n\n"
         + "Example:\n"
         + "  harvester boxes scene.json";
 
     public static Command Create(Terminal terminal)
     {
-        var scene = new Argument<FileInfo>("SCENE.json") { Description = "A camera and cuboids" };
-        var command = new Command("boxes", "Write the boxes and fractions of a scene's cuboids as JSON.") { scene };
+        var scene = new Argument<FileInfo>("SCENE.json") { Description = "JSON file with a camera and cuboids" };
+        var command = new Command("boxes", "Print the boxes and fractions of cuboids for a camera, as JSON.") { scene };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(parsed =>
         {

@@ -23,22 +23,22 @@ internal static class CalibrateCommand
     private const int MaxSide = 8192;
 
     private const string Notes =
-        "The simulated game's camera gets the lens that the options describe; the calibration sees nothing but its pictures, in which it\n"
-        + "puts markers at known places. Written are the lens found, as lines for the mod's ini file, and the errors before and after.\n\n"
+        "The options describe the lens of the simulated game. The calibration does not see them: it measures the lens from the images alone, in\n"
+        + "which it draws markers at known positions. It prints the measured lens, as lines for the mod's ini file, and the errors before and after.\n\n"
         + "Example:\n"
         + "  harvester calibrate --focal-scale 1.008 --k1 -0.02 --size 1920x1080 --fov 90";
 
     public static Command Create(Terminal terminal)
     {
-        Option<int> seed = ValueParsers.Integer("--seed", "N", "Decides the simulated town", 0, int.MaxValue);
+        Option<int> seed = ValueParsers.Integer("--seed", "N", "Random seed of the simulated town [default: 0]", 0, int.MaxValue);
         Option<double> fov = CameraOptions.Fov();
         fov.DefaultValueFactory = _ => new SimulationOptions().VerticalFovDegrees;
-        Option<ImageSize> size = ValueParsers.Size("--size", "The images' width and height, pixels", new ImageSize(MinWidth, MinHeight), MaxSide);
+        Option<ImageSize> size = ValueParsers.Size("--size", "Width and height of the images, pixels", new ImageSize(MinWidth, MinHeight), MaxSide);
         size.DefaultValueFactory = _ => new CalibrationOptions().Image;
         var lens = new LensOptions();
-        Option<double> threshold = ValueParsers.Number("--threshold", "PX", "Largest error allowed, pixels", value => value > 0, "a number greater than 0");
+        Option<double> threshold = ValueParsers.Number("--threshold", "PX", "Largest allowed error, pixels", value => value > 0, "a number greater than 0");
         threshold.DefaultValueFactory = _ => new CalibrationOptions().ThresholdPixels;
-        var command = new Command("calibrate", "Calibrate the camera of a simulated game by markers in its pictures.")
+        var command = new Command("calibrate", "Measure the lens of the simulated game from markers in its images, as the mod does in GTA V.")
         {
             seed, fov, size, threshold,
         };

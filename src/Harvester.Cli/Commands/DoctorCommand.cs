@@ -10,15 +10,15 @@ namespace Harvester.Cli.Commands;
 internal static class DoctorCommand
 {
     private const string Notes =
-        "LOG is GtaDataHarvester.log, ScriptHookVDotNet.log or ScriptHookV.log, under any name. FOLDER is the game's folder or its folder 'scripts',\n"
-        + "whose logs are read together, or a session. Of the mod's log only the last run counts, unless --all-runs is given.\n"
-        + "The likeliest cause comes first. The exit code is 1 if there is any problem.\n\n"
+        "LOG is GtaDataHarvester.log, ScriptHookVDotNet.log or ScriptHookV.log, or a renamed copy. FOLDER is a session, the game's folder or its\n"
+        + "scripts folder; all logs in the folder are read together. Only the last run in the mod's log is read, unless --all-runs is given.\n"
+        + "The likeliest cause comes first. The exit code is 1 if a problem was found.\n\n"
         + "Examples:\n"
         + "  harvester doctor \"C:\\Games\\Grand Theft Auto V\"\n"
         + "  harvester doctor GtaDataHarvester.log --all-runs";
 
-    private static readonly Argument<string> Place = new("LOG|FOLDER") { Description = "A log, the folder of the game or of its scripts, or a session" };
-    private static readonly Option<bool> AllRuns = new("--all-runs") { Description = "Look at all runs in the mod's log, not at the last one only" };
+    private static readonly Argument<string> Place = new("LOG|FOLDER") { Description = "A log, the folder of the game or its scripts folder, or a session" };
+    private static readonly Option<bool> AllRuns = new("--all-runs") { Description = "Read all runs in the mod's log, not only the last one" };
 
     public static Command Create(Terminal terminal)
     {

@@ -21,12 +21,12 @@ using Harvester.Geometry;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester drive: a controller drives by the lane indicators and is judged by the truth.</summary>
+/// <summary>harvester drive: a controller drives by the lane indicators and is evaluated against the true state of the simulation.</summary>
 internal static class DriveCommand
 {
     private const string Notes =
-        "The indicators say nothing in junctions and show neither lights nor right of way. There the simulated car's own driver follows its\n"
-        + "route, and gives the wheel back in a lane. docs/driving.md says how it is judged.\n\n"
+        "The indicators are undefined in junctions and show neither traffic lights nor right of way. In junctions the car's built-in driver\n"
+        + "follows the route, and hands over to the controller in the next lane. docs/driving.md describes the evaluation.\n\n"
         + "Examples:\n"
         + "  harvester drive --out drive\n"
         + "  harvester drive --controller deepdriving --noise --distance 3000 --out drive\n"
@@ -34,28 +34,28 @@ internal static class DriveCommand
         + "  harvester drive --roads nodes.zip --near=-500,1000 --near=0,2700 --out drive";
 
     private static readonly Option<string?> Out = new("--out") { Description = "Folder to write drive.json and report.html to", HelpName = "DIR" };
-    private static readonly Option<bool> Overwrite = new("--overwrite") { Description = "Replace the drive that lies in the folder" };
-    private static readonly ControllerOptions Controller = new("Who drives", "stanley");
+    private static readonly Option<bool> Overwrite = new("--overwrite") { Description = "Replace an existing drive in the folder" };
+    private static readonly ControllerOptions Controller = new("The controller that drives", "stanley");
 
     private static readonly Option<int> Seed = WithDefault(
-        ValueParsers.Integer("--seed", "N", "Decides everything that is left to chance", 0, int.MaxValue), 1);
+        ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue), 1);
 
     private static readonly Option<FileInfo?> Roads = new("--roads")
     {
-        Description = "Drive on the roads of this file or folder instead of a town made from the seed",
+        Description = "Road network to drive on, a file or folder [default: a town generated from the seed]",
         HelpName = "FILE",
     };
 
     private static readonly Option<string[]> Near = new("--near")
     {
-        Description = "Where to start, metres; may be given more than once, for one drive after the other [default: the middle of the roads]",
+        Description = "Start position, metres; repeatable, for several drives in a row [default: the middle of the road network]",
         HelpName = "X,Y",
         DefaultValueFactory = _ => [],
     };
 
-    private static readonly Option<double> Distance = WithDefault(Positive("--distance", "M", "Metres to drive from each start"), 1000);
+    private static readonly Option<double> Distance = WithDefault(Positive("--distance", "M", "Distance to drive from each start, metres"), 1000);
     private static readonly Option<double> Duration = WithDefault(
-        Positive("--duration", "S", "Seconds of the game's time to drive from each start at most"), 3600);
+        Positive("--duration", "S", "Time limit for each start, seconds of game time"), 3600);
 
     private static readonly Option<double> Traffic = WithDefault(
         ValueParsers.Number("--traffic", "F", "Factor on the number of vehicles", value => value is >= 0 and <= 4, "a number from 0 to 4"), 1);
@@ -63,22 +63,22 @@ internal static class DriveCommand
     private static readonly Option<double?> Speed = ValueParsers.Optional<double>(
         "--speed",
         "M/S",
-        "Speed on a free straight road [default: stanley 14, deepdriving 20]",
+        "Speed on a free straight road, metres per second [default: stanley 14, deepdriving 20]",
         text => ValueParsers.Number(text) is { } value && value is > 0 and <= 40 ? value : null,
-        "a number greater than 0, 40 at most");
+        "a number greater than 0 and at most 40");
 
     private static readonly Option<bool> Noise = new("--noise")
     {
-        Description = "Let the indicators err as is published for DeepDriving's network: 0.03 rad, 0.2 m, 3 m on distances to vehicles",
+        Description = "Add the errors published for DeepDriving's network to the indicators: 0.03 rad, 0.2 m, and 3 m on distances to vehicles",
     };
 
     private static readonly Option<double> LookAhead = WithDefault(
-        ValueParsers.Number("--look-ahead", "M", "How far ahead the angle is measured, metres", value => value is > 0 and <= 40, "a number greater than 0, 40 at most"),
+        ValueParsers.Number("--look-ahead", "M", "Look-ahead distance for the angle, metres", value => value is > 0 and <= 40, "a number greater than 0 and at most 40"),
         new ControllerPlan { Kind = ControllerKind.Stanley }.LookAheadMetres);
 
     public static Command Create(Terminal terminal)
     {
-        var command = new Command("drive", "Drive the simulated car by the lane indicators and judge the drive.")
+        var command = new Command("drive", "Drive the simulated car by the lane indicators and evaluate the drive.")
         {
             Out, Overwrite, Seed, Roads, Near, Distance, Duration, Traffic, Speed, Noise, LookAhead,
         };
@@ -208,7 +208,7 @@ internal static class DriveCommand
         : throw new UsageException($"--near takes two numbers, not '{text}'.");
 
     private static Option<double> Positive(string name, string form, string description) =>
-        ValueParsers.Number(name, form, description, value => value is > 0 and <= 1_000_000, "a number greater than 0, 1000000 at most");
+        ValueParsers.Number(name, form, description, value => value is > 0 and <= 1_000_000, "a number greater than 0 and at most 1000000");
 
     private static Option<T> WithDefault<T>(Option<T> option, T value)
     {

@@ -19,15 +19,15 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester export: sessions become a dataset that training code reads as it is.</summary>
+/// <summary>harvester export: exports sessions as a dataset.</summary>
 internal static class ExportCommand
 {
     private static readonly string Notes =
         "Formats (docs/exports has a page on each):\n"
         + string.Concat(DatasetFormats.All.Select(format => $"  {format.Name,-16}{format.Description}\n"))
-        + "\nAn option that would do nothing in the format is refused. An export that was stopped goes on when the same command is given again.\n"
-        + "Shards of one export may be written to one folder or to several; harvester merge makes the dataset of them. The same sessions and\n"
-        + "options give the same bytes.\n\n"
+        + "\nAn option that has no effect in the format is an error. To continue an interrupted export, run the same command again. The\n"
+        + "shards of an export may go to one folder or to several; harvester merge combines them. The same sessions and options give the\n"
+        + "same bytes.\n\n"
         + "Examples:\n"
         + "  harvester export out --format kitti --out kitti\n"
         + "  harvester export day night --format coco --out coco --split train:0.8,val:0.2 --seed 3 --min-visible 0.2\n"
@@ -37,13 +37,13 @@ internal static class ExportCommand
 
     private static readonly Argument<string[]> Sessions = new("SESSION")
     {
-        Description = "Folders of sessions, as harvest writes them",
+        Description = "Folders of sessions",
         Arity = ArgumentArity.OneOrMore,
     };
 
     private static readonly Option<string> Format = new("--format")
     {
-        Description = "The format: " + string.Join(", ", DatasetFormats.All.Select(format => format.Name)),
+        Description = "Dataset format: " + string.Join(", ", DatasetFormats.All.Select(format => format.Name)),
         HelpName = "F",
         Required = true,
     };
@@ -51,29 +51,29 @@ internal static class ExportCommand
     private static readonly Option<string> Out = new("--out") { Description = "Folder to write the dataset to", HelpName = "DIR", Required = true };
     private static readonly Option<string> Splits = new("--split")
     {
-        Description = "Splits and their shares, as train:0.8,val:0.2",
-        HelpName = "NAME:SHARE,...",
+        Description = "Splits and their fractions, e.g. train:0.8,val:0.2",
+        HelpName = "NAME:FRACTION,...",
         DefaultValueFactory = _ => "train:1",
     };
 
-    private static readonly Option<int> Seed = ValueParsers.Integer("--seed", "N", "Decides which frame goes into which split", 0, int.MaxValue);
+    private static readonly Option<int> Seed = ValueParsers.Integer("--seed", "N", "Random seed of the assignment of frames to splits [default: 0]", 0, int.MaxValue);
     private static readonly Option<int> Block = ValueParsers.Integer(
-        "--split-block", "N", "Frames in a row that stay in one split: neighbours look alike", 1, int.MaxValue);
+        "--split-block", "N", "Number of consecutive frames that stay in one split, because neighbours look alike", 1, int.MaxValue);
 
     private static readonly Option<string?> Classes = ClassList.Option("Export");
     private static readonly Option<double> MinVisible = ValueParsers.Number(
-        "--min-visible", "S", "Export objects of which at least this share is seen, 0 to 1", value => value is >= 0 and <= 1, "a number from 0 to 1");
+        "--min-visible", "S", "Export objects with at least this fraction visible, 0 to 1 [default: 0]", value => value is >= 0 and <= 1, "a number from 0 to 1");
 
     private static readonly Option<PartSelection?> Parts = new("--parts")
     {
-        Description = "How signs and traffic lights are exported: faces (faces and heads without their posts), none (whole), all (both), or only (faces and heads, "
-            + "and no other objects) [default: faces; all in webdataset and csv]",
+        Description = "How signs and traffic lights are exported: faces (faces and heads without their posts), none (the whole object), all (both), or "
+            + "only (faces and heads, and no other objects) [default: faces; all in webdataset and csv]",
         HelpName = "all|faces|none|only",
     };
 
     private static readonly Option<BoxKind?> Boxes = new("--boxes")
     {
-        Description = "Which boxes: visible (around the visible pixels), amodal (around the whole cuboid) or cuboid (around the part of the cuboid in the image) "
+        Description = "2D boxes to export: visible (around the visible pixels), amodal (around the whole cuboid) or cuboid (around the part of the cuboid in the image) "
             + "[default: visible where there are masks, else cuboid]",
         HelpName = "amodal|cuboid|visible",
     };
@@ -82,14 +82,14 @@ internal static class ExportCommand
 
     private static readonly Option<string?> SubclassesOf = new("--subclasses")
     {
-        Description = "Make classes of the MUTCD codes of signs (mutcd) and of the states of traffic lights (light)",
+        Description = "Split signs into classes by MUTCD code (mutcd), traffic lights by state (light), or both",
         HelpName = "mutcd,light",
     };
 
-    private static readonly Option<SegmentationKind> Segmentation = new("--segmentation") { Description = "How coco describes pixels" };
-    private static readonly Option<ImageTransfer> Images = new("--images") { Description = "Whether images are hard links, where that can be done, or copies" };
+    private static readonly Option<SegmentationKind> Segmentation = new("--segmentation") { Description = "How coco encodes masks [default: Rle]" };
+    private static readonly Option<ImageTransfer> Images = new("--images") { Description = "Link images (hard links, where possible) or copy them [default: Link]" };
 
-    private static readonly Option<ImageFormat?> ImageFormat = ImageFormatOption.Format("Convert the images to png, bmp or jpg [default: as the session has them]");
+    private static readonly Option<ImageFormat?> ImageFormat = ImageFormatOption.Format("Convert the images to png, bmp or jpg [default: keep the format]");
     private static readonly Option<int?> Quality = ImageFormatOption.Quality();
 
     /// <summary>The options that only some formats have a use for; with another they would do nothing.</summary>
@@ -148,7 +148,7 @@ internal static class ExportCommand
         string[] sessions = parsed.GetRequiredValue(Sessions);
         if (sessions.GroupBy(folder => Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder))).FirstOrDefault(same => same.Count() > 1) is { } twice)
         {
-            throw new UsageException($"'{twice.First()}' is named twice, and its frames would be there twice. Name each session once.");
+            throw new UsageException($"'{twice.First()}' is given twice. Name each session once.");
         }
 
         var options = new ExportOptions
@@ -174,7 +174,7 @@ internal static class ExportCommand
         {
             if (parsed.GetResult(option) is { Implicit: false } && !isOf(format))
             {
-                throw new UsageException($"{option.Name} does nothing in {format.Name}. It is for {string.Join(", ", DatasetFormats.All.Where(isOf).Select(each => each.Name))}.");
+                throw new UsageException($"{option.Name} has no effect in {format.Name}, only in {string.Join(", ", DatasetFormats.All.Where(isOf).Select(each => each.Name))}.");
             }
         }
     }
@@ -187,7 +187,7 @@ internal static class ExportCommand
         {
             subclasses |= JsonNames.TryRead(name, out Subclasses one) && one != Subclasses.None
                 ? one
-                : throw new UsageException($"--subclasses takes mutcd, light or both with a comma, not '{text}'.");
+                : throw new UsageException($"--subclasses takes mutcd, light or mutcd,light, not '{text}'.");
         }
 
         return subclasses;
@@ -201,7 +201,7 @@ internal static class ExportCommand
         {
             return splits.All(split => split is not null)
                 ? new SplitPlan([.. splits.Select(split => split!.Value)], parsed.GetValue(Seed), parsed.GetValue(Block))
-                : throw new UsageException($"--split takes names with shares, as train:0.8,val:0.2, not '{text}'.");
+                : throw new UsageException($"--split takes names with fractions, e.g. train:0.8,val:0.2, not '{text}'.");
         }
         catch (ArgumentException e)
         {

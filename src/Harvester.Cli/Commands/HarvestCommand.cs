@@ -28,75 +28,75 @@ internal static class HarvestCommand
 {
     private const int MaxFrames = 1_000_000;
     private const double MaxRange = 100_000;
-    private const string DistanceForm = "a number greater than 0, 100000 at most";
+    private const string DistanceForm = "a number greater than 0 and at most 100000";
     private static readonly TimeSpan Noon = TimeSpan.FromHours(12);
 
     private const string Notes =
-        "The session is described in docs/dataset-format.md. The same options and seed give the same bytes. Ctrl+C stops after the frame in\n"
-        + "hand and leaves a valid session. A shard is a session of its frames only, with the numbers that they have in the whole and without a\n"
-        + "report; harvester merge makes the whole of all shards.\n\n"
+        "docs/dataset-format.md describes the session. The same options and seed give the same bytes. Ctrl+C stops after the current frame\n"
+        + "and leaves a valid session. A shard is a session with every N-th frame only, under its number in the full run, and without a report;\n"
+        + "harvester merge combines all shards.\n\n"
         + "Examples:\n"
         + "  harvester harvest --out out\n"
         + "  harvester harvest --out rain --frames 500 --seed 7 --weather rain --time 18:30 --masks\n"
-        + "  harvester harvest --out bent --k1 -0.05 --focal-scale 1.01\n"
+        + "  harvester harvest --out distorted --k1 -0.05 --focal-scale 1.01\n"
         + "  harvester harvest --out streets --roads nodes.zip --near 0,-1000\n"
         + "  harvester harvest --out part-2 --frames 5000 --shard 2/8";
 
     private static readonly Option<string> Out = new("--out") { Description = "Folder to write the session to", HelpName = "DIR", Required = true };
-    private static readonly Option<bool> Overwrite = new("--overwrite") { Description = "Replace the session that lies in the folder" };
-    private static readonly Option<int> Frames = WithDefault(ValueParsers.Integer("--frames", "N", "Frames to take", 1, MaxFrames), 100);
+    private static readonly Option<bool> Overwrite = new("--overwrite") { Description = "Replace an existing session in the folder" };
+    private static readonly Option<int> Frames = WithDefault(ValueParsers.Integer("--frames", "N", "Number of frames", 1, MaxFrames), 100);
     private static readonly Option<int> Seed = WithDefault(
-        ValueParsers.Integer("--seed", "N", "Decides everything that is left to chance", 0, int.MaxValue), 1);
+        ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue), 1);
 
     private static readonly Option<ImageSize> Size = WithDefault(CameraOptions.SizeOfHarvest(), new ImageSize(800, 600));
-    private static readonly Option<ImageFormat?> Format = ImageFormatOption.Format("Format of the images: png, bmp or jpg; jpg loses a little [default: png]");
+    private static readonly Option<ImageFormat?> Format = ImageFormatOption.Format("Image format: png, bmp or jpg (lossy) [default: png]");
     private static readonly Option<int?> Quality = ImageFormatOption.Quality();
     private static readonly Option<double> Fov = WithDefault(CameraOptions.FovOfHarvest(), 50);
     private static readonly Option<double> Hz = WithDefault(
         ValueParsers.Number(
             "--hz",
             "N",
-            "Frames per second of the game's time",
+            "Frames per second of game time",
             value => value is > 0 and <= SimulatedHarvest.TicksPerSecond,
-            "a number greater than 0, 60 at most"),
+            "a number greater than 0 and at most 60"),
         10);
 
     private static readonly Option<FileInfo?> Roads = new("--roads")
     {
-        Description = "Drive on the roads of this file or folder instead of a town made from the seed",
+        Description = "Road network to drive on, a file or folder [default: a town generated from the seed]",
         HelpName = "FILE",
     };
 
     private static readonly Option<FileInfo[]> Props = new("--props")
     {
-        Description = "Set up the traffic lights and street lamps of this file instead of made-up ones; may be given more than once",
+        Description = "Traffic lights and street lamps from this file instead of generated ones; repeatable",
         HelpName = "FILE",
         DefaultValueFactory = _ => [],
     };
 
-    private static readonly Option<FileSystemInfo?> Faces = SpacesOption.Create("the simulated game's own");
+    private static readonly Option<FileSystemInfo?> Faces = SpacesOption.Create("the built-in table");
 
-    private static readonly Option<Vector2D?> Near = ValueParsers.Point("--near", "X,Y", "Where to start, metres [default: the middle of the roads]");
+    private static readonly Option<Vector2D?> Near = ValueParsers.Point("--near", "X,Y", "Start position, metres [default: the middle of the road network]");
     private static readonly Option<string> WeatherName = new("--weather")
     {
-        Description = "The weather: " + string.Join(", ", WeatherNames.All),
+        Description = "Weather: " + string.Join(", ", WeatherNames.All),
         HelpName = "W",
         DefaultValueFactory = _ => "clear",
     };
 
     private static readonly Option<TimeSpan?> Time = ValueParsers.Optional<TimeSpan>(
-        "--time", "HH:MM", "The hour at the beginning [default: 12:00]", ParseTime, "an hour as 18:30");
+        "--time", "HH:MM", "Time of day at the start [default: 12:00]", ParseTime, "a time, e.g. 18:30");
 
-    private static readonly Option<bool> Masks = new("--masks") { Description = "Write instance masks too" };
+    private static readonly Option<bool> Masks = new("--masks") { Description = "Also write instance masks" };
     private static readonly Option<int> Rays = WithDefault(
-        ValueParsers.Integer("--rays", "N", "Rays that a frame may take in all: for masks first, then objects, faces and lanes", 0, LabellingOptions.MaxRays),
+        ValueParsers.Integer("--rays", "N", "Rays per frame, spent on masks first, then on objects, faces and lanes", 0, LabellingOptions.MaxRays),
         new HarvestOptions().RayBudget);
 
     private static readonly Option<double> RayReach = WithDefault(
-        ValueParsers.Number("--ray-reach", "M", "Distance beyond which rays are not trusted to meet objects, which are then marked as regions to ignore, metres", IsDistance, DistanceForm),
+        ValueParsers.Number("--ray-reach", "M", "Objects beyond this distance become regions to ignore, because rays may miss them there, metres", IsDistance, DistanceForm),
         new HarvestOptions().RayReachMetres);
 
-    private static readonly Option<bool> NoScenes = new("--no-scenes") { Description = "Write no scenes; the session cannot be relabelled then" };
+    private static readonly Option<bool> NoScenes = new("--no-scenes") { Description = "Write no scenes; the session then cannot be relabelled" };
     private static readonly Option<double> Range = WithDefault(
         ValueParsers.Number("--range", "M", "Label objects up to this distance, metres", IsDistance, DistanceForm), 150);
 
@@ -104,7 +104,7 @@ internal static class HarvestCommand
         ValueParsers.Number(
             "--ignore-range",
             "M",
-            "Mark objects that are seen beyond the range, up to this distance, as regions to ignore, metres; 0 marks none",
+            "Mark visible objects between --range and this distance as regions to ignore, metres; 0 marks none",
             value => value is >= 0 and <= MaxRange,
             "a number from 0 to 100000"),
         new HarvestOptions().IgnoreRangeMetres);
@@ -120,16 +120,16 @@ internal static class HarvestCommand
     private static readonly Option<string> FreezeBy = FreezeOption.Create();
 
     private static readonly Option<int> MaxPictureLag = WithDefault(
-        ValueParsers.Integer("--max-picture-lag", "TICKS", "How late the game's picture may be, of 60 ticks a second", 0, PictureLag.MaxTicks),
+        ValueParsers.Integer("--max-picture-lag", "TICKS", "Largest allowed picture lag, ticks (1/60 s)", 0, PictureLag.MaxTicks),
         new HarvestOptions().MaxPictureLagTicks);
 
     private static readonly Option<double> MaxCameraError = WithDefault(
         ValueParsers.Number(
             "--max-camera-error",
             "PX",
-            "How far the camera model may be off before the harvest refuses to start, pixels; 0 leaves the check out",
+            "Largest allowed error of the camera model, pixels; 0 skips the check",
             value => value >= 0,
-            "a number of at least 0"),
+            "a number, 0 or greater"),
         1);
 
     private static readonly LensOptions LensOf = new();

@@ -14,41 +14,41 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester lanes: the indicators of a car at a place of a road network, as JSON; the tool to check a frame by hand.</summary>
+/// <summary>harvester lanes: the lane indicators of a car at a position, as JSON; useful to check a frame by hand.</summary>
 internal static class LanesCommand
 {
     private const string Notes =
-        "The fields are those of `lanes` in docs/dataset-format.md, without markings; docs/lanes.md says what each means.\n"
-        + "A file of vehicles has a line for each: x,y,z,heading and, if known, its length, metres and degrees.\n\n"
+        "The output has the fields of `lanes` in docs/dataset-format.md, without markings; docs/lanes.md defines them.\n"
+        + "A file of vehicles has one line per vehicle: x,y,z,heading or x,y,z,heading,length, in metres and degrees.\n\n"
         + "Example:\n"
         + "  harvester lanes --roads roads.csv --position -72.6,-1049.5,27.1 --heading 159";
 
     private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true, NewLine = "\n" };
 
-    private static readonly Option<FileInfo> Roads = new("--roads") { Description = "The roads: any file that harvester roads import reads", HelpName = "FILE", Required = true };
-    private static readonly Option<Vector3D> Position = Required(ValueParsers.Vector("--position", "X,Y,Z", "Middle of the car's box, metres, world; with --box-centre the car's origin, as ego.position"));
+    private static readonly Option<FileInfo> Roads = new("--roads") { Description = "Road network: any file that harvester roads import reads", HelpName = "FILE", Required = true };
+    private static readonly Option<Vector3D> Position = Required(ValueParsers.Vector("--position", "X,Y,Z", "Centre of the car's box in the world, metres; with --box-centre, the car's origin (ego.position)"));
     private static readonly Option<double> Heading = Required(
-        ValueParsers.Number("--heading", "DEG", "The car's heading, degrees counter-clockwise from north", _ => true, "a number of degrees"));
+        ValueParsers.Number("--heading", "DEG", "Heading of the car, degrees counter-clockwise from north", _ => true, "a number"));
 
     private static readonly Option<Vector3D?> BoxCentre = ValueParsers.Optional<Vector3D>(
         "--box-centre",
         "R,F,U",
-        "Middle of the car's box from its origin, metres to the right, ahead and up: half the sum of the scene's ego.modelMin and modelMax",
+        "Offset of the box's centre from the car's origin, metres right, forward and up: (modelMin + modelMax) / 2 of ego in a scene",
         text => ValueParsers.Numbers(text, 3) is { } n ? new Vector3D(n[0], n[1], n[2]) : null,
         "three numbers");
 
-    private static readonly Option<FileInfo?> Vehicles = new("--vehicles") { Description = "Other vehicles", HelpName = "FILE" };
-    private static readonly Option<double> Length = WithDefault(Metres("--length", "The car's length, metres"), 4.5);
+    private static readonly Option<FileInfo?> Vehicles = new("--vehicles") { Description = "File with the other vehicles", HelpName = "FILE" };
+    private static readonly Option<double> Length = WithDefault(Metres("--length", "Length of the car, metres"), 4.5);
     private static readonly Option<LookAhead> LaneLookAhead = LaneOptions.LookAhead();
     private static readonly Option<double> Speed = WithDefault(
-        ValueParsers.Number("--speed", "V", "The car's speed, metres per second; for a look-ahead in seconds", value => value is >= 0 and <= 100, "a number from 0 to 100"), 10);
+        ValueParsers.Number("--speed", "V", "Speed of the car, metres per second, for a look-ahead in seconds", value => value is >= 0 and <= 100, "a number from 0 to 100"), 10);
 
     private static readonly Option<double> LaneWidth = LaneOptions.LaneWidth();
     private static readonly Option<double> NarrowLaneWidth = LaneOptions.NarrowLaneWidth();
 
     public static Command Create(Terminal terminal)
     {
-        var command = new Command("lanes", "Write the lane indicators of a car at a place as JSON.")
+        var command = new Command("lanes", "Print the 13 lane indicators of a car at a position, as JSON.")
         {
             Roads, Position, Heading, BoxCentre, Vehicles, Length, LaneLookAhead, Speed, LaneWidth, NarrowLaneWidth,
         };
@@ -86,7 +86,7 @@ internal static class LanesCommand
             }
 
             double[] numbers = ValueParsers.Numbers(line, 4) ?? ValueParsers.Numbers(line, 5)
-                ?? throw new DatasetFormatException($"{file.Name}, line {index + 1}: x,y,z,heading or x,y,z,heading,length belong here, not '{line.Trim()}'.");
+                ?? throw new DatasetFormatException($"{file.Name}, line {index + 1}: expected x,y,z,heading or x,y,z,heading,length, found '{line.Trim()}'.");
             vehicles.Add(new TrafficVehicle(
                 vehicles.Count + 1, new Vector3D(numbers[0], numbers[1], numbers[2]), numbers[3], numbers.Length > 4 ? numbers[4] : usualLength));
         }
@@ -95,7 +95,7 @@ internal static class LanesCommand
     }
 
     private static Option<double> Metres(string name, string description) =>
-        ValueParsers.Number(name, "M", description, value => value is > 0 and <= 50, "a number greater than 0, 50 at most");
+        ValueParsers.Number(name, "M", description, value => value is > 0 and <= 50, "a number greater than 0 and at most 50");
 
     private static Option<T> Required<T>(Option<T> option)
     {

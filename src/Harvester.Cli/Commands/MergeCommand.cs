@@ -12,12 +12,12 @@ using Harvester.Datasets.Sharding;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester merge: the shards of a harvest, a relabelling or an export become one session or dataset.</summary>
+/// <summary>harvester merge: merges the shards of parallel runs into one session or dataset.</summary>
 internal static class MergeCommand
 {
     private const string Notes =
-        "The result is byte for byte the one that a run without shards gives. The shards' folders stay as they are, unless a dataset is made\n"
-        + "in one of them. docs/slurm.md shows how to run shards side by side.\n\n"
+        "The result is byte-identical to that of a single run. The shards are not changed, unless --out is the folder of a shard of an export.\n"
+        + "docs/slurm.md shows how to run shards in parallel.\n\n"
         + "Examples:\n"
         + "  harvester merge out-1 out-2 out-3 --out out\n"
         + "  harvester merge coco-1 coco-2 coco-3 --out coco\n"
@@ -25,11 +25,11 @@ internal static class MergeCommand
 
     public static Command Create(Terminal terminal)
     {
-        var shards = new Argument<string[]>("SHARD") { Description = "Folders with shards of one harvest, relabelling or export", Arity = ArgumentArity.OneOrMore };
-        var output = new Option<string>("--out") { Description = "Folder to write the whole to", HelpName = "DIR", Required = true };
-        var images = new Option<ImageTransfer>("--images") { Description = "Whether files are hard links, where that can be done, or copies" };
+        var shards = new Argument<string[]>("SHARD") { Description = "Folders with the shards of one harvest, relabel or export", Arity = ArgumentArity.OneOrMore };
+        var output = new Option<string>("--out") { Description = "Folder to write the result to", HelpName = "DIR", Required = true };
+        var images = new Option<ImageTransfer>("--images") { Description = "Link files (hard links, where possible) or copy them [default: Link]" };
         Option<bool> noReport = ReportOption.Create();
-        var command = new Command("merge", "Make one session or dataset of its shards.") { shards, output, images, noReport };
+        var command = new Command("merge", "Merge the shards of parallel runs into one session or dataset.") { shards, output, images, noReport };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(parsed =>
         {
@@ -37,7 +37,7 @@ internal static class MergeCommand
             string folder = parsed.GetRequiredValue(output);
             if (folders.FirstOrDefault(shard => !Directory.Exists(shard)) is { } absent)
             {
-                throw new DirectoryNotFoundException($"There is no folder '{absent}'.");
+                throw new DirectoryNotFoundException($"Folder not found: '{absent}'.");
             }
 
             terminal.Out.WriteLine(folders.Any(SessionMerger.IsSession)

@@ -17,27 +17,27 @@ internal static class ProjectCommand
     private const double DefaultNearClip = 0.15;
 
     private const string Notes =
-        "Points are read one a line as x,y,z (metres, world: x east, y north, z up); blank lines and lines that begin with # are left out.\n"
-        + "Written are u,v (pixels from the upper left corner; empty where there is no pixel), depth (metres ahead) and outcome\n"
-        + "(inImage, outsideImage, behindNearPlane), one row a point.\n\n"
+        "Input: one point per line as x,y,z in metres, with x east, y north and z up. Blank lines and lines that begin with # are skipped.\n"
+        + "Output: one row per point with u and v (pixels from the upper left corner, empty for a point behind the near plane), depth (metres in\n"
+        + "front of the camera) and outcome (inImage, outsideImage or behindNearPlane).\n\n"
         + "Example:\n"
         + "  echo 0,10,0 | harvester project --position 0,0,0 --rotation 0,0,0 --fov 50 --size 800x600";
 
     public static Command Create(Terminal terminal)
     {
-        Option<Vector3D> position = Required(ValueParsers.Vector("--position", "X,Y,Z", "The camera's position, metres, world"));
+        Option<Vector3D> position = Required(ValueParsers.Vector("--position", "X,Y,Z", "Position of the camera in the world, metres"));
         Option<Vector3D> rotation = Required(ValueParsers.Vector(
-            "--rotation", "PITCH,ROLL,YAW", "The camera's rotation, degrees, in the game's order Rz(yaw) Rx(pitch) Ry(roll)"));
+            "--rotation", "PITCH,ROLL,YAW", "Rotation of the camera, degrees; the matrix is Rz(yaw) Rx(pitch) Ry(roll), as in the game"));
         Option<double> fov = Required(CameraOptions.Fov());
         Option<ImageSize> size = Required(CameraOptions.Size());
         Option<double?> aspect = ValueParsers.Optional(
-            "--aspect", "A", "Width divided by height of the game's window [default: that of --size]", Positive, "a number greater than 0");
+            "--aspect", "A", "Aspect ratio of the game's window, width / height [default: that of --size]", Positive, "a number greater than 0");
         Option<double> near = ValueParsers.Number(
             "--near", "N", "Distance of the near plane, metres", value => value > 0, "a number greater than 0");
         near.DefaultValueFactory = _ => DefaultNearClip;
-        var points = new Option<FileInfo?>("--points") { Description = "File of points [default: standard input]", HelpName = "FILE" };
+        var points = new Option<FileInfo?>("--points") { Description = "File with points [default: standard input]", HelpName = "FILE" };
 
-        var command = new Command("project", "Project points of the world into an image.")
+        var command = new Command("project", "Project points of the world into an image: CSV in, CSV out.")
         {
             position, rotation, fov, size, aspect, near, points,
         };

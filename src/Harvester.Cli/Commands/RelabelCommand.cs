@@ -17,13 +17,12 @@ using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester relabel: a recorded session with its labels made again in another way, without the game.</summary>
+/// <summary>harvester relabel: recomputes the labels of a session with other options, without the game.</summary>
 internal static class RelabelCommand
 {
     private const string Notes =
-        "The recorded session stays as it is. What is not asked for otherwise stays as it was recorded; docs/relabel.md says which fields are\n"
-        + "computed again, which are kept, and which are null because only the game could tell. A calibration is a file with the lines that\n"
-        + "harvester calibrate prints, or the mod's ini file.\n\n"
+        "The recorded session is not changed. Options that are not given keep their recorded values. docs/relabel.md lists which fields are\n"
+        + "recomputed, which are kept, and which are null because only the game knows them.\n\n"
         + "Examples:\n"
         + "  harvester relabel out --out wide --lane-width 3.7 --look-ahead 1s\n"
         + "  harvester relabel out --out near --range 60 --classes car,truck,bus\n"
@@ -31,25 +30,25 @@ internal static class RelabelCommand
 
     private static readonly Argument<string> Session = SessionArgument.Create();
     private static readonly Option<string> Out = new("--out") { Description = "Folder to write the new session to", HelpName = "DIR", Required = true };
-    private static readonly Option<bool> Overwrite = new("--overwrite") { Description = "Replace the session that lies in that folder" };
+    private static readonly Option<bool> Overwrite = new("--overwrite") { Description = "Replace an existing session in that folder" };
     private static readonly Option<double?> Range = Number("--range", "M", "Label objects up to this distance, metres", value => value > 0, "a number greater than 0");
     private static readonly Option<string?> Classes = ClassList.Option("Label");
-    private static readonly Option<double?> MinArea = Number("--min-box-area", "PX2", "Label objects whose box in the image has at least this area, square pixels", value => value >= 0, "a number of at least 0");
-    private static readonly Option<double?> MinSide = Number("--min-box-side", "PX", "Label objects whose box in the image has at least these sides, pixels", value => value >= 0, "a number of at least 0");
-    private static readonly Option<double?> MaxOccluded = Number("--max-occluded", "S", "Label objects that are hidden by at most this share, 0 to 1", value => value is >= 0 and <= 1, "a number from 0 to 1");
-    private static readonly Option<FileInfo?> Calibration = File("--calibration", "Label through the lens of this calibration");
-    private static readonly Option<FileSystemInfo?> Faces = SpacesOption.Create("the recorded one");
-    private static readonly Option<FileInfo?> Roads = File("--roads", "Measure lanes on the roads of this file or folder");
+    private static readonly Option<double?> MinArea = Number("--min-box-area", "PX2", "Label objects whose 2D box has at least this area, square pixels", value => value >= 0, "a number, 0 or greater");
+    private static readonly Option<double?> MinSide = Number("--min-box-side", "PX", "Label objects whose 2D box is at least this wide and high, pixels", value => value >= 0, "a number, 0 or greater");
+    private static readonly Option<double?> MaxOccluded = Number("--max-occluded", "S", "Label objects with at most this fraction hidden, 0 to 1", value => value is >= 0 and <= 1, "a number from 0 to 1");
+    private static readonly Option<FileInfo?> Calibration = File("--calibration", "Lens to label with: a file with the output of harvester calibrate, or the mod's ini file");
+    private static readonly Option<FileSystemInfo?> Faces = SpacesOption.Create("the recorded table");
+    private static readonly Option<FileInfo?> Roads = File("--roads", "Road network to measure lanes on, a file or folder");
     private static readonly Option<LookAhead?> LaneLookAhead = LaneOptions.OtherLookAhead();
     private static readonly Option<double?> LaneWidth = LaneOptions.OtherLaneWidth();
     private static readonly Option<double?> NarrowLaneWidth = LaneOptions.OtherNarrowLaneWidth();
-    private static readonly Option<ImageTransfer> Images = new("--images") { Description = "Whether pictures are hard links, where that can be done, or copies" };
+    private static readonly Option<ImageTransfer> Images = new("--images") { Description = "Link images (hard links, where possible) or copy them [default: Link]" };
     private static readonly Option<Shard> ShardOf = ShardOption.Create();
     private static readonly Option<bool> NoReport = ReportOption.Create();
 
     public static Command Create(Terminal terminal)
     {
-        var command = new Command("relabel", "Make the labels of a recorded session again in another way.")
+        var command = new Command("relabel", "Recompute the labels of a session with other options, without the game.")
         {
             Session, Out, Overwrite, Range, Classes, MinArea, MinSide, MaxOccluded, Calibration, Faces, Roads, LaneLookAhead, LaneWidth, NarrowLaneWidth, Images, ShardOf, NoReport,
         };

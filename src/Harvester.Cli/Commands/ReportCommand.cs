@@ -14,8 +14,9 @@ namespace Harvester.Cli.Commands;
 internal static class ReportCommand
 {
     private const string Notes =
-        "The page needs nothing beside it and no network: frames with their boxes, a slider, classes to switch on and off, counts and charts. It has\n"
-        + "the pictures in it, and fewer frames where these come to more than 48 MiB; with --link it is small and has all that --frames asks for.\n\n"
+        "The page shows frames with their boxes, a slider, switches for the classes, counts and charts. It works offline and needs no other file:\n"
+        + "the images are embedded, and frames are left out where they would exceed 48 MiB. With --link, the page shows all frames that --frames\n"
+        + "asks for.\n\n"
         + "Examples:\n"
         + "  harvester report out\n"
         + "  harvester report out --frames 300 --out report.html\n"
@@ -28,14 +29,14 @@ internal static class ReportCommand
         Argument<string> folder = SessionArgument.Create();
         var output = new Option<string?>("--out")
         {
-            Description = $"File to write [default: {ReportWriter.FileName} in the session; with --still, frame-N.png in the working folder]",
+            Description = $"File to write [default: {ReportWriter.FileName} in the session; with --still, frame-N.png in the current folder]",
             HelpName = "FILE",
         };
-        Option<int> frames = ValueParsers.Integer("--frames", "N", "Frames to show at most, evenly chosen", 1, MaxFrames);
+        Option<int> frames = ValueParsers.Integer("--frames", "N", "Largest number of frames to show, evenly spaced", 1, MaxFrames);
         frames.DefaultValueFactory = _ => new ReportLimits().Frames;
         Option<int?> still = ValueParsers.Optional<int>(
-            "--still", "FRAME", "Draw this frame with its boxes as a PNG picture instead", FrameNumber, "a frame's number, as 12");
-        var link = new Option<bool>("--link") { Description = "Link the pictures instead of holding them: a small page, which needs the session where it lies" };
+            "--still", "FRAME", "Draw this frame with its boxes as a PNG image instead of a page", FrameNumber, "a frame number, e.g. 12");
+        var link = new Option<bool>("--link") { Description = "Link the images instead of embedding them; the page is small and works only next to its session" };
         var command = new Command("report", "Show a session as one self-contained HTML page.") { folder, output, frames, still, link };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(parsed =>
@@ -46,7 +47,7 @@ internal static class ReportCommand
             {
                 if (new Option[] { frames, link }.FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false }) is { } idle)
                 {
-                    throw new UsageException($"{idle.Name} does nothing with --still.");
+                    throw new UsageException($"{idle.Name} has no effect with --still.");
                 }
 
                 string picture = parsed.GetValue(output) ?? $"frame-{frame}.png";

@@ -23,32 +23,32 @@ using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester serve: the simulated game at the far end of the live bridge, for a program that drives.</summary>
+/// <summary>harvester serve: serves the simulated game to a driving program over the live bridge.</summary>
 internal static class ServeCommand
 {
     private const string Notes =
-        "What a program sees and says is in docs/bridge.md; examples/ has two in Python. The game keeps the pace of the clock on the wall, except for\n"
-        + "the steps of a program that asks for steps, which are taken as fast as it goes. Without --duration it serves until Ctrl+C.\n\n"
+        "docs/bridge.md describes the protocol; examples/ has two clients in Python. The game runs in real time; a client that requests single\n"
+        + "steps gets them as fast as the machine allows.\n\n"
         + "Examples:\n"
         + "  harvester serve\n"
         + "  harvester serve --seed 7 --traffic 0 --port 5000 --duration 600\n"
         + "  harvester serve --folder shared --roads nodes.zip --near 0,-1000";
 
     private static readonly BridgeOptions Bridge = new();
-    private static readonly Option<int> Seed = WithDefault(ValueParsers.Integer("--seed", "N", "Decides everything that is left to chance", 0, int.MaxValue), 1);
+    private static readonly Option<int> Seed = WithDefault(ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue), 1);
     private static readonly Option<FileInfo?> Roads = new("--roads")
     {
-        Description = "Drive on the roads of this file or folder instead of a town made from the seed",
+        Description = "Road network to drive on, a file or folder [default: a town generated from the seed]",
         HelpName = "FILE",
     };
 
-    private static readonly Option<Vector2D?> Near = ValueParsers.Point("--near", "X,Y", "Where to start, metres [default: the middle of the roads]");
+    private static readonly Option<Vector2D?> Near = ValueParsers.Point("--near", "X,Y", "Start position, metres [default: the middle of the road network]");
     private static readonly Option<double> Traffic = WithDefault(
-        ValueParsers.Number("--traffic", "F", "Factor on the number of vehicles and people", value => value is >= 0 and <= 10, "a number from 0 to 10"), 1);
+        ValueParsers.Number("--traffic", "F", "Factor on the number of vehicles and pedestrians", value => value is >= 0 and <= 10, "a number from 0 to 10"), 1);
 
     private static readonly Option<string> WeatherName = new("--weather")
     {
-        Description = "The weather: " + string.Join(", ", WeatherNames.All),
+        Description = "Weather: " + string.Join(", ", WeatherNames.All),
         HelpName = "W",
         DefaultValueFactory = _ => "clear",
     };
@@ -56,21 +56,21 @@ internal static class ServeCommand
     private static readonly Option<ImageSize> Size = WithDefault(CameraOptions.SizeOfHarvest(), new DrivingOptions().Picture);
     private static readonly Option<double> Hz = WithDefault(
         ValueParsers.Number(
-            "--hz", "N", "Pictures per second", value => value is > 0 and <= SimulatedHarvest.TicksPerSecond, "a number greater than 0, 60 at most"), 10);
+            "--hz", "N", "Frames per second of game time", value => value is > 0 and <= SimulatedHarvest.TicksPerSecond, "a number greater than 0 and at most 60"), 10);
 
     private static readonly Option<double?> Duration = ValueParsers.Optional<double>(
-        "--duration", "S", "Seconds of the game's time to serve", text => ValueParsers.Number(text) is > 0 and var seconds ? seconds : null, "a number greater than 0");
+        "--duration", "S", "Stop after this much game time, seconds [default: serve until Ctrl+C]", text => ValueParsers.Number(text) is > 0 and var seconds ? seconds : null, "a number greater than 0");
 
-    private static readonly ControllerOptions Controller = new("What drives when a program sends indicators", "deepdriving");
+    private static readonly ControllerOptions Controller = new("The controller that drives when a program sends indicators", "deepdriving");
 
     private static readonly Option<bool> Unassisted = new("--unassisted")
     {
-        Description = "Let the program drive through junctions too, where the indicators say nothing; else the car's own driver does",
+        Description = "Let the program drive through junctions too, where the indicators are undefined [default: the built-in driver does]",
     };
 
     public static Command Create(Terminal terminal)
     {
-        var command = new Command("serve", "Serve the simulated game to a program that drives, over the live bridge.");
+        var command = new Command("serve", "Serve the simulated game to a driving program over the live bridge.");
         Bridge.AddTo(command);
         foreach (Option option in new Option[] { Seed, Roads, Near, Traffic, WeatherName, Size, Hz, Duration, Unassisted }.Concat(Controller.All))
         {

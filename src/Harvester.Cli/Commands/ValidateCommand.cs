@@ -10,26 +10,28 @@ using Harvester.Datasets.Validation;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester validate: says whether a session is what its format promises.</summary>
+/// <summary>harvester validate: checks a session or a dataset against its format.</summary>
 internal static class ValidateCommand
 {
     private const string Notes =
-        "Checked are: every line can be read; images and masks are there, whole, and of the size in their label; masks show the objects of their\n"
-        + "label in the boxes it says; scenes are there and can be read where the session keeps them, their roads and faces too; boxes lie in the\n"
-        + "image and within their amodal boxes; fractions are 0 to 1 and follow from each other; distances agree with cuboids and focal lengths with fields\n"
-        + "of view; lane indicators are in their ranges; an id means one object; frame numbers and times rise.\n"
-        + "Of an exported dataset: every label of its format can be read, boxes lie in the image, ids are unique and known, images are there with\n"
-        + "their sizes, splits share no frame, calibrations project boxes onto boxes, archives are whole; and there are as many frames as\n"
-        + "export.json counts. docs/exports has the list.\n"
-        + "All problems are listed, one a line; the exit code is 1 if there is any. A last line without a line feed is none: it is noted.\n\n"
+        "A session is checked for these:\n"
+        + "  files       every line parses; images, masks and scenes exist, are complete and have the size in the label\n"
+        + "  boxes       boxes lie in the image and within their amodal boxes; masks agree with boxes and labels\n"
+        + "  values      fractions are 0 to 1 and consistent; distances agree with cuboids, focal lengths with fields of view; lane indicators\n"
+        + "              are in range\n"
+        + "  order       an id stands for one object; frame numbers and times increase\n\n"
+        + "A dataset is checked for these: every label parses in its format; boxes lie in the image; ids are unique and known; images exist and\n"
+        + "have their sizes; no frame is in two splits; calibrations project 3D boxes onto 2D boxes; archives are complete; the number of frames\n"
+        + "is that of export.json. docs/exports has the list for each format.\n\n"
+        + "Problems are printed one per line; the exit code is 1 if there are any. An unfinished last line is ignored, with a note.\n\n"
         + "Example:\n"
         + "  harvester validate out";
 
     public static Command Create(Terminal terminal)
     {
         Argument<string> folder = SessionArgument.Create();
-        folder.Description = "Folder of a session, as harvest writes it, or of a dataset, as export writes it";
-        var command = new Command("validate", "Check a session or an exported dataset and list what is wrong with it.") { folder };
+        folder.Description = "Folder of a session or of an exported dataset";
+        var command = new Command("validate", "Check a session or an exported dataset and list every problem.") { folder };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
         {

@@ -147,10 +147,10 @@ public sealed class DriveOverBridgeTests : IDisposable
     }
 
     [Theory]
-    [InlineData("--role and --bridge", "--role game and client need a bridge", "--role", "client")]
+    [InlineData("--role and --bridge", "--role game and --role client need --bridge", "--role", "client")]
     [InlineData("--bridge", "--bridge takes direct, folder or socket, not 'usb'", "--bridge", "usb")]
     [InlineData("--role", "--role takes both, game or client, not 'none'", "--role", "none")]
-    [InlineData("--at", "--at takes an address with a port as 127.0.0.1:4567, not 'here'", "--bridge", "socket", "--at", "here")]
+    [InlineData("--at", "--at takes an IP address and a port, e.g. 127.0.0.1:4567, not 'here'", "--bridge", "socket", "--at", "here")]
     [InlineData("no token", "Others can reach 0.0.0.0: give a --token", "--bridge", "socket", "--role", "game", "--at", "0.0.0.0:4567")]
     [InlineData("no bridge", "--token needs a bridge", "--token", "sesame")]
     [InlineData("--patience", "--patience takes a number greater than 0", "--bridge", "socket", "--patience", "0")]

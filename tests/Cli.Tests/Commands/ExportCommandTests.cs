@@ -56,12 +56,12 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData("webdataset")]
     public void Names_have_no_effect_on_formats_without_own_classes(string format) =>
         CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"), "--map", "car=auto")
-            .AssertFailed(ExitCode.Usage, $"--map does nothing in {format}. It is for kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, csv.");
+            .AssertFailed(ExitCode.Usage, $"--map has no effect in {format}, only in kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, csv.");
 
     [Fact]
     public void Subclass_that_is_not_known_is_refused() =>
         CliRun.Of("export", session.Folder, "--format", "yolo", "--out", _folder.PathOf("out"), "--subclasses", "colour")
-            .AssertFailed(ExitCode.Usage, "--subclasses takes mutcd, light or both with a comma, not 'colour'.");
+            .AssertFailed(ExitCode.Usage, "--subclasses takes mutcd, light or mutcd,light, not 'colour'.");
 
     [Fact]
     public void Summary_counts_ignore_regions()
@@ -106,13 +106,13 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
 
     [Theory]
     [InlineData("--format", "pascal", "--format takes one of kitti, ")]
-    [InlineData("--split", "train", "--split takes names with shares")]
+    [InlineData("--split", "train", "--split takes names with fractions")]
     [InlineData("--split", "train:0.5,val:0.1", "add up to 1")]
-    [InlineData("--classes", "cars", "--classes takes some of car, ")]
+    [InlineData("--classes", "cars", "--classes takes a comma-separated list of car, ")]
     [InlineData("--min-visible", "2", "--min-visible takes a number from 0 to 1")]
-    [InlineData("--shard", "3/2", "--shard takes a shard as 1/8")]
-    [InlineData("--map", "cars=Car", "--map takes classes with names, as bus=Car,truck=Car, not 'cars=Car'.")]
-    [InlineData("--map", "car=", "--map takes classes with names, as bus=Car,truck=Car, not 'car='.")]
+    [InlineData("--shard", "3/2", "--shard takes a shard, e.g. 1/8")]
+    [InlineData("--map", "cars=Car", "--map takes classes with names, e.g. bus=Car,truck=Car, not 'cars=Car'.")]
+    [InlineData("--map", "car=", "--map takes classes with names, e.g. bus=Car,truck=Car, not 'car='.")]
     [InlineData("--map", "car=A,car=B", "--map names car twice.")]
     public void Export_with_an_impossible_value_names_the_accepted_ones(string option, string value, string message)
     {
@@ -141,7 +141,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
             }
             else
             {
-                run.AssertFailed(ExitCode.Usage, $"{option} does nothing in {format}. It is for {formats}.");
+                run.AssertFailed(ExitCode.Usage, $"{option} has no effect in {format}, only in {formats}.");
                 Assert.False(Directory.Exists(_folder.PathOf(format)));
             }
         }
@@ -151,7 +151,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     public void Export_of_a_session_that_is_named_twice_is_refused()
     {
         CliRun.Of("export", session.Folder, session.Folder + "/", "--format", "csv", "--out", _folder.PathOf("out"))
-            .AssertFailed(ExitCode.Usage, $"'{session.Folder}' is named twice");
+            .AssertFailed(ExitCode.Usage, $"'{session.Folder}' is given twice");
 
         Assert.False(Directory.Exists(_folder.PathOf("out")));
     }

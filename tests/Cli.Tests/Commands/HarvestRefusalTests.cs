@@ -14,8 +14,8 @@ public sealed class HarvestRefusalTests : IDisposable
 
     [Theory]
     [InlineData("--freeze", "slow", "--freeze takes paused, timeScale or auto, not 'slow'.")]
-    [InlineData("--quirks", "pause.heldCamera", "--quirks takes some of lag=N, ")]
-    [InlineData("--quirks", "paused.lag=2", "--quirks takes some of lag=N, ")]
+    [InlineData("--quirks", "pause.heldCamera", "--quirks takes a comma-separated list of lag=N, ")]
+    [InlineData("--quirks", "paused.lag=2", "--quirks takes a comma-separated list of lag=N, ")]
     public void Harvest_refuses_an_unknown_freeze_method(string option, string value, string message)
     {
         CliRun run = Harvest(Session, option, value);
@@ -93,9 +93,9 @@ public sealed class HarvestRefusalTests : IDisposable
     }
 
     [Theory]
-    [InlineData("harvest", "800", "32 to 8192 each, as 800x600, not '800'")]
+    [InlineData("harvest", "800", "32 to 8192 each, e.g. 800x600, not '800'")]
     [InlineData("serve", "8x8", "32 to 8192 each")]
-    [InlineData("calibrate", "800", "288x216 to 8192x8192, as 800x600, not '800'")]
+    [InlineData("calibrate", "800", "288x216 to 8192x8192, e.g. 800x600, not '800'")]
     [InlineData("project", "800", "1 to 65535 each")]
     public void Impossible_size_is_refused_with_the_limits_of_the_command(string command, string size, string limits) =>
         CliRun.Of([command, "--size", size, .. Required(command)]).AssertFailed(ExitCode.Usage, limits);

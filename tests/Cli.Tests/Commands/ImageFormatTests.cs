@@ -112,8 +112,8 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
     [Theory]
     [InlineData("gif", null, "--image-format takes png, bmp or jpg")]
     [InlineData("jpg", "0", "--quality takes a whole number from 1 to 100")]
-    [InlineData("png", "90", "--quality does nothing without --image-format jpg")]
-    [InlineData(null, "90", "--quality does nothing without --image-format jpg")]
+    [InlineData("png", "90", "--quality has no effect without --image-format jpg")]
+    [InlineData(null, "90", "--quality has no effect without --image-format jpg")]
     public void A_format_or_quality_that_makes_no_sense_is_refused(string? format, string? quality, string message)
     {
         string[] options = [.. format is null ? (string[])[] : ["--image-format", format], .. quality is null ? (string[])[] : ["--quality", quality]];

@@ -71,7 +71,7 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
 
     [Fact]
     public void Merge_reports_a_missing_folder() =>
-        CliRun.Of("merge", _folder.PathOf("nowhere"), "--out", _folder.PathOf("out")).AssertFailed(ExitCode.InputOutput, "There is no folder '");
+        CliRun.Of("merge", _folder.PathOf("nowhere"), "--out", _folder.PathOf("out")).AssertFailed(ExitCode.InputOutput, "Folder not found: '");
 
     [Fact]
     public void Merge_into_a_folder_that_holds_something_is_refused()

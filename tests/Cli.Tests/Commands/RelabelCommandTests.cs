@@ -146,7 +146,7 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
     [InlineData("--range", "0", "--range takes a number greater than 0")]
     [InlineData("--max-occluded", "2", "--max-occluded takes a number from 0 to 1")]
     [InlineData("--lane-width", "1", "--lane-width takes a number from 2 to 10")]
-    [InlineData("--look-ahead", "6s", "--look-ahead takes metres from 0 to 70, or seconds from 0 to 5 as 1s")]
+    [InlineData("--look-ahead", "6s", "--look-ahead takes metres from 0 to 70, or seconds from 0 to 5, e.g. 1s")]
     public void Relabel_with_an_impossible_value_names_the_accepted_ones(string option, string value, string message) =>
         Relabel(option, value).AssertFailed(ExitCode.Usage, message);
 

@@ -72,12 +72,12 @@ public sealed class ReportCommandTests
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header);
 
-        CliRun.Of(["report", folder.Path, "--still", "7", .. option]).AssertFailed(ExitCode.Usage, $"{option[0]} does nothing with --still.");
+        CliRun.Of(["report", folder.Path, "--still", "7", .. option]).AssertFailed(ExitCode.Usage, $"{option[0]} has no effect with --still.");
     }
 
     [Fact]
     public void Report_still_accepts_a_frame_number() =>
-        CliRun.Of("report", "session", "--still", "frame.png").AssertFailed(ExitCode.Usage, "--still takes a frame's number, as 12, not 'frame.png'.");
+        CliRun.Of("report", "session", "--still", "frame.png").AssertFailed(ExitCode.Usage, "--still takes a frame number, e.g. 12, not 'frame.png'.");
 
     [Theory]
     [InlineData("0")]

@@ -140,7 +140,7 @@ public sealed class RoadsCommandTests : IDisposable
 
         CliRun.Of("roads", "map", from, "--out", svg, "--area=-10,0,10,40", "--size", "400");
         Assert.Contains(">unpaved</text>", File.ReadAllText(svg), StringComparison.Ordinal);
-        CliRun.Of("roads", "map", from, "--out", svg, "--area=900,900,999,999").AssertFailed(2, "There is no road in this --area.");
+        CliRun.Of("roads", "map", from, "--out", svg, "--area=900,900,999,999").AssertFailed(2, "--area has no roads.");
         CliRun.Of("roads", "map", from, "--out", "map.bmp").AssertFailed(2, "--out takes a file that ends in .png or .svg");
     }
 
@@ -149,7 +149,7 @@ public sealed class RoadsCommandTests : IDisposable
     {
         string from = _folder.File("roads.txt", Ipl.Split("0, 1, 2, 2, 1, 0")[0] + "end\n");
 
-        CliRun.Of("roads", "map", from, "--out", _folder.PathOf("map.png")).AssertFailed(2, "There are no roads to draw.");
+        CliRun.Of("roads", "map", from, "--out", _folder.PathOf("map.png")).AssertFailed(2, "The road data has no roads to draw.");
     }
 
     [Theory]

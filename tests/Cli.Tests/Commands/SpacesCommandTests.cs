@@ -22,7 +22,7 @@ public sealed class SpacesCommandTests : IDisposable
         CliRun run = CliRun.Of("spaces", "check", file);
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.Equal($"{file}: 1 row good, 0 refused\n", run.Out);
+        Assert.Equal($"{file}: 1 valid row, 0 invalid\n", run.Out);
     }
 
     [Fact]
@@ -34,7 +34,7 @@ public sealed class SpacesCommandTests : IDisposable
 
         Assert.Equal(ExitCode.BadData, run.ExitCode);
         Assert.StartsWith($"{file}: line 2, fulX, blrX: the cuboid is inside out: fulX must be less than blrX.", run.Out, StringComparison.Ordinal);
-        Assert.EndsWith($"{file}: 1 row good, 1 refused\n", run.Out, StringComparison.Ordinal);
+        Assert.EndsWith($"{file}: 1 valid row, 1 invalid\n", run.Out, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -64,7 +64,7 @@ public sealed class SpacesCommandTests : IDisposable
         CliRun run = CliRun.Of("spaces", "check", _folder.File("spaces.csv", content));
 
         Assert.Equal((code, ""), (run.ExitCode, run.Error));
-        Assert.Contains(": 0 rows good, ", run.Out, StringComparison.Ordinal);
+        Assert.Contains(": 0 valid rows, ", run.Out, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -163,7 +163,7 @@ public sealed class SpacesCommandTests : IDisposable
     {
         _folder.File("spaces.csv", Good + "\n");
 
-        Assert.Contains("1 row good", CliRun.Of("spaces", "check", _folder.Path).Out, StringComparison.Ordinal);
+        Assert.Contains("1 valid row", CliRun.Of("spaces", "check", _folder.Path).Out, StringComparison.Ordinal);
         Assert.Contains("prop_sign_road_01a", CliRun.Of("spaces", "list", _folder.Path).Out, StringComparison.Ordinal);
     }
 
@@ -172,7 +172,7 @@ public sealed class SpacesCommandTests : IDisposable
     {
         CliRun run = CliRun.Of("spaces", "list", _folder.File("spaces.csv", Good + "\n" + InsideOut + "\n"));
 
-        Assert.Equal((ExitCode.BadData, "harvester: Refused and not listed: 1 of the rows. See 'harvester spaces check'.\n"), (run.ExitCode, run.Error));
+        Assert.Equal((ExitCode.BadData, "harvester: 1 invalid row not listed. For the reasons, run 'harvester spaces check'.\n"), (run.ExitCode, run.Error));
         Assert.Contains("prop_sign_road_01a", run.Out, StringComparison.Ordinal);
     }
 

@@ -13,8 +13,8 @@ internal static class GalleryCommand
 
     public static Command Create(Terminal terminal)
     {
-        var source = new Argument<string>("DIR|FILE") { Description = "A survey's folder, or a table" };
-        var output = new Option<string?>("--out") { Description = $"File to write [default: {FileName} in the survey's folder, or where you are for a table]", HelpName = "FILE" };
+        var source = new Argument<string>("DIR|FILE") { Description = "The folder of a survey, or a table" };
+        var output = new Option<string?>("--out") { Description = $"File to write [default: {FileName} in the folder of the survey; for a table, in the current folder]", HelpName = "FILE" };
         var command = new Command("gallery", "Show the faces of a survey or table as one self-contained HTML page.") { source, output };
         command.SetAction(parsed =>
         {

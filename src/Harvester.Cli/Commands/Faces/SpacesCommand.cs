@@ -9,11 +9,11 @@ using Spectre.Console;
 
 namespace Harvester.Cli.Commands.Faces;
 
-/// <summary>harvester faces: tables of the parts of models that matter.</summary>
+/// <summary>harvester spaces: works with tables of sign faces and traffic light heads.</summary>
 internal static class SpacesCommand
 {
     private const string Notes =
-        "What the columns hold: data/README.md. How a table is measured in the game: docs/spaces.md.\n\n"
+        "data/README.md describes the columns, docs/spaces.md how the mod measures a table in the game.\n\n"
         + "Examples:\n"
         + "  harvester spaces check data/spaces_of_interest.csv\n"
         + "  harvester spaces list data/spaces_of_interest.csv\n"
@@ -21,7 +21,7 @@ internal static class SpacesCommand
 
     public static Command Create(Terminal terminal)
     {
-        var command = new Command("spaces", "Check, list and show tables of faces of signs and heads of traffic lights.")
+        var command = new Command("spaces", "Work with tables of sign faces and traffic light heads.")
         {
             CreateCheck(terminal), CreateList(terminal), GalleryCommand.Create(terminal),
         };
@@ -37,7 +37,7 @@ internal static class SpacesCommand
     private static Command CreateCheck(Terminal terminal)
     {
         Argument<string> file = FileArgument();
-        var command = new Command("check", "Say which rows of a table are refused, and why.") { file };
+        var command = new Command("check", "List the invalid rows of a table, with reasons.") { file };
         command.SetAction(parsed =>
         {
             string path = FaceFile.TableOf(parsed.GetRequiredValue(file));
@@ -48,7 +48,7 @@ internal static class SpacesCommand
             }
 
             int good = content.Table.Faces.Count();
-            terminal.Out.WriteLine($"{path}: {Counted.Of(good, "row")} good, {content.Problems.Count} refused");
+            terminal.Out.WriteLine($"{path}: {Counted.Of(good, "valid row")}, {content.Problems.Count} invalid");
             return content.Problems.Count > 0 ? ExitCode.BadData : ExitCode.Done;
         });
         return command;
@@ -57,7 +57,7 @@ internal static class SpacesCommand
     private static Command CreateList(Terminal terminal)
     {
         Argument<string> file = FileArgument();
-        var command = new Command("list", "List the spaces of a table: model, face, name, size and how it was come by.") { file };
+        var command = new Command("list", "List the faces of a table: model, number, name, size and provenance.") { file };
         command.SetAction(parsed =>
         {
             Table rows = new Table().Border(TableBorder.None).AddColumns("model", "face", "name", "mutcd", "size, m", "facing", "provenance");
@@ -73,7 +73,7 @@ internal static class SpacesCommand
                 return ExitCode.Done;
             }
 
-            terminal.WriteError($"Refused and not listed: {content.Problems.Count} of the rows. See 'harvester spaces check'.");
+            terminal.WriteError($"{Counted.Of(content.Problems.Count, "invalid row")} not listed. For the reasons, run 'harvester spaces check'.");
             return ExitCode.BadData;
         });
         return command;
@@ -92,5 +92,5 @@ internal static class SpacesCommand
         JsonName.Of(face.Provenance),
     ];
 
-    private static Argument<string> FileArgument() => new("FILE|DIR") { Description = "The table, or a survey's folder" };
+    private static Argument<string> FileArgument() => new("FILE|DIR") { Description = "A table, or the folder of a survey" };
 }

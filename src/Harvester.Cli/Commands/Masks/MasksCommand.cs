@@ -8,7 +8,7 @@ internal static class MasksCommand
 {
     public static Command Create(Terminal terminal)
     {
-        var command = new Command("masks", "Take instance masks of another tool into a session.");
+        var command = new Command("masks", "Import instance masks into a session.");
         command.Subcommands.Add(MasksImportCommand.Create(terminal));
         return command;
     }

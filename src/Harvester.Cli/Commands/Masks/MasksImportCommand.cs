@@ -13,11 +13,11 @@ namespace Harvester.Cli.Commands.Masks;
 internal static class MasksImportCommand
 {
     private const string Notes =
-        "DIR has a PNG of 16-bit grey, of the image's size, for every frame, named by the frame's number (12.png or 00000012.png).\n"
-        + "Its values are the ids of the labels, 0 for none of them. With --match they may be any numbers that tell the objects of one frame apart;\n"
-        + "each is matched with the object whose cuboid it covers best.\n"
-        + "Masks, box2dVisible, occludedFraction and visibleFraction are replaced; occlusionMethod becomes imported. A report is made anew.\n"
-        + "The session stays as it was if any map is at fault. Meaning and limits: docs/pixel-maps.md.\n\n"
+        "DIR has one mask per frame: a 16-bit greyscale PNG of the image's size, named after the frame number (12.png or 00000012.png). A\n"
+        + "pixel's value is the id of its label, or 0. With --match, the values may be any numbers that are unique within a frame; each is matched\n"
+        + "with the object whose cuboid it overlaps most.\n"
+        + "box2dVisible, occludedFraction and visibleFraction are recomputed from the masks, occlusionMethod becomes imported, and an existing\n"
+        + "report is rewritten. If any mask is invalid, the session is not changed. docs/pixel-maps.md has details and limits.\n\n"
         + "Examples:\n"
         + "  harvester masks import out stencil-maps\n"
         + "  harvester masks import out stencil-maps --match";
@@ -25,9 +25,9 @@ internal static class MasksImportCommand
     public static Command Create(Terminal terminal)
     {
         Argument<string> folder = SessionArgument.Create();
-        var maps = new Argument<string>("DIR") { Description = "Folder of the maps" };
-        var match = new Option<bool>("--match") { Description = "The numbers are not the labels' ids: find out by overlap which object each is" };
-        var command = new Command("import", "Replace the masks of a session and what follows from them.") { folder, maps, match };
+        var maps = new Argument<string>("DIR") { Description = "Folder with a mask for every frame" };
+        var match = new Option<bool>("--match") { Description = "Match the values of the masks with objects by overlap, if they are not the ids of the labels" };
+        var command = new Command("import", "Replace the masks of a session by those of another tool.") { folder, maps, match };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
         {

@@ -8,9 +8,9 @@ namespace Harvester.Cli.Commands.Roads;
 /// <summary>The argument that names road data, and the import that goes with it.</summary>
 internal static class RoadSourceArgument
 {
-    public static Argument<string> Create() => new("FROM") { Description = "Road data: a file, folder or zip archive" };
+    public static Argument<string> Create() => new("FROM") { Description = "Road data: a file, a folder or a zip archive" };
 
-    /// <summary>Imports, and tells on standard error what was left out.</summary>
+    /// <summary>Imports, and writes what was left out to standard error.</summary>
     public static RoadImport Import(ParseResult parsed, Argument<string> from, Option<LanesIn> lanesIn, Terminal terminal)
     {
         RoadImport import = RoadImporter.Import(parsed.GetRequiredValue(from), parsed.GetValue(lanesIn));
@@ -24,7 +24,7 @@ internal static class RoadSourceArgument
 
     public static Option<LanesIn> LanesIn() => new("--lanes-in")
     {
-        Description = "Which way the lanes in of paths.ipl and paths.xml are driven: forward from a link's first node to its second, or backward",
+        Description = "Direction of the \"lanes in\" of paths.ipl and paths.xml: forward (from a link's first node to its second) or backward",
         HelpName = "forward|backward",
         DefaultValueFactory = static _ => Datasets.Roads.Sources.LanesIn.Forward,
     };

@@ -7,8 +7,9 @@ namespace Harvester.Cli.Commands.Roads;
 internal static class RoadsCommand
 {
     private const string Notes =
-        "FROM is a file, a folder or a zip archive, plain or packed by gzip: CodeWalker's *.ynd.xml, paths.ipl, paths.xml, the JSON dump of\n"
-        + "nodes, or the csv that import or the mod's survey wrote. Which one it is, is told from its content. Formats: docs/roads.md.\n\n"
+        "FROM is a file, a folder or a zip archive, plain or gzip-compressed, with one of these: CodeWalker's *.ynd.xml, paths.ipl, paths.xml, the\n"
+        + "JSON dump of nodes, or a CSV file from roads import or from the mod's survey. The format is detected from the content; docs/roads.md\n"
+        + "describes each.\n\n"
         + "Examples:\n"
         + "  harvester roads import exported-ynd/ --out roads.csv.gz\n"
         + "  harvester roads info roads.csv.gz\n"
@@ -18,7 +19,7 @@ internal static class RoadsCommand
 
     public static Command Create(Terminal terminal)
     {
-        var command = new Command("roads", "Import road networks, show and compare them, and write their node database.");
+        var command = new Command("roads", "Import, compare and draw road networks, and write their node database.");
         command.Subcommands.Add(RoadsImportCommand.Create(terminal));
         command.Subcommands.Add(RoadsInfoCommand.Create(terminal));
         command.Subcommands.Add(RoadsCompareCommand.Create(terminal));

@@ -14,8 +14,8 @@ internal static class RoadsCompareCommand
 
     public static Command Create(Terminal terminal)
     {
-        var first = new Argument<string>("A") { Description = "Road data: a file, folder or zip archive" };
-        var second = new Argument<string>("B") { Description = "Road data of another source" };
+        var first = new Argument<string>("A") { Description = "Road data: a file, a folder or a zip archive" };
+        var second = new Argument<string>("B") { Description = "Road data from another source" };
         Option<LanesIn> lanesIn = RoadSourceArgument.LanesIn();
         var command = new Command("compare", "Match two networks by position and count the one-way links that agree.") { first, second, lanesIn };
         command.SetAction(parsed =>

@@ -12,8 +12,8 @@ internal static class RoadsImportCommand
     {
         Argument<string> from = RoadSourceArgument.Create();
         Option<LanesIn> lanesIn = RoadSourceArgument.LanesIn();
-        Option<string> output = RoadSourceArgument.Output("File to write; packed by gzip when it ends in .gz");
-        var command = new Command("import", "Convert road data into the project's csv.") { from, lanesIn, output };
+        Option<string> output = RoadSourceArgument.Output("File to write; gzip-compressed if it ends in .gz");
+        var command = new Command("import", "Convert road data to the CSV format of this project.") { from, lanesIn, output };
         command.SetAction(parsed =>
         {
             RoadImport import = RoadSourceArgument.Import(parsed, from, lanesIn, terminal);

@@ -17,7 +17,7 @@ namespace Harvester.Cli.Commands.Roads;
 internal static class RoadsMapCommand
 {
     private const string Legend = "highways orange, one-way roads blue, streets grey, unpaved roads brown, roads that are not drivable light grey, water light blue";
-    private const string NoRoads = "There are no roads to draw.";
+    private const string NoRoads = "The road data has no roads to draw.";
     private const int DefaultSize = 2000;
     private const int MaxSize = 20_000;
 
@@ -28,11 +28,11 @@ internal static class RoadsMapCommand
     {
         Argument<string> from = RoadSourceArgument.Create();
         Option<LanesIn> lanesIn = RoadSourceArgument.LanesIn();
-        Option<string> output = RoadSourceArgument.Output("Picture to write: .png, or .svg for a vector graphic");
-        Option<int> size = ValueParsers.Integer("--size", "PIXELS", "Pixels of the longer side", 16, MaxSize);
+        Option<string> output = RoadSourceArgument.Output("Image to write: .png or .svg");
+        Option<int> size = ValueParsers.Integer("--size", "PIXELS", "Length of the longer side, pixels", 16, MaxSize);
         size.DefaultValueFactory = _ => DefaultSize;
         Option<Box2D?> area = ValueParsers.Optional<Box2D>(
-            "--area", "XMIN,YMIN,XMAX,YMAX", "The part of the world to show, metres [default: all]", ParseArea, "west, south, east and north edge, as -500,-1500,1000,0");
+            "--area", "XMIN,YMIN,XMAX,YMAX", "Part of the world to draw, metres [default: all]", ParseArea, "the west, south, east and north edges, e.g. -500,-1500,1000,0");
         var command = new Command("map", $"Draw road data as a map: {Legend}.") { from, lanesIn, output, size, area };
         command.SetAction(parsed =>
         {
@@ -53,7 +53,7 @@ internal static class RoadsMapCommand
             var map = new RoadMap(network, part, parsed.GetValue(size));
             if (!map.HasRoads)
             {
-                throw new UsageException(part is null ? NoRoads : "There is no road in this --area. Without it the map shows all roads.");
+                throw new UsageException(part is null ? NoRoads : "--area has no roads. Name another, or leave it out to draw all roads.");
             }
 
             WholeFile.Write(file, stream => Write(map, extension, stream));

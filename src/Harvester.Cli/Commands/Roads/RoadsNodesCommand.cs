@@ -16,10 +16,10 @@ internal static class RoadsNodesCommand
     {
         Argument<string> from = RoadSourceArgument.Create();
         Option<LanesIn> lanesIn = RoadSourceArgument.LanesIn();
-        Option<string> output = RoadSourceArgument.Output("Csv to write");
+        Option<string> output = RoadSourceArgument.Output("CSV file to write");
         Option<double> laneWidth = LaneOptions.LaneWidth();
         Option<double> narrow = LaneOptions.NarrowLaneWidth();
-        var command = new Command("nodes", "Write the node database: where the road lies at every node, for each direction.") { from, lanesIn, output, laneWidth, narrow };
+        var command = new Command("nodes", "Write the node database: the position of the road at every node, for each direction.") { from, lanesIn, output, laneWidth, narrow };
         command.SetAction(parsed =>
         {
             RoadNetwork network = RoadSourceArgument.Import(parsed, from, lanesIn, terminal).Network;
