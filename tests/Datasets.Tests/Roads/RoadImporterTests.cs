@@ -98,7 +98,7 @@ public sealed class RoadImporterTests : IDisposable
 
         RoadImport import = RoadImporter.Import(_file);
 
-        Assert.Equal("1 links lead to cells that are not among the files and were left out.", Assert.Single(import.Notes));
+        Assert.Equal("1 links lead to cells without a file and were left out.", Assert.Single(import.Notes));
         Assert.Single(import.Network.Links);
     }
 
