@@ -42,7 +42,8 @@ internal sealed class BridgeLatency : IDrivenCar, IScreen
         double[] sorted = [.. measured._latencies.Order()];
         Console.WriteLine(string.Create(
             CultureInfo.InvariantCulture,
-            $"{sorted.Length} of {frames} frames answered; ms from frame to applied control: median {At(0.5):0.0}, 99th hundredth {At(0.99):0.0}, most {sorted[^1]:0.0}"));
+            $"{sorted.Length} of {frames} frames answered; ms from frame to applied control: median {At(0.5):0.0}, 99th hundredth "
+                + $"{At(0.99):0.0}, most {sorted[^1]:0.0}"));
         Environment.ExitCode = sorted.Length == 0 || At(0.99) >= MillisecondsPerFrame ? 1 : 0;
 
         double At(double share) => sorted[(int)Math.Ceiling(share * sorted.Length) - 1];

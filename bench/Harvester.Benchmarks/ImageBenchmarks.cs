@@ -6,8 +6,8 @@ using Harvester.Sessions.Imaging.Pictures;
 namespace Harvester.Benchmarks;
 
 /// <summary>
-/// How long an image of 800 x 600 takes to be written in each format: slopes of colour with noise, by a standard deviation of 0 (a clear sky) and
-/// of 5 (foliage).
+/// How long an image of 800 x 600 takes to be written in each format: slopes of colour with noise, by a standard deviation of 0 (a clear
+/// sky) and of 5 (foliage).
 /// </summary>
 public class ImageBenchmarks
 {

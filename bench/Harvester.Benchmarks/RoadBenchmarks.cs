@@ -16,7 +16,8 @@ public class RoadBenchmarks
     private RoadNetwork _network = null!;
 
     private static string File => Path.Combine(
-        Environment.GetEnvironmentVariable("GTADATAHARVESTER_REALWORLD") ?? throw new InvalidOperationException("Set GTADATAHARVESTER_REALWORLD to the folder with nodes.zip."),
+        Environment.GetEnvironmentVariable("GTADATAHARVESTER_REALWORLD")
+            ?? throw new InvalidOperationException("Set GTADATAHARVESTER_REALWORLD to the folder with nodes.zip."),
         "nodes.zip");
 
     [GlobalSetup]

@@ -3,7 +3,9 @@ using Mono.Cecil.Cil;
 
 namespace Harvester.Architecture.Tests;
 
-/// <summary>Which namespaces of a module use which others of it: an arrow for every type that a base, a member, an attribute or a method body names.</summary>
+/// <summary>
+/// Which namespaces of a module use which others of it: an arrow for every type that a base, a member, an attribute or a method body names.
+/// </summary>
 internal sealed class NamespaceGraph
 {
     private readonly Dictionary<string, Dictionary<string, string>> _arrows = new(StringComparer.Ordinal);
@@ -23,7 +25,8 @@ internal sealed class NamespaceGraph
         return graph;
     }
 
-    public bool HasArrow(string from, string to) => _arrows.TryGetValue(from, out Dictionary<string, string>? arrows) && arrows.ContainsKey(to);
+    public bool HasArrow(string from, string to) =>
+        _arrows.TryGetValue(from, out Dictionary<string, string>? arrows) && arrows.ContainsKey(to);
 
     /// <summary>Namespaces along a cycle, the first again at the end; empty where there is none.</summary>
     public IReadOnlyList<string> FindCycle()
@@ -59,7 +62,9 @@ internal sealed class NamespaceGraph
             return true;
         }
 
-        foreach (string next in _arrows.TryGetValue(current, out Dictionary<string, string>? arrows) ? arrows.Keys.Order(StringComparer.Ordinal) : Enumerable.Empty<string>())
+        foreach (string next in _arrows.TryGetValue(current, out Dictionary<string, string>? arrows)
+            ? arrows.Keys.Order(StringComparer.Ordinal)
+            : Enumerable.Empty<string>())
         {
             if (Search(next, path, done))
             {

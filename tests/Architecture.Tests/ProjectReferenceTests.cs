@@ -67,7 +67,8 @@ public sealed class ProjectReferenceTests
     }
 
     private static bool IsForOtherFrameworkOnly(XElement reference) =>
-        $"{reference.Attribute("Condition")?.Value} {reference.Parent?.Attribute("Condition")?.Value}".Contains("net10.0", StringComparison.Ordinal);
+        $"{reference.Attribute("Condition")?.Value} {reference.Parent?.Attribute("Condition")?.Value}".Contains(
+            "net10.0", StringComparison.Ordinal);
 
     private static XDocument ProjectFile(string project) => XDocument.Load(PathOf(project));
 

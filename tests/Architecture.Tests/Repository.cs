@@ -5,12 +5,12 @@ internal static class Repository
 {
     public static string Root { get; } = Find(AppContext.BaseDirectory);
 
-    /// <summary>The C# sources of a project in a folder of the repository, without what the build generates.</summary>
+    /// <summary>The C# sources of a project, or of all, in a folder of the repository, without what the build generates.</summary>
     public static IEnumerable<string> SourcesOf(string project, string folder = "src")
     {
         string root = Path.Combine(Root, folder, project);
         return Directory.EnumerateFiles(root, "*.cs", SearchOption.AllDirectories)
-            .Where(path => Path.GetRelativePath(root, path).Split(Path.DirectorySeparatorChar)[0] is not ("bin" or "obj"));
+            .Where(path => !Path.GetRelativePath(root, path).Split(Path.DirectorySeparatorChar).Any(part => part is "bin" or "obj"));
     }
 
     /// <summary>The assembly that a project was built to.</summary>
@@ -22,10 +22,12 @@ internal static class Repository
     };
 
     // The tests lie in bin/CONFIGURATION/FRAMEWORK/.
-    private static string Configuration => Path.GetFileName(Path.GetDirectoryName(Path.TrimEndingDirectorySeparator(AppContext.BaseDirectory)))!;
+    private static string Configuration =>
+        Path.GetFileName(Path.GetDirectoryName(Path.TrimEndingDirectorySeparator(AppContext.BaseDirectory)))!;
 
     private static string Find(string folder) =>
         File.Exists(Path.Combine(folder, "GtaDataHarvester.sln"))
             ? folder
-            : Find(Path.GetDirectoryName(folder) ?? throw new DirectoryNotFoundException("GtaDataHarvester.sln is in no folder above the tests."));
+            : Find(Path.GetDirectoryName(folder)
+                ?? throw new DirectoryNotFoundException("GtaDataHarvester.sln is in no folder above the tests."));
 }

@@ -12,8 +12,8 @@ namespace Harvester.Capture.Windows;
 internal static class DrawingCases
 {
     /// <summary>
-    /// By how much a channel of a decoded JPEG may differ from the screenshot: at quality 95 no divisor is above 10, so a smooth picture loses
-    /// about 5, and decoders round in their own ways.
+    /// By how much a channel of a decoded JPEG may differ from the screenshot: at quality 95 no divisor is above 10, so a smooth picture
+    /// loses about 5, and decoders round in their own ways.
     /// </summary>
     private const int GreatestLoss = 8;
 
@@ -43,7 +43,8 @@ internal static class DrawingCases
         new PictureEncoder(format).Write(picture, file);
         file.Position = 0;
         using var bitmap = new Bitmap(file);
-        Expect.That(bitmap.Width == picture.Size.Width && bitmap.Height == picture.Size.Height, $"GDI+ reads {bitmap.Width} x {bitmap.Height}");
+        Expect.That(
+            bitmap.Width == picture.Size.Width && bitmap.Height == picture.Size.Height, $"GDI+ reads {bitmap.Width} x {bitmap.Height}");
         ExpectSame(picture.Bytes, Pixels(bitmap), greatestLoss);
     }
 

@@ -22,7 +22,9 @@ internal static class Expect
                 for (int channel = 0; channel < PixelBuffer.BytesPerPixel; channel++, i++)
                 {
                     byte expected = pattern.Channel(channel, x, y);
-                    That(buffer.Bytes[i] == expected, $"pixel ({x}, {y}) channel {channel} is {buffer.Bytes[i]}, the window shows {expected}");
+                    That(
+                        buffer.Bytes[i] == expected,
+                        $"pixel ({x}, {y}) channel {channel} is {buffer.Bytes[i]}, the window shows {expected}");
                 }
             }
         }

@@ -29,7 +29,9 @@ internal static class Native
     public static extern ushort RegisterClass(ref WindowClass windowClass);
 
     [DllImport("user32", EntryPoint = "CreateWindowExW", CharSet = CharSet.Unicode, SetLastError = true)]
-    public static extern IntPtr CreateWindowEx(uint exStyle, string className, string title, uint style, int x, int y, int width, int height, IntPtr parent, IntPtr menu, IntPtr module, IntPtr state);
+    public static extern IntPtr CreateWindowEx(
+        uint exStyle, string className, string title, uint style, int x, int y, int width, int height, IntPtr parent, IntPtr menu,
+        IntPtr module, IntPtr state);
 
     [DllImport("user32")]
     public static extern bool DestroyWindow(IntPtr window);
@@ -95,7 +97,9 @@ internal static class Native
     public static extern int GetPixel(IntPtr context, int x, int y);
 
     [DllImport("gdi32")]
-    public static extern int SetDIBitsToDevice(IntPtr context, int x, int y, int width, int height, int sourceX, int sourceY, int firstRow, int rows, byte[] pixels, ref BitmapHeader header, uint usage);
+    public static extern int SetDIBitsToDevice(
+        IntPtr context, int x, int y, int width, int height, int sourceX, int sourceY, int firstRow, int rows, byte[] pixels,
+        ref BitmapHeader header, uint usage);
 
     [StructLayout(LayoutKind.Sequential)]
     public struct WindowClass

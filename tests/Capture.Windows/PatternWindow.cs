@@ -28,7 +28,9 @@ internal sealed class PatternWindow : IDisposable
         _style = style;
         _exStyle = exStyle;
         Area frame = FrameOf(client);
-        _handle = Native.CreateWindowEx(exStyle, ClassName, "pattern", style, frame.Left, frame.Top, frame.Width, frame.Height, IntPtr.Zero, IntPtr.Zero, IntPtr.Zero, IntPtr.Zero);
+        _handle = Native.CreateWindowEx(
+            exStyle, ClassName, "pattern", style, frame.Left, frame.Top, frame.Width, frame.Height, IntPtr.Zero, IntPtr.Zero, IntPtr.Zero,
+            IntPtr.Zero);
         if (_handle == IntPtr.Zero)
         {
             throw new Win32Exception();
@@ -50,8 +52,8 @@ internal sealed class PatternWindow : IDisposable
     public Pattern Pattern { get; private set; }
 
     /// <summary>
-    /// Waits until the screen shows a pattern at the corners and in the middle of an area: another process, and on a busy machine a late one,
-    /// puts there what a window has painted. When it never comes the grab that follows tells.
+    /// Waits until the screen shows a pattern at the corners and in the middle of an area: another process, and on a busy machine a late
+    /// one, puts there what a window has painted. When it never comes the grab that follows tells.
     /// </summary>
     public static void AwaitOnScreen(Area client, Pattern pattern)
     {
@@ -86,7 +88,8 @@ internal sealed class PatternWindow : IDisposable
         using var pixels = PhysicalThread.Enter();
         Client = client;
         Area frame = FrameOf(client);
-        Native.SetWindowPos(_handle, IntPtr.Zero, frame.Left, frame.Top, frame.Width, frame.Height, Native.KeepOrder | Native.DoNotActivate);
+        Native.SetWindowPos(
+            _handle, IntPtr.Zero, frame.Left, frame.Top, frame.Width, frame.Height, Native.KeepOrder | Native.DoNotActivate);
         Repaint();
     }
 
@@ -140,7 +143,13 @@ internal sealed class PatternWindow : IDisposable
     private static bool IsOnScreen(Area client, Pattern pattern)
     {
         (int X, int Y)[] places =
-            [(0, 0), (client.Width - 1, 0), (0, client.Height - 1), (client.Width - 1, client.Height - 1), (client.Width / 2, client.Height / 2)];
+            [
+                (0, 0),
+                (client.Width - 1, 0),
+                (0, client.Height - 1),
+                (client.Width - 1, client.Height - 1),
+                (client.Width / 2, client.Height / 2),
+            ];
         IntPtr desktop = Native.GetDC(IntPtr.Zero);
         bool isShown = places.All(place =>
             Native.GetPixel(desktop, client.Left + place.X, client.Top + place.Y)
@@ -162,7 +171,13 @@ internal sealed class PatternWindow : IDisposable
 
     private Area FrameOf(Area client)
     {
-        var frame = new Native.Rectangle { Left = client.Left, Top = client.Top, Right = client.Left + client.Width, Bottom = client.Top + client.Height };
+        var frame = new Native.Rectangle
+        {
+            Left = client.Left,
+            Top = client.Top,
+            Right = client.Left + client.Width,
+            Bottom = client.Top + client.Height,
+        };
         Native.AdjustWindowRectEx(ref frame, _style, false, _exStyle);
         return new Area(frame.Left, frame.Top, frame.Right - frame.Left, frame.Bottom - frame.Top);
     }
@@ -194,7 +209,14 @@ internal sealed class PatternWindow : IDisposable
             }
         }
 
-        var header = new Native.BitmapHeader { Size = Marshal.SizeOf<Native.BitmapHeader>(), Width = Client.Width, Height = -Client.Height, Planes = 1, BitCount = bytesPerPixel * 8 };
+        var header = new Native.BitmapHeader
+        {
+            Size = Marshal.SizeOf<Native.BitmapHeader>(),
+            Width = Client.Width,
+            Height = -Client.Height,
+            Planes = 1,
+            BitCount = bytesPerPixel * 8,
+        };
         IntPtr context = Native.BeginPaint(_handle, out Native.PaintArea paint);
         _ = Native.SetDIBitsToDevice(context, 0, 0, Client.Width, Client.Height, 0, 0, 0, Client.Height, bytes, ref header, 0);
         Native.EndPaint(_handle, ref paint);

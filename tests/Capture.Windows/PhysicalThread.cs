@@ -1,6 +1,8 @@
 namespace Harvester.Capture.Windows;
 
-/// <summary>Windows are made and moved in physical pixels; outside of this the thread stays as unaware of scaling as a mod's host may be.</summary>
+/// <summary>
+/// Windows are made and moved in physical pixels; outside of this the thread stays as unaware of scaling as a mod's host may be.
+/// </summary>
 internal readonly struct PhysicalThread : IDisposable
 {
     private readonly IntPtr _before;

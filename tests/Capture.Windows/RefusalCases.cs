@@ -22,7 +22,9 @@ internal static class RefusalCases
         new("covered wholly", () => Covered(new(150, 100, 500, 400), GrabRefusals.Covered)),
         new("covered in the middle by a tool window", () => Covered(new(300, 250, 50, 50), GrabRefusals.Covered, Native.ExToolWindow)),
         new("covered by a half transparent layer", () => Covered(new(300, 250, 50, 50), GrabRefusals.Covered, Native.ExLayered)),
-        new("not covered by a layer that lets clicks through", () => Covered(new(300, 250, 50, 50), null, Native.ExLayered | Native.ExTransparent)),
+        new(
+            "not covered by a layer that lets clicks through",
+            () => Covered(new(300, 250, 50, 50), null, Native.ExLayered | Native.ExTransparent)),
         new("not covered any more when the other window is minimised, or the game raised", Uncovered),
         new("resized: refused once, then the new size", Resized),
         new("black", () => Content(Pattern.Uniform(0, 0, 0), GrabRefusals.Black)),

@@ -32,7 +32,9 @@ internal static class ScalingCases
                 for (int channel = 0; channel < PixelBuffer.BytesPerPixel; channel++, i++)
                 {
                     double mean = Mean(window.Pattern, channel, x * columns, y * rows, columns, rows);
-                    Expect.That(Math.Abs(buffer.Bytes[i] - mean) <= RoundingTolerance, $"pixel ({x}, {y}) channel {channel} is {buffer.Bytes[i]}, the mean is {mean}");
+                    Expect.That(
+                        Math.Abs(buffer.Bytes[i] - mean) <= RoundingTolerance,
+                        $"pixel ({x}, {y}) channel {channel} is {buffer.Bytes[i]}, the mean is {mean}");
                 }
             }
         }

@@ -31,7 +31,8 @@ public sealed class ApplicationTests
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.Contains("Example", run.Out, StringComparison.Ordinal);
-        Assert.Contains($"  harvester {command}", run.Out.Replace("echo 0,10,0 | ", "", StringComparison.Ordinal), StringComparison.Ordinal);
+        Assert.Contains(
+            $"  harvester {command}", run.Out.Replace("echo 0,10,0 | ", "", StringComparison.Ordinal), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -57,7 +58,10 @@ public sealed class ApplicationTests
     {
         string[] lines = CliRun.Of([.. command.Split(' '), "--help"]).Out.Split('\n');
 
-        string[] options = [.. lines.Where(line => line.StartsWith("  -", StringComparison.Ordinal)).Select(line => line.Trim().Split(' ')[0])];
+        string[] options =
+        [
+            .. lines.Where(line => line.StartsWith("  -", StringComparison.Ordinal)).Select(line => line.Trim().Split(' ')[0])
+        ];
         Assert.Equal(options.Distinct(), options);
         Assert.Contains("-?,", options);
         Assert.All(lines, line => Assert.InRange(line.Split("[default:").Length, 1, 2));
@@ -83,7 +87,8 @@ public sealed class ApplicationTests
     public void Error_quoting_a_file_is_truncated_and_free_of_control_codes()
     {
         CliRun run = CliRun.WithInput(
-            "\u001b[2J" + new string('x', 5000) + "\n", "project", "--position", "0,0,0", "--rotation", "0,0,0", "--fov", "50", "--size", "800x600");
+            "\u001b[2J" + new string('x', 5000) + "\n", "project", "--position", "0,0,0", "--rotation", "0,0,0", "--fov", "50", "--size",
+            "800x600");
 
         Assert.Equal(ExitCode.BadData, run.ExitCode);
         Assert.StartsWith("harvester: standard input, line 1: expected x,y,z, found '[2Jxxx", run.Error, StringComparison.Ordinal);
@@ -111,7 +116,9 @@ public sealed class ApplicationTests
     {
         string help = CliRun.Of([.. command.Split(' ', StringSplitOptions.RemoveEmptyEntries), "--help"]).Out;
         int list = help.IndexOf("\nCommands:\n", StringComparison.Ordinal);
-        string[] names = list < 0 ? [] : [.. help[(list + "\nCommands:\n".Length)..].Split("\n\n")[0].Split('\n').Select(line => line.Trim().Split(' ')[0])];
+        string[] names = list < 0
+            ? []
+            : [.. help[(list + "\nCommands:\n".Length)..].Split("\n\n")[0].Split('\n').Select(line => line.Trim().Split(' ')[0])];
         return names.Select(name => $"{command} {name}".Trim()).SelectMany(name => CommandsWithin(name).Prepend(name));
     }
 

@@ -43,7 +43,8 @@ public sealed class ProcessTests : IDisposable
     {
         string data = Directory.CreateDirectory(_folder.PathOf("data")).FullName;
         File.WriteAllText(
-            Path.Combine(data, "spaces.csv"), "prop_sign_road_01a,-949234773,sign,STOP,R1-1,0,-0.5,-0.04,3,0.5,-0.06,1.5,-y,measured,a test\n");
+            Path.Combine(data, "spaces.csv"),
+            "prop_sign_road_01a,-949234773,sign,STOP,R1-1,0,-0.5,-0.04,3,0.5,-0.06,1.5,-y,measured,a test\n");
         using Process gallery = Start("exec dotnet \"$0\" spaces gallery data/spaces.csv", Program);
         gallery.WaitForExit();
 
@@ -54,7 +55,12 @@ public sealed class ProcessTests : IDisposable
 
     private Process Start(string script, params string[] arguments)
     {
-        var start = new ProcessStartInfo("/bin/sh") { RedirectStandardOutput = true, RedirectStandardError = true, WorkingDirectory = _folder.Path };
+        var start = new ProcessStartInfo("/bin/sh")
+        {
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+            WorkingDirectory = _folder.Path,
+        };
         Array.ForEach(["-c", script, .. arguments], start.ArgumentList.Add);
         return Process.Start(start)!;
     }

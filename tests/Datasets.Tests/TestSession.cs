@@ -63,7 +63,8 @@ internal sealed class TestSession : IDisposable
     }
 
     /// <summary>Writes a mask that shows one rectangle of a number and nothing else.</summary>
-    public void PaintMask(int frame, ushort id, int left, int top, int right, int bottom) => PaintMask(frame, (id, left, top, right, bottom));
+    public void PaintMask(int frame, ushort id, int left, int top, int right, int bottom) =>
+        PaintMask(frame, (id, left, top, right, bottom));
 
     /// <summary>Writes a mask that shows rectangles of numbers, the later ones over the earlier, and nothing else.</summary>
     public void PaintMask(int frame, params (ushort Id, int Left, int Top, int Right, int Bottom)[] rectangles)
@@ -102,8 +103,9 @@ internal sealed class TestSession : IDisposable
     public void Dispose() => Directory.Delete(Folder, recursive: true);
 
     /// <summary>
-    /// Puts a stop sign on a post into a frame, with its face as a part. 6 m ahead a metre is 30 / 6 = 5 pixels: the face, 2 m wide and high around (-4, 2), is
-    /// in columns 40 - 25 to 40 - 15 and rows 30 - 15 to 30 - 5, and the post below it, 0.4 m wide, in columns 19 and 20 down to row 40.
+    /// Puts a stop sign on a post into a frame, with its face as a part. 6 m ahead a metre is 30 / 6 = 5 pixels: the face, 2 m wide and
+    /// high around (-4, 2), is in columns 40 - 25 to 40 - 15 and rows 30 - 15 to 30 - 5, and the post below it, 0.4 m wide, in columns 19
+    /// and 20 down to row 40.
     /// </summary>
     public void AddSign(int line)
     {

@@ -47,7 +47,8 @@ public sealed class ScaledPoseTests
     [InlineData(double.NaN, 0, 0, 0, 1, 0, 0, 0, 1)]
     [InlineData(double.PositiveInfinity, 0, 0, 0, 1, 0, 0, 0, 1)]
     public void FromMatrix_sheared_mirrored_or_vanishing_is_null(
-        double rightX, double rightY, double rightZ, double forwardX, double forwardY, double forwardZ, double upX, double upY, double upZ) =>
+        double rightX, double rightY, double rightZ, double forwardX, double forwardY, double forwardZ, double upX, double upY,
+        double upZ) =>
         Assert.Null(ScaledPose.FromMatrix(
             new Vector3D(rightX, rightY, rightZ), new Vector3D(forwardX, forwardY, forwardZ), new Vector3D(upX, upY, upZ), Place));
 

@@ -54,7 +54,11 @@ public sealed class BridgeDriveTests : ServedGame
         // The lane's middle is 0.5 m to the left of the car: DeepDriving steers left by (0 + 0.5 / 8) / 0.541052 / 1.5 = 0.0770, and
         // then by 2.5 · 0.0770 + 0.75 of it only where it is more than 0.1. That is of the lock of TORCS, 0.541052 rad; of the game's
         // 40 degrees it is 0.0770 · 0.541052 / 0.698132 = 0.0597. At 8 m/s it wants 20, so full throttle.
-        Say(driver, client, """{"type":"indicators","values":[0,-7,3.5,7,75,75,-9.5,-2.5,1.5,9.5,75,75,75]}""", () => driver.Game.Controls[Steer] != 0);
+        Say(
+            driver,
+            client,
+            """{"type":"indicators","values":[0,-7,3.5,7,75,75,-9.5,-2.5,1.5,9.5,75,75,75]}""",
+            () => driver.Game.Controls[Steer] != 0);
 
         Assert.Equal(-0.0597f, driver.Game.Controls[Steer], 4);
         Assert.Equal(1f, driver.Game.Controls[Accelerate]);
@@ -212,7 +216,11 @@ public sealed class BridgeDriveTests : ServedGame
         }
 
         Until(driver, () => HasShown("BRAKING, no client drives at 127.0.0.1:"));
-        Say(driver, client, """{"type":"controls","steering":0.5,"throttle":0,"brake":0}""", () => HasShown("DRIVEN by the client at 127.0.0.1:"));
+        Say(
+            driver,
+            client,
+            """{"type":"controls","steering":0.5,"throttle":0,"brake":0}""",
+            () => HasShown("DRIVEN by the client at 127.0.0.1:"));
         int grabs = driver.Screen.Grabs;
         Say(driver, client, """{"type":"requestFrame"}""", () => driver.Screen.Grabs >= grabs + 3);
 

@@ -68,7 +68,8 @@ public sealed class BrokenListTests
         driver.Tick(EnoughTicksForAFrame);
         driver.WaitForDisk();
 
-        Assert.Single(driver.Game.Notifications, told => told.Contains("newer than ScriptHookVDotNet 3.6.0 knows", StringComparison.Ordinal));
+        Assert.Single(
+            driver.Game.Notifications, told => told.Contains("newer than ScriptHookVDotNet 3.6.0 knows", StringComparison.Ordinal));
         Assert.Contains("premier", Assert.Single(driver.Labels()), StringComparison.Ordinal);
     }
 
@@ -88,7 +89,8 @@ public sealed class BrokenListTests
         driver.Tick(EnoughTicksForAFrame);
         driver.WaitForDisk();
 
-        Assert.Equal(2, Objects(driver).Count(label => label.GetProperty("class").GetString() == "trafficLight" && label.GetProperty("space").ValueKind == JsonValueKind.Null));
+        Assert.Equal(2, Objects(driver).Count(label => label.GetProperty("class")
+            .GetString() == "trafficLight" && label.GetProperty("space").ValueKind == JsonValueKind.Null));
     }
 
     private static JsonElement[] HarvestWith(Func<PoolKind, int[]?>? broken, out TestGame game, out JsonElement reading)
@@ -110,7 +112,8 @@ public sealed class BrokenListTests
         [.. JsonDocument.Parse(Assert.Single(driver.Labels())).RootElement.GetProperty("objects").EnumerateArray()];
 
     /// <summary>A label without its number, which follows the order of the list.</summary>
-    private static string Label(JsonElement label) => $"{label.GetProperty("class")} {label.GetProperty("model")} {label.GetProperty("box2d")}";
+    private static string Label(JsonElement label) =>
+        $"{label.GetProperty("class")} {label.GetProperty("model")} {label.GetProperty("box2d")}";
 
     private static string Sources(JsonElement reading) =>
         $"{reading.GetProperty("vehicles")} {reading.GetProperty("peds")} {reading.GetProperty("props")}";

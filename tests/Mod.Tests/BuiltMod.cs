@@ -26,7 +26,8 @@ internal static class BuiltMod
 
     private static string FindRoot(string folder) => File.Exists(System.IO.Path.Combine(folder, "GtaDataHarvester.sln"))
         ? folder
-        : FindRoot(System.IO.Path.GetDirectoryName(folder) ?? throw new DirectoryNotFoundException("GtaDataHarvester.sln is in no folder above the tests."));
+        : FindRoot(System.IO.Path.GetDirectoryName(folder)
+            ?? throw new DirectoryNotFoundException("GtaDataHarvester.sln is in no folder above the tests."));
 
     private static string Find()
     {

@@ -71,7 +71,8 @@ public sealed class CalibrationTests
         Assert.Equal([1, 2], frames);
 
         // The second session says by how much the model was off, though its second frame was not checked again.
-        string header = File.ReadAllText(Path.Combine(Directory.GetDirectories(driver.Output).Order(StringComparer.Ordinal).Last(), "session.json"));
+        string header = File.ReadAllText(
+            Path.Combine(Directory.GetDirectories(driver.Output).Order(StringComparer.Ordinal).Last(), "session.json"));
         Assert.Matches("\"cameraErrorPixels\": [0-9]", header);
     }
 
@@ -130,7 +131,9 @@ public sealed class CalibrationTests
         driver.Press(Keys.K);
         driver.UntilTold("The harvest ended: 1 frame");
 
-        Assert.Contains(driver.Game.Notifications, told => told.Contains("The camera model was not checked, as none of 20 markers was seen", StringComparison.Ordinal));
+        Assert.Contains(
+            driver.Game.Notifications,
+            told => told.Contains("The camera model was not checked, as none of 20 markers was seen", StringComparison.Ordinal));
     }
 
     [Fact]
@@ -154,7 +157,9 @@ public sealed class CalibrationTests
         driver.Press(Keys.O);
         driver.Game.Notifications.Clear();
         driver.Press(Keys.K);
-        driver.Until(() => driver.Game.Notifications.Any(told => told.Contains("The harvest ended", StringComparison.Ordinal) || told.Contains("The camera model is off", StringComparison.Ordinal)));
+        driver.Until(
+            () => driver.Game.Notifications.Any(told => told.Contains("The harvest ended", StringComparison.Ordinal) || told.Contains(
+                "The camera model is off", StringComparison.Ordinal)));
         driver.WaitForDisk();
         return driver.Game.Notifications[^1];
     }

@@ -81,7 +81,13 @@ public sealed class CameraMountTests
         GameEntity car = SitInCar(driver.Game, Axes.Identity);
         driver.Press(Keys.I);
         const int others = 9_000;
-        driver.Game.Cameras[others] = new GameCamera { VerticalFovDegrees = 40, Pose = default, IsActive = true, AttachedTo = driver.Game.HandleOf(car) };
+        driver.Game.Cameras[others] = new GameCamera
+        {
+            VerticalFovDegrees = 40,
+            Pose = default,
+            IsActive = true,
+            AttachedTo = driver.Game.HandleOf(car),
+        };
         driver.Game.RenderingCamera = others;
         driver.Press(Keys.O);
 

@@ -21,7 +21,8 @@ public sealed class DistortedEntityTests
 
         // The model is 2 m wide, 4 m long and 1.5 m high.
         JsonElement scaled = labels.Single(label => label.GetProperty("model").GetString() == "blista");
-        Assert.Equal([4, 6, 6], scaled.GetProperty("box3d").GetProperty("halfExtents").EnumerateArray().Select(half => 2 * half.GetDouble()));
+        Assert.Equal(
+            [4, 6, 6], scaled.GetProperty("box3d").GetProperty("halfExtents").EnumerateArray().Select(half => 2 * half.GetDouble()));
         Assert.Equal(0, Session(driver).GetProperty("reading").GetProperty("distortedEntities").GetInt32());
     }
 
@@ -69,5 +70,6 @@ public sealed class DistortedEntityTests
     }
 
     private static JsonElement Session(ScriptDriver driver) =>
-        JsonDocument.Parse(File.ReadAllText(Path.Combine(Assert.Single(Directory.GetDirectories(driver.Output)), "session.json"))).RootElement;
+        JsonDocument.Parse(
+            File.ReadAllText(Path.Combine(Assert.Single(Directory.GetDirectories(driver.Output)), "session.json"))).RootElement;
 }

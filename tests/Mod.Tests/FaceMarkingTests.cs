@@ -46,8 +46,8 @@ public sealed class SpaceMarkingTests
         Mark(driver, 0.35, 2.7);
         Vector2D[] dots = [.. driver.Game.Rectangles.Select(Middle)];
 
-        // The camera is at y = 186, x = 100.35 and z = 2.7, and the face's front 13.95 m before it, 65 degrees high: the lower left corner is
-        // 0.7 m to the left and 0.6 m down, at u = 1/2 - 0.7 / (13.95 * 2 tan 32.5° * 4/3) and v = 1/2 + 0.6 / (13.95 * 2 tan 32.5°).
+        // The camera is at y = 186, x = 100.35 and z = 2.7, and the face's front 13.95 m before it, 65 degrees high: the lower left corner
+        // is 0.7 m to the left and 0.6 m down, at u = 1/2 - 0.7 / (13.95 * 2 tan 32.5° * 4/3) and v = 1/2 + 0.6 / (13.95 * 2 tan 32.5°).
         Assert.Contains(dots, dot => (dot - new Vector2D(0.5 - 0.02953, 0.5 + 0.03376)).Length < 1e-4);
         Assert.Contains(dots, dot => (dot - new Vector2D(0.5, 0.5)).Length < 1e-4);
         Assert.All(dots, dot => Assert.True(dot.X is > 0.47 and < 0.501 && dot.Y is > 0.499 and < 0.534));
@@ -83,7 +83,8 @@ public sealed class SpaceMarkingTests
         Keep(driver);
 
         Assert.Equal(
-            [(0, Provenance.Measured, Facing.Back), (1, Provenance.Estimated, Facing.Front)], Rows(driver).Select(row => (row.Number, row.Provenance, row.Facing)));
+            [(0, Provenance.Measured, Facing.Back), (1, Provenance.Estimated, Facing.Front)],
+            Rows(driver).Select(row => (row.Number, row.Provenance, row.Facing)));
     }
 
     [Fact]
@@ -138,7 +139,10 @@ public sealed class SpaceMarkingTests
         string[] labels = LabelsIn(Assert.Single(Directory.GetDirectories(driver.Output, "session*")));
         Assert.NotEmpty(labels);
         Assert.All(labels, label => Assert.DoesNotContain("ONE WAY", label, StringComparison.Ordinal));
-        Assert.Contains("ONE WAY", Assert.Single(LabelsIn(Assert.Single(Directory.GetDirectories(driver.Output, "singles*")))), StringComparison.Ordinal);
+        Assert.Contains(
+            "ONE WAY",
+            Assert.Single(LabelsIn(Assert.Single(Directory.GetDirectories(driver.Output, "singles*")))),
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -151,7 +155,8 @@ public sealed class SpaceMarkingTests
         Assert.Contains("no prop in the middle of the screen", driver.Game.Notifications[^1], StringComparison.Ordinal);
 
         // A car is no prop.
-        driver.Game.Add(new GameEntity { Pool = PoolKind.Vehicles, Name = "asea", Pose = new Pose(new Vector3D(-2, 20, 31), Axes.Identity) });
+        driver.Game.Add(
+            new GameEntity { Pool = PoolKind.Vehicles, Name = "asea", Pose = new Pose(new Vector3D(-2, 20, 31), Axes.Identity) });
         driver.Game.Notifications.Clear();
         driver.Clock.Milliseconds += 10_000;
         driver.Press(Keys.NumPad2);
@@ -174,8 +179,10 @@ public sealed class SpaceMarkingTests
     public void Unknown_nearby_models_are_listed_with_their_positions()
     {
         using ScriptDriver driver = BeforeSign(Names);
-        driver.Game.Add(new GameEntity { Pool = PoolKind.Props, Name = "prop_bench_01a", Pose = new Pose(new Vector3D(90, 200, 0), Axes.Identity) });
-        driver.Game.Add(new GameEntity { Pool = PoolKind.Props, Name = "prop_far_away", Pose = new Pose(new Vector3D(900, 200, 0), Axes.Identity) });
+        driver.Game.Add(
+            new GameEntity { Pool = PoolKind.Props, Name = "prop_bench_01a", Pose = new Pose(new Vector3D(90, 200, 0), Axes.Identity) });
+        driver.Game.Add(
+            new GameEntity { Pool = PoolKind.Props, Name = "prop_far_away", Pose = new Pose(new Vector3D(900, 200, 0), Axes.Identity) });
         Look(driver, 100, 2.1);
         driver.Press(Keys.Divide);
         driver.WaitForDisk();

@@ -66,7 +66,8 @@ public sealed class SpaceSurveyTests
         IReadOnlyList<SurveyPhoto> photos = SurveyPhoto.ReadAll(Folder(driver));
         Assert.Equal(4, photos.Count);
 
-        // The octagon's face looks back, is 2 x 0.4 m x cos 22.5° = 0.74 m wide and lies at y = -0.06: the camera stands 1.5 x 0.37 / tan 25° = 1.19 m before it.
+        // The octagon's face looks back, is 2 x 0.4 m x cos 22.5° = 0.74 m wide and lies at y = -0.06: the camera stands 1.5 x 0.37 / tan
+        // 25° = 1.19 m before it.
         SurveyPhoto front = photos.Single(photo => photo.File == Sign + ".png");
         Assert.Equal(-0.06 - 1.19, front.Camera.Position.Y, 0.02);
         Assert.Equal(2.3, front.Camera.Position.Z, 0.02);
@@ -104,7 +105,9 @@ public sealed class SpaceSurveyTests
         driver.Press(Keys.Multiply);
         driver.Until(() => driver.Game.Objects.Any());
 
-        Assert.Contains(driver.Game.Texts, text => text.StartsWith("SIGNS  ", StringComparison.Ordinal) && text.Contains(" of 109  prop_", StringComparison.Ordinal));
+        Assert.Contains(
+            driver.Game.Texts,
+            text => text.StartsWith("SIGNS  ", StringComparison.Ordinal) && text.Contains(" of 109  prop_", StringComparison.Ordinal));
         driver.Press(Keys.Multiply);
         Assert.Contains("was stopped", driver.Game.Notifications[^1], StringComparison.Ordinal);
         Assert.Empty(driver.Game.Objects);
@@ -177,7 +180,10 @@ public sealed class SpaceSurveyTests
         driver.WaitForDisk();
 
         string session = Assert.Single(Directory.GetDirectories(driver.Output, "singles*"));
-        Assert.Contains("\"provenance\":\"measured\"", File.ReadAllText(Path.Combine(session, "labels.jsonl")).Replace(" ", "", StringComparison.Ordinal), StringComparison.Ordinal);
+        Assert.Contains(
+            "\"provenance\":\"measured\"",
+            File.ReadAllText(Path.Combine(session, "labels.jsonl")).Replace(" ", "", StringComparison.Ordinal),
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -266,8 +272,10 @@ public sealed class SpaceSurveyTests
         Assert.Equal(prop.Faces.Count, found.Count);
         Assert.All(prop.Faces, face => Assert.Contains(found, row =>
             row.Facing == face.Facing
-            && Math.Abs(row.FrontUpperLeft.X - face.Min.X) < ToleranceMetres && Math.Abs(row.FrontUpperLeft.Z - face.Max.Z) < ToleranceMetres
-            && Math.Abs(row.BackLowerRight.X - face.Max.X) < ToleranceMetres && Math.Abs(row.BackLowerRight.Z - face.Min.Z) < ToleranceMetres
+            && Math.Abs(row.FrontUpperLeft.X - face.Min.X) < ToleranceMetres
+                && Math.Abs(row.FrontUpperLeft.Z - face.Max.Z) < ToleranceMetres
+            && Math.Abs(row.BackLowerRight.X - face.Max.X) < ToleranceMetres
+                && Math.Abs(row.BackLowerRight.Z - face.Min.Z) < ToleranceMetres
             && Math.Abs(row.BackLowerRight.Y - face.Min.Y) < ToleranceMetres));
     }
 }

@@ -137,7 +137,24 @@ public sealed class FaultTests
         int before = driver.Game.Calls.Count;
         for (int repeat = 0; repeat < 30; repeat++)
         {
-            foreach (Keys key in new[] { Keys.NumPad0, Keys.I, Keys.O, Keys.J, Keys.K, Keys.L, Keys.NumPad1, Keys.U, Keys.N, Keys.Multiply, Keys.NumPad2, Keys.NumPad3, Keys.Y, Keys.Divide })
+            foreach (Keys key
+                in new[]
+                {
+                    Keys.NumPad0,
+                    Keys.I,
+                    Keys.O,
+                    Keys.J,
+                    Keys.K,
+                    Keys.L,
+                    Keys.NumPad1,
+                    Keys.U,
+                    Keys.N,
+                    Keys.Multiply,
+                    Keys.NumPad2,
+                    Keys.NumPad3,
+                    Keys.Y,
+                    Keys.Divide,
+                })
             {
                 driver.Script.RaiseKeyDown(key);
             }
@@ -179,7 +196,12 @@ public sealed class FaultTests
         driver.Game.Cameras.Clear();
         driver.Game.RenderingCamera = -1;
         driver.Reload();
-        driver.Game.Entities[TestGame.Player] = new GameEntity { Pool = PoolKind.Peds, Name = "player_one", Pose = new Pose(default, Axes.Identity) };
+        driver.Game.Entities[TestGame.Player] = new GameEntity
+        {
+            Pool = PoolKind.Peds,
+            Name = "player_one",
+            Pose = new Pose(default, Axes.Identity),
+        };
         HarvestTests.Street(driver.Game);
         driver.Tick(3);
         Assert.False(driver.Game.IsPaused);
@@ -198,7 +220,8 @@ public sealed class FaultTests
         driver.Game.PlayersVehicle = 0;
         driver.Tick(2);
 
-        Assert.Contains(driver.Game.Notifications, message => message.Contains("vehicle with the camera is gone", StringComparison.Ordinal));
+        Assert.Contains(
+            driver.Game.Notifications, message => message.Contains("vehicle with the camera is gone", StringComparison.Ordinal));
         Assert.Contains("The harvest ended", driver.Game.Notifications[^1], StringComparison.Ordinal);
         Assert.False(driver.Game.IsPaused);
     }

@@ -35,7 +35,8 @@ public sealed class FreezeTests
     [InlineData(FreezeMethod.TimeScale, null, "paused")]
     [InlineData(null, FreezeMethod.Paused, "timeScale")]
     [InlineData(FreezeMethod.Paused, FreezeMethod.TimeScale, "paused")]
-    public void Auto_tries_both_methods_and_the_session_records_the_findings(FreezeMethod? holdsCamera, FreezeMethod? letsTrafficGoOn, string expected)
+    public void Auto_tries_both_methods_and_the_session_records_the_findings(
+        FreezeMethod? holdsCamera, FreezeMethod? letsTrafficGoOn, string expected)
     {
         using ScriptDriver driver = Driving(Auto);
         driver.Game.HoldsCamera = holdsCamera;
@@ -44,7 +45,9 @@ public sealed class FreezeTests
 
         JsonElement freezing = Session(driver).GetProperty("start").GetProperty("freezing");
         Assert.Equal(expected, freezing.GetProperty("used").GetString());
-        Assert.Equal(["paused", "timeScale"], freezing.GetProperty("tried").EnumerateArray().Select(tried => tried.GetProperty("method").GetString()));
+        Assert.Equal(
+            ["paused", "timeScale"],
+            freezing.GetProperty("tried").EnumerateArray().Select(tried => tried.GetProperty("method").GetString()));
         Assert.All(freezing.GetProperty("tried").EnumerateArray(), tried =>
         {
             FreezeMethod method = tried.GetProperty("method").GetString() == "paused" ? FreezeMethod.Paused : FreezeMethod.TimeScale;
@@ -139,5 +142,6 @@ public sealed class FreezeTests
     }
 
     private static JsonElement Session(ScriptDriver driver) =>
-        JsonDocument.Parse(File.ReadAllText(Path.Combine(Assert.Single(Directory.GetDirectories(driver.Output)), "session.json"))).RootElement;
+        JsonDocument.Parse(
+            File.ReadAllText(Path.Combine(Assert.Single(Directory.GetDirectories(driver.Output)), "session.json"))).RootElement;
 }

@@ -1,6 +1,8 @@
 namespace Harvester.Mod.Tests;
 
-/// <summary>Nightlies and the Enhanced fork call members obsolete that the mod needs for 3.6.0: built against such a dll, warnings are no errors.</summary>
+/// <summary>
+/// Nightlies and the Enhanced fork call members obsolete that the mod needs for 3.6.0: built against such a dll, warnings are no errors.
+/// </summary>
 [Trait("Category", "Heavy")]
 public sealed class GameApiFileTests
 {
@@ -44,6 +46,9 @@ public sealed class GameApiFileTests
         (int exitCode, string output) = build.Build("-p:GameApi=file", "-p:ScriptHookVDotNetDll=nowhere.dll");
 
         Assert.NotEqual(0, exitCode);
-        Assert.Contains("No dll at 'nowhere.dll': say where ScriptHookVDotNet3.dll lies with -p:ScriptHookVDotNetDll=PATH.", output, StringComparison.Ordinal);
+        Assert.Contains(
+            "No dll at 'nowhere.dll': say where ScriptHookVDotNet3.dll lies with -p:ScriptHookVDotNetDll=PATH.",
+            output,
+            StringComparison.Ordinal);
     }
 }

@@ -41,5 +41,6 @@ public sealed class GameRaysTests
         Assert.Empty(game.Misuses);
     }
 
-    private static RayHit? Cast(GameRays rays, Vector3D direction) => ScriptThread.Run(() => rays.Cast(new Ray(Start, direction), ReachMetres, 0));
+    private static RayHit? Cast(GameRays rays, Vector3D direction) =>
+        ScriptThread.Run(() => rays.Cast(new Ray(Start, direction), ReachMetres, 0));
 }

@@ -50,9 +50,29 @@ public sealed class HarvestTests
         const int cycles = 13, motorcycles = 8;
         using var driver = new ScriptDriver();
         Street(driver.Game);
-        int ridden = driver.Game.Add(new GameEntity { Pool = PoolKind.Vehicles, Name = "scorcher", VehicleClass = cycles, Pose = new Pose(new Vector3D(97, 214, 0.6), Axes.Identity) });
-        driver.Game.Add(new GameEntity { Pool = PoolKind.Vehicles, Name = "bati", VehicleClass = motorcycles, Pose = new Pose(new Vector3D(103, 214, 0.6), Axes.Identity) });
-        driver.Game.Add(new GameEntity { Pool = PoolKind.Peds, Name = "a_m_y_cyclist_01", Pose = new Pose(new Vector3D(97, 214, 0.6), Axes.Identity), Vehicle = ridden });
+        int ridden = driver.Game.Add(
+            new GameEntity
+            {
+                Pool = PoolKind.Vehicles,
+                Name = "scorcher",
+                VehicleClass = cycles,
+                Pose = new Pose(new Vector3D(97, 214, 0.6), Axes.Identity),
+            });
+        driver.Game.Add(new GameEntity
+        {
+            Pool = PoolKind.Vehicles,
+            Name = "bati",
+            VehicleClass = motorcycles,
+            Pose = new Pose(new Vector3D(103, 214, 0.6), Axes.Identity),
+        });
+        driver.Game.Add(
+            new GameEntity
+            {
+                Pool = PoolKind.Peds,
+                Name = "a_m_y_cyclist_01",
+                Pose = new Pose(new Vector3D(97, 214, 0.6), Axes.Identity),
+                Vehicle = ridden,
+            });
         driver.Press(Keys.J);
         driver.Tick(5 * TicksOfAFrame);
         driver.Press(Keys.J);

@@ -21,7 +21,9 @@ public sealed class LightTests
     private const int LongestPictureLag = 4;
     private const int Ticks = 400;
 
-    /// <summary>Of the game's time, which stands while a frame is taken: each road has 7 s of green, 2 s of amber and a second of red for both.</summary>
+    /// <summary>
+    /// Of the game's time, which stands while a frame is taken: each road has 7 s of green, 2 s of amber and a second of red for both.
+    /// </summary>
     private const int LightsCycleMilliseconds = 20_000;
 
     [Fact]
@@ -66,7 +68,9 @@ public sealed class LightTests
         // The mod sets the lights and then is not asked: what the picture shows must be read as what was set.
         var scene = new SimulatedScene(Town(), ModelFaces.Table);
         using var driver = new ScriptDriver(Image, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock, Table());
-        foreach (int light in driver.Game.Entities.Where(entity => entity.Value.Name.StartsWith("prop_traffic", StringComparison.Ordinal)).Select(entity => entity.Key))
+        foreach (int light in driver.Game.Entities
+            .Where(entity => entity.Value.Name.StartsWith("prop_traffic", StringComparison.Ordinal))
+            .Select(entity => entity.Key))
         {
             driver.Game.LightDriven(light, 1);
         }
@@ -81,7 +85,9 @@ public sealed class LightTests
     public void Crossing_roads_alternate_in_the_other_order_of_numbers()
     {
         using ScriptDriver driver = OnStreet(
-            "[Harvest]\nWidth = 160\nHeight = 120\nRate = 1\nQueue = 1000\nDriveLights = On\nLightOrder = RedAmberGreen\n", out int along, out int across);
+            "[Harvest]\nWidth = 160\nHeight = 120\nRate = 1\nQueue = 1000\nDriveLights = On\nLightOrder = RedAmberGreen\n",
+            out int along,
+            out int across);
         driver.Press(Keys.J);
         var seen = new HashSet<(int, int)>();
         int begun = driver.Game.TimerMilliseconds;
@@ -135,12 +141,15 @@ public sealed class LightTests
         driver.Press(Keys.J);
         driver.Tick(30);
         int asked = 0;
-        driver.Game.Fault = native => native == Hash.SET_ENTITY_TRAFFICLIGHT_OVERRIDE && asked++ == 0 ? new InvalidOperationException("No light.") : null;
+        driver.Game.Fault = native => native == Hash.SET_ENTITY_TRAFFICLIGHT_OVERRIDE
+            && asked++ == 0 ? new InvalidOperationException("No light.") : null;
         driver.Press(Keys.J);
         driver.Tick(3);
 
         Assert.Empty(driver.Game.LightOverrides);
-        Assert.Contains(driver.Game.Notifications, message => message.Contains("The driving of traffic lights failed: No light.", StringComparison.Ordinal));
+        Assert.Contains(
+            driver.Game.Notifications,
+            message => message.Contains("The driving of traffic lights failed: No light.", StringComparison.Ordinal));
     }
 
     private static ScriptDriver InTown(string ini)
@@ -159,7 +168,8 @@ public sealed class LightTests
         return driver;
     }
 
-    internal static GameEntity LightAt(Vector3D place, Axes axes) => new() { Pool = PoolKind.Props, Name = "prop_traffic_03a", Pose = new Pose(place, axes) };
+    internal static GameEntity LightAt(Vector3D place, Axes axes) =>
+        new() { Pool = PoolKind.Props, Name = "prop_traffic_03a", Pose = new Pose(place, axes) };
 
     private static SimulationOptions Town() => new() { Seed = 12, TrafficDensity = 0, PedestrianDensity = 0 };
 

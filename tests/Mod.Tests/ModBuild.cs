@@ -2,7 +2,9 @@ using System.Diagnostics;
 
 namespace Harvester.Mod.Tests;
 
-/// <summary>A copy of what the mod is built from, built by the SDK as a user would, away from what these tests themselves were built from.</summary>
+/// <summary>
+/// A copy of what the mod is built from, built by the SDK as a user would, away from what these tests themselves were built from.
+/// </summary>
 internal sealed class ModBuild : IDisposable
 {
     private static readonly string[] Folders =
@@ -35,7 +37,8 @@ internal sealed class ModBuild : IDisposable
     /// <param name="properties">As on the command line, such as -p:GameApi=file.</param>
     public (int ExitCode, string Output) Build(params string[] properties)
     {
-        var start = new ProcessStartInfo("dotnet", ["build", "-c", "Release", "src/Harvester.Mod", "-nodeReuse:false", "-p:UseSharedCompilation=false", .. properties])
+        var start = new ProcessStartInfo(
+            "dotnet", ["build", "-c", "Release", "src/Harvester.Mod", "-nodeReuse:false", "-p:UseSharedCompilation=false", .. properties])
         {
             WorkingDirectory = _folder.Path,
             RedirectStandardOutput = true,
@@ -43,7 +46,8 @@ internal sealed class ModBuild : IDisposable
         };
 
         // What the test runner has set for its own MSBuild is not the user's.
-        foreach (string name in start.Environment.Keys.Where(name => name.StartsWith("MSBUILD", StringComparison.OrdinalIgnoreCase)).ToArray())
+        foreach (string name
+            in start.Environment.Keys.Where(name => name.StartsWith("MSBUILD", StringComparison.OrdinalIgnoreCase)).ToArray())
         {
             start.Environment.Remove(name);
         }

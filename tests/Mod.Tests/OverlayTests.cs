@@ -53,7 +53,8 @@ public sealed class OverlayTests
         driver.Tick(Ticks);
         driver.Press(Keys.L);
 
-        Match figures = Regex.Match(driver.Log(), @"The overlay: off after (\d+) ticks in .* s, ([\d.]+) natives per tick, 0 rays per second, tick time p50 ");
+        Match figures = Regex.Match(
+            driver.Log(), @"The overlay: off after (\d+) ticks in .* s, ([\d.]+) natives per tick, 0 rays per second, tick time p50 ");
         Assert.InRange(int.Parse(figures.Groups[1].Value, CultureInfo.InvariantCulture), Ticks, Ticks + 2);
         Assert.InRange(double.Parse(figures.Groups[2].Value, CultureInfo.InvariantCulture), 4 * seen, NativesPerEntity * seen);
     }
@@ -92,7 +93,14 @@ public sealed class OverlayTests
         Add(PoolKind.Peds, "a_m_y_hipster_01", 107, 240);
         game.Add(LightTests.LightAt(new Vector3D(108, 250, 0), Axes.Identity));
         game.Add(LightTests.LightAt(new Vector3D(92, 250, 0), Axes.Identity));
-        game.Add(new GameEntity { Pool = PoolKind.Peds, Name = "a_m_y_hipster_01", Pose = new Pose(new Vector3D(100, 220, 1), Axes.Identity), Vehicle = ahead });
+        game.Add(
+            new GameEntity
+            {
+                Pool = PoolKind.Peds,
+                Name = "a_m_y_hipster_01",
+                Pose = new Pose(new Vector3D(100, 220, 1), Axes.Identity),
+                Vehicle = ahead,
+            });
         for (int behind = 0; behind < 11; behind++)
         {
             Add(PoolKind.Vehicles, "asea", 98 + behind, 180 - behind);

@@ -81,7 +81,8 @@ internal static class Playthrough
         ServedGame.Drop(folder, "command.json", """{"type":"environment","weather":"rain","timeOfDay":"08:15"}""");
         Until(Hash.SET_CLOCK_TIME);
 
-        void Until(Hash native) => driver.Until(() => driver.Game.Calls.Contains(native) || IsToldSince(driver, told, Failed, Stopped), ServedGame.ClientsPauseMilliseconds);
+        void Until(Hash native) => driver.Until(
+            () => driver.Game.Calls.Contains(native) || IsToldSince(driver, told, Failed, Stopped), ServedGame.ClientsPauseMilliseconds);
     }
 
     private static bool IsToldSince(ScriptDriver driver, int told, params string[] words) =>

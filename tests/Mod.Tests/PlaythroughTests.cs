@@ -17,7 +17,9 @@ public sealed class PlaythroughTests
             Playthrough.Of(driver);
 
             Assert.DoesNotContain(game.Notifications, message => message.Contains("failed", StringComparison.Ordinal));
-            Assert.Contains(Directory.GetDirectories(driver.Output, "session*"), session => File.ReadAllLines(Path.Combine(session, "labels.jsonl")).Length > 0);
+            Assert.Contains(
+                Directory.GetDirectories(driver.Output, "session*"),
+                session => File.ReadAllLines(Path.Combine(session, "labels.jsonl")).Length > 0);
         }
 
         Assert.Empty(game.LeftBehind);

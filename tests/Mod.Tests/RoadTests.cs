@@ -104,7 +104,10 @@ public sealed class RoadTests
 
         string header = File.ReadAllText(Assert.Single(Directory.GetFiles(driver.Folder, "session.json", SearchOption.AllDirectories)));
         Assert.Contains("\"laneWidth\": \"5.4\",\n    \"narrowLaneWidth\": \"3.5\"", header, StringComparison.Ordinal);
-        Assert.Contains("\"source\":\"roadFile\"", Assert.Single(driver.Labels()).Replace(" ", string.Empty, StringComparison.Ordinal), StringComparison.Ordinal);
+        Assert.Contains(
+            "\"source\":\"roadFile\"",
+            Assert.Single(driver.Labels()).Replace(" ", string.Empty, StringComparison.Ordinal),
+            StringComparison.Ordinal);
         Assert.DoesNotContain(GTA.Native.Hash.GET_CLOSEST_ROAD, driver.Game.Calls);
     }
 
@@ -133,7 +136,8 @@ public sealed class RoadTests
         [NodeAt(180.125, 0), NodeAt(320.125, 1)],
         [new RoadLink(0, 1, 1, 2, 0, RoadLinkFlags.None)]);
 
-    private static RoadNode NodeAt(double north, int number) => new(7, number, new Vector3D(97.375, north, 0), string.Empty, RoadNodeFlags.None);
+    private static RoadNode NodeAt(double north, int number) =>
+        new(7, number, new Vector3D(97.375, north, 0), string.Empty, RoadNodeFlags.None);
 
     private static void AssertLinesOfTheRoad(IEnumerable<Box2D> dots, double laneWidth = 5.4)
     {

@@ -21,7 +21,9 @@ internal sealed class ScriptDriver : IDisposable
         string ini = "", Action<TestGame>? prepare = null, IScreen? screen = null, IClock? clock = null, string? faces = "# none\n")
     {
         string freeze = ini.Contains("Freeze =", StringComparison.Ordinal) ? string.Empty : "Freeze = Paused\n";
-        File.WriteAllText(Path.Combine(_folder.Path, "GtaDataHarvester.ini"), $"{ini}\n[Harvest]\nFolder = out\nProbeLag = Off\n{freeze}[Lens]\nMaxError = 0\n");
+        File.WriteAllText(
+            Path.Combine(_folder.Path, "GtaDataHarvester.ini"),
+            $"{ini}\n[Harvest]\nFolder = out\nProbeLag = Off\n{freeze}[Lens]\nMaxError = 0\n");
         if (faces is not null)
         {
             File.WriteAllText(Path.Combine(_folder.Path, "spaces_of_interest.csv"), faces);
@@ -85,7 +87,9 @@ internal sealed class ScriptDriver : IDisposable
         Script = Load();
     }
 
-    /// <summary>Waits until everything that the script does on other threads is done: what was harvested is written, what it asked for is read.</summary>
+    /// <summary>
+    /// Waits until everything that the script does on other threads is done: what was harvested is written, what it asked for is read.
+    /// </summary>
     public void WaitForDisk()
     {
         while (Script.IsBusy)
@@ -112,7 +116,10 @@ internal sealed class ScriptDriver : IDisposable
     /// <summary>Lets ticks go by until the player is told something.</summary>
     public void UntilTold(string message) => Until(() => Game.Notifications.Any(told => told.Contains(message, StringComparison.Ordinal)));
 
-    /// <summary>Ends the script as an unloading domain does: on another thread, and once more. What the real API would not have borne fails the test.</summary>
+    /// <summary>
+    /// Ends the script as an unloading domain does: on another thread, and once more. What the real API would not have borne fails the
+    /// test.
+    /// </summary>
     public void Dispose()
     {
         OtherThread.Do(Script.RaiseAborted);

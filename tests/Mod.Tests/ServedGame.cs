@@ -31,7 +31,8 @@ public abstract class ServedGame
 
     private protected static string Ini(int port) => string.Create(CultureInfo.InvariantCulture, $"[Bridge]\nPort = {port}\n");
 
-    private protected static int BigEndian(byte[] bytes, int at) => (bytes[at] << 24) | (bytes[at + 1] << 16) | (bytes[at + 2] << 8) | bytes[at + 3];
+    private protected static int BigEndian(byte[] bytes, int at) =>
+        (bytes[at] << 24) | (bytes[at + 1] << 16) | (bytes[at + 2] << 8) | bytes[at + 3];
 
     private protected static void Street(TestGame game)
     {
@@ -43,7 +44,8 @@ public abstract class ServedGame
     {
         int told = driver.Game.Notifications.Count;
         driver.Press(Keys.N);
-        Until(driver, () => driver.Game.Notifications.Skip(told).Any(message => message.Contains("The car waits for a client", StringComparison.Ordinal)));
+        Until(driver, () => driver.Game.Notifications.Skip(told).Any(
+            message => message.Contains("The car waits for a client", StringComparison.Ordinal)));
         driver.Tick(2);
         Assert.NotEmpty(driver.Game.Controls);
     }

@@ -47,7 +47,8 @@ public sealed class SessionComparisonTests
     /// <summary>A scene without traffic, people, signals or things hidden would let a mod pass that reads none of them.</summary>
     private static void AssertScenePutsEverythingToTheTest(string[] labels)
     {
-        JsonElement[] objects = labels.SelectMany(line => JsonDocument.Parse(line).RootElement.GetProperty("objects").EnumerateArray()).ToArray();
+        JsonElement[] objects = labels.SelectMany(line => JsonDocument.Parse(line).RootElement.GetProperty("objects").EnumerateArray())
+            .ToArray();
         string?[] classes = objects.Select(label => label.GetProperty("class").GetString()).Distinct().ToArray();
 
         Assert.All(["car", "truck", "pedestrian", "trafficLight"], expected => Assert.Contains(expected, classes));
@@ -59,7 +60,15 @@ public sealed class SessionComparisonTests
 
     private static void HarvestDirectly(SimulatedScene scene, FaceTable faces, string directory)
     {
-        var options = new HarvestOptions { Image = new ImageSize(64, 48), RateHz = 5, Masks = true, OcclusionSamples = 16, ProbeLag = false, Faces = faces };
+        var options = new HarvestOptions
+        {
+            Image = new ImageSize(64, 48),
+            RateHz = 5,
+            Masks = true,
+            OcclusionSamples = 16,
+            ProbeLag = false,
+            Faces = faces,
+        };
         using var writer = new SessionWriter(directory, new SessionOrigin { Game = "test", Tool = "test" });
         using var session = new HarvestSession(options, scene.Ports, writer);
         for (int tick = 0; tick < Ticks; tick++)

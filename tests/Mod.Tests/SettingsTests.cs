@@ -14,7 +14,8 @@ public sealed class SettingsTests
         driver.Tick(2);
 
         Assert.Equal(
-            "GtaDataHarvester: GtaDataHarvester.ini: Line 2: SpawnTestCar = Banana is not a key, such as NumPad0, I or F9; the default is used.",
+            "GtaDataHarvester: GtaDataHarvester.ini: Line 2: SpawnTestCar = Banana is not a key, such as NumPad0, I or F9; the default is "
+                + "used.",
             Assert.Single(driver.Game.Notifications));
         driver.Press(Keys.NumPad0);
         driver.Tick(10);
@@ -37,14 +38,16 @@ public sealed class SettingsTests
     [Fact]
     public void First_tick_logs_versions_system_window_and_changed_settings()
     {
-        using var driver = new ScriptDriver("[Camera]\nVerticalFov = 60\n[Keys]\nHarvest = F4\nOverlay = L\n[Bridge]\nTakeBackKeys = W, A, S, D, Space\n");
+        using var driver = new ScriptDriver(
+            "[Camera]\nVerticalFov = 60\n[Keys]\nHarvest = F4\nOverlay = L\n[Bridge]\nTakeBackKeys = W, A, S, D, Space\n");
         driver.Tick(3);
 
         Assert.Matches(
             @"^(?<time>\d{4}-\d\d-\d\d \d\d:\d\d:\d\d )GtaDataHarvester \d+(\.\d+){3}, API 3\.6\.0\.0, GTA V Legacy 1\.0\.3179\.0\.\s+"
             + @"\S+ \S+ System: \S.*, runtime \d.*\.\s+"
             + @"\S+ \S+ Window: 1920 x 1080, borderless, 96 dpi\.\s+"
-            + @"\S+ \S+ Changed settings: \[Camera\] VerticalFov = 60; \[Keys\] Harvest = F4; \[Harvest\] Folder = out; \[Harvest\] ProbeLag = Off; "
+            + @"\S+ \S+ Changed settings: \[Camera\] VerticalFov = 60; \[Keys\] Harvest = F4; \[Harvest\] Folder = out; \[Harvest\] "
+            + @"ProbeLag = Off; "
             + @"\[Harvest\] Freeze = Paused; \[Lens\] MaxError = 0\.\s*$",
             driver.Log());
     }
@@ -53,7 +56,9 @@ public sealed class SettingsTests
     public void Shipped_file_is_valid_and_states_the_defaults()
     {
         using var folder = new TemporaryFolder();
-        File.Copy(Path.Combine(BuiltMod.RepositoryRoot, "src", "Harvester.Mod", "GtaDataHarvester.ini"), Path.Combine(folder.Path, "GtaDataHarvester.ini"));
+        File.Copy(
+            Path.Combine(BuiltMod.RepositoryRoot, "src", "Harvester.Mod", "GtaDataHarvester.ini"),
+            Path.Combine(folder.Path, "GtaDataHarvester.ini"));
         IniFile shipped = new ModFolder(folder.Path).Settings;
         IniFile empty = IniFile.Read(TextReader.Null);
 
@@ -63,7 +68,8 @@ public sealed class SettingsTests
         [
             ("SpawnTestCar", Keys.NumPad0), ("MountCamera", Keys.I), ("RestoreCamera", Keys.O), ("Harvest", Keys.J),
             ("OneFrame", Keys.K), ("Overlay", Keys.L), ("Calibrate", Keys.NumPad1), ("RoadSurvey", Keys.U),
-            ("SpaceSurvey", Keys.Multiply), ("MarkCorner", Keys.NumPad2), ("NextName", Keys.NumPad3), ("KeepFace", Keys.Y), ("UnknownModels", Keys.Divide), ("Drive", Keys.N),
+            ("SpaceSurvey", Keys.Multiply), ("MarkCorner", Keys.NumPad2), ("NextName", Keys.NumPad3), ("KeepFace", Keys.Y),
+            ("UnknownModels", Keys.Divide), ("Drive", Keys.N),
         ];
         Assert.All(keys, key => Assert.Equal(key.Key, shipped.Choice("Keys", key.Name, Keys.None, "a key")));
         Assert.Equal([Keys.W, Keys.A, Keys.S, Keys.D, Keys.Space], shipped.Choices<Keys>("Bridge", "TakeBackKeys", [], "keys"));
@@ -76,7 +82,8 @@ public sealed class SettingsTests
         using var driver = new ScriptDriver(faces: null);
         driver.Tick();
 
-        Assert.StartsWith("GtaDataHarvester: spaces_of_interest.csv cannot be read", Assert.Single(driver.Game.Notifications), StringComparison.Ordinal);
+        Assert.StartsWith(
+            "GtaDataHarvester: spaces_of_interest.csv cannot be read", Assert.Single(driver.Game.Notifications), StringComparison.Ordinal);
         driver.Press(Keys.NumPad0);
         driver.Tick(10);
         Assert.Single(driver.Game.Vehicles);

@@ -38,7 +38,8 @@ public sealed class SurveyPhotoTests
             Box2D drawn = CuboidProjector.Project(camera, face.CuboidAt(new Pose(Vector3D.Zero, Axes.Identity))).Box!.Value;
             Box2D seen = WhiteAbove(picture, drawn.YMax - 2);
 
-            // A ray's cell is 12 mm wide. The face takes two thirds of 320 pixels, 0.76 m of the smallest of the plates: 12 mm are 3.4 pixels.
+            // A ray's cell is 12 mm wide. The face takes two thirds of 320 pixels, 0.76 m of the smallest of the plates: 12 mm are 3.4
+            // pixels.
             const double cell = 3.4;
             Assert.Equal(drawn.XMin, seen.XMin, cell);
             Assert.Equal(drawn.XMax, seen.XMax, cell);
@@ -53,6 +54,7 @@ public sealed class SurveyPhotoTests
         (int X, int Y)[] white = [.. Enumerable.Range(0, picture.Width * picture.Height)
             .Where(pixel => picture.Samples[pixel * samples] > 0 && pixel / picture.Width < row)
             .Select(pixel => (pixel % picture.Width, pixel / picture.Width))];
-        return new Box2D(white.Min(pixel => pixel.X), white.Min(pixel => pixel.Y), white.Max(pixel => pixel.X) + 1, white.Max(pixel => pixel.Y) + 1);
+        return new Box2D(
+            white.Min(pixel => pixel.X), white.Min(pixel => pixel.Y), white.Max(pixel => pixel.X) + 1, white.Max(pixel => pixel.Y) + 1);
     }
 }

@@ -4,7 +4,9 @@ using Harvester.Simulation.Tests.Faces.Survey;
 
 namespace Harvester.Mod.Tests;
 
-/// <summary>How long the survey takes, in ticks, when natives cost what they were measured to cost. docs/faces.md tells the figures.</summary>
+/// <summary>
+/// How long the survey takes, in ticks, when natives cost what they were measured to cost. docs/faces.md tells the figures.
+/// </summary>
 public sealed class SurveyTimeTests
 {
     private const double TicksPerSecond = 60;

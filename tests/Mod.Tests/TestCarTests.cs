@@ -98,7 +98,8 @@ public sealed class TestCarTests
         driver.Tick(EnoughTicksToLoad);
 
         Assert.Empty(driver.Game.Vehicles);
-        Assert.Contains("no vehicle 'notacar'. Change Model under [TestCar]", Assert.Single(driver.Game.Notifications), StringComparison.Ordinal);
+        Assert.Contains(
+            "no vehicle 'notacar'. Change Model under [TestCar]", Assert.Single(driver.Game.Notifications), StringComparison.Ordinal);
     }
 
     [Fact]

@@ -102,7 +102,8 @@ public class SimulatedGameTests
             game.Tick(1);
             RenderTarget picture = game.Render(size);
             CameraState camera = game.Ports.World.ReadCamera();
-            Dictionary<int, EntityState> entities = game.Ports.World.ReadEntities(camera.Pose.Position, EverythingMetres).ToDictionary(entity => entity.Handle);
+            Dictionary<int, EntityState> entities = game.Ports.World.ReadEntities(camera.Pose.Position, EverythingMetres).ToDictionary(
+                entity => entity.Handle);
             double halfHeight = Math.Tan(camera.VerticalFovDegrees * Math.PI / 360);
             for (int pixel = 0; pixel < picture.Handles.Length; pixel++)
             {
@@ -141,6 +142,7 @@ public class SimulatedGameTests
     private static string States(IWorld world)
     {
         EgoState ego = world.ReadEgo();
-        return string.Join('\n', world.ReadEntities(ego.Pose.Position, EverythingMetres).Select(entity => entity.ToString()).Prepend(ego.ToString()));
+        return string.Join(
+            '\n', world.ReadEntities(ego.Pose.Position, EverythingMetres).Select(entity => entity.ToString()).Prepend(ego.ToString()));
     }
 }

@@ -4,7 +4,9 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.TestSupport;
 
-/// <summary>A bridge in memory, to a client that is the test. It gives messages out as the real ones do: commands first, of controls the newest.</summary>
+/// <summary>
+/// A bridge in memory, to a client that is the test. It gives messages out as the real ones do: commands first, of controls the newest.
+/// </summary>
 internal sealed class FakeBridge : IDrivingBridge
 {
     private readonly ClientInbox<FakeBridge> _inbox = new();

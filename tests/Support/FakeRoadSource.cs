@@ -4,7 +4,9 @@ using Harvester.Geometry.Roads;
 
 namespace Harvester.TestSupport;
 
-/// <summary>A game's answers about a known network: truncated positions, the southern end of a link first, nodes loaded after some ticks.</summary>
+/// <summary>
+/// A game's answers about a known network: truncated positions, the southern end of a link first, nodes loaded after some ticks.
+/// </summary>
 internal sealed class FakeRoadSource(RoadNetwork network, int ticksUntilLoaded = 0) : IRoadSource
 {
     private int _ticks;
@@ -33,7 +35,9 @@ internal sealed class FakeRoadSource(RoadNetwork network, int ticksUntilLoaded =
         // The game's own bits: 64 highway, 128 junction, 8 switched off.
         return new SurveyedProperties(
             node.Density ?? 0,
-            (node.Flags.HasFlag(RoadNodeFlags.Highway) ? 64 : 0) + (node.Flags.HasFlag(RoadNodeFlags.Junction) ? 128 : 0) + (node.Flags.HasFlag(RoadNodeFlags.SwitchedOff) ? 8 : 0));
+            (node.Flags.HasFlag(RoadNodeFlags.Highway) ? 64 : 0)
+                + (node.Flags.HasFlag(RoadNodeFlags.Junction) ? 128 : 0)
+                + (node.Flags.HasFlag(RoadNodeFlags.SwitchedOff) ? 8 : 0));
     }
 
     public SurveyedRoad? ClosestRoad(Vector3D place)
@@ -42,7 +46,8 @@ internal sealed class FakeRoadSource(RoadNetwork network, int ticksUntilLoaded =
         RoadLink link = network.Links.MinBy(link => Distance(place, Stored(network.Nodes[link.From]), Stored(network.Nodes[link.To])))!;
         RoadLink northwards = Stored(network.Nodes[link.From]).Y <= Stored(network.Nodes[link.To]).Y ? link : link.Reversed();
         return new SurveyedRoad(
-            Stored(network.Nodes[northwards.From]), Stored(network.Nodes[northwards.To]), northwards.LanesBackward, northwards.LanesForward, northwards.MedianWidth ?? -1);
+            Stored(network.Nodes[northwards.From]), Stored(network.Nodes[northwards.To]), northwards.LanesBackward, northwards.LanesForward,
+            northwards.MedianWidth ?? -1);
     }
 
     public Vector3D? RoadEdge(Vector3D node, double headingDegrees)

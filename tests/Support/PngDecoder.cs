@@ -4,7 +4,9 @@ using System.Text;
 
 namespace Harvester.TestSupport;
 
-/// <summary>Reads a PNG by the standard's text, with all five filters and every checksum checked; it shares nothing with the encoder.</summary>
+/// <summary>
+/// Reads a PNG by the standard's text, with all five filters and every checksum checked; it shares nothing with the encoder.
+/// </summary>
 internal sealed class PngDecoder
 {
     private PngDecoder(int width, int height, int bits, int colourType, byte[] samples)
@@ -48,7 +50,13 @@ internal sealed class PngDecoder
 
         int width = (int)BinaryPrimitives.ReadUInt32BigEndian(header);
         int height = (int)BinaryPrimitives.ReadUInt32BigEndian(header.AsSpan(4));
-        int pixelBytes = header[9] switch { 0 => 1, 2 => 3, var other => throw new InvalidDataException($"Colour type {other}.") } * header[8] / 8;
+        int pixelBytes = header[9] switch
+        {
+            0 =>
+            1,
+            2 => 3,
+            var other => throw new InvalidDataException($"Colour type {other}.")
+        } * header[8] / 8;
         Assert.Equal([0, 0, 0], header[10..]);
         var inflated = new MemoryStream();
         data.Position = 0;

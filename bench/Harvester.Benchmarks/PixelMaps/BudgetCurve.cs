@@ -23,7 +23,13 @@ internal static class BudgetCurve
         double greatest = budgets[^1];
         for (double iou = LowestIou; iou < 1.01; iou += 0.1)
         {
-            svg.Start("line").With("x1", Left).With("x2", Left + Width).With("y1", Y(iou)).With("y2", Y(iou)).With("stroke", "#dddddd").End();
+            svg.Start("line")
+                .With("x1", Left)
+                .With("x2", Left + Width)
+                .With("y1", Y(iou))
+                .With("y2", Y(iou))
+                .With("stroke", "#dddddd")
+                .End();
             Label(svg, Left - 30, Y(iou) + 4, iou.ToString("F1", CultureInfo.InvariantCulture));
         }
 

@@ -2,7 +2,9 @@ using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Benchmarks.PixelMaps;
 
-/// <summary>The plain quadtree: a cell whose corners and seeds differ is divided, down to a least size; one that agrees is filled.</summary>
+/// <summary>
+/// The plain quadtree: a cell whose corners and seeds differ is divided, down to a least size; one that agrees is filled.
+/// </summary>
 internal static class Quadtree
 {
     public static InstanceMap Map(SampledImage image, int cellSize, int leastSize)
@@ -25,7 +27,11 @@ internal static class Quadtree
     {
         int number = image[left, top];
         bool isUniform = image[right, top] == number && image[left, bottom] == number && image[right, bottom] == number
-            && image.Seeds.All(seed => seed.Column < left || seed.Column > right || seed.Row < top || seed.Row > bottom || image[seed.Column, seed.Row] == number);
+            && image.Seeds.All(seed => seed.Column < left
+                || seed.Column > right
+                || seed.Row < top
+                || seed.Row > bottom
+                || image[seed.Column, seed.Row] == number);
         if (isUniform || (right - left <= leastSize && bottom - top <= leastSize))
         {
             for (int row = top; row <= bottom; row++)

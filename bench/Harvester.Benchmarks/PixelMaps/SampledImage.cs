@@ -6,7 +6,9 @@ using Harvester.Geometry.Visibility;
 
 namespace Harvester.Benchmarks.PixelMaps;
 
-/// <summary>The pixels of a scene that a strategy has asked for; each costs a ray once, and those outside all objects' boxes cost none.</summary>
+/// <summary>
+/// The pixels of a scene that a strategy has asked for; each costs a ray once, and those outside all objects' boxes cost none.
+/// </summary>
 internal sealed class SampledImage
 {
     private readonly TownScene _scene;
@@ -101,7 +103,8 @@ internal sealed class SampledImage
         foreach ((double across, double down) in new[] { (0.5, 0.5), (0.4, 0.25), (0.6, 0.75) })
         {
             yield return (
-                Math.Clamp((int)(box.XMin + (box.Width * across)), 0, Size.Width - 1), Math.Clamp((int)(box.YMin + (box.Height * down)), 0, Size.Height - 1));
+                Math.Clamp((int)(box.XMin + (box.Width * across)), 0, Size.Width - 1), Math.Clamp(
+                    (int)(box.YMin + (box.Height * down)), 0, Size.Height - 1));
         }
     }
 }

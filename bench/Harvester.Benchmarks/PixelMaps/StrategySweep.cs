@@ -19,10 +19,13 @@ internal static class StrategySweep
         .. new[] { 0.5, 1.0, 2.0, 4.0 }.Select(rougher => ($"cells, {rougher} times the error", ByCells(rougher))),
         .. new[] { 6, 8, 10, 14 }.Select(step => ($"uniform grid of {step}", ByPixels((image, _) => image.Nearest(step)))),
         .. new[] { 8, 16, 32, 64 }.Select(size => ($"quadtree, first grid {size}", ByPixels((image, _) => Quadtree.Map(image, size, 1)))),
-        .. new[] { 8, 16, 32 }.Select(size => ($"quadtree down to 2 pixels, first grid {size}", ByPixels((image, _) => Quadtree.Map(image, size, 2)))),
-        .. new[] { 8, 16, 32, 64 }.Select(size => ($"boundary tracing, first grid {size}", ByPixels((image, _) => ContourFollowing.Map(image, size)))),
+        .. new[] { 8, 16, 32 }.Select(
+            size => ($"quadtree down to 2 pixels, first grid {size}", ByPixels((image, _) => Quadtree.Map(image, size, 2)))),
+        .. new[] { 8, 16, 32, 64 }.Select(
+            size => ($"boundary tracing, first grid {size}", ByPixels((image, _) => ContourFollowing.Map(image, size)))),
         .. new[] { (4, 32), (8, 16), (8, 32), (16, 32), (32, 64) }.Select(step =>
-            ($"hull-guided scanlines, every {step.Item1} rows and {step.Item2} columns", ByPixels((image, targets) => GuidedScanlines.Map(image, targets, step.Item1, step.Item2)))),
+            ($"hull-guided scanlines, every {step.Item1} rows and {step.Item2} columns", ByPixels(
+                (image, targets) => GuidedScanlines.Map(image, targets, step.Item1, step.Item2)))),
     ];
 
     public static void Run(ImageSize size, int firstSeed)
@@ -61,7 +64,8 @@ internal static class StrategySweep
         return (map.Map, map.RaysCast);
     };
 
-    private static Func<TownScene, List<MapTarget>, (InstanceMap Map, int Rays)> ByPixels(Func<SampledImage, List<MapTarget>, InstanceMap> strategy) =>
+    private static Func<TownScene, List<MapTarget>, (InstanceMap Map, int Rays)> ByPixels(
+        Func<SampledImage, List<MapTarget>, InstanceMap> strategy) =>
         (scene, targets) =>
         {
             var image = new SampledImage(scene, targets);

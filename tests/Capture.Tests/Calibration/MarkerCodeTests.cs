@@ -50,7 +50,8 @@ public sealed class MarkerCodeTests
     public void Spots_that_are_not_markers_are_omitted_and_counted()
     {
         // One in a single picture, as a drop of rain, and one in all, as a car that has come.
-        MarkerIdentification identification = Identify(default, [(3, new Vector2D(51, 77)), .. Enumerable.Range(0, 7).Select(picture => (picture, new Vector2D(333, 99)))]);
+        MarkerIdentification identification = Identify(
+            default, [(3, new Vector2D(51, 77)), .. Enumerable.Range(0, 7).Select(picture => (picture, new Vector2D(333, 99)))]);
 
         Assert.Equal(35, identification.SightingsOf(Plan, Pose).Count);
         Assert.Equal(2, identification.UnknownCount);
@@ -67,7 +68,8 @@ public sealed class MarkerCodeTests
         Assert.DoesNotContain(sightings, sighting => sighting.World == Plan.Markers[4].CentreOfImage(Pose));
     }
 
-    private static int[] PicturesOf(int marker) => [.. Enumerable.Range(0, MarkerCode.Pictures).Where(picture => MarkerCode.IsShown(marker, picture))];
+    private static int[] PicturesOf(int marker) =>
+        [.. Enumerable.Range(0, MarkerCode.Pictures).Where(picture => MarkerCode.IsShown(marker, picture))];
 
     private static MarkerIdentification Identify(Vector2D shift, IReadOnlyList<(int Picture, Vector2D Centre)> others)
     {
@@ -77,7 +79,8 @@ public sealed class MarkerCodeTests
             identification.Add(
                 picture,
                 [
-                    .. Plan.Markers.Where((_, marker) => MarkerCode.IsShown(marker, picture)).Select(marker => new MarkerSpot(marker.ExpectedPixel + shift, 113)),
+                    .. Plan.Markers.Where((_, marker) => MarkerCode.IsShown(marker, picture)).Select(
+                        marker => new MarkerSpot(marker.ExpectedPixel + shift, 113)),
                     .. others.Where(other => other.Picture == picture).Select(other => new MarkerSpot(other.Centre, 113)),
                 ]);
         }

@@ -18,7 +18,8 @@ public sealed class MarkerDetectorTests
     [InlineData(1, 0.2)]
     public void Find_gives_the_centre_to_a_part_of_a_pixel(int samplesPerSide, double tolerance)
     {
-        // With 64 points a pixel the picture is smooth; with 1 an outline of some 38 pixels is rounded: 0.3 · √38 / (6² π) = 0.02 px typically.
+        // With 64 points a pixel the picture is smooth; with 1 an outline of some 38 pixels is rounded: 0.3 · √38 / (6² π) = 0.02 px
+        // typically.
         var random = new Random(1);
         for (int i = 0; i < 50; i++)
         {

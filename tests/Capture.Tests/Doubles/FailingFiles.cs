@@ -2,7 +2,9 @@ using Harvester.Capture.Storage;
 
 namespace Harvester.Capture.Tests.Doubles;
 
-/// <summary>A session's directory whose disk is full from a given write on, as the medium's own stream would tell: in the middle of a file.</summary>
+/// <summary>
+/// A session's directory whose disk is full from a given write on, as the medium's own stream would tell: in the middle of a file.
+/// </summary>
 internal sealed class FailingFiles(string directory, int failingWrite) : ISessionFiles
 {
     private readonly SessionDirectory _files = new(directory);

@@ -5,7 +5,12 @@ namespace Harvester.Capture.Tests.Harvesting;
 
 public sealed class FreezeReportTests
 {
-    private static readonly FreezeFinding Paused = new(FreezeMethod.Paused, true, 2) { MovesCamera = true, HoldsEnvironment = true, PictureChange = 0.5 };
+    private static readonly FreezeFinding Paused = new(FreezeMethod.Paused, true, 2)
+    {
+        MovesCamera = true,
+        HoldsEnvironment = true,
+        PictureChange = 0.5,
+    };
     private static readonly FreezeFinding Scaled = Paused with { Method = FreezeMethod.TimeScale };
 
     public static TheoryData<FreezeFinding, FreezeFinding, FreezeMethod> Pairs => new()
@@ -24,7 +29,8 @@ public sealed class FreezeReportTests
 
     [Theory]
     [MemberData(nameof(Pairs))]
-    public void Best_freeze_method_wins_the_first_criterion_that_differs(FreezeFinding paused, FreezeFinding scaled, FreezeMethod expected) =>
+    public void Best_freeze_method_wins_the_first_criterion_that_differs(
+        FreezeFinding paused, FreezeFinding scaled, FreezeMethod expected) =>
         Assert.Equal(expected, FreezeReport.Of([paused, scaled]).Method);
 
     [Fact]
@@ -36,7 +42,8 @@ public sealed class FreezeReportTests
 
     [Fact]
     public void Text_describes_each_freeze_method_and_the_choice() => Assert.Equal(
-        "Paused: the world never stood still; TimeScale: the world stood still after 2 ticks (nothing was moving before), weather or time of day changed, "
+        "Paused: the world never stood still; TimeScale: the world stood still after 2 ticks (nothing was moving before), weather or time "
+            + "of day changed, "
         + "the camera could not be moved, the image changed by 0.50 of 255; TimeScale is used.",
         FreezeReport.Of(
         [

@@ -76,7 +76,8 @@ public sealed class FrozenHarvestTests
 
         Assert.Equal(0, session.Counters.Captured);
         Assert.Equal(
-            "The picture is 3 ticks or more behind the game, and the harvest allows for 2. Raise the limit (MaxPictureLagTicks) and start again.",
+            "The picture is 3 ticks or more behind the game, and the harvest allows for 2. Raise the limit (MaxPictureLagTicks) and start "
+                + "again.",
             session.Fault);
     }
 
@@ -92,7 +93,8 @@ public sealed class FrozenHarvestTests
         using var session = new HarvestSession(Small, game.Ports, sink);
         game.Run(session);
 
-        Assert.StartsWith($"The picture is {lag} ticks or more behind the game, and the harvest allows for 4.", session.Fault, StringComparison.Ordinal);
+        Assert.StartsWith(
+            $"The picture is {lag} ticks or more behind the game, and the harvest allows for 4.", session.Fault, StringComparison.Ordinal);
         Assert.Empty(sink.Frames);
         Assert.False(game.WantsFrozen);
     }
@@ -117,7 +119,9 @@ public sealed class FrozenHarvestTests
         // 0.3 mm a tick: no tick differs by the millimetre that counts, but four of them do.
         var game = new FakeGame();
         game.Entities = entities =>
-            [.. entities.Select(entity => entity with { Pose = entity.Pose with { Position = entity.Pose.Position + new Vector3D(game.GameFrame * 0.0003, 0, 0) } })];
+            [.. entities.Select(
+                entity => entity with { Pose =
+                    entity.Pose with { Position = entity.Pose.Position + new Vector3D(game.GameFrame * 0.0003, 0, 0) } })];
         var sink = new MemorySink();
         using var session = new HarvestSession(Small with { ProbeLag = false, MaxSettleTicks = 10 }, game.Ports, sink);
 
@@ -161,7 +165,8 @@ public sealed class FrozenHarvestTests
         {
             "vanish" => [],
             "model" => [.. entities.Select(entity => entity with { Model = "other" })],
-            _ => [.. entities.Select(entity => entity with { Pose = entity.Pose with { Position = entity.Pose.Position + new Vector3D(0, 0, 0.002) } })],
+            _ => [.. entities.Select(
+                entity => entity with { Pose = entity.Pose with { Position = entity.Pose.Position + new Vector3D(0, 0, 0.002) } })],
         };
         var sink = new MemorySink();
         using var session = new HarvestSession(Small with { ProbeLag = false }, game.Ports, sink);

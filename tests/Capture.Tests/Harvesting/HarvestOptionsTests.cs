@@ -36,7 +36,8 @@ public sealed class HarvestOptionsTests
     [Fact]
     public void Absent_end_and_limits_themselves_are_accepted()
     {
-        HarvestOptions options = new() { MaxFrames = null, MaxOccludedFraction = 1, MinBoxAreaPixels = 0, MaxPictureLagTicks = 0, MaxSettleTicks = 1 };
+        HarvestOptions options =
+            new() { MaxFrames = null, MaxOccludedFraction = 1, MinBoxAreaPixels = 0, MaxPictureLagTicks = 0, MaxSettleTicks = 1 };
 
         Assert.Null(options.MaxFrames);
     }

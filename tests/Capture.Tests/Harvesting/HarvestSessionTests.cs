@@ -20,7 +20,8 @@ public sealed class HarvestSessionTests
         get
         {
             var data = new TheoryData<string, int>();
-            foreach (string call in new[] { "ReadCamera", "ReadEgo", "ReadEntities", "ReadEnvironment", "Cast", "Grab", "Freeze", "Unfreeze" })
+            foreach (string call
+                in new[] { "ReadCamera", "ReadEgo", "ReadEntities", "ReadEnvironment", "Cast", "Grab", "Freeze", "Unfreeze" })
             {
                 data.Add(call, 1);
                 data.Add(call, 5);
@@ -100,7 +101,10 @@ public sealed class HarvestSessionTests
     [Fact]
     public void Step_reports_a_game_that_cannot_be_unfrozen()
     {
-        var game = new FakeGame { OnCall = call => _ = call is "Grab" or "Unfreeze" ? throw new InvalidOperationException($"{call} broke.") : 0 };
+        var game = new FakeGame
+        {
+            OnCall = call => _ = call is "Grab" or "Unfreeze" ? throw new InvalidOperationException($"{call} broke.") : 0,
+        };
         var sink = new MemorySink();
         var session = new HarvestSession(Small, game.Ports, sink);
 
@@ -214,7 +218,8 @@ public sealed class HarvestSessionTests
         var asked = new List<(Vector3D Centre, double Range)>();
         var game = new FakeGame();
         var world = new RecordingWorld(game, asked);
-        using var session = new HarvestSession(Small with { RangeMetres = 80, IgnoreRangeMetres = 90, MaxFrames = 1 }, game.Ports with { World = world }, new MemorySink());
+        using var session = new HarvestSession(
+            Small with { RangeMetres = 80, IgnoreRangeMetres = 90, MaxFrames = 1 }, game.Ports with { World = world }, new MemorySink());
 
         game.Run(session);
 
@@ -228,17 +233,22 @@ public sealed class HarvestSessionTests
         // The car's origin is 12 m ahead and 2 m to the right of the camera; the bus is 40 m ahead.
         var game = new FakeGame
         {
-            Entities = cars => [.. cars, cars[0] with { Handle = 5, Class = ObjectClass.Bus, Pose = new Pose(new Vector3D(-2, 40, 0.6), Axes.Identity) }],
+            Entities = cars =>
+            [
+                .. cars, cars[0] with { Handle = 5, Class = ObjectClass.Bus, Pose = new Pose(new Vector3D(-2, 40, 0.6), Axes.Identity) },
+            ],
             Rays = (ray, _, _) => new RayHit(ray.Direction.X > 0 ? 10 : 38, ray.Direction.X > 0 ? 101 : 5),
         };
         var sink = new MemorySink();
-        using var session = new HarvestSession(Small with { RangeMetres = 30, MinBoxAreaPixels = 0, MinBoxSidePixels = 0, MaxFrames = 1 }, game.Ports, sink);
+        using var session = new HarvestSession(
+            Small with { RangeMetres = 30, MinBoxAreaPixels = 0, MinBoxSidePixels = 0, MaxFrames = 1 }, game.Ports, sink);
 
         game.Run(session);
 
         CapturedFrame frame = Assert.Single(sink.Frames);
         Assert.Equal([ObjectClass.Car], frame.Label.Objects.Select(item => item.Class));
-        Assert.Equal([(IgnoreReason.BeyondRange, ObjectClass.Bus)], frame.Label.IgnoreRegions.Select(region => (region.Reason, region.Class)));
+        Assert.Equal(
+            [(IgnoreReason.BeyondRange, ObjectClass.Bus)], frame.Label.IgnoreRegions.Select(region => (region.Reason, region.Class)));
         Assert.Equal([101], frame.Scene!.Snapshot.Entities.Select(entity => entity.Handle));
         Assert.Equal([(5, Sight.Seen)], frame.Scene.Distant.Select(distant => (distant.Entity.Handle, distant.Sight)));
     }

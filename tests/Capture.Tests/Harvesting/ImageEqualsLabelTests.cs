@@ -9,7 +9,8 @@ namespace Harvester.Capture.Tests.Harvesting;
 
 /// <summary>
 /// Twice 5,000 frames of a game with every quirk at once, judged by the number of the state that each picture shows. The lag of the picture
-/// and the ticks until a freeze takes differ from freeze to freeze; traffic stops and starts; entities vanish; the pause is lost; pictures are refused.
+/// and the ticks until a freeze takes differ from freeze to freeze; traffic stops and starts; entities vanish; the pause is lost; pictures
+/// are refused.
 /// </summary>
 public sealed class ImageEqualsLabelTests
 {
@@ -24,7 +25,8 @@ public sealed class ImageEqualsLabelTests
         var game = new FakeGame { CameraReportedLate = cameraReportedLate };
         game.Entities = entities => random.Next(100) == 0
             ? []
-            : [.. entities, entities[0] with { Handle = 102, Pose = entities[0].Pose with { Position = new Vector3D(-3, 30 + (Math.Max(0, game.State % 400 - 200) * 0.05), 1) } }];
+            : [.. entities, entities[0] with { Handle =
+                102, Pose = entities[0].Pose with { Position = new Vector3D(-3, 30 + (Math.Max(0, game.State % 400 - 200) * 0.05), 1) } }];
         game.OnCall = call =>
         {
             if (call == "Freeze")

@@ -10,7 +10,13 @@ namespace Harvester.Capture.Tests.Harvesting;
 /// <summary>The live harvest: the game is never frozen after the lag is measured.</summary>
 public sealed class LiveHarvestTests
 {
-    private static readonly HarvestOptions Live = new() { Image = new ImageSize(64, 48), MaxFrames = 50, OcclusionSamples = 4, Freeze = false };
+    private static readonly HarvestOptions Live = new()
+    {
+        Image = new ImageSize(64, 48),
+        MaxFrames = 50,
+        OcclusionSamples = 4,
+        Freeze = false,
+    };
 
     public static TheoryData<int, bool> Quirks
     {

@@ -44,7 +44,9 @@ public sealed class PhaseCallsTests
         var calls = new TestCalls();
         var game = new FakeGame();
         using var session = new HarvestSession(
-            new HarvestOptions { Image = new ImageSize(64, 48), MaxFrames = 2, ProbeLag = false }, game.Ports with { Calls = calls }, new MemorySink());
+            new HarvestOptions { Image = new ImageSize(64, 48), MaxFrames = 2, ProbeLag = false },
+            game.Ports with { Calls = calls },
+            new MemorySink());
         while (!session.Step().IsOver)
         {
             calls.Natives += 50;

@@ -10,8 +10,8 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Tests.Labelling;
 
 /// <summary>
-/// A camera at the origin that looks north, 100 x 100 pixels, 90 degrees: focal length 50, so that a point 10 m ahead moves by 5 pixels a metre.
-/// The objects are cuboids for the rays too.
+/// A camera at the origin that looks north, 100 x 100 pixels, 90 degrees: focal length 50, so that a point 10 m ahead moves by 5 pixels a
+/// metre. The objects are cuboids for the rays too.
 /// </summary>
 public sealed class FrameLabellerTests
 {
@@ -23,7 +23,8 @@ public sealed class FrameLabellerTests
     private static readonly EntityState Near = Entity(20, 0, 10);
 
     private static EntityState Entity(int handle, double east, double north) => new(
-        handle, ObjectClass.Car, "box", new Pose(new Vector3D(east, north, 0), Axes.Identity), new Vector3D(-1, 0, -1), new Vector3D(1, 2, 1), new Vector3D(0, 3, 0));
+        handle, ObjectClass.Car, "box", new Pose(new Vector3D(east, north, 0), Axes.Identity), new Vector3D(-1, 0, -1),
+        new Vector3D(1, 2, 1), new Vector3D(0, 3, 0));
 
     [Fact]
     public void Label_object_ahead_has_its_measures()
@@ -88,8 +89,8 @@ public sealed class FrameLabellerTests
         // Seen past the near one's right edge: both have their middle 20 m away at x = 2, where the near one's edge at 1 m of 10 m ends.
         FrameLabelling labelling = Label(Options with { OcclusionSamples = 400 }, Near, Entity(21, 2, 20));
 
-        // The far near-face spans 52.5 to 57.5, the near one covers up to 55: of its 5 or 6 columns of pixels the centres of 2 or 3 are hidden.
-        // The right side adds nothing, it is hidden by the near face.
+        // The far near-face spans 52.5 to 57.5, the near one covers up to 55: of its 5 or 6 columns of pixels the centres of 2 or 3 are
+        // hidden. The right side adds nothing, it is hidden by the near face.
         Assert.InRange(labelling.Objects[1].OccludedFraction!.Value, 2 / 5.0, 3 / 5.0);
     }
 
@@ -163,7 +164,8 @@ public sealed class FrameLabellerTests
     {
         var labeller = Labeller(Options, new CuboidRays([]), new ObjectRegistry(1));
 
-        IgnoreRegion region = Assert.Single(labeller.Label(Snapshot([]) with { Distant = [Near] }, static () => true).Last()!.IgnoreRegions);
+        IgnoreRegion region = Assert.Single(
+            labeller.Label(Snapshot([]) with { Distant = [Near] }, static () => true).Last()!.IgnoreRegions);
 
         Assert.Equal(IgnoreReason.Undetermined, region.Reason);
     }
@@ -173,10 +175,13 @@ public sealed class FrameLabellerTests
     [InlineData(true)]
     public void Object_that_no_ray_hits_is_an_ignore_region_without_label(bool masks)
     {
-        FrameLabelling labelling = Labeller(Options with { Masks = masks }, new CuboidRays([]), new ObjectRegistry(1)).Label(Snapshot([Near]), static () => true).Last()!;
+        FrameLabelling labelling = Labeller(Options with { Masks = masks }, new CuboidRays([]), new ObjectRegistry(1))
+            .Label(Snapshot([Near]), static () => true)
+            .Last()!;
 
         Assert.Empty(labelling.Objects);
-        Assert.Equal((IgnoreReason.Undetermined, ObjectClass.Car), labelling.IgnoreRegions.Select(region => (region.Reason, region.Class)).Single());
+        Assert.Equal(
+            (IgnoreReason.Undetermined, ObjectClass.Car), labelling.IgnoreRegions.Select(region => (region.Reason, region.Class)).Single());
         Assert.Equal(Sight.Undetermined, Assert.Single(labelling.Occlusions).Sight);
         Assert.True(labelling.Mask?.Ids.All(id => id == 0) ?? true);
     }
@@ -201,7 +206,8 @@ public sealed class FrameLabellerTests
         // The image ends at 10 m to the right at 10 m ahead. Rays meet the entity at its right end only, from 11 m on.
         EntityState wide = Entity(20, 9, 10) with { ModelMax = new Vector3D(8, 1, 1) };
         EntityState rightEnd = Entity(20, 16, 10) with { ModelMax = new Vector3D(1, 1, 1) };
-        FrameLabelling labelling = Labeller(Options with { Masks = masks, MaxOccludedFraction = 1 }, new CuboidRays([rightEnd]), new ObjectRegistry(1))
+        FrameLabelling labelling = Labeller(
+            Options with { Masks = masks, MaxOccludedFraction = 1 }, new CuboidRays([rightEnd]), new ObjectRegistry(1))
             .Label(Snapshot([wide]), static () => true).Last()!;
 
         Assert.Empty(labelling.Objects);
@@ -237,7 +243,8 @@ public sealed class FrameLabellerTests
         Labeller(options, new CuboidRays([.. entities, .. distant]), new ObjectRegistry(1))
             .Label(Snapshot(entities) with { Distant = distant }, static () => true).Last()!;
 
-    private static FrameLabelling Label(HarvestOptions options, params EntityState[] entities) => Label(options, new ObjectRegistry(1), entities);
+    private static FrameLabelling Label(HarvestOptions options, params EntityState[] entities) =>
+        Label(options, new ObjectRegistry(1), entities);
 
     private static FrameLabelling Label(HarvestOptions options, ObjectRegistry registry, params EntityState[] entities)
     {

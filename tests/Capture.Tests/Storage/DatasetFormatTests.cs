@@ -36,5 +36,6 @@ public sealed class DatasetFormatTests
     private static string Root(string folder) =>
         File.Exists(Path.Combine(folder, "GtaDataHarvester.sln"))
             ? folder
-            : Root(Path.GetDirectoryName(folder) ?? throw new DirectoryNotFoundException("GtaDataHarvester.sln is in no folder above the tests."));
+            : Root(Path.GetDirectoryName(folder)
+                ?? throw new DirectoryNotFoundException("GtaDataHarvester.sln is in no folder above the tests."));
 }

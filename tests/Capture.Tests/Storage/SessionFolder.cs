@@ -13,7 +13,9 @@ internal sealed class SessionFolder : IDisposable
     public string Text(string name) => File.ReadAllText(System.IO.Path.Combine(Session, name));
 
     public string[] LabelLines =>
-        File.Exists(System.IO.Path.Combine(Session, "labels.jsonl")) ? File.ReadAllLines(System.IO.Path.Combine(Session, "labels.jsonl")) : [];
+        File.Exists(System.IO.Path.Combine(Session, "labels.jsonl"))
+            ? File.ReadAllLines(System.IO.Path.Combine(Session, "labels.jsonl"))
+            : [];
 
     /// <summary>Checks that each label line is whole and has whole files, and returns the number of lines.</summary>
     public int CheckValid()

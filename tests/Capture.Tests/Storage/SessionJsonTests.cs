@@ -144,8 +144,10 @@ public sealed class SessionJsonTests
         Assert.Equal("timeScale", start.GetProperty("used").GetString());
         Assert.Equal(
             [
-                """{"method":"paused","sawMovement":true,"settleTicks":null,"holdsEnvironment":null,"movesCamera":null,"pictureChange":null}""",
-                """{"method":"timeScale","sawMovement":false,"settleTicks":3,"holdsEnvironment":false,"movesCamera":true,"pictureChange":0.1235}""",
+                """{"method":"paused","sawMovement":true,"settleTicks":null,"holdsEnvironment":null,"movesCamera":null"""
+                    + ""","pictureChange":null}""",
+                """{"method":"timeScale","sawMovement":false,"settleTicks":3,"holdsEnvironment":false,"movesCamera":true"""
+                    + ""","pictureChange":0.1235}""",
             ],
             start.GetProperty("tried").EnumerateArray().Select(tried => JsonSerializer.Serialize(tried)));
     }
@@ -153,10 +155,14 @@ public sealed class SessionJsonTests
     [Fact]
     public void Text_records_how_well_the_game_was_read_when_known()
     {
-        var end = new SessionEnd(99, 1.5, 3, [], [], null, null) { Reading = new ReadingReport(ListSource.Api, ListSource.Natives, ListSource.Api, 2) };
+        var end = new SessionEnd(99, 1.5, 3, [], [], null, null)
+        {
+            Reading = new ReadingReport(ListSource.Api, ListSource.Natives, ListSource.Api, 2),
+        };
 
         Assert.EndsWith(
-            ",\n  \"reading\": {\n    \"vehicles\": \"api\",\n    \"peds\": \"natives\",\n    \"props\": \"api\",\n    \"distortedEntities\": 2\n  }\n}\n",
+            ",\n  \"reading\": {\n    \"vehicles\": \"api\",\n    \"peds\": \"natives\",\n    \"props\": \"api\",\n    "
+                + "\"distortedEntities\": 2\n  }\n}\n",
             SessionJson.Text(Recording with { End = end }),
             StringComparison.Ordinal);
     }
@@ -170,6 +176,9 @@ public sealed class SessionJsonTests
     {
         var end = new SessionEnd(99, 1.5, 3, [], [], null, "The disk is full.");
 
-        Assert.Contains("\"state\": \"faulted\",\n  \"fault\": \"The disk is full.\",\n", SessionJson.Text(Recording with { End = end }), StringComparison.Ordinal);
+        Assert.Contains(
+            "\"state\": \"faulted\",\n  \"fault\": \"The disk is full.\",\n",
+            SessionJson.Text(Recording with { End = end }),
+            StringComparison.Ordinal);
     }
 }

@@ -11,7 +11,13 @@ namespace Harvester.Capture.Tests.Storage;
 public sealed class SessionWriterTests : IDisposable
 {
     private static readonly SessionOrigin Origin = new() { Game = "test", Tool = "tests 1.0", Seed = 5 };
-    private static readonly HarvestOptions Options = new() { Image = new ImageSize(64, 48), MaxFrames = 6, OcclusionSamples = 4, Masks = true };
+    private static readonly HarvestOptions Options = new()
+    {
+        Image = new ImageSize(64, 48),
+        MaxFrames = 6,
+        OcclusionSamples = 4,
+        Masks = true,
+    };
 
     private readonly SessionFolder _folder = new();
 
@@ -170,7 +176,8 @@ public sealed class SessionWriterTests : IDisposable
         Assert.Equal(12, _folder.CheckValid());
         Assert.Contains("\"id\":1,", _folder.LabelLines[0], StringComparison.Ordinal);
         Assert.Contains("\"id\":2,", _folder.LabelLines[11], StringComparison.Ordinal);
-        Assert.Equal(12, JsonDocument.Parse(_folder.Text("session.json")).RootElement.GetProperty("counters").GetProperty("captured").GetInt32());
+        Assert.Equal(
+            12, JsonDocument.Parse(_folder.Text("session.json")).RootElement.GetProperty("counters").GetProperty("captured").GetInt32());
     }
 
     [Fact]

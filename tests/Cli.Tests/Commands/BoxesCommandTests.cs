@@ -12,7 +12,8 @@ public sealed class BoxesCommandTests
     public void Boxes_of_a_cuboid_ahead_gives_its_box_worked_out_by_hand()
     {
         // f = 300. The near face of a 2 m cube centred 11 m ahead lies at 10 m: 400 ± 300 * 1/10, 300 ± 300 * 1/10.
-        JsonElement cuboid = Boxes(Camera, """{ "name": "cube", "centre": [0, 11, 0], "halfExtents": [1, 1, 1], "rotation": [0, 0, 0] }""")[0];
+        JsonElement cuboid =
+            Boxes(Camera, """{ "name": "cube", "centre": [0, 11, 0], "halfExtents": [1, 1, 1], "rotation": [0, 0, 0] }""")[0];
 
         Assert.Equal("cube", cuboid.GetProperty("name").GetString());
         Assert.Equal("inImage", cuboid.GetProperty("outcome").GetString());
@@ -73,10 +74,21 @@ public sealed class BoxesCommandTests
     [InlineData("""{ "camera": 1, "cuboids": [] }""", "camera must be an object, not 1")]
     [InlineData("""{ "cuboids": [] }""", "camera is missing")]
     [InlineData("""{ "camera": {}, "cuboids": [], "cubes": [] }""", "cubes is not a field here")]
-    [InlineData("""{ "camera": { "position": [0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 50, "width": 8, "height": 6 }, "cuboids": [] }""", "camera.position must be a list of 3 numbers")]
-    [InlineData("""{ "camera": { "position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 200, "width": 8, "height": 6 }, "cuboids": [] }""", "camera: verticalFovDegrees")]
-    [InlineData("""{ "camera": { "position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 50, "width": 8.5, "height": 6 }, "cuboids": [] }""", "camera.width must be a whole number")]
-    [InlineData("""{ "camera": { "position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 90, "width": 8, "height": 6, "fy": 4 }, "cuboids": [] }""", "camera.fy is 4")]
+    [InlineData(
+        """{ "camera": { "position": [0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 50, "width": 8, "height": 6 }, "cuboids": [] }""",
+        "camera.position must be a list of 3 numbers")]
+    [InlineData(
+        """{ "camera": { "position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 200"""
+            + """, "width": 8, "height": 6 }, "cuboids": [] }""",
+        "camera: verticalFovDegrees")]
+    [InlineData(
+        """{ "camera": { "position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 50"""
+            + """, "width": 8.5, "height": 6 }, "cuboids": [] }""",
+        "camera.width must be a whole number")]
+    [InlineData(
+        """{ "camera": { "position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 90"""
+            + """, "width": 8, "height": 6, "fy": 4 }, "cuboids": [] }""",
+        "camera.fy is 4")]
     [InlineData("{ camera", "line 1: not JSON")]
     [InlineData("[]", "must be an object")]
     public void Boxes_of_a_malformed_scene_names_file_and_field(string scene, string message)

@@ -11,7 +11,8 @@ public sealed class CalibrateCommandTests
         // In 400 x 300 pixels a marker is located to some 0.1 px of 240 px to the upper edge.
         const double tolerance = 0.002;
 
-        CliRun run = CliRun.Of("calibrate", "--focal-scale", "1.02", "--centre-offset", "0.01,-0.005", "--size", "400x300", "--fov", "60", "--seed", "3");
+        CliRun run = CliRun.Of(
+            "calibrate", "--focal-scale", "1.02", "--centre-offset", "0.01,-0.005", "--size", "400x300", "--fov", "60", "--seed", "3");
 
         Assert.Equal(0, run.ExitCode);
         Assert.Equal(1.02, Value(run, "FocalScale"), tolerance);
@@ -65,5 +66,7 @@ public sealed class CalibrateCommandTests
         CliRun.Of("calibrate", option, value).AssertFailed(ExitCode.Usage, option);
 
     private static double Value(CliRun run, string key) =>
-        double.Parse(run.Out.Split('\n').Single(line => line.StartsWith(key + " = ", StringComparison.Ordinal))[(key.Length + 3)..], CultureInfo.InvariantCulture);
+        double.Parse(
+            run.Out.Split('\n').Single(line => line.StartsWith(key + " = ", StringComparison.Ordinal))[(key.Length + 3)..],
+            CultureInfo.InvariantCulture);
 }

@@ -34,7 +34,8 @@ public sealed class CutOffSessionTests : IDisposable
         CliRun run = Run(arguments);
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.Equal($"harvester: {Session}: the last line of labels.jsonl has no line feed, as a harvest that was cut off leaves it; it is left aside.\n", run.Error);
+        Assert.Equal($"harvester: {Session}: the last line of labels.jsonl has no line feed, as a harvest that was cut off leaves it; it "
+            + $"is left aside.\n", run.Error);
     }
 
     [Fact]

@@ -14,7 +14,9 @@ public sealed class DriveCommandTests
         CliRun again = Drive(folder.PathOf("two"), controller);
 
         Assert.Equal(0, run.ExitCode);
-        Assert.Equal(Figures(run).Select(line => line.Replace(folder.PathOf("one"), folder.PathOf("two"), StringComparison.Ordinal)), Figures(again));
+        Assert.Equal(
+            Figures(run).Select(line => line.Replace(folder.PathOf("one"), folder.PathOf("two"), StringComparison.Ordinal)),
+            Figures(again));
         foreach (string file in new[] { "drive.json", "report.html" })
         {
             Assert.Equal(File.ReadAllBytes(folder.PathOf($"one/{file}")), File.ReadAllBytes(folder.PathOf($"two/{file}")));
@@ -35,7 +37,8 @@ public sealed class DriveCommandTests
 
     [Fact]
     public void Drive_by_nobody_known_is_refused() =>
-        CliRun.Of("drive", "--out", "unused", "--controller", "nobody").AssertFailed(2, "--controller takes stanley or deepdriving, not 'nobody'.");
+        CliRun.Of("drive", "--out", "unused", "--controller", "nobody")
+            .AssertFailed(2, "--controller takes stanley or deepdriving, not 'nobody'.");
 
     [Fact]
     public void Drive_from_no_place_is_refused() =>

@@ -34,7 +34,8 @@ public sealed class DriveOverBridgeTests : IDisposable
     {
         string at = FreePlace();
         Task<CliRun> game = Start(
-            "drive", "--out", _folder.PathOf("out"), "--bridge", "socket", "--role", "game", "--at", at, "--distance", "8", "--traffic", "0", "--seed", "4");
+            "drive", "--out", _folder.PathOf("out"), "--bridge", "socket", "--role", "game", "--at", at, "--distance", "8", "--traffic",
+            "0", "--seed", "4");
         CliRun client = await ClientOf(at);
 
         Assert.Equal((0, ""), (client.ExitCode, client.Error));
@@ -49,7 +50,8 @@ public sealed class DriveOverBridgeTests : IDisposable
     {
         string shared = _folder.PathOf("shared");
         Task<CliRun> game = Start(
-            "drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--role", "game", "--folder", shared, "--distance", "4", "--traffic", "0", "--seed", "4");
+            "drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--role", "game", "--folder", shared, "--distance", "4",
+            "--traffic", "0", "--seed", "4");
         while (!File.Exists(Path.Combine(shared, "state.txt")) && !game.IsCompleted)
         {
             await Task.Delay(10);
@@ -70,7 +72,8 @@ public sealed class DriveOverBridgeTests : IDisposable
         string at = FreePlace();
         using CancellationTokenSource stopping = new();
         Task<CliRun> game = Start(
-            stopping.Token, "drive", "--out", _folder.PathOf("out"), "--bridge", "socket", "--role", "game", "--at", at, "--token", "sesame", "--traffic", "0");
+            stopping.Token, "drive", "--out", _folder.PathOf("out"), "--bridge", "socket", "--role", "game", "--at", at, "--token",
+            "sesame", "--traffic", "0");
         CliRun client = await ClientOf(at, "--token", "simsim");
         client.AssertFailed(ExitCode.InputOutput, "the first message must be a hello with the right token");
         stopping.Cancel();
@@ -93,7 +96,8 @@ public sealed class DriveOverBridgeTests : IDisposable
     {
         string shared = _folder.PathOf("shared");
         Task<CliRun> game = Start(
-            "drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--role", "game", "--folder", shared, "--patience", "5", "--traffic", "0");
+            "drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--role", "game", "--folder", shared, "--patience", "5",
+            "--traffic", "0");
         while (!File.Exists(Path.Combine(shared, "state.txt")) && !game.IsCompleted)
         {
             await Task.Delay(10);
@@ -124,7 +128,8 @@ public sealed class DriveOverBridgeTests : IDisposable
         .AssertFailed(ExitCode.InputOutput, "No bridge is to be reached at 127.0.0.1:9");
 
     [Fact]
-    public void Client_of_a_missing_folder_fails() => CliRun.Of("drive", "--bridge", "folder", "--role", "client", "--folder", _folder.PathOf("none"))
+    public void Client_of_a_missing_folder_fails() =>
+        CliRun.Of("drive", "--bridge", "folder", "--role", "client", "--folder", _folder.PathOf("none"))
         .AssertFailed(ExitCode.InputOutput, _folder.PathOf("none"));
 
     [Fact]

@@ -21,7 +21,8 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
         CliRun run = CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"));
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.Matches($"^{Regex.Escape(_folder.PathOf("out"))}: {format}, 2 frames \\(train 2\\), [0-9]+ of [0-9]+ labels written\n$", run.Out);
+        Assert.Matches(
+            $"^{Regex.Escape(_folder.PathOf("out"))}: {format}, 2 frames \\(train 2\\), [0-9]+ of [0-9]+ labels written\n$", run.Out);
         Assert.True(File.Exists(_folder.PathOf("out/" + file)));
     }
 
@@ -30,7 +31,8 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData("cityscapes", "bus=Bus", "--map: cityscapes has no class 'Bus'. It has unlabeled, ")]
     [InlineData("kitti", "bus=DontCare", "--map: kitti has no class 'DontCare'.")]
     public void Name_that_the_format_does_not_have_is_refused(string format, string map, string message) =>
-        CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"), "--map", map).AssertFailed(ExitCode.Usage, message);
+        CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"), "--map", map)
+            .AssertFailed(ExitCode.Usage, message);
 
     [Theory]
     [InlineData("kitti", "other=Misc")]
@@ -56,7 +58,10 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData("webdataset")]
     public void Names_have_no_effect_on_formats_without_own_classes(string format) =>
         CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"), "--map", "car=auto")
-            .AssertFailed(ExitCode.Usage, $"--map has no effect in {format}, only in kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, csv.");
+            .AssertFailed(
+                ExitCode.Usage,
+                $"--map has no effect in {format}, only in kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, "
+                    + $"cityscapes, csv.");
 
     [Fact]
     public void Subclass_that_is_not_known_is_refused() =>
@@ -74,7 +79,8 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
             FramesOfSplits = new Dictionary<string, int> { ["train"] = 4 },
         };
 
-        Assert.Equal("out: kitti, 4 frames (train 4), 12 of 20 labels written, 3 regions marked as ignored", ExportSummary.Of("out", result));
+        Assert.Equal(
+            "out: kitti, 4 frames (train 4), 12 of 20 labels written, 3 regions marked as ignored", ExportSummary.Of("out", result));
     }
 
     [Fact]
@@ -118,7 +124,8 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     {
         string[] format = option == "--format" ? [] : ["--format", "csv"];
 
-        CliRun.Of(["export", session.Folder, "--out", _folder.PathOf("out"), .. format, option, value]).AssertFailed(ExitCode.Usage, message);
+        CliRun.Of(["export", session.Folder, "--out", _folder.PathOf("out"), .. format, option, value])
+            .AssertFailed(ExitCode.Usage, message);
     }
 
     [Theory]
@@ -128,8 +135,12 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData("--parts", "none", "coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, webdataset, csv")]
     [InlineData("--boxes", "cuboid", "kitti, kitti-tracking, coco, yolo, voc")]
     [InlineData("--subclasses", "mutcd,light", "coco, coco-panoptic, yolo, yolo-segment, voc")]
-    [InlineData("--images", "copy", "kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, tusimple, openlane, csv")]
-    [InlineData("--split-block", "10", "kitti, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, deepdriving, tusimple, openlane, webdataset, csv")]
+    [InlineData(
+        "--images", "copy", "kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, tusimple, openlane, csv")]
+    [InlineData(
+        "--split-block",
+        "10",
+        "kitti, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, deepdriving, tusimple, openlane, webdataset, csv")]
     public void Export_refuses_an_option_that_has_no_effect_on_the_format(string option, string value, string formats)
     {
         foreach (string format in DatasetFormats.All.Select(format => format.Name))
@@ -189,17 +200,20 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
 
     [Fact]
     public void Export_of_a_missing_session_is_an_input_error() =>
-        CliRun.Of("export", "no-such-session", "--format", "csv", "--out", _folder.PathOf("out")).AssertFailed(ExitCode.InputOutput, "no-such-session");
+        CliRun.Of("export", "no-such-session", "--format", "csv", "--out", _folder.PathOf("out"))
+            .AssertFailed(ExitCode.InputOutput, "no-such-session");
 
     [Fact]
     public void Merge_of_a_finished_dataset_reports_that_it_is_complete()
     {
         CliRun.Of("export", session.Folder, "--format", "csv", "--out", _folder.PathOf("whole"));
 
-        CliRun.Of("merge", _folder.PathOf("whole"), "--out", _folder.PathOf("out")).AssertFailed(ExitCode.BadData, "is a whole dataset, no shard of one.");
+        CliRun.Of("merge", _folder.PathOf("whole"), "--out", _folder.PathOf("out"))
+            .AssertFailed(ExitCode.BadData, "is a whole dataset, no shard of one.");
     }
 
     [Fact]
     public void Merge_of_a_folder_without_shards_is_a_data_error() =>
-        CliRun.Of("merge", session.Folder, "--out", _folder.PathOf("out")).AssertFailed(ExitCode.BadData, "is a whole session, no shard of one");
+        CliRun.Of("merge", session.Folder, "--out", _folder.PathOf("out"))
+            .AssertFailed(ExitCode.BadData, "is a whole session, no shard of one");
 }

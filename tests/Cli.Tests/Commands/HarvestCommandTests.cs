@@ -50,7 +50,9 @@ public sealed class HarvestCommandTests : IDisposable
 
         // The report's title is the folder's name, so it is left out here.
         Assert.Equal(Files(Session), Files(other));
-        Assert.All(Files(Session), name => Assert.Equal(File.ReadAllBytes(Path.Combine(Session, name)), File.ReadAllBytes(Path.Combine(other, name))));
+        Assert.All(
+            Files(Session),
+            name => Assert.Equal(File.ReadAllBytes(Path.Combine(Session, name)), File.ReadAllBytes(Path.Combine(other, name))));
     }
 
     [Fact]
@@ -71,7 +73,8 @@ public sealed class HarvestCommandTests : IDisposable
             "--classes", "car,truck");
 
         FrameLabel[] labels = [.. new SessionReader(Session).ReadLabels()];
-        Assert.All(labels, label => Assert.Equal((160, 120, 60.0), (label.Camera.Width, label.Camera.Height, label.Camera.VerticalFovDegrees)));
+        Assert.All(
+            labels, label => Assert.Equal((160, 120, 60.0), (label.Camera.Width, label.Camera.Height, label.Camera.VerticalFovDegrees)));
         Assert.All(labels, label => Assert.Equal("rain", label.Environment.Weather));
         Assert.Equal(18, labels[0].Environment.TimeOfDay.Hours);
         Assert.All(labels.SelectMany(label => label.Objects), item => Assert.True(item.Class is ObjectClass.Car or ObjectClass.Truck));
@@ -126,13 +129,15 @@ public sealed class HarvestCommandTests : IDisposable
         CliRun run = CliRun.Of("harvest", "--out", Session, "--size", size, "--frames", "1", "--no-report");
 
         Assert.Equal("", run.Error);
-        Assert.DoesNotContain("\"cameraErrorPixels\": null", File.ReadAllText(Path.Combine(Session, "session.json")), StringComparison.Ordinal);
+        Assert.DoesNotContain(
+            "\"cameraErrorPixels\": null", File.ReadAllText(Path.Combine(Session, "session.json")), StringComparison.Ordinal);
     }
 
     [Fact]
     public async Task Cancelled_harvest_leaves_a_valid_session()
     {
-        // A thread of its own cancels once a frame is written: the pool's threads are busy rendering, and no time is right on every machine.
+        // A thread of its own cancels once a frame is written: the pool's threads are busy rendering, and no time is right on every
+        // machine.
         using var cancellation = new CancellationTokenSource();
         var canceller = new Thread(() =>
         {
@@ -171,7 +176,8 @@ public sealed class HarvestCommandTests : IDisposable
     {
         // A shift by 0.1 of 160 pixels; the check of the camera model holds the labels' camera against the pictures.
         CliRun run = CliRun.Of(
-            "harvest", "--out", Session, "--frames", "1", "--size", "160x120", "--no-report", "--centre-offset", "0.1,0", "--focal-scale", "1.05", "--k1", "-0.05");
+            "harvest", "--out", Session, "--frames", "1", "--size", "160x120", "--no-report", "--centre-offset", "0.1,0", "--focal-scale",
+            "1.05", "--k1", "-0.05");
 
         Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
         using var label = System.Text.Json.JsonDocument.Parse(File.ReadLines(Path.Combine(Session, "labels.jsonl")).First());
@@ -193,7 +199,9 @@ public sealed class HarvestCommandTests : IDisposable
     [Fact]
     public void Harvest_with_props_places_them_and_records_their_file()
     {
-        string lamps = _folder.File("lamps.json", """[{ "Name": "prop_streetlight_01", "Position": { "X": 1, "Y": 2, "Z": 3 }, "Rotation": { "X": 0, "Y": 0, "Z": 90 } }]""");
+        string lamps = _folder.File(
+            "lamps.json",
+            """[{ "Name": "prop_streetlight_01", "Position": { "X": 1, "Y": 2, "Z": 3 }, "Rotation": { "X": 0, "Y": 0, "Z": 90 } }]""");
 
         Assert.Equal(ExitCode.Done, Harvest(Session, "--frames", "1", "--props", lamps).ExitCode);
 

@@ -36,7 +36,9 @@ public sealed class HarvestMasksTests : IDisposable
 
         FrameLabel[] labels = [.. new SessionReader(Session).ReadLabels()];
         Assert.DoesNotContain(labels.SelectMany(label => label.Objects), item => item.DistanceMetres > 40);
-        Assert.Contains(labels.SelectMany(label => label.IgnoreRegions), region => region is { Reason: IgnoreReason.Undetermined, DistanceMetres: > 40 and < 150 });
+        Assert.Contains(
+            labels.SelectMany(label => label.IgnoreRegions),
+            region => region is { Reason: IgnoreReason.Undetermined, DistanceMetres: > 40 and < 150 });
         Assert.Equal(20, OptionOfSession("rayReachMetres"));
         Assert.Contains("Warning: the visibility of ", CliRun.Of("validate", Session).Out, StringComparison.Ordinal);
     }

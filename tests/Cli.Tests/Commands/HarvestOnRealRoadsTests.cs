@@ -19,7 +19,8 @@ public sealed class HarvestOnRealRoadsTests
 
         CliRun run = CliRun.Of(
             "harvest", "--out", session, "--frames", "5", "--size", "320x240",
-            "--roads", RealWorldFactAttribute.PathOf("nodes.zip")!, "--props", RealWorldFactAttribute.PathOf("worldTrafficLights.json")!, "--near", "0,-1000");
+            "--roads", RealWorldFactAttribute.PathOf("nodes.zip")!, "--props", RealWorldFactAttribute.PathOf("worldTrafficLights.json")!,
+            "--near", "0,-1000");
 
         Assert.Equal("", run.Error);
         Assert.Equal(ExitCode.Done, run.ExitCode);
@@ -27,7 +28,9 @@ public sealed class HarvestOnRealRoadsTests
         Assert.Equal(ExitCode.Done, CliRun.Of("validate", session).ExitCode);
     }
 
-    /// <summary>The first lights that can be seen from 0,-1000 come some ten seconds on; a frame a second for half a minute passes them.</summary>
+    /// <summary>
+    /// The first lights that can be seen from 0,-1000 come some ten seconds on; a frame a second for half a minute passes them.
+    /// </summary>
     [RealWorldFact("nodes.zip")]
     [Trait("Category", "Heavy")]
     public void Harvest_labels_real_traffic_lights_where_the_file_has_them()
@@ -41,10 +44,14 @@ public sealed class HarvestOnRealRoadsTests
             "--roads", RealWorldFactAttribute.PathOf("nodes.zip")!, "--props", lights, "--near", "0,-1000");
 
         // The heads of a light are objects of their own, beside the light that carries them.
-        ObjectLabel[] labels = [.. new SessionReader(session).ReadLabels().SelectMany(label => label.Objects).Where(label => label.Parent is null)];
+        ObjectLabel[] labels =
+        [
+            .. new SessionReader(session).ReadLabels().SelectMany(label => label.Objects).Where(label => label.Parent is null)
+        ];
         IReadOnlyList<PropPlacement> given = PropPlacementImporter.Import(lights);
         Assert.NotEmpty(labels);
-        Assert.All(labels, label => Assert.Contains(given, light => label.Model == light.Name && label.Box3D.Contains(light.Position + new Vector3D(0, 0, 1))));
+        Assert.All(labels, label => Assert.Contains(
+            given, light => label.Model == light.Name && label.Box3D.Contains(light.Position + new Vector3D(0, 0, 1))));
     }
 
     [RealWorldFact("nodes.zip")]

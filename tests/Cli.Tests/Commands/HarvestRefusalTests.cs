@@ -31,7 +31,9 @@ public sealed class HarvestRefusalTests : IDisposable
     public void Harvest_with_excessive_picture_lag_fails_without_a_folder(int lag)
     {
         Harvest(Session, "--frames", "2", "--seed", "3", "--hz", "2", "--quirks", $"lag={lag}").AssertFailed(
-            ExitCode.HarvestFault, $"The picture is {lag} ticks behind the game, and the harvest allows for 4. Raise the limit (--max-picture-lag) and start again.");
+            ExitCode.HarvestFault,
+            $"The picture is {lag} ticks behind the game, and the harvest allows for 4. Raise the limit (--max-picture-lag) and start "
+                + $"again.");
 
         Assert.False(Directory.Exists(Session));
     }
@@ -103,14 +105,18 @@ public sealed class HarvestRefusalTests : IDisposable
     [Fact]
     public void Harvest_with_a_view_too_wide_to_check_names_the_options()
     {
-        CliRun run = CliRun.Of("harvest", "--out", Session, "--frames", "1", "--size", "320x240", "--seed", "4", "--fov", "170", "--no-report");
+        CliRun run = CliRun.Of(
+            "harvest", "--out", Session, "--frames", "1", "--size", "320x240", "--seed", "4", "--fov", "170", "--no-report");
 
         Assert.Equal(ExitCode.HarvestFault, run.ExitCode);
-        Assert.Contains("a smaller field of view (--fov). --max-camera-error 0 harvests without this check.", run.Error, StringComparison.Ordinal);
+        Assert.Contains(
+            "a smaller field of view (--fov). --max-camera-error 0 harvests without this check.", run.Error, StringComparison.Ordinal);
         Assert.DoesNotContain("ini", run.Error, StringComparison.Ordinal);
         Assert.Equal(
             ExitCode.Done,
-            CliRun.Of("harvest", "--out", Session, "--frames", "1", "--size", "320x240", "--seed", "4", "--fov", "170", "--no-report", "--max-camera-error", "0").ExitCode);
+            CliRun.Of(
+                "harvest", "--out", Session, "--frames", "1", "--size", "320x240", "--seed", "4", "--fov", "170", "--no-report",
+                "--max-camera-error", "0").ExitCode);
     }
 
     [Theory]

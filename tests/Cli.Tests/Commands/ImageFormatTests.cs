@@ -32,12 +32,15 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
     [Fact]
     public void Jpg_images_are_the_screenshots_in_the_requested_quality()
     {
-        CliRun run = CliRun.Of("harvest", "--out", Out, "--frames", "1", "--size", "160x120", "--seed", "3", "--hz", "2", "--image-format", "jpg", "--quality", "40");
+        CliRun run = CliRun.Of(
+            "harvest", "--out", Out, "--frames", "1", "--size", "160x120", "--seed", "3", "--hz", "2", "--image-format", "jpg", "--quality",
+            "40");
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.Equal(Jpeg(0, quality: 40), File.ReadAllBytes(Path.Combine(Out, "frames", "00000000.jpg")));
         Assert.Equal(Jpeg(0, quality: 95), harvested.Image("jpg", 0));
-        Assert.Contains("\"format\": \"jpeg\",\n    \"quality\": 40\n", File.ReadAllText(Path.Combine(Out, "session.json")), StringComparison.Ordinal);
+        Assert.Contains(
+            "\"format\": \"jpeg\",\n    \"quality\": 40\n", File.ReadAllText(Path.Combine(Out, "session.json")), StringComparison.Ordinal);
     }
 
     [Theory]
@@ -69,7 +72,8 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
         foreach (string shard in (string[])["1/2", "2/2"])
         {
             CliRun.Of(
-                "harvest", "--out", _folder.PathOf(shard[..1]), "--frames", "4", "--size", "160x120", "--seed", "3", "--hz", "2", "--masks", "--image-format", "jpg", "--shard", shard);
+                "harvest", "--out", _folder.PathOf(shard[..1]), "--frames", "4", "--size", "160x120", "--seed", "3", "--hz", "2", "--masks",
+                "--image-format", "jpg", "--shard", shard);
         }
 
         CliRun.Of("merge", _folder.PathOf("1"), _folder.PathOf("2"), "--out", Out);
@@ -116,10 +120,14 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
     [InlineData(null, "90", "--quality has no effect without --image-format jpg")]
     public void A_format_or_quality_that_makes_no_sense_is_refused(string? format, string? quality, string message)
     {
-        string[] options = [.. format is null ? (string[])[] : ["--image-format", format], .. quality is null ? (string[])[] : ["--quality", quality]];
+        string[] options =
+        [
+            .. format is null ? (string[])[] : ["--image-format", format], .. quality is null ? (string[])[] : ["--quality", quality],
+        ];
 
         CliRun.Of(["harvest", "--out", Out, .. options]).AssertFailed(ExitCode.Usage, message);
-        CliRun.Of(["export", harvested.SessionOf("png"), "--format", "csv", "--out", Out, .. options]).AssertFailed(ExitCode.Usage, message);
+        CliRun.Of(["export", harvested.SessionOf("png"), "--format", "csv", "--out", Out, .. options])
+            .AssertFailed(ExitCode.Usage, message);
     }
 
     private void AssertValidExport(string format, string session, params string[] options)
@@ -131,12 +139,14 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
     }
 
     private static bool IsImage(string path) =>
-        Path.GetExtension(path) is ".png" or ".bmp" or ".jpg" && !path.Contains("gtFine", StringComparison.Ordinal) && !path.Contains("panoptic_", StringComparison.Ordinal);
+        Path.GetExtension(path) is ".png" or ".bmp" or ".jpg" && !path.Contains("gtFine", StringComparison.Ordinal) && !path.Contains(
+            "panoptic_", StringComparison.Ordinal);
 
     private byte[] Jpeg(int frame, int quality)
     {
         using var stream = new MemoryStream();
-        new PictureEncoder(ImageFormat.Jpeg, quality).Write(PngDecoder.ReadRgb(Path.Combine(harvested.SessionOf("png"), "frames", $"{frame:D8}.png")), stream);
+        new PictureEncoder(ImageFormat.Jpeg, quality).Write(
+            PngDecoder.ReadRgb(Path.Combine(harvested.SessionOf("png"), "frames", $"{frame:D8}.png")), stream);
         return stream.ToArray();
     }
 }

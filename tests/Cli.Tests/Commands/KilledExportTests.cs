@@ -4,7 +4,10 @@ using Harvester.Datasets.Exports.Formats;
 
 namespace Harvester.Cli.Tests.Commands;
 
-/// <summary>Exports run as processes of their own that are killed in the middle; the same command again must give the bytes of a run that was left alone.</summary>
+/// <summary>
+/// Exports run as processes of their own that are killed in the middle; the same command again must give the bytes of a run that was left
+/// alone.
+/// </summary>
 public sealed class KilledExportTests : IClassFixture<LongSession>, IDisposable
 {
     private const int KilledAfterFrames = 20;
@@ -65,7 +68,9 @@ public sealed class KilledExportTests : IClassFixture<LongSession>, IDisposable
         return FramesDone() < LongSession.Frames + LongSession.HarvestedFrames && !File.Exists(_folder.PathOf("killed/export.json"));
     }
 
-    /// <summary>Frames that the export which is killed has noted as done; 0 before it has begun, and when it is over and has taken its notes away.</summary>
+    /// <summary>
+    /// Frames that the export which is killed has noted as done; 0 before it has begun, and when it is over and has taken its notes away.
+    /// </summary>
     private int FramesDone()
     {
         try
@@ -83,7 +88,8 @@ public sealed class KilledExportTests : IClassFixture<LongSession>, IDisposable
         var start = new ProcessStartInfo("dotnet") { RedirectStandardOutput = true, RedirectStandardError = true };
         string[] arguments =
         [
-            Path.Combine(AppContext.BaseDirectory, "harvester.dll"), "export", _session.Folder, _session.ShortFolder, "--format", format, "--out", _folder.PathOf(to),
+            Path.Combine(AppContext.BaseDirectory, "harvester.dll"), "export", _session.Folder, _session.ShortFolder, "--format", format,
+            "--out", _folder.PathOf(to),
             "--split", "train:0.7,val:0.3", "--seed", $"{SeedThatDealsOutBothSessions}",
         ];
         Array.ForEach(arguments, start.ArgumentList.Add);

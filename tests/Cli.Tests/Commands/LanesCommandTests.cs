@@ -101,9 +101,11 @@ public sealed class LanesCommandTests : IDisposable
             Assert.Equal(label.Lanes.OffsetFromLaneCentreMetres!.Value, lanes.GetProperty("offsetFromLaneCentreMetres").GetDouble());
         }
 
-        static Vector3D Vector(JsonElement ego, string name) => new(ego.GetProperty(name)[0].GetDouble(), ego.GetProperty(name)[1].GetDouble(), ego.GetProperty(name)[2].GetDouble());
+        static Vector3D Vector(JsonElement ego, string name) =>
+            new(ego.GetProperty(name)[0].GetDouble(), ego.GetProperty(name)[1].GetDouble(), ego.GetProperty(name)[2].GetDouble());
 
-        static string Text(params double[] numbers) => string.Join(",", numbers.Select(number => number.ToString(CultureInfo.InvariantCulture)));
+        static string Text(params double[] numbers) =>
+            string.Join(",", numbers.Select(number => number.ToString(CultureInfo.InvariantCulture)));
     }
 
     [Fact]
@@ -158,7 +160,8 @@ public sealed class LanesCommandTests : IDisposable
     [InlineData("6s")]
     [InlineData("s")]
     public void Lanes_with_an_impossible_look_ahead_is_a_usage_error(string ahead) =>
-        CliRun.Of("lanes", "--roads", _roads, "--position", "8.1,50,0", "--heading", "0", "--look-ahead", ahead).AssertFailed(2, "--look-ahead takes");
+        CliRun.Of("lanes", "--roads", _roads, "--position", "8.1,50,0", "--heading", "0", "--look-ahead", ahead)
+            .AssertFailed(2, "--look-ahead takes");
 
     [Fact]
     public void Lanes_reports_an_off_road_position() =>

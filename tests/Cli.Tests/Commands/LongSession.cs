@@ -4,8 +4,8 @@ using Harvester.Cli.Terminals;
 namespace Harvester.Cli.Tests.Commands;
 
 /// <summary>
-/// A session with more frames than an export can do before it is killed: a few harvested ones over and over. A second, short one is for formats
-/// that keep sessions whole, so that there is one for each of two splits.
+/// A session with more frames than an export can do before it is killed: a few harvested ones over and over. A second, short one is for
+/// formats that keep sessions whole, so that there is one for each of two splits.
 /// </summary>
 public sealed class LongSession : IDisposable
 {
@@ -17,7 +17,8 @@ public sealed class LongSession : IDisposable
     public LongSession()
     {
         Assert.Equal(ExitCode.Done, CliRun.Of(
-            "harvest", "--out", Folder, "--frames", $"{HarvestedFrames}", "--seed", "5", "--size", "80x60", "--masks", "--no-report").ExitCode);
+            "harvest", "--out", Folder, "--frames", $"{HarvestedFrames}", "--seed", "5", "--size", "80x60", "--masks",
+            "--no-report").ExitCode);
         Copy(Folder, ShortFolder);
         string[] lines = File.ReadAllLines(Path.Combine(Folder, "labels.jsonl"));
         for (int frame = HarvestedFrames; frame < Frames; frame++)

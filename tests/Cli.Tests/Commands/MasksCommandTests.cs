@@ -8,7 +8,9 @@ namespace Harvester.Cli.Tests.Commands;
 
 public sealed class MasksCommandTests
 {
-    /// <summary>The harvest asks about 60 rays what hides a face a few pixels wide, of which the mask has one of two or three columns.</summary>
+    /// <summary>
+    /// The harvest asks about 60 rays what hides a face a few pixels wide, of which the mask has one of two or three columns.
+    /// </summary>
     private const double RaysAndPixels = 0.1;
 
     [Theory]
@@ -18,7 +20,9 @@ public sealed class MasksCommandTests
     {
         using var folder = new TemporaryFolder();
         string session = folder.PathOf("session");
-        Assert.Equal(ExitCode.Done, CliRun.Of("harvest", "--out", session, "--frames", "2", "--seed", "1", "--masks", "--no-report", "--size", "640x480").ExitCode);
+        Assert.Equal(
+            ExitCode.Done,
+            CliRun.Of("harvest", "--out", session, "--frames", "2", "--seed", "1", "--masks", "--no-report", "--size", "640x480").ExitCode);
         string maps = folder.PathOf("maps");
         Directory.CreateDirectory(maps);
         foreach (string mask in Directory.GetFiles(Path.Combine(session, "masks")))
@@ -47,7 +51,9 @@ public sealed class MasksCommandTests
     {
         using var folder = new TemporaryFolder();
         string session = folder.PathOf("session");
-        Assert.Equal(ExitCode.Done, CliRun.Of("harvest", "--out", session, "--frames", "1", "--seed", "1", "--masks", "--no-report", "--size", "640x480").ExitCode);
+        Assert.Equal(
+            ExitCode.Done,
+            CliRun.Of("harvest", "--out", session, "--frames", "1", "--seed", "1", "--masks", "--no-report", "--size", "640x480").ExitCode);
         Assert.NotEmpty(VisibleFaces(session));
         string maps = folder.PathOf("maps");
         Directory.CreateDirectory(maps);

@@ -29,7 +29,8 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
     [InlineData("part-3", 2)]
     public void A_shard_is_a_valid_session_of_its_frames_without_a_report(string part, int frames)
     {
-        Assert.StartsWith($"{harvested.PathOf(part)}: {frames} frames", CliRun.Of("validate", harvested.PathOf(part)).Out, StringComparison.Ordinal);
+        Assert.StartsWith(
+            $"{harvested.PathOf(part)}: {frames} frames", CliRun.Of("validate", harvested.PathOf(part)).Out, StringComparison.Ordinal);
         Assert.False(File.Exists(harvested.PathOf($"{part}/report.html")));
     }
 
@@ -47,7 +48,10 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
     [Fact]
     public void Merge_of_a_shard_that_lost_a_frame_names_it()
     {
-        string part = Changed("part-2", "labels.jsonl", text => string.Concat(text.Split('\n').Where((_, line) => line != 1).Select(line => line + "\n")).TrimEnd() + "\n");
+        string part = Changed(
+            "part-2",
+            "labels.jsonl",
+            text => string.Concat(text.Split('\n').Where((_, line) => line != 1).Select(line => line + "\n")).TrimEnd() + "\n");
 
         Merge("merged", "part-1", part, "part-3").AssertFailed(ExitCode.BadData, "has no frame 4 where it should be");
         Assert.False(File.Exists(_folder.PathOf("merged/session.json")));
@@ -71,7 +75,8 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
 
     [Fact]
     public void Merge_reports_a_missing_folder() =>
-        CliRun.Of("merge", _folder.PathOf("nowhere"), "--out", _folder.PathOf("out")).AssertFailed(ExitCode.InputOutput, "Folder not found: '");
+        CliRun.Of("merge", _folder.PathOf("nowhere"), "--out", _folder.PathOf("out"))
+            .AssertFailed(ExitCode.InputOutput, "Folder not found: '");
 
     [Fact]
     public void Merge_into_a_folder_that_holds_something_is_refused()
@@ -100,5 +105,6 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
         CliRun.Of(["merge", .. shards.Select(harvested.PathOf), "--out", _folder.PathOf(name)]);
 
     private static string[] Files(string folder) =>
-        [.. Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories).Select(file => Path.GetRelativePath(folder, file)).Order(StringComparer.Ordinal)];
+        [.. Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories).Select(file => Path.GetRelativePath(folder, file)).Order(
+            StringComparer.Ordinal)];
 }

@@ -30,7 +30,8 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
         Assert.All(Directory.GetFiles(Path.Combine(Session, "masks")), mask =>
             Assert.Equal(File.ReadAllBytes(mask), File.ReadAllBytes(Path.Combine(Made, "masks", Path.GetFileName(mask)))));
         Assert.Equal(
-            File.ReadAllText(Path.Combine(Session, "session.json")).Replace("\"scenes\": true", "\"scenes\": false", StringComparison.Ordinal),
+            File.ReadAllText(Path.Combine(Session, "session.json"))
+                .Replace("\"scenes\": true", "\"scenes\": false", StringComparison.Ordinal),
             Without("relabelledBy", File.ReadAllText(Path.Combine(Made, "session.json"))));
         Assert.True(File.Exists(Path.Combine(Made, "report.html")));
     }
@@ -51,7 +52,8 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
 
         foreach (string file in Directory.EnumerateFiles(Made, "*", SearchOption.AllDirectories))
         {
-            Assert.Equal(File.ReadAllBytes(file), File.ReadAllBytes(Path.Combine(_folder.PathOf("merged/made"), Path.GetRelativePath(Made, file))));
+            Assert.Equal(
+                File.ReadAllBytes(file), File.ReadAllBytes(Path.Combine(_folder.PathOf("merged/made"), Path.GetRelativePath(Made, file))));
         }
     }
 
@@ -73,7 +75,8 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
     [InlineData("FocalScale = 1.02", "FocalScale = 12", "FocalScale is '12', which no lens has")]
     [InlineData("FocalScale = 1.02", "FocalScale = wide", "FocalScale is 'wide', which no lens has")]
     public void Relabel_by_a_calibration_without_a_lens_is_a_data_error(string good, string bad, string message) =>
-        Relabel("--calibration", _folder.File("lens.txt", Lens.Replace(good, bad, StringComparison.Ordinal))).AssertFailed(ExitCode.BadData, message);
+        Relabel("--calibration", _folder.File("lens.txt", Lens.Replace(good, bad, StringComparison.Ordinal)))
+            .AssertFailed(ExitCode.BadData, message);
 
     [Fact]
     public void Lanes_of_narrow_roads_have_the_width_given_by_the_option()
@@ -90,7 +93,10 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
         Assert.Equal([3.5], Widths("session"));
         Assert.Equal([3.5], Widths("kept"));
         Assert.Equal([3.0], Widths("narrower"));
-        Assert.Contains("\"narrowLaneWidth\": \"3\"", File.ReadAllText(Path.Combine(_folder.PathOf("narrower"), "session.json")), StringComparison.Ordinal);
+        Assert.Contains(
+            "\"narrowLaneWidth\": \"3\"",
+            File.ReadAllText(Path.Combine(_folder.PathOf("narrower"), "session.json")),
+            StringComparison.Ordinal);
 
         IEnumerable<double?> Widths(string name) =>
             new SessionReader(_folder.PathOf(name)).ReadLabels().Select(label => label.Lanes!.LaneWidthMetres).Distinct();
@@ -104,9 +110,11 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
         string session = _folder.PathOf("session");
         CliRun.Of("harvest", "--out", session, "--frames", "1", "--size", "64x48", "--no-report");
         string header = Path.Combine(session, "session.json");
-        File.WriteAllText(header, File.ReadAllText(header).Replace("\"laneWidth\": \"5.4\"", $"\"laneWidth\": \"{width}\"", StringComparison.Ordinal));
+        File.WriteAllText(
+            header, File.ReadAllText(header).Replace("\"laneWidth\": \"5.4\"", $"\"laneWidth\": \"{width}\"", StringComparison.Ordinal));
 
-        CliRun.Of("relabel", session, "--out", Made).AssertFailed(ExitCode.BadData, $"settings.laneWidth must be metres above 0, not '{width}'");
+        CliRun.Of("relabel", session, "--out", Made)
+            .AssertFailed(ExitCode.BadData, $"settings.laneWidth must be metres above 0, not '{width}'");
     }
 
     [Fact]
@@ -126,7 +134,8 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
 
     [Fact]
     public void Relabel_onto_the_session_itself_is_refused() =>
-        CliRun.Of("relabel", Session, "--out", Session + "/.", "--overwrite").AssertFailed(ExitCode.Usage, "is the recorded session itself");
+        CliRun.Of("relabel", Session, "--out", Session + "/.", "--overwrite")
+            .AssertFailed(ExitCode.Usage, "is the recorded session itself");
 
     [Fact]
     public void Relabel_onto_another_session_requires_overwrite()
@@ -140,7 +149,8 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
 
     [Fact]
     public void Relabel_of_a_shard_asks_to_merge_first() =>
-        CliRun.Of("relabel", harvested.PathOf("part-1"), "--out", Made).AssertFailed(ExitCode.BadData, "is shard 1/3 of a session. Merge it");
+        CliRun.Of("relabel", harvested.PathOf("part-1"), "--out", Made)
+            .AssertFailed(ExitCode.BadData, "is shard 1/3 of a session. Merge it");
 
     [Theory]
     [InlineData("--range", "0", "--range takes a number greater than 0")]
@@ -153,7 +163,8 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
     private static string NarrowStreet()
     {
         RoadNode[] nodes = [.. Enumerable.Range(0, 31).Select(i => new RoadNode(0, i, new Vector3D(0, 10 * i, 0), "", RoadNodeFlags.None))];
-        var street = new RoadNetwork(nodes, [.. Enumerable.Range(0, 30).Select(i => new RoadLink(i, i + 1, 2, 2, 0, RoadLinkFlags.NarrowRoad))]);
+        var street = new RoadNetwork(
+            nodes, [.. Enumerable.Range(0, 30).Select(i => new RoadLink(i, i + 1, 2, 2, 0, RoadLinkFlags.NarrowRoad))]);
         using var text = new StringWriter();
         RoadCsvWriter.Write(street, text);
         return text.ToString();

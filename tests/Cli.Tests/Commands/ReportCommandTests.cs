@@ -29,7 +29,8 @@ public sealed class ReportCommandTests
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header);
 
-        CliRun.Of("report", folder.Path, "--out", Path.Combine(folder.Path, "none", "page.html")).AssertFailed(ExitCode.InputOutput, "none");
+        CliRun.Of("report", folder.Path, "--out", Path.Combine(folder.Path, "none", "page.html"))
+            .AssertFailed(ExitCode.InputOutput, "none");
     }
 
     [Fact]
@@ -59,7 +60,8 @@ public sealed class ReportCommandTests
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header);
 
-        CliRun.Of(["report", folder.Path, "--out", folder.PathOf(file), .. still]).AssertFailed(ExitCode.Usage, "--out takes a file that ends in .");
+        CliRun.Of(["report", folder.Path, "--out", folder.PathOf(file), .. still])
+            .AssertFailed(ExitCode.Usage, "--out takes a file that ends in .");
 
         Assert.False(File.Exists(folder.PathOf(file)));
     }
@@ -72,12 +74,14 @@ public sealed class ReportCommandTests
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header);
 
-        CliRun.Of(["report", folder.Path, "--still", "7", .. option]).AssertFailed(ExitCode.Usage, $"{option[0]} has no effect with --still.");
+        CliRun.Of(["report", folder.Path, "--still", "7", .. option])
+            .AssertFailed(ExitCode.Usage, $"{option[0]} has no effect with --still.");
     }
 
     [Fact]
     public void Report_still_accepts_a_frame_number() =>
-        CliRun.Of("report", "session", "--still", "frame.png").AssertFailed(ExitCode.Usage, "--still takes a frame number, e.g. 12, not 'frame.png'.");
+        CliRun.Of("report", "session", "--still", "frame.png")
+            .AssertFailed(ExitCode.Usage, "--still takes a frame number, e.g. 12, not 'frame.png'.");
 
     [Theory]
     [InlineData("0")]

@@ -118,8 +118,12 @@ public sealed class RoadsCommandTests : IDisposable
 
         XElement[] paths = [.. XDocument.Load(svg).Descendants().Where(element => element.Name.LocalName == "path")];
 
-        Assert.Equal(["highway", "one-way", "street", "unpaved", "not drivable", "water"], paths[6..].Select(path => path.ElementsAfterSelf().First().Value));
-        Assert.Equal(paths[..6].Reverse().Select(path => path.Attribute("stroke")!.Value), paths[6..].Select(path => path.Attribute("stroke")!.Value));
+        Assert.Equal(
+            ["highway", "one-way", "street", "unpaved", "not drivable", "water"],
+            paths[6..].Select(path => path.ElementsAfterSelf().First().Value));
+        Assert.Equal(
+            paths[..6].Reverse().Select(path => path.Attribute("stroke")!.Value),
+            paths[6..].Select(path => path.Attribute("stroke")!.Value));
         Assert.Equal("#dc7814", paths[6].Attribute("stroke")!.Value);
     }
 
@@ -130,7 +134,10 @@ public sealed class RoadsCommandTests : IDisposable
         string png = Path.Combine(_folder.Path, "map.png");
         string svg = Path.Combine(_folder.Path, "map.svg");
 
-        Assert.StartsWith($"{png}: 20 x 40 pixels of 1 m; highways orange, ", CliRun.Of("roads", "map", from, "--out", png, "--area=-10,0,10,40", "--size", "40").Out, StringComparison.Ordinal);
+        Assert.StartsWith(
+            $"{png}: 20 x 40 pixels of 1 m; highways orange, ",
+            CliRun.Of("roads", "map", from, "--out", png, "--area=-10,0,10,40", "--size", "40").Out,
+            StringComparison.Ordinal);
         Assert.Equal(0, CliRun.Of("roads", "map", from, "--out", svg, "--area=-10,0,10,40", "--size", "40").ExitCode);
 
         Assert.True(File.ReadAllBytes(png) is [0x89, (byte)'P', (byte)'N', (byte)'G', ..]);
@@ -158,14 +165,17 @@ public sealed class RoadsCommandTests : IDisposable
     [InlineData("--area=-5000,-5000,5555,5000", "660")] // 10,555 m: 659.6875 m a pixel
     [InlineData("--area=-50000,-50000,50000,50000", "6250")] // 100 km
     public void Map_shows_its_scale_in_three_digits(string area, string metres) => Assert.Contains(
-        $" pixels of {metres} m;", CliRun.Of("roads", "map", _folder.File("roads.txt", Ipl), "--out", _folder.PathOf("map.png"), "--size", "16", area).Out, StringComparison.Ordinal);
+        $" pixels of {metres} m;",
+        CliRun.Of("roads", "map", _folder.File("roads.txt", Ipl), "--out", _folder.PathOf("map.png"), "--size", "16", area).Out,
+        StringComparison.Ordinal);
 
     [Fact]
     public void Import_of_a_corrupt_file_fails_with_the_position()
     {
         string from = _folder.File("roads.txt", Ipl.Replace("0, 1, 2, 2, 1, 0", "0, 9, 2, 2, 1, 0", StringComparison.Ordinal));
 
-        CliRun.Of("roads", "import", from, "--out", Path.Combine(_folder.Path, "x.csv")).AssertFailed(1, "roads.txt, line 7: the link runs from node 0 to node 9");
+        CliRun.Of("roads", "import", from, "--out", Path.Combine(_folder.Path, "x.csv"))
+            .AssertFailed(1, "roads.txt, line 7: the link runs from node 0 to node 9");
         CliRun.Of("roads", "info", Path.Combine(_folder.Path, "absent")).AssertFailed(3, "absent");
     }
 }

@@ -63,9 +63,12 @@ public sealed class ServeCommandTests
         CliRun serve = CliRun.Of("serve", "--folder", folder.Path, "--duration", "0.1");
         CliRun drive = CliRun.Of("drive", "--out", folder.PathOf("out"), "--bridge", "folder", "--folder", folder.Path, "--distance", "1");
 
-        serve.AssertFailed(ExitCode.Usage, $"'{folder.Path}' holds something else than a bridge, '{foreign}' for one. Name another folder with --folder.");
+        serve.AssertFailed(
+            ExitCode.Usage, $"'{folder.Path}' holds something else than a bridge, '{foreign}' for one. Name another folder with --folder.");
         drive.AssertFailed(ExitCode.Usage, "holds something else than a bridge");
-        Assert.Equal(files.Order(StringComparer.Ordinal), Directory.EnumerateFileSystemEntries(folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            files.Order(StringComparer.Ordinal),
+            Directory.EnumerateFileSystemEntries(folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
     }
 
     [Theory]
@@ -77,7 +80,8 @@ public sealed class ServeCommandTests
         folder.File(sign, "");
         folder.File("notes.txt", "mine");
 
-        Assert.Equal(ExitCode.Done, CliRun.Of("serve", "--folder", folder.Path, "--duration", "0.1", "--traffic", "0", "--size", "80x60").ExitCode);
+        Assert.Equal(
+            ExitCode.Done, CliRun.Of("serve", "--folder", folder.Path, "--duration", "0.1", "--traffic", "0", "--size", "80x60").ExitCode);
     }
 
     [Theory]
@@ -89,7 +93,9 @@ public sealed class ServeCommandTests
     public void Option_that_cannot_be_is_refused(string option, string value, string message) =>
         CliRun.Of("serve", option, value).AssertFailed(ExitCode.Usage, message);
 
-    /// <summary>Connects, asks for a weather that the game does not have, and waits for the end of the connection; returns its own port.</summary>
+    /// <summary>
+    /// Connects, asks for a weather that the game does not have, and waits for the end of the connection; returns its own port.
+    /// </summary>
     private static async Task<int> HailAsync(int port, Task serve)
     {
         while (true)

@@ -33,7 +33,8 @@ public sealed class SpacesCommandTests : IDisposable
         CliRun run = CliRun.Of("spaces", "check", file);
 
         Assert.Equal(ExitCode.BadData, run.ExitCode);
-        Assert.StartsWith($"{file}: line 2, fulX, blrX: the cuboid is inside out: fulX must be less than blrX.", run.Out, StringComparison.Ordinal);
+        Assert.StartsWith(
+            $"{file}: line 2, fulX, blrX: the cuboid is inside out: fulX must be less than blrX.", run.Out, StringComparison.Ordinal);
         Assert.EndsWith($"{file}: 1 valid row, 1 invalid\n", run.Out, StringComparison.Ordinal);
     }
 
@@ -56,7 +57,9 @@ public sealed class SpacesCommandTests : IDisposable
 
     [Theory]
     [InlineData("model,hash,class,name,mutcd,face,fulX,fulY,fulZ,blrX,blrY,blrZ,facing,provenance,source\n", ExitCode.Done)]
-    [InlineData("model, hash, class, name, mutcd, face, fulX, fulY, fulZ, blrX, blrY, blrZ, facing, provenance,\"source\"\nstop,1\n", ExitCode.BadData)]
+    [InlineData(
+        "model, hash, class, name, mutcd, face, fulX, fulY, fulZ, blrX, blrY, blrZ, facing, provenance,\"source\"\nstop,1\n",
+        ExitCode.BadData)]
     [InlineData("# none yet\n", ExitCode.Done)]
     [InlineData(InsideOut + "\n", ExitCode.BadData)]
     public void Check_of_a_table_without_a_valid_row_counts_none(string content, int code)
@@ -105,8 +108,8 @@ public sealed class SpacesCommandTests : IDisposable
 
         CliRun.Of("spaces", "gallery", _folder.Path);
 
-        // 70 pixels a metre, 0.3 m of margin: x from -0.7 - 0.3, z down from 3 + 0.3. The octagon begins at (1 - 0.5 + 0.29289) * 70 = 55.5, and
-        // (3.3 - 1.5) * 70 = 126. It stands nearest to the back, towards which it looks: y = -0.06, then 0.06 and 0.86.
+        // 70 pixels a metre, 0.3 m of margin: x from -0.7 - 0.3, z down from 3 + 0.3. The octagon begins at (1 - 0.5 + 0.29289) * 70 =
+        // 55.5, and (3.3 - 1.5) * 70 = 126. It stands nearest to the back, towards which it looks: y = -0.06, then 0.06 and 0.86.
         string[] shapes = [.. File.ReadAllText(_folder.PathOf("gallery.html")).Split("<polygon ").Skip(1)];
         Assert.Equal(["measured away", "measured", "measured"], shapes.Select(shape => shape.Split('"')[1]));
         Assert.Contains("points=\"55.5,126 ", shapes[2], StringComparison.Ordinal);
@@ -149,7 +152,8 @@ public sealed class SpacesCommandTests : IDisposable
         _folder.File("spaces.csv", Good.Replace("-0.04,", "-0.06,", StringComparison.Ordinal) + "\n");
         Directory.CreateDirectory(_folder.PathOf("photos"));
         _folder.File(Path.Combine("photos", "stop.png"), "a picture");
-        _folder.File("photos.csv", "file,model,x,y,z,pitch,roll,yaw,verticalFov\nstop.png,prop_sign_road_01a,0,-4.06,2.25,0,0,0,53.13010235\n");
+        _folder.File(
+            "photos.csv", "file,model,x,y,z,pitch,roll,yaw,verticalFov\nstop.png,prop_sign_road_01a,0,-4.06,2.25,0,0,0,53.13010235\n");
 
         Assert.Equal(ExitCode.Done, CliRun.Of("spaces", "gallery", _folder.Path).ExitCode);
 
@@ -172,7 +176,9 @@ public sealed class SpacesCommandTests : IDisposable
     {
         CliRun run = CliRun.Of("spaces", "list", _folder.File("spaces.csv", Good + "\n" + InsideOut + "\n"));
 
-        Assert.Equal((ExitCode.BadData, "harvester: 1 invalid row not listed. For the reasons, run 'harvester spaces check'.\n"), (run.ExitCode, run.Error));
+        Assert.Equal(
+            (ExitCode.BadData, "harvester: 1 invalid row not listed. For the reasons, run 'harvester spaces check'.\n"),
+            (run.ExitCode, run.Error));
         Assert.Contains("prop_sign_road_01a", run.Out, StringComparison.Ordinal);
     }
 
@@ -181,10 +187,14 @@ public sealed class SpacesCommandTests : IDisposable
     {
         string session = _folder.PathOf("session");
         string file = _folder.File("spaces.csv", Good + "\n");
-        CliRun run = CliRun.Of("harvest", "--out", session, "--frames", "12", "--hz", "1", "--size", "320x240", "--no-report", "--spaces", file);
+        CliRun run = CliRun.Of(
+            "harvest", "--out", session, "--frames", "12", "--hz", "1", "--size", "320x240", "--no-report", "--spaces", file);
         Assert.Equal("", run.Error);
 
-        List<ObjectLabel> parts = [.. new SessionReader(session).ReadLabels().SelectMany(label => label.Objects).Where(item => item.Face is not null)];
+        List<ObjectLabel> parts =
+        [
+            .. new SessionReader(session).ReadLabels().SelectMany(label => label.Objects).Where(item => item.Face is not null)
+        ];
         Assert.Contains(parts, part => part.Name == "TRAFFIC LIGHT");
         Assert.All(parts.Where(part => part.Model == "prop_sign_road_01a"), part => Assert.Equal("BIG STOP", part.Name));
         Assert.Equal(ExitCode.Done, CliRun.Of("validate", session).ExitCode);

@@ -9,14 +9,22 @@ public sealed class StatsCommandTests
     public void Statistics_cover_all_sessions_together()
     {
         using var folder = new TemporaryFolder();
-        folder.File("session.json", """{ "formatVersion": 1, "game": "simulation", "image": { "width": 80, "height": 60 }, "counters": { "captured": 0 } }""");
+        folder.File(
+            "session.json",
+            """{ "formatVersion": 1, "game": "simulation", "image": { "width": 80, "height": 60 }, "counters": { "captured": 0 } }""");
 
         CliRun run = CliRun.Of("stats", folder.Path, folder.Path);
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.Contains("\nwithout signs and traffic lights, which KITTI does not label: 0 labels, 0.0 labels per frame\n", run.Out, StringComparison.Ordinal);
+        Assert.Contains(
+            "\nwithout signs and traffic lights, which KITTI does not label: 0 labels, 0.0 labels per frame\n",
+            run.Out,
+            StringComparison.Ordinal);
         Assert.Contains("\ndistance, m: none\n", run.Out, StringComparison.Ordinal);
-        Assert.StartsWith("0 frames, 0 labels, 0.0 labels per frame\nKITTI object detection, for comparison: 7481 training and 7518 test images, ", run.Out, StringComparison.Ordinal);
+        Assert.StartsWith(
+            "0 frames, 0 labels, 0.0 labels per frame\nKITTI object detection, for comparison: 7481 training and 7518 test images, ",
+            run.Out,
+            StringComparison.Ordinal);
     }
 
     [Fact]

@@ -58,7 +58,8 @@ public sealed class ValidateCommandTests
     public void Validate_notes_what_was_not_checked_while_recording(string start, string lag, int notes)
     {
         using var folder = new TemporaryFolder();
-        folder.File("session.json", Header.Replace(""", "counters":""", $""", "start": {start}{lag}, "counters":""", StringComparison.Ordinal));
+        folder.File(
+            "session.json", Header.Replace(""", "counters":""", $""", "start": {start}{lag}, "counters":""", StringComparison.Ordinal));
 
         CliRun run = CliRun.Of("validate", folder.Path);
 

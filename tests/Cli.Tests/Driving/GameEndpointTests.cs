@@ -72,7 +72,11 @@ public sealed class BridgedGameTests
     {
         Pose at = _game.Ports.World.ReadEgo().Pose;
         Queue<ClientMessage> once = new([new ResetMessage(at.Position + (at.Axes.Right * 1.5), Angles.HeadingDegrees(at.Axes.Forward))]);
-        using AnsweringBridge bridge = new(state => [.. once.TryDequeue(out ClientMessage? reset) ? [reset] : Array.Empty<ClientMessage>(), new ControlsMessage(new DrivingControls(0, 0.3, 0), state.Frame)]);
+        using AnsweringBridge bridge = new(state =>
+        [
+            .. once.TryDequeue(out ClientMessage? reset) ? [reset] : Array.Empty<ClientMessage>(),
+            new ControlsMessage(new DrivingControls(0, 0.3, 0), state.Frame),
+        ]);
         using GameEndpoint bridged = Bridged(bridge);
         for (int tick = 0; tick < 20; tick++)
         {

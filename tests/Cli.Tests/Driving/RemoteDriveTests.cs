@@ -61,7 +61,8 @@ public sealed class BridgedDriveTests
     public void Run_waits_for_a_client_that_joins_after_the_first_frame()
     {
         // Nobody was there for frame 0.
-        using AnsweringBridge bridge = new(state => state.Frame == 0 ? [] : [new ControlsMessage(Gentle, state.Frame), new StepMessage(0.1)]);
+        using AnsweringBridge bridge = new(
+            state => state.Frame == 0 ? [] : [new ControlsMessage(Gentle, state.Frame), new StepMessage(0.1)]);
 
         Assert.NotEmpty(Drive(bridge, Ample, metres: 1));
     }
@@ -69,7 +70,8 @@ public sealed class BridgedDriveTests
     [Fact]
     public void Run_continues_with_a_client_that_starts_with_a_step()
     {
-        using AnsweringBridge bridge = new(state => [new StepMessage(0.1), .. state.TimeSeconds > 0 ? [new ControlsMessage(Gentle, null)] : Array.Empty<ClientMessage>()]);
+        using AnsweringBridge bridge = new(
+            state => [new StepMessage(0.1), .. state.TimeSeconds > 0 ? [new ControlsMessage(Gentle, null)] : Array.Empty<ClientMessage>()]);
 
         Assert.NotEmpty(Drive(bridge, Ample, metres: 1));
     }
@@ -89,7 +91,8 @@ public sealed class BridgedDriveTests
         };
         Drive(bridge, TimeSpan.FromHours(1), isRealTime: true, stopping: stopping.Token);
 
-        // From the first frame after the pause to the sixth it is half a second; a timer may end a wait a little early, and there are ten waits.
+        // From the first frame after the pause to the sixth it is half a second; a timer may end a wait a little early, and there are ten
+        // waits.
         Assert.InRange(bridge.SinceFirstAfterPause, TimeSpan.FromSeconds(0.4), TimeSpan.MaxValue);
     }
 

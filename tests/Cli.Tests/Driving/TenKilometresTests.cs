@@ -29,7 +29,8 @@ public sealed class TenKilometresTests
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public void Stanley_on_synthetic_roads(bool isNoisy) => AssertClean(DriveInTowns(new ControllerPlan { Kind = ControllerKind.Stanley }, isNoisy));
+    public void Stanley_on_synthetic_roads(bool isNoisy) =>
+        AssertClean(DriveInTowns(new ControllerPlan { Kind = ControllerKind.Stanley }, isNoisy));
 
     [Theory]
     [InlineData(false)]

@@ -26,7 +26,8 @@ public sealed class StoppedWorldTests
         ImageSize picture = new(32, 24);
         using FolderBridge bridge = new(folder.Path, picture);
         using GameEndpoint bridged = new(
-            game, new FixedRoads(game.Roads, "simulation"), new DrivingOptions { Picture = picture }, bridge, static () => new DeepDrivingController(), isAssisted: true);
+            game, new FixedRoads(game.Roads, "simulation"), new DrivingOptions { Picture = picture }, bridge,
+            static () => new DeepDrivingController(), isAssisted: true);
         using CancellationTokenSource ending = new();
         Task<DrivingStatus> serving = Task.Run(() => new ServedGame(game, bridged).Run(double.PositiveInfinity, ending.Token));
         await File.WriteAllTextAsync(folder.PathOf("command.json"), """{"type":"pause","paused":true}""");

@@ -12,15 +12,19 @@ public sealed class FileFaultTests : IDisposable
     {
         Directory.CreateDirectory(_folder.PathOf("folder"));
         _folder.File("file", "mine");
-        _folder.File("session.json", """{ "formatVersion": 1, "game": "simulation", "image": { "width": 80, "height": 60 }, "counters": { "captured": 0 } }""");
+        _folder.File(
+            "session.json",
+            """{ "formatVersion": 1, "game": "simulation", "image": { "width": 80, "height": 60 }, "counters": { "captured": 0 } }""");
     }
 
     public void Dispose() => _folder.Dispose();
 
     [Theory]
-    [InlineData("boxes {folder}", "'{folder}' is a folder that may not be read or written, or stands where a file should be. Name another.")]
+    [InlineData(
+        "boxes {folder}", "'{folder}' is a folder that may not be read or written, or stands where a file should be. Name another.")]
     [InlineData("boxes {none}", "There is no file '{none}'. Name one that is there.")]
-    [InlineData(Point + " {folder}", "'{folder}' is a folder that may not be read or written, or stands where a file should be. Name another.")]
+    [InlineData(
+        Point + " {folder}", "'{folder}' is a folder that may not be read or written, or stands where a file should be. Name another.")]
     [InlineData(Point + " {none}/points.csv", "There is no folder '{none}'. Name one that is there.")]
     [InlineData(Point + " {none}/o'brien/points.csv", "There is no folder '{none}/o'brien'. Name one that is there.")]
     [InlineData("lanes --position 0,0,0 --heading 0 --roads {none}", "There is no file '{none}'. Name one that is there.")]
@@ -49,7 +53,10 @@ public sealed class FileFaultTests : IDisposable
 
     [Fact]
     public void Full_disk_without_a_path_is_still_reported() =>
-        Assert.StartsWith("The disk is full. Free some space", FileFault.TextOf(new IOException("No space left on device", 28), output: null), StringComparison.Ordinal);
+        Assert.StartsWith(
+            "The disk is full. Free some space",
+            FileFault.TextOf(new IOException("No space left on device", 28), output: null),
+            StringComparison.Ordinal);
 
     [Fact]
     public void File_without_read_permission_is_reported_as_such() => Assert.Equal(

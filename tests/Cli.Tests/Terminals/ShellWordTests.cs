@@ -12,12 +12,14 @@ public sealed class ShellWordTests
     [InlineData("a;rm", "'a;rm'")]
     [InlineData("$HOME", "'$HOME'")]
     [InlineData("", "''")]
-    public void Quoted_argument_is_one_word_of_a_posix_shell(string word, string expected) => Assert.Equal(expected, ShellWord.Of(word, isWindows: false));
+    public void Quoted_argument_is_one_word_of_a_posix_shell(string word, string expected) =>
+        Assert.Equal(expected, ShellWord.Of(word, isWindows: false));
 
     [Theory]
     [InlineData(@"C:\drives\1", @"C:\drives\1")]
     [InlineData(@"C:\my drives", "\"C:\\my drives\"")]
-    public void Quoted_argument_is_one_word_on_windows(string word, string expected) => Assert.Equal(expected, ShellWord.Of(word, isWindows: true));
+    public void Quoted_argument_is_one_word_on_windows(string word, string expected) =>
+        Assert.Equal(expected, ShellWord.Of(word, isWindows: true));
 
     [PosixTheory]
     [InlineData("it's a \"test\" of $HOME; `x` \\ & * ~")]

@@ -3,7 +3,9 @@ using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Tests.Diagnosis;
 
-/// <summary>Each log is one as it is found on a player's computer; the doctor must name the cause that the log was made for, first.</summary>
+/// <summary>
+/// Each log is one as it is found on a player's computer; the doctor must name the cause that the log was made for, first.
+/// </summary>
 public sealed class DoctorTests : IDisposable
 {
     private const string Versions = "2026-10-02 18:03:11 GtaDataHarvester 0.1.0.0, API 3.7.0.181, GTA V Legacy 1.0.3788.0.\n";
@@ -39,31 +41,54 @@ public sealed class DoctorTests : IDisposable
         { "The harvest ended: 1 frame, discarded: 9 neverStill, in C:\\out.", "went on moving" },
         { "The harvest ended: 0 frames, discarded: 5 strange, in C:\\out.", "for the reason strange" },
         { "The camera model is off by 3.1 px, more than the 1.0 px allowed: calibrate the camera first.", "does not fit the camera model" },
-        { "The camera model cannot be checked, as only 3 of 12 markers are seen: give the camera a free view.", "Too few calibration markers" },
-        { "The picture is 7 ticks behind the game, and the harvest allows for 4. Raise the limit (MaxPictureLagTicks) and start again.", "later than the harvest allows" },
+        {
+            "The camera model cannot be checked, as only 3 of 12 markers are seen: give the camera a free view.",
+            "Too few calibration markers"
+        },
+        {
+            "The picture is 7 ticks behind the game, and the harvest allows for 4. Raise the limit (MaxPictureLagTicks) and start again.",
+            "later than the harvest allows"
+        },
         { "The harvest failed: The fwScriptGuid pool is full. More in GtaDataHarvester.log.", "script handles is full" },
         { "The drive failed: Address already in use More in GtaDataHarvester.log.", "port of the bridge" },
         { "The harvest stopped: There is not enough space on the disk.", "disk is full" },
         { "The harvest failed: Access to the path 'C:\\out' is denied. More in GtaDataHarvester.log.", "does not let the game write" },
         { "GtaDataHarvester.ini: Line 7: Rate = fast is not a number from 0.01 to 60; the default is used.", "A setting" },
         { "The game has no vehicle 'addder'. Change Model under [TestCar] in GtaDataHarvester.ini.", "no vehicle 'addder'" },
-        { "The world stood still neither while the game was paused nor at a time scale of 0: most frames will be discarded.", "Neither way of freezing" },
-        { "The overlay failed: Object reference not set to an instance of an object. More in GtaDataHarvester.log.", "The overlay failed unexpectedly" },
+        {
+            "The world stood still neither while the game was paused nor at a time scale of 0: most frames will be discarded.",
+            "Neither way of freezing"
+        },
+        {
+            "The overlay failed: Object reference not set to an instance of an object. More in GtaDataHarvester.log.",
+            "The overlay failed unexpectedly"
+        },
         { "Window: 2560 x 1440, exclusive full screen, 144 dpi.", "exclusive full screen" },
         { "The harvest: on", "The log ends while 'The harvest' is on" },
-        { "The overlay: off after 780 ticks in 31.0 s, 215.0 natives per tick, 0 rays per second, tick time p50 16.10 ms, p99 41.20 ms", "'The overlay' makes the game stutter" },
+        {
+            "The overlay: off after 780 ticks in 31.0 s, 215.0 natives per tick, 0 rays per second, tick time p50 16.10 ms, p99 41.20 ms",
+            "'The overlay' makes the game stutter"
+        },
     };
 
     public static TheoryData<string, string> LoaderProblems => new()
     {
         { "[18:03:00] [WARNING] Unable to resolve API version 3.6.0 referenced in GtaDataHarvester.dll.", "older than the mod needs" },
-        { "[18:03:00] [ERROR] Unable to load GtaDataHarvester.dll: System.IO.FileLoadException: ... (Exception from HRESULT: 0x80131515)", "Windows blocks" },
-        { "[18:03:00] [ERROR] Failed to instantiate script Harvester.Mod.HarvesterScript because constructor threw an exception: System.TypeInitializationException: The type initializer for 'SHVDN.NativeMemory' threw an exception.", "does not know this build" },
-        { "[18:03:00] [ERROR] Failed to instantiate script Harvester.Mod.HarvesterScript because constructor threw an exception: System.Exception", "failed when it was started" },
-        { "[18:03:00] [ERROR] Blocking script! Script Harvester.Mod.HarvesterScript (file name: GtaDataHarvester.dll) was terminated because it caused the game to freeze too long.", "took so long" },
+        {
+            "[18:03:00] [ERROR] Unable to load GtaDataHarvester.dll: System.IO.FileLoadException: ... (Exception from HRESULT: 0x80131515)",
+            "Windows blocks"
+        },
+        { "[18:03:00] [ERROR] Failed to instantiate script Harvester.Mod.HarvesterScript because constructor threw an exception: "
+            + "System.TypeInitializationException: The type initializer for 'SHVDN.NativeMemory' threw an exception.",
+            "does not know this build" },
+        { "[18:03:00] [ERROR] Failed to instantiate script Harvester.Mod.HarvesterScript because constructor threw an exception: "
+            + "System.Exception", "failed when it was started" },
+        { "[18:03:00] [ERROR] Blocking script! Script Harvester.Mod.HarvesterScript (file name: GtaDataHarvester.dll) was terminated "
+            + "because it caused the game to freeze too long.", "took so long" },
         { "[18:03:00] [ERROR] Script Harvester.Mod.HarvesterScript is not responding! Aborting ...", "took so long" },
         { "[18:03:00] [INFO] Found 0 script(s) in GtaDataHarvester.dll.", "cannot be loaded" },
-        { "[18:03:00] [WARNING] The script name Harvester.Mod.HarvesterScript already exists and was loaded from GtaDataHarvester.dll. Ignoring occurrence", "installed twice" },
+        { "[18:03:00] [WARNING] The script name Harvester.Mod.HarvesterScript already exists and was loaded from GtaDataHarvester.dll. "
+            + "Ignoring occurrence", "installed twice" },
     };
 
     public void Dispose() => Directory.Delete(_game, recursive: true);
@@ -91,9 +116,13 @@ public sealed class DoctorTests : IDisposable
 
     [Theory]
     [InlineData("[18:02:41] FATAL: Unknown game version, check http://dev-c.com for updates", "ScriptHookV is older than the game.")]
-    [InlineData("[18:02:41] FATAL: Can't find native 0x63606A61DE68898A", "A mod calls a native function (0x63606A61DE68898A) that this build of the game does not have.")]
-    [InlineData("[18:02:41] CORE: An exception occurred while executing 'ScriptHookVDotNet.asi' (0x00007FFC), id 33", "ScriptHookVDotNet crashed.")]
-    [InlineData("[18:02:41] CORE: An exception occurred while executing 'Menyoo.asi' (0x00007FFC), id 33", "Another mod crashed: Menyoo.asi.")]
+    [InlineData(
+        "[18:02:41] FATAL: Can't find native 0x63606A61DE68898A",
+        "A mod calls a native function (0x63606A61DE68898A) that this build of the game does not have.")]
+    [InlineData(
+        "[18:02:41] CORE: An exception occurred while executing 'ScriptHookVDotNet.asi' (0x00007FFC), id 33", "ScriptHookVDotNet crashed.")]
+    [InlineData(
+        "[18:02:41] CORE: An exception occurred while executing 'Menyoo.asi' (0x00007FFC), id 33", "Another mod crashed: Menyoo.asi.")]
     public void Problem_in_the_log_of_ScriptHookV_is_named(string line, string cause)
     {
         Write(LogKind.ScriptHook, $"{Hook}{line}\n");
@@ -175,7 +204,8 @@ public sealed class DoctorTests : IDisposable
     [Fact]
     public void Repeated_problem_is_counted_and_its_last_line_shown()
     {
-        Write(LogKind.Mod, Header + string.Concat(Enumerable.Repeat("2026-10-02 18:04:00 The harvest ended: 0 frames, discarded: 50 black, in out.\n", 3)));
+        Write(LogKind.Mod, Header + string.Concat(
+            Enumerable.Repeat("2026-10-02 18:04:00 The harvest ended: 0 frames, discarded: 50 black, in out.\n", 3)));
 
         Finding finding = Assert.Single(Examine(LogKind.Mod));
         Assert.Equal((3, 7), (finding.Count, finding.Evidence!.Number));
@@ -243,7 +273,10 @@ public sealed class DoctorTests : IDisposable
         File.WriteAllText(path, "milk\n");
 
         Assert.Contains("is no log", Assert.Throws<DatasetFormatException>(() => Doctor.Examine(path)).Message, StringComparison.Ordinal);
-        Assert.Contains("neither a game's folder", Assert.Throws<DatasetFormatException>(() => Doctor.Examine(_game)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "neither a game's folder",
+            Assert.Throws<DatasetFormatException>(() => Doctor.Examine(_game)).Message,
+            StringComparison.Ordinal);
         Assert.Throws<FileNotFoundException>(() => Doctor.Examine(Path.Combine(_game, "nothing")));
     }
 

@@ -5,13 +5,16 @@ using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Tests.Exports;
 
-/// <summary>Tests that damage an export of the simulated session in one place and see whether the format's check finds it, and where.</summary>
+/// <summary>
+/// Tests that damage an export of the simulated session in one place and see whether the format's check finds it, and where.
+/// </summary>
 [Collection(SimulatedSession.Collection)]
 public abstract class CheckTests(SimulatedSession simulated, string format) : ExportTests
 {
     private protected static readonly ExportOptions Copied = new() { Images = ImageTransfer.Copy };
 
-    private protected static readonly ExportOptions TwoSplits = Copied with { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 1, 1) };
+    private protected static readonly ExportOptions TwoSplits =
+        Copied with { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 1, 1) };
 
     /// <summary>Exports; images are copies, as tests change them.</summary>
     private protected void Export(ExportOptions? options = null) => Folder.Export(format, simulated.Open(), options ?? Copied);
@@ -52,10 +55,13 @@ public abstract class CheckTests(SimulatedSession simulated, string format) : Ex
     private protected void AssertFound(string expected)
     {
         string[] problems = Problems();
-        Assert.True(problems.Any(problem => problem.StartsWith(expected, StringComparison.Ordinal)), $"Not found: {expected}\n{string.Join('\n', problems)}");
+        Assert.True(
+            problems.Any(problem => problem.StartsWith(expected, StringComparison.Ordinal)),
+            $"Not found: {expected}\n{string.Join('\n', problems)}");
     }
 
-    private protected string[] Problems() => [.. DatasetValidator.Validate(Folder.PathOf("out")).Problems.Select(problem => problem.ToString())];
+    private protected string[] Problems() =>
+        [.. DatasetValidator.Validate(Folder.PathOf("out")).Problems.Select(problem => problem.ToString())];
 
     private string Existing(string file)
     {

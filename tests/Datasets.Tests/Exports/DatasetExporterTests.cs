@@ -29,7 +29,8 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Assert.True(result.Labels > SimulatedSession.Frames);
         Assert.Equal(result.Format.HasObjects, result.Objects > 0);
         Assert.Equal(Folder.Contents("a"), Folder.Contents("b"));
-        Assert.DoesNotContain(Folder.Contents("a").Keys, name => name.Contains("partial", StringComparison.Ordinal) || name.StartsWith('.'));
+        Assert.DoesNotContain(
+            Folder.Contents("a").Keys, name => name.Contains("partial", StringComparison.Ordinal) || name.StartsWith('.'));
     }
 
     [Theory]
@@ -107,7 +108,8 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Folder.Export("csv", simulated.Open(), to: "a", shard: new Shard(1, 2));
         Folder.Export("csv", simulated.Open(), TwoSplits, "b", new Shard(2, 2));
 
-        Assert.Throws<DatasetFormatException>(() => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), ImageTransfer.Link));
+        Assert.Throws<DatasetFormatException>(
+            () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), ImageTransfer.Link));
     }
 
     [Fact]
@@ -152,7 +154,8 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     public void Shards_start_in_a_folder_whose_plan_is_still_being_written()
     {
         Directory.CreateDirectory(Folder.PathOf("out/.export"));
-        using var other = new FileStream(Folder.PathOf("out/.export/plan.json.partial"), FileMode.CreateNew, FileAccess.Write, FileShare.None);
+        using var other = new FileStream(
+            Folder.PathOf("out/.export/plan.json.partial"), FileMode.CreateNew, FileAccess.Write, FileShare.None);
 
         Assert.Equal(2, Folder.Export("csv", Session.Open(), shard: new Shard(1, 2)).Frames);
         Assert.Equal(1, Folder.Export("csv", Session.Open(), shard: new Shard(2, 2)).Frames);
@@ -173,7 +176,10 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     {
         Session.Lines[1]["image"] = "../secret.png";
 
-        Assert.Contains("points out of the session", Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", Session.Open())).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "points out of the session",
+            Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", Session.Open())).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -181,15 +187,22 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     {
         File.Delete(Session.PathOf("frames/00000001.png"));
 
-        Assert.Contains("00000001.png' is missing", Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", Session.Open())).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "00000001.png' is missing",
+            Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", Session.Open())).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
     public void Export_of_a_mask_without_pixels_names_it()
     {
-        File.WriteAllBytes(Session.PathOf("masks/00000000.png"), TestImages.Png(TestSession.Width, TestSession.Height, bitDepth: 16, colourType: 0));
+        File.WriteAllBytes(
+            Session.PathOf("masks/00000000.png"), TestImages.Png(TestSession.Width, TestSession.Height, bitDepth: 16, colourType: 0));
 
-        Assert.Contains("masks/00000000.png", Assert.Throws<DatasetFormatException>(() => Folder.Export("coco", Session.Open())).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "masks/00000000.png",
+            Assert.Throws<DatasetFormatException>(() => Folder.Export("coco", Session.Open())).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -197,7 +210,10 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     {
         Session.Lines[0]["mask"] = null;
 
-        Assert.Contains("needs one", Assert.Throws<DatasetFormatException>(() => Folder.Export("yolo-segment", Session.Open())).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "needs one",
+            Assert.Throws<DatasetFormatException>(() => Folder.Export("yolo-segment", Session.Open())).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]
@@ -205,7 +221,10 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     {
         Session.Lines[2]["camera"]!["distortion"]!["k1"] = 0.05;
 
-        Assert.Contains("bends straight lines", Assert.Throws<DatasetFormatException>(() => Folder.Export("kitti", Session.Open())).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "bends straight lines",
+            Assert.Throws<DatasetFormatException>(() => Folder.Export("kitti", Session.Open())).Message,
+            StringComparison.Ordinal);
     }
 
     [Fact]

@@ -23,7 +23,10 @@ public sealed class DatasetValidatorTests(SimulatedSession simulated) : ExportTe
     [MemberData(nameof(Formats))]
     public void Validate_of_an_export_of_two_split_sessions_finds_nothing(string format)
     {
-        Folder.Export(format, [simulated.Open(), simulated.Open()], new ExportOptions { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 1, 1) });
+        Folder.Export(
+            format,
+            [simulated.Open(), simulated.Open()],
+            new ExportOptions { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 1, 1) });
 
         Assert.Empty(DatasetValidator.Validate(Folder.PathOf("out")).Problems);
     }
@@ -33,7 +36,9 @@ public sealed class DatasetValidatorTests(SimulatedSession simulated) : ExportTe
     {
         Folder.Export("voc", simulated.Open());
 
-        Assert.Equal(("voc", SimulatedSession.Frames), (DatasetValidator.Validate(Folder.PathOf("out")).Format, DatasetValidator.Validate(Folder.PathOf("out")).Frames));
+        Assert.Equal(
+            ("voc", SimulatedSession.Frames),
+            (DatasetValidator.Validate(Folder.PathOf("out")).Format, DatasetValidator.Validate(Folder.PathOf("out")).Frames));
     }
 
     [Fact]

@@ -31,7 +31,8 @@ public sealed class ExportCountTests(SimulatedSession simulated) : ExportTests
 
     [Fact]
     public void Objects_of_cityscapes_are_those_of_which_a_pixel_is_seen() =>
-        Assert.Equal(Folder.Export("yolo-segment", simulated.Open()).Objects, Folder.Export("cityscapes", simulated.Open(), to: "city").Objects);
+        Assert.Equal(
+            Folder.Export("yolo-segment", simulated.Open()).Objects, Folder.Export("cityscapes", simulated.Open(), to: "city").Objects);
 
     [Fact]
     public void Filters_omit_labels_and_export_json_counts_both()
@@ -46,7 +47,8 @@ public sealed class ExportCountTests(SimulatedSession simulated) : ExportTests
         Assert.Equal(some.Objects, Folder.Lines("out/objects.csv").Length - 1);
         using JsonDocument manifest = JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/export.json")));
         Assert.Equal(
-            (some.Labels, some.Objects), (manifest.RootElement.GetProperty("labels").GetInt32(), manifest.RootElement.GetProperty("objects").GetInt32()));
+            (some.Labels, some.Objects),
+            (manifest.RootElement.GetProperty("labels").GetInt32(), manifest.RootElement.GetProperty("objects").GetInt32()));
     }
 
     [Theory]
@@ -70,7 +72,8 @@ public sealed class ExportCountTests(SimulatedSession simulated) : ExportTests
 
         ExportResult result = Folder.Export(format, new SessionReader(session));
 
-        Assert.Equal((known, SimulatedSession.Frames - known, known), (result.Frames, result.FramesLeftOut, result.FramesOfSplits["train"]));
+        Assert.Equal(
+            (known, SimulatedSession.Frames - known, known), (result.Frames, result.FramesLeftOut, result.FramesOfSplits["train"]));
         Assert.Equal(known, Directory.GetFiles(Folder.PathOf("out"), "*.png", SearchOption.AllDirectories).Length);
         Assert.Empty(DatasetValidator.Validate(Folder.PathOf("out")).Problems);
     }

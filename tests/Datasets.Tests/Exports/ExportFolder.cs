@@ -15,10 +15,12 @@ internal sealed class ExportFolder : IDisposable
 
     public string[] Lines(string name) => File.ReadAllLines(PathOf(name));
 
-    public ExportResult Export(string format, SessionReader session, ExportOptions? options = null, string to = "out", Shard? shard = null) =>
+    public ExportResult Export(
+        string format, SessionReader session, ExportOptions? options = null, string to = "out", Shard? shard = null) =>
         Export(format, [session], options, to, shard);
 
-    public ExportResult Export(string format, IReadOnlyList<SessionReader> sessions, ExportOptions? options = null, string to = "out", Shard? shard = null) =>
+    public ExportResult Export(
+        string format, IReadOnlyList<SessionReader> sessions, ExportOptions? options = null, string to = "out", Shard? shard = null) =>
         new DatasetExporter(Plan(format, sessions, options), PathOf(to), shard ?? Shard.Whole).Run(_ => { });
 
     public static ExportPlan Plan(string format, IReadOnlyList<SessionReader> sessions, ExportOptions? options = null) =>

@@ -32,7 +32,8 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
     {
         KillAfter(2, "csv");
 
-        OccupiedFolderException refused = Assert.Throws<OccupiedFolderException>(() => Folder.Export("csv", simulated.Open(), to: "killed"));
+        OccupiedFolderException refused = Assert.Throws<OccupiedFolderException>(
+            () => Folder.Export("csv", simulated.Open(), to: "killed"));
 
         Assert.Contains("other sessions or options", refused.Message, StringComparison.Ordinal);
     }
@@ -50,7 +51,8 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
         Assert.Contains(good, text, StringComparison.Ordinal);
         File.WriteAllText(journal, text.Replace(good, bad, StringComparison.Ordinal));
 
-        DatasetFormatException refused = Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", simulated.Open(), TwoSplits, "killed"));
+        DatasetFormatException refused = Assert.Throws<DatasetFormatException>(
+            () => Folder.Export("csv", simulated.Open(), TwoSplits, "killed"));
 
         Assert.StartsWith($"'{journal}' has a line", refused.Message, StringComparison.Ordinal);
         Assert.EndsWith("begin the export anew.", refused.Message, StringComparison.Ordinal);
@@ -92,7 +94,8 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
         Folder.Export("voc", Session.Open(), to: "shards", shard: new Shard(2, 2));
 
         Assert.Throws<OccupiedFolderException>(() => Folder.Export("voc", Session.Open()));
-        Assert.Throws<OccupiedFolderException>(() => DatasetMerger.Merge([Folder.PathOf("shards")], Folder.PathOf("out"), ImageTransfer.Link));
+        Assert.Throws<OccupiedFolderException>(
+            () => DatasetMerger.Merge([Folder.PathOf("shards")], Folder.PathOf("out"), ImageTransfer.Link));
     }
 
     [Fact]
@@ -104,7 +107,8 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
         File.Copy(Path.Combine(simulated.Folder, "labels.jsonl"), Path.Combine(other, "labels.jsonl"));
         File.WriteAllText(Path.Combine(other, "session.json"), File.ReadAllText(Path.Combine(simulated.Folder, "session.json")) + "\n");
 
-        OccupiedFolderException refused = Assert.Throws<OccupiedFolderException>(() => Folder.Export("csv", new SessionReader(other), TwoSplits, "killed"));
+        OccupiedFolderException refused = Assert.Throws<OccupiedFolderException>(
+            () => Folder.Export("csv", new SessionReader(other), TwoSplits, "killed"));
 
         Assert.Contains("other sessions or options", refused.Message, StringComparison.Ordinal);
     }
@@ -113,7 +117,8 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
     private void KillAfter(int frames, string format)
     {
         using var stop = new CancellationTokenSource();
-        var exporter = new DatasetExporter(ExportFolder.Plan(format, [simulated.Open()], DatasetExporterTests.SplitsOf(format)), Folder.PathOf("killed"), Shard.Whole);
+        var exporter = new DatasetExporter(
+            ExportFolder.Plan(format, [simulated.Open()], DatasetExporterTests.SplitsOf(format)), Folder.PathOf("killed"), Shard.Whole);
         Assert.Throws<OperationCanceledException>(() => exporter.Run(
             done =>
             {

@@ -7,8 +7,8 @@ using Harvester.Geometry.PixelMaps;
 namespace Harvester.Datasets.Tests.Exports;
 
 /// <summary>
-/// A sign is its face, and its post is a pole where the format has poles. The face is in columns 15 to 24 and rows 15 to 24, the post in columns 19 and 20 and
-/// rows 25 to 39.
+/// A sign is its face, and its post is a pole where the format has poles. The face is in columns 15 to 24 and rows 15 to 24, the post in
+/// columns 19 and 20 and rows 25 to 39.
 /// </summary>
 public sealed class PartExportTests : ExportTests
 {
@@ -28,7 +28,8 @@ public sealed class PartExportTests : ExportTests
         Folder.Export("coco", Session.Open(), new ExportOptions { Parts = parts });
 
         using JsonDocument coco = JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/annotations/instances_train.json")));
-        Assert.Equal(expected, coco.RootElement.GetProperty("annotations").EnumerateArray().Where(item => item.GetProperty("category_id").GetInt32() == 8)
+        Assert.Equal(expected, coco.RootElement.GetProperty("annotations").EnumerateArray().Where(
+            item => item.GetProperty("category_id").GetInt32() == 8)
             .Select(item => $"{item.GetProperty("bbox").GetRawText()} {item.GetProperty("area").GetRawText()}"));
         AssertValid();
     }
@@ -42,7 +43,8 @@ public sealed class PartExportTests : ExportTests
     {
         Folder.Export("cityscapes", Session.Open(), new ExportOptions { Parts = parts });
 
-        InstanceMap labels = PngDecoder.ReadLabelMap(Folder.PathOf("out/gtFine/train/session0000/session0000_000000_000000_gtFine_labelIds.png"));
+        InstanceMap labels = PngDecoder.ReadLabelMap(
+            Folder.PathOf("out/gtFine/train/session0000/session0000_000000_000000_gtFine_labelIds.png"));
         Assert.Equal((signPixels, polePixels), (labels.Ids.Count(id => id == sign), labels.Ids.Count(id => id == pole)));
         AssertValid();
     }
@@ -58,10 +60,12 @@ public sealed class PartExportTests : ExportTests
         // Car 1, face 4, pole and background: numbers, categories and areas.
         Assert.Equal(
             [(1, 1, 25), (4, 8, FacePixels), (65536, 101, PostPixels), (131072, 102, (80 * 60) - 25 - FacePixels - PostPixels)],
-            segments.Select(item => (item.GetProperty("id").GetInt32(), item.GetProperty("category_id").GetInt32(), item.GetProperty("area").GetInt32())));
+            segments.Select(item => (item.GetProperty("id")
+                .GetInt32(), item.GetProperty("category_id").GetInt32(), item.GetProperty("area").GetInt32())));
         Assert.Equal(
             ["pole 0", "background 0"],
-            coco.RootElement.GetProperty("categories").EnumerateArray().Skip(10).Select(item => $"{item.GetProperty("name").GetString()} {item.GetProperty("isthing").GetInt32()}"));
+            coco.RootElement.GetProperty("categories").EnumerateArray().Skip(10).Select(
+                item => $"{item.GetProperty("name").GetString()} {item.GetProperty("isthing").GetInt32()}"));
         AssertValid();
     }
 
@@ -75,7 +79,12 @@ public sealed class PartExportTests : ExportTests
         Assert.Equal("7 0.25 0.333333 0.125 0.166667", Folder.Lines("out/labels/train/00000000.txt")[1]);
         Assert.Equal(
             ["0.1875 0.25", "0.1875 0.416667", "0.3125 0.25", "0.3125 0.416667"],
-            Folder.Lines("outlines/labels/train/00000000.txt")[1].Split(' ').Skip(1).Chunk(2).Select(corner => string.Join(' ', corner)).Order());
+            Folder.Lines("outlines/labels/train/00000000.txt")[1]
+                .Split(' ')
+                .Skip(1)
+                .Chunk(2)
+                .Select(corner => string.Join(' ', corner))
+                .Order());
         AssertValid();
     }
 
@@ -98,7 +107,8 @@ public sealed class PartExportTests : ExportTests
         Folder.Export("cityscapes", Session.Open(), to: "city");
 
         Assert.Single(Folder.Lines("out/labels/train/00000000.txt"));
-        InstanceMap labels = PngDecoder.ReadLabelMap(Folder.PathOf("city/gtFine/train/session0000/session0000_000000_000000_gtFine_labelIds.png"));
+        InstanceMap labels = PngDecoder.ReadLabelMap(
+            Folder.PathOf("city/gtFine/train/session0000/session0000_000000_000000_gtFine_labelIds.png"));
         Assert.Equal(FacePixels + PostPixels, labels.Ids.Count(id => id == 17));
     }
 

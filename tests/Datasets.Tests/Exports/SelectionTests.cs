@@ -32,7 +32,8 @@ public sealed class SelectionTests : ExportTests
     {
         Folder.Export("kitti-tracking", Session.Open());
 
-        Assert.Equal("1 -1 DontCare -1 -1 -10 69.5 23.5 79 35.5 -1000 -1000 -1000 -10 -1 -1 -1", Folder.Lines("out/training/label_02/0000.txt")[3]);
+        Assert.Equal(
+            "1 -1 DontCare -1 -1 -10 69.5 23.5 79 35.5 -1000 -1000 -1000 -10 -1 -1 -1", Folder.Lines("out/training/label_02/0000.txt")[3]);
         AssertValid();
     }
 
@@ -57,7 +58,10 @@ public sealed class SelectionTests : ExportTests
         Folder.Export("voc", Session.Open());
         Folder.Export("yolo", Session.Open(), to: "yolo");
 
-        Assert.Equal(["0", "1"], System.Xml.Linq.XDocument.Load(Folder.PathOf("out/Annotations/00000000.xml")).Descendants("difficult").Select(item => item.Value));
+        Assert.Equal(["0", "1"], System.Xml.Linq.XDocument
+            .Load(Folder.PathOf("out/Annotations/00000000.xml"))
+            .Descendants("difficult")
+            .Select(item => item.Value));
         Assert.Single(Folder.Lines("yolo/labels/train/00000000.txt"));
         AssertValid();
     }
@@ -65,19 +69,28 @@ public sealed class SelectionTests : ExportTests
     [Fact]
     public void Recorded_ignore_region_is_marked_in_the_formats_own_way()
     {
-        Session.Lines[0]["ignoreRegions"] = JsonNode.Parse("""[{ "reason": "beyondRange", "class": "truck", "box2d": [10, 20, 14, 26], "distanceMetres": 157 }]""");
+        Session.Lines[0]["ignoreRegions"] = JsonNode.Parse(
+            """[{ "reason": "beyondRange", "class": "truck", "box2d": [10, 20, 14, 26], "distanceMetres": 157 }]""");
         Session.DeterminePedestrians();
         Folder.Export("kitti", Session.Open(), to: "kitti");
         Folder.Export("voc", Session.Open(), to: "voc");
         Folder.Export("csv", Session.Open(), to: "csv");
         Folder.Export("coco", Session.Open());
 
-        Assert.Equal("DontCare -1 -1 -10 9.5 19.5 13.5 25.5 -1 -1 -1 -1000 -1000 -1000 -10", Folder.Lines("kitti/training/label_2/000000.txt")[2]);
-        System.Xml.Linq.XElement region = System.Xml.Linq.XDocument.Load(Folder.PathOf("voc/Annotations/00000000.xml")).Descendants("object").Last();
-        Assert.Equal(("truck", "1", "11"), (region.Element("name")!.Value, region.Element("difficult")!.Value, region.Element("bndbox")!.Element("xmin")!.Value));
-        Assert.Equal(["frame,reason,class,box2d_xmin,box2d_ymin,box2d_xmax,box2d_ymax,distance_metres", "0,beyondRange,truck,10,20,14,26,157"], Folder.Lines("csv/ignore_regions.csv"));
+        Assert.Equal(
+            "DontCare -1 -1 -10 9.5 19.5 13.5 25.5 -1 -1 -1 -1000 -1000 -1000 -10", Folder.Lines("kitti/training/label_2/000000.txt")[2]);
+        System.Xml.Linq.XElement region =
+            System.Xml.Linq.XDocument.Load(Folder.PathOf("voc/Annotations/00000000.xml")).Descendants("object").Last();
+        Assert.Equal(
+            ("truck", "1", "11"),
+            (region.Element("name")!.Value, region.Element("difficult")!.Value, region.Element("bndbox")!.Element("xmin")!.Value));
+        Assert.Equal(
+            ["frame,reason,class,box2d_xmin,box2d_ymin,box2d_xmax,box2d_ymax,distance_metres", "0,beyondRange,truck,10,20,14,26,157"],
+            Folder.Lines("csv/ignore_regions.csv"));
         JsonElement crowd = Annotations()[1];
-        Assert.Equal((2, 1, "[10,20,4,6]"), (crowd.GetProperty("category_id").GetInt32(), crowd.GetProperty("iscrowd").GetInt32(), crowd.GetProperty("bbox").GetRawText()));
+        Assert.Equal(
+            (2, 1, "[10,20,4,6]"),
+            (crowd.GetProperty("category_id").GetInt32(), crowd.GetProperty("iscrowd").GetInt32(), crowd.GetProperty("bbox").GetRawText()));
         Assert.All((string[])["out", "kitti", "voc", "csv"], name => Assert.Empty(DatasetValidator.Validate(Folder.PathOf(name)).Problems));
     }
 
@@ -112,12 +125,14 @@ public sealed class SelectionTests : ExportTests
         // The car is seen to 0.75; its visible pixels are columns 38 to 42, which begin 0.5 before their centres.
         Assert.Equal(
             ["Pedestrian", "DontCare -1 -1 -10 37.5 27.5 42.5 32.5 -1 -1 -1 -1000 -1000 -1000 -10"],
-            Folder.Lines("out/training/label_2/000000.txt").Select(line => line.StartsWith("Pedestrian", StringComparison.Ordinal) ? "Pedestrian" : line));
+            Folder.Lines("out/training/label_2/000000.txt")
+                .Select(line => line.StartsWith("Pedestrian", StringComparison.Ordinal) ? "Pedestrian" : line));
         Assert.Equal(Folder.Lines("out/training/label_2/000000.txt"), Folder.Lines("class/training/label_2/000000.txt"));
     }
 
     [Theory]
-    // The car: visible columns 38 to 43 of 80 and rows 28 to 33 of 60; cuboid 37 to 43 and 27 to 33; the amodal box is cut at the image's edge.
+    // The car: visible columns 38 to 43 of 80 and rows 28 to 33 of 60; cuboid 37 to 43 and 27 to 33; the amodal box is cut at the image's
+    // edge.
     [InlineData(BoxKind.Visible, "0 0.50625 0.508333 0.0625 0.083333", "6 0.9375 0.5 0.125 0.2")]
     [InlineData(BoxKind.Cuboid, "0 0.5 0.5 0.075 0.1", "6 0.9375 0.5 0.125 0.2")]
     [InlineData(BoxKind.Amodal, "0 0.5 0.5 0.075 0.1", "6 0.93125 0.5 0.1375 0.2")]
@@ -157,8 +172,18 @@ public sealed class SelectionTests : ExportTests
     public void Classes_with_one_name_are_one_class()
     {
         Session.DeterminePedestrians();
-        var names = new Dictionary<ObjectClass, string> { [ObjectClass.Car] = "Vehicle", [ObjectClass.Truck] = "Vehicle", [ObjectClass.Pedestrian] = "Person" };
-        var options = new ExportOptions { Names = names, Classes = [ObjectClass.Car, ObjectClass.Truck, ObjectClass.Pedestrian], Boxes = BoxKind.Cuboid };
+        var names = new Dictionary<ObjectClass, string>
+        {
+            [ObjectClass.Car] = "Vehicle",
+            [ObjectClass.Truck] = "Vehicle",
+            [ObjectClass.Pedestrian] = "Person",
+        };
+        var options = new ExportOptions
+        {
+            Names = names,
+            Classes = [ObjectClass.Car, ObjectClass.Truck, ObjectClass.Pedestrian],
+            Boxes = BoxKind.Cuboid,
+        };
         Folder.Export("yolo", Session.Open(), options);
         Folder.Export("csv", Session.Open(), options, "csv");
 
@@ -173,10 +198,20 @@ public sealed class SelectionTests : ExportTests
     public void Signs_and_lights_are_classes_of_what_they_show()
     {
         Session.AddSign(0);
-        Folder.Export("yolo", Session.Open(), new ExportOptions { Subclasses = Subclasses.Mutcd | Subclasses.Light, Classes = [ObjectClass.Sign, ObjectClass.TrafficLight] });
+        Folder.Export(
+            "yolo",
+            Session.Open(),
+            new ExportOptions { Subclasses = Subclasses.Mutcd | Subclasses.Light, Classes = [ObjectClass.Sign, ObjectClass.TrafficLight] });
 
         Assert.Equal(
-            ["  0: sign", "  1: sign-R1-1", "  2: trafficLight", "  3: trafficLight-red", "  4: trafficLight-amber", "  5: trafficLight-green"],
+            [
+                "  0: sign",
+                "  1: sign-R1-1",
+                "  2: trafficLight",
+                "  3: trafficLight-red",
+                "  4: trafficLight-amber",
+                "  5: trafficLight-green",
+            ],
             Folder.Lines("out/data.yaml")[^6..]);
         Assert.Equal("1", Assert.Single(Folder.Lines("out/labels/train/00000000.txt"))[..1]);
         AssertValid();
@@ -194,7 +229,9 @@ public sealed class SelectionTests : ExportTests
     }
 
     private JsonElement[] Annotations() =>
-        [.. JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/annotations/instances_train.json"))).RootElement.GetProperty("annotations").EnumerateArray()];
+        [.. JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/annotations/instances_train.json"))).RootElement
+            .GetProperty("annotations")
+            .EnumerateArray()];
 
     private void AssertValid() => Assert.Empty(DatasetValidator.Validate(Folder.PathOf("out")).Problems);
 }

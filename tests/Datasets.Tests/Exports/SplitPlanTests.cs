@@ -33,7 +33,8 @@ public sealed class SplitPlanTests
     [Fact]
     public void Splits_depend_on_seed_and_session()
     {
-        string[] Draw(int seed, int session) => [.. Enumerable.Range(0, 64).Select(frame => new SplitPlan(TrainAndVal, seed, 1).Of(session, frame))];
+        string[] Draw(int seed, int session) =>
+            [.. Enumerable.Range(0, 64).Select(frame => new SplitPlan(TrainAndVal, seed, 1).Of(session, frame))];
 
         Assert.Equal(Draw(1, 0), Draw(1, 0));
         Assert.NotEqual(Draw(1, 0), Draw(2, 0));
@@ -52,7 +53,8 @@ public sealed class SplitPlanTests
         Assert.Equal(["train", "val"], SplitsOf(largest));
         Assert.All(Enumerable.Range(largest + 1, 99 - largest), block => Assert.Single(SplitsOf(block)));
 
-        IEnumerable<string> SplitsOf(int block) => frames.Select(frame => new SplitPlan(TrainAndVal, 0, block).Of(0, frame.Frame)).Distinct().Order();
+        IEnumerable<string> SplitsOf(int block) =>
+            frames.Select(frame => new SplitPlan(TrainAndVal, 0, block).Of(0, frame.Frame)).Distinct().Order();
     }
 
     [Fact]

@@ -17,9 +17,11 @@ public sealed class UnusableSessionTests : ExportTests
     {
         string message = Refusal("yolo", [Session.Open()], new ExportOptions { Splits = LargeBlocks });
 
-        Assert.StartsWith("The split 'train' would be empty: 3 frames, drawn in blocks of 100. Use --split-block ", message, StringComparison.Ordinal);
+        Assert.StartsWith(
+            "The split 'train' would be empty: 3 frames, drawn in blocks of 100. Use --split-block ", message, StringComparison.Ordinal);
         int block = int.Parse(message.Split(' ')[^4], System.Globalization.CultureInfo.InvariantCulture);
-        ExportResult result = Folder.Export("yolo", Session.Open(), new ExportOptions { Splits = new SplitPlan(LargeBlocks.Splits, LargeBlocks.Seed, block) });
+        ExportResult result = Folder.Export(
+            "yolo", Session.Open(), new ExportOptions { Splits = new SplitPlan(LargeBlocks.Splits, LargeBlocks.Seed, block) });
         Assert.All(result.FramesOfSplits.Values, frames => Assert.True(frames > 0));
     }
 
@@ -29,14 +31,16 @@ public sealed class UnusableSessionTests : ExportTests
         Refusal("kitti-tracking", [Session.Open()], new ExportOptions { Splits = LargeBlocks }));
 
     [Fact]
-    public void Session_without_frames_is_refused() => Assert.Equal($"'{Session.Folder}' has no frames.", Refusal("csv", [Session.OpenWithLabels("")]));
+    public void Session_without_frames_is_refused() =>
+        Assert.Equal($"'{Session.Folder}' has no frames.", Refusal("csv", [Session.OpenWithLabels("")]));
 
     [Fact]
     public void Shard_of_a_session_is_refused()
     {
         Session.Info["settings"] = new System.Text.Json.Nodes.JsonObject { ["shard"] = "2/8" };
 
-        Assert.Equal($"'{Session.Folder}' is shard 2/8 of a session. Merge the shards first: harvester merge.", Refusal("csv", [Session.Open()]));
+        Assert.Equal(
+            $"'{Session.Folder}' is shard 2/8 of a session. Merge the shards first: harvester merge.", Refusal("csv", [Session.Open()]));
     }
 
     [Theory]
@@ -47,7 +51,8 @@ public sealed class UnusableSessionTests : ExportTests
         _other.Lines.ForEach(line => line["mask"] = null);
 
         Assert.Equal(
-            $"Labels would mean different things: '{_other.Folder}' has no masks, and '{Session.Folder}' has. Export sessions with and without masks separately.",
+            $"Labels would mean different things: '{_other.Folder}' has no masks, and '{Session.Folder}' has. Export sessions with and "
+                + $"without masks separately.",
             Refusal(format, [Session.Open(), _other.Open()]));
     }
 
@@ -56,7 +61,8 @@ public sealed class UnusableSessionTests : ExportTests
     {
         Session.Lines[2]["mask"] = null;
 
-        Assert.Contains($"only 2 of the 3 frames of '{Session.Folder}' have masks", Refusal("coco", [Session.Open()]), StringComparison.Ordinal);
+        Assert.Contains(
+            $"only 2 of the 3 frames of '{Session.Folder}' have masks", Refusal("coco", [Session.Open()]), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -64,7 +70,8 @@ public sealed class UnusableSessionTests : ExportTests
     {
         _other.Lines[2]["camera"]!["distortion"]!["k1"] = 0.05;
 
-        Assert.Contains("frame 2: its lens bends straight lines", Refusal("kitti", [Session.Open(), _other.Open()]), StringComparison.Ordinal);
+        Assert.Contains(
+            "frame 2: its lens bends straight lines", Refusal("kitti", [Session.Open(), _other.Open()]), StringComparison.Ordinal);
     }
 
     protected override void Dispose(bool disposing)

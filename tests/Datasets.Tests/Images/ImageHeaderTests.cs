@@ -36,7 +36,8 @@ public sealed class ImageHeaderTests : IDisposable
     {
         File.WriteAllBytes(_path, TestImages.Bmp(800, 600)[..50]);
 
-        Assert.Contains("50 of 54 bytes", Assert.Throws<DatasetFormatException>(() => ImageHeader.Read(_path)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "50 of 54 bytes", Assert.Throws<DatasetFormatException>(() => ImageHeader.Read(_path)).Message, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -47,7 +48,8 @@ public sealed class ImageHeaderTests : IDisposable
     {
         File.WriteAllBytes(_path, TestImages.Png(width, 600));
 
-        Assert.Contains("impossible size", Assert.Throws<DatasetFormatException>(() => ImageHeader.Read(_path)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "impossible size", Assert.Throws<DatasetFormatException>(() => ImageHeader.Read(_path)).Message, StringComparison.Ordinal);
     }
 
     [Theory]

@@ -66,7 +66,8 @@ public sealed class JpegDecoderTests : IDisposable
         byte[] adobe = [0xFF, 0xEE, 0, 14, (byte)'A', (byte)'d', (byte)'o', (byte)'b', (byte)'e', 0, 100, 0, 0, 0, 0, 0];
         File.WriteAllBytes(_path, [.. file[..2], .. adobe, .. file[2..]]);
 
-        Assert.Contains("not in YCbCr", Assert.Throws<DatasetFormatException>(() => JpegDecoder.ReadRgb(_path)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "not in YCbCr", Assert.Throws<DatasetFormatException>(() => JpegDecoder.ReadRgb(_path)).Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -75,7 +76,8 @@ public sealed class JpegDecoderTests : IDisposable
         byte[] file = File.ReadAllBytes(LibjpegPictures.PathOf("quality-95.jpg"));
         File.WriteAllBytes(_path, [.. file[..^40], 0xFF, 0xD9]);
 
-        Assert.Contains("cut off", Assert.Throws<DatasetFormatException>(() => JpegDecoder.ReadRgb(_path)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "cut off", Assert.Throws<DatasetFormatException>(() => JpegDecoder.ReadRgb(_path)).Message, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -32,7 +32,8 @@ public sealed class PictureReaderTests : IDisposable
 
         PixelBuffer read = PictureReader.Read(_path);
 
-        // A slope of brightness is compressed nearly without loss: rounding to YCbCr and back costs 2 at most, quantisation at 95 about as much.
+        // A slope of brightness is compressed nearly without loss: rounding to YCbCr and back costs 2 at most, quantisation at 95 about as
+        // much.
         Assert.All(picture.Bytes.Zip(read.Bytes), pair => Assert.InRange(pair.Second - pair.First, -5, 5));
     }
 
@@ -44,7 +45,8 @@ public sealed class PictureReaderTests : IDisposable
         BitConverter.GetBytes(file.Length).CopyTo(file, 2);
         File.WriteAllBytes(_path, file);
 
-        Assert.Contains("cut off", Assert.Throws<DatasetFormatException>(() => PictureReader.Read(_path)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "cut off", Assert.Throws<DatasetFormatException>(() => PictureReader.Read(_path)).Message, StringComparison.Ordinal);
     }
 
     private PixelBuffer Write(ImageFormat format)

@@ -57,7 +57,10 @@ public sealed class PngDecoderTests : IDisposable
     {
         File.WriteAllBytes(_path, TestImages.Png(2, 2));
 
-        Assert.Contains("16-bit grey", Assert.Throws<DatasetFormatException>(() => PngDecoder.ReadInstanceMap(_path)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "16-bit grey",
+            Assert.Throws<DatasetFormatException>(() => PngDecoder.ReadInstanceMap(_path)).Message,
+            StringComparison.Ordinal);
     }
 
     [Theory]
@@ -84,7 +87,8 @@ public sealed class PngDecoderTests : IDisposable
     {
         WritePng(rows);
 
-        Assert.Contains("damaged", Assert.Throws<DatasetFormatException>(() => PngDecoder.ReadRgb(_path)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "damaged", Assert.Throws<DatasetFormatException>(() => PngDecoder.ReadRgb(_path)).Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -92,7 +96,8 @@ public sealed class PngDecoderTests : IDisposable
     {
         File.WriteAllBytes(_path, TestImages.Png(2, 2, bitDepth: 16, colourType: 0));
 
-        Assert.Contains("8-bit colour", Assert.Throws<DatasetFormatException>(() => PngDecoder.ReadRgb(_path)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "8-bit colour", Assert.Throws<DatasetFormatException>(() => PngDecoder.ReadRgb(_path)).Message, StringComparison.Ordinal);
     }
 
     private void WritePng(byte[] rows)
@@ -107,6 +112,7 @@ public sealed class PngDecoderTests : IDisposable
 
         byte[] length = new byte[4];
         BinaryPrimitives.WriteInt32BigEndian(length, (int)compressed.Length);
-        File.WriteAllBytes(_path, [.. empty[..^endChunkLength], .. length, .. "IDAT"u8, .. compressed.ToArray(), 0, 0, 0, 0, .. empty[^endChunkLength..]]);
+        File.WriteAllBytes(
+            _path, [.. empty[..^endChunkLength], .. length, .. "IDAT"u8, .. compressed.ToArray(), 0, 0, 0, 0, .. empty[^endChunkLength..]]);
     }
 }

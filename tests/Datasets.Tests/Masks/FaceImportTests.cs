@@ -29,7 +29,8 @@ public sealed class FaceImportTests : MapsOfAnotherTool
         Assert.Equal(SceneWithSign(Sign, Sign).Ids, MaskOf(label).Ids);
         Assert.Equal(new Box2D(15, 15, 25, 40), label.Objects[2].Box2DVisible);
         ObjectLabel part = label.Objects[3];
-        Assert.Equal((null, 0, 1, OcclusionMethod.Imported), (part.Box2DVisible, part.OccludedFraction, part.VisibleFraction, part.OcclusionMethod));
+        Assert.Equal(
+            (null, 0, 1, OcclusionMethod.Imported), (part.Box2DVisible, part.OccludedFraction, part.VisibleFraction, part.OcclusionMethod));
         Assert.Empty(SessionValidator.Validate(session).Problems);
     }
 

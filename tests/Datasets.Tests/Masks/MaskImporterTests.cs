@@ -26,7 +26,9 @@ public sealed class MaskImporterTests : MapsOfAnotherTool
         Assert.All(session.ReadLabels(), AssertHalfHidden);
         Assert.All(session.ReadLabels(), label => Assert.Equal(Scene(Car, Pedestrian).Ids, MaskOf(label).Ids));
         Assert.Contains("\"somethingNew\":\"keeps ä\"", File.ReadAllText(Session.PathOf("labels.jsonl")), StringComparison.Ordinal);
-        Assert.Equal(["frames", "labels.jsonl", "masks", "session.json"], Directory.GetFileSystemEntries(Session.Folder).Select(Path.GetFileName).Order());
+        Assert.Equal(
+            ["frames", "labels.jsonl", "masks", "session.json"],
+            Directory.GetFileSystemEntries(Session.Folder).Select(Path.GetFileName).Order());
     }
 
     [Fact]
@@ -151,7 +153,8 @@ public sealed class MaskImporterTests : MapsOfAnotherTool
         Assert.Equal((0.5, 0.5, OcclusionMethod.Imported), (car.OccludedFraction, car.VisibleFraction, car.OcclusionMethod));
         ObjectLabel pedestrian = label.Objects[1];
         Assert.Equal(new Box2D(40, 24, 46, 36), pedestrian.Box2DVisible);
-        Assert.Equal((0, 1, OcclusionMethod.Imported), (pedestrian.OccludedFraction, pedestrian.VisibleFraction, pedestrian.OcclusionMethod));
+        Assert.Equal(
+            (0, 1, OcclusionMethod.Imported), (pedestrian.OccludedFraction, pedestrian.VisibleFraction, pedestrian.OcclusionMethod));
     }
 
     private Dictionary<string, byte[]> Contents() =>

@@ -28,7 +28,9 @@ public sealed class PropPlacementImporterTests : IDisposable
 
     [Theory]
     [InlineData("""[{"Name": "a", "Position": {"X": 1, "Y": 1}, "Rotation": {"X": 0, "Y": 0, "Z": 0}}]""", "prop 0: Position.Z is missing")]
-    [InlineData("""[{"Name": "a", "Position": {"X": 1e999, "Y": 1, "Z": 1}, "Rotation": {"X": 0, "Y": 0, "Z": 0}}]""", "Position.X must be a finite number")]
+    [InlineData(
+        """[{"Name": "a", "Position": {"X": 1e999, "Y": 1, "Z": 1}, "Rotation": {"X": 0, "Y": 0, "Z": 0}}]""",
+        "Position.X must be a finite number")]
     [InlineData("[{\"Name\": \"a\",\n", "line 2")]
     [InlineData("{}", "a list of props")]
     public void Import_of_an_invalid_prop_list_names_the_position(string text, string expected)

@@ -5,8 +5,8 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Datasets.Tests.Relabelling;
 
 /// <summary>
-/// Labels as lines that are the same for the same things, whatever numbers objects have: another harvest may give others. The rays are those of
-/// the harvest that was recorded. Everything else stays in, except what a test says that only the game could tell.
+/// Labels as lines that are the same for the same things, whatever numbers objects have: another harvest may give others. The rays are
+/// those of the harvest that was recorded. Everything else stays in, except what a test says that only the game could tell.
 /// </summary>
 internal static class ComparedLabels
 {
@@ -30,12 +30,16 @@ internal static class ComparedLabels
     public static LanesLabel Measured(LanesLabel lanes) => lanes with
     {
         Markings = null,
-        Boundaries = [.. lanes.Boundaries.Select(line => line with { Points = [.. line.Points.Select(point => point with { IsHidden = null })] })],
+        Boundaries =
+        [
+            .. lanes.Boundaries.Select(line => line with { Points = [.. line.Points.Select(point => point with { IsHidden = null })] })
+        ],
     };
 
     private static ObjectLabel Numberless(ObjectLabel item) => item with { Id = 0, Parent = item.Parent is null ? null : 0 };
 
-    private static LanesLabel Numberless(LanesLabel lanes) => lanes with { Vehicles = [.. lanes.Vehicles.Select(vehicle => vehicle with { Id = 0 })] };
+    private static LanesLabel Numberless(LanesLabel lanes) =>
+        lanes with { Vehicles = [.. lanes.Vehicles.Select(vehicle => vehicle with { Id = 0 })] };
 
     private static (double X, double Y, double Z, int Face, string Model) PlaceOf(ObjectLabel item) =>
         (item.Box3D.Centre.X, item.Box3D.Centre.Y, item.Box3D.Centre.Z, item.Face?.Number ?? -1, item.Model);

@@ -12,7 +12,9 @@ using Harvester.Simulation.Settings;
 
 namespace Harvester.Datasets.Tests.Relabelling;
 
-/// <summary>One short drive of the simulated game, to be harvested with whatever options; a session of it with the usual ones is made once.</summary>
+/// <summary>
+/// One short drive of the simulated game, to be harvested with whatever options; a session of it with the usual ones is made once.
+/// </summary>
 public sealed class RecordedDrive : IDisposable
 {
     public const int Frames = 5;
@@ -49,13 +51,16 @@ public sealed class RecordedDrive : IDisposable
     /// <summary>The roads that the drive is on.</summary>
     public RoadNetwork Roads { get; private set; } = null!;
 
-    public SessionReader Harvest(string name, HarvestOptions options, LookAhead? lookAhead = null, double laneWidth = RoadGeometry.LaneWidth)
+    public SessionReader Harvest(
+        string name, HarvestOptions options, LookAhead? lookAhead = null, double laneWidth = RoadGeometry.LaneWidth)
     {
         var game = new SimulatedGame(new SimulationOptions { Seed = 3, WindowAspect = 4.0 / 3 });
         Roads = game.Roads;
         using var writer = new SessionWriter(PathOf(name), new SessionOrigin { Game = "simulation", Tool = "test", Seed = 3 });
         using var session = new HarvestSession(
-            options with { ProbeLag = false, MaxCalibrationErrorPixels = null }, game.Ports with { Roads = new FixedRoads(game.Roads, "roadFile", lookAhead, laneWidth) }, writer);
+            options with { ProbeLag = false, MaxCalibrationErrorPixels = null },
+            game.Ports with { Roads = new FixedRoads(game.Roads, "roadFile", lookAhead, laneWidth) },
+            writer);
         do
         {
             writer.WaitForRoom();

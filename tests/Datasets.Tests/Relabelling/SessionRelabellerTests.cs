@@ -28,7 +28,12 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
 
         SessionReader made = Relabel(recorded, new RelabelOptions { Roads = drive.Roads, Classes = Enum.GetValues<ObjectClass>() });
 
-        string[] files = [SessionReader.LabelsFile, .. recorded.ReadLabels().Select(label => label.Image), .. recorded.ReadLabels().Select(label => label.Mask).OfType<string>()];
+        string[] files =
+        [
+            SessionReader.LabelsFile,
+            .. recorded.ReadLabels().Select(label => label.Image),
+            .. recorded.ReadLabels().Select(label => label.Mask).OfType<string>(),
+        ];
         Assert.Equal(1 + (RecordedDrive.Frames * (masks ? 2 : 1)), files.Length);
         Assert.All(files, file => Assert.Equal(File.ReadAllBytes(recorded.PathOf(file)), File.ReadAllBytes(made.PathOf(file))));
         Assert.True(recorded.ReadLabels().Sum(label => label.Objects.Count) > 10 * RecordedDrive.Frames);
@@ -74,7 +79,8 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
         SessionReader made = Relabel(drive.Session, new RelabelOptions { MaxOccludedFraction = 1, Roads = drive.Roads });
 
         Assert.Equal(ComparedLabels.Of(drive.FullSession), ComparedLabels.Of(made));
-        Assert.True(drive.FullSession.ReadLabels().Sum(label => label.Objects.Count) > drive.Session.ReadLabels().Sum(label => label.Objects.Count));
+        Assert.True(drive.FullSession.ReadLabels().Sum(label => label.Objects.Count) > drive.Session.ReadLabels().Sum(
+            label => label.Objects.Count));
     }
 
     [Fact]
@@ -141,7 +147,8 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
         ModelFace[] moved = [.. RecordedDrive.Table.Faces.Where(face => face.Class == ObjectClass.Sign).Select(face =>
             face with { Name = "MOVED", FrontUpperLeft = face.FrontUpperLeft + new Vector3D(0, 0, -0.25) })];
         var table = new FaceTable(moved);
-        SessionReader harvested = drive.Harvest("moved", RecordedDrive.Options with { Faces = RecordedDrive.Table.OverriddenBy(table), MaxOccludedFraction = 1 });
+        SessionReader harvested = drive.Harvest(
+            "moved", RecordedDrive.Options with { Faces = RecordedDrive.Table.OverriddenBy(table), MaxOccludedFraction = 1 });
 
         SessionReader made = Relabel(drive.FullSession, new RelabelOptions { Faces = table, Roads = drive.Roads });
 
@@ -160,7 +167,8 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
         SessionReader other = Relabel(drive.Session, new RelabelOptions { Roads = drive.Roads, LaneWidthMetres = 3.7 });
 
         LaneLinePoint[] recorded = [.. drive.FullSession.ReadLabels().SelectMany(Paint)];
-        Dictionary<Vector3D, Vector2D> pixels = recorded.DistinctBy(point => point.World).ToDictionary(point => point.World, point => point.Pixel);
+        Dictionary<Vector3D, Vector2D> pixels = recorded.DistinctBy(point => point.World)
+            .ToDictionary(point => point.World, point => point.Pixel);
         LaneLinePoint[] bent = [.. made.ReadLabels().SelectMany(Paint)];
         Assert.InRange(bent.Length, recorded.Length / 2, recorded.Length);
         Assert.All(bent, point => Assert.NotEqual(pixels[point.World], point.Pixel));
@@ -172,10 +180,12 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     {
         SessionReader harvested = drive.Harvest("lanes", RecordedDrive.Options, LookAhead.OfSeconds(1), 3.7);
 
-        SessionReader made = Relabel(drive.Session, new RelabelOptions { Roads = drive.Roads, LookAhead = LookAhead.OfSeconds(1), LaneWidthMetres = 3.7 });
+        SessionReader made = Relabel(
+            drive.Session, new RelabelOptions { Roads = drive.Roads, LookAhead = LookAhead.OfSeconds(1), LaneWidthMetres = 3.7 });
 
         Assert.Equal(ComparedLabels.Of(harvested, lanes: ComparedLabels.Measured), ComparedLabels.Of(made, lanes: ComparedLabels.Measured));
-        Assert.NotEqual(ComparedLabels.Of(drive.Session, lanes: ComparedLabels.Measured), ComparedLabels.Of(made, lanes: ComparedLabels.Measured));
+        Assert.NotEqual(
+            ComparedLabels.Of(drive.Session, lanes: ComparedLabels.Measured), ComparedLabels.Of(made, lanes: ComparedLabels.Measured));
         Assert.Contains(made.ReadLabels().SelectMany(Points), point => point.IsHidden is null);
         Assert.DoesNotContain(drive.Session.ReadLabels().SelectMany(Points), point => point.IsHidden is null);
     }
@@ -199,11 +209,13 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
 
     [Fact]
     public void Relabel_without_roads_refuses_other_lanes() =>
-        Assert.Contains("name their file with --roads", Refused(drive.Session, new RelabelOptions { LaneWidthMetres = 3 }), StringComparison.Ordinal);
+        Assert.Contains(
+            "name their file with --roads", Refused(drive.Session, new RelabelOptions { LaneWidthMetres = 3 }), StringComparison.Ordinal);
 
     [Fact]
     public void Relabel_refuses_a_range_that_was_not_recorded() =>
-        Assert.Contains("was recorded up to 150 m", Refused(drive.Session, new RelabelOptions { RangeMetres = 200 }), StringComparison.Ordinal);
+        Assert.Contains(
+            "was recorded up to 150 m", Refused(drive.Session, new RelabelOptions { RangeMetres = 200 }), StringComparison.Ordinal);
 
     [Fact]
     public void Relabel_of_a_relabelled_session_is_refused()
@@ -216,7 +228,8 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     [Fact]
     public void Masks_lose_only_the_pixels_of_objects_no_longer_labelled()
     {
-        SessionReader made = Relabel(drive.MaskedSession, new RelabelOptions { Classes = [ObjectClass.Pedestrian, ObjectClass.Sign, ObjectClass.TrafficLight] });
+        SessionReader made = Relabel(
+            drive.MaskedSession, new RelabelOptions { Classes = [ObjectClass.Pedestrian, ObjectClass.Sign, ObjectClass.TrafficLight] });
 
         int dropped = 0;
         foreach (FrameLabel label in made.ReadLabels())
@@ -235,7 +248,8 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     [Fact]
     public void Objects_keep_their_ids_and_new_ones_follow_the_largest()
     {
-        SessionReader cars = drive.Harvest("few", RecordedDrive.Options with { Classes = [ObjectClass.Bus, ObjectClass.Car], MinBoxAreaPixels = 400 });
+        SessionReader cars = drive.Harvest(
+            "few", RecordedDrive.Options with { Classes = [ObjectClass.Bus, ObjectClass.Car], MinBoxAreaPixels = 400 });
 
         SessionReader made = Relabel(cars, new RelabelOptions { MinBoxAreaPixels = 4, Classes = Enum.GetValues<ObjectClass>() });
 
@@ -251,14 +265,18 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     {
         var changes = new RelabelOptions { Roads = drive.Roads, LaneWidthMetres = 3.7, RangeMetres = 90, MinBoxAreaPixels = 2 };
         SessionReader whole = Relabel(drive.MaskedSession, changes);
-        string[] parts = [.. Enumerable.Range(1, 2).Select(number => Relabel(drive.MaskedSession, changes with { Shard = new(number, 2) }).Folder)];
+        string[] parts =
+        [
+            .. Enumerable.Range(1, 2).Select(number => Relabel(drive.MaskedSession, changes with { Shard = new(number, 2) }).Folder)
+        ];
         string merged = drive.PathOf("merged");
 
         Assert.Equal(RecordedDrive.Frames, SessionMerger.Merge(parts, merged, default));
 
         Assert.All(
             Directory.EnumerateFiles(whole.Folder, "*", SearchOption.AllDirectories),
-            file => Assert.Equal(File.ReadAllBytes(file), File.ReadAllBytes(Path.Combine(merged, Path.GetRelativePath(whole.Folder, file)))));
+            file => Assert.Equal(
+                File.ReadAllBytes(file), File.ReadAllBytes(Path.Combine(merged, Path.GetRelativePath(whole.Folder, file)))));
     }
 
     private SessionReader Relabel(SessionReader session, RelabelOptions changes)
@@ -276,7 +294,8 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     private static System.Text.Json.JsonElement SessionHeader(SessionReader session) =>
         System.Text.Json.JsonDocument.Parse(File.ReadAllBytes(session.PathOf(SessionInfo.FileName))).RootElement;
 
-    private static HashSet<IgnoreRegion> Seen(FrameLabel label) => [.. label.IgnoreRegions.Where(region => region.Reason == IgnoreReason.BeyondRange)];
+    private static HashSet<IgnoreRegion> Seen(FrameLabel label) =>
+        [.. label.IgnoreRegions.Where(region => region.Reason == IgnoreReason.BeyondRange)];
 
     private static bool IsBeyondBoth(IgnoreRegion region) => region.DistanceMetres > 155;
 

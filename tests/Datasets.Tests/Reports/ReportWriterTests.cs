@@ -34,11 +34,18 @@ public sealed partial class ReportWriterTests : IDisposable
 
         // Three frames with two labels each; 80,256 labels in 7,481 + 7,518 = 14,999 images are 5.35 each.
         Assert.Equal(
-            ["Images|3|14,999", "Images for training||7,481", "Images for testing||7,518", "Labels (no signs or traffic lights)|6|80,256", "Labels per image|2.0|5.4"],
+            [
+                "Images|3|14,999",
+                "Images for training||7,481",
+                "Images for testing||7,518",
+                "Labels (no signs or traffic lights)|6|80,256",
+                "Labels per image|2.0|5.4",
+            ],
             data.GetProperty("comparison").GetProperty("rows").EnumerateArray().Select(row => string.Join('|', row.EnumerateArray())));
         Assert.Equal(
             ["distance", "box height", "box width", "box area", "truncation", "occlusion"],
-            data.GetProperty("histograms").EnumerateArray().Select(chart => chart.GetProperty("title").GetString()!["Labels by ".Length..]));
+            data.GetProperty("histograms").EnumerateArray().Select(
+                chart => chart.GetProperty("title").GetString()!["Labels by ".Length..]));
         // The car's box is 6 x 6 pixels, the pedestrian's 10 x 12: 36 and 120 square pixels, in the bins from 0 and from 64 on.
         JsonElement areas = data.GetProperty("histograms")[3];
         Assert.Equal([0, 64, 256], areas.GetProperty("starts").EnumerateArray().Take(3).Select(start => start.GetInt32()));

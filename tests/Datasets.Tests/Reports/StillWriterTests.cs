@@ -41,8 +41,8 @@ public sealed class StillWriterTests : IDisposable
 
         StillWriter.Write(_session.Open(), 1, path);
 
-        // All is drawn with 0.3 of its opacity, over black. Blue, 255: the 3D edge covers half of the pixel at 0.6, 0.5 * 0.6 * 0.3 * 255 = 23;
-        // the dark outline takes 0.45 * 0.3 of that, 20 are left; the box adds 0.3 * (255 - 20), which makes 90.5.
+        // All is drawn with 0.3 of its opacity, over black. Blue, 255: the 3D edge covers half of the pixel at 0.6, 0.5 * 0.6 * 0.3 * 255 =
+        // 23; the dark outline takes 0.45 * 0.3 of that, 20 are left; the box adds 0.3 * (255 - 20), which makes 90.5.
         Assert.InRange(Colour(PngDecoder.ReadRgb(path), 36, 30) & 0xFF, 90, 92);
     }
 

@@ -22,8 +22,10 @@ internal sealed record DriveResult(double Metres, DriveShare FarFromJunctions, D
         RoadMatch? previous = null;
         foreach (DriveSample sample in drive.Samples(metres))
         {
-            Vector3D position = sample.Position + new Vector3D(Normal(random) * positionNoise, Normal(random) * positionNoise, Normal(random) * positionNoise);
-            RoadMatch match = matcher.Match(position, sample.HeadingDegrees + (Normal(random) * headingNoiseDegrees), sample.IsFirst ? null : previous);
+            Vector3D position = sample.Position + new Vector3D(
+                Normal(random) * positionNoise, Normal(random) * positionNoise, Normal(random) * positionNoise);
+            RoadMatch match = matcher.Match(
+                position, sample.HeadingDegrees + (Normal(random) * headingNoiseDegrees), sample.IsFirst ? null : previous);
             previous = match;
             bool isRight = match.Outcome == RoadMatchOutcome.Matched && (IsAt(match, sample.Here)
                 || (sample.FromStart < endOfLink && IsAt(match, sample.Before)) || (sample.ToEnd < endOfLink && IsAt(match, sample.After)));
@@ -31,7 +33,9 @@ internal sealed record DriveResult(double Metres, DriveShare FarFromJunctions, D
             if (!match.InJunction)
             {
                 known = match.Outcome == RoadMatchOutcome.Matched ? known.With(isRight) : known;
-                string what = isRight ? "right" : match.Outcome != RoadMatchOutcome.Matched ? match.Outcome.ToString() : match.Link == sample.Here.Link ? "lane" : "link";
+                string what = isRight ? "right" : match.Outcome != RoadMatchOutcome.Matched
+                    ? match.Outcome.ToString()
+                    : match.Link == sample.Here.Link ? "lane" : "link";
                 outcomes[what] = outcomes.GetValueOrDefault(what) + 1;
             }
         }

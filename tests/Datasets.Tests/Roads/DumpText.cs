@@ -7,8 +7,10 @@ namespace Harvester.Datasets.Tests.Roads;
 internal static class DumpText
 {
     /// <summary>The flags that the dump can hold as they are.</summary>
-    public const RoadNodeFlags Flags = RoadNodeFlags.NoGps | RoadNodeFlags.Junction | RoadNodeFlags.Highway | RoadNodeFlags.OffRoad | RoadNodeFlags.SwitchedOff
-        | RoadNodeFlags.Water | RoadNodeFlags.PedestrianCrossing | RoadNodeFlags.TrafficLight | RoadNodeFlags.IndicateKeepLeft | RoadNodeFlags.IndicateKeepRight;
+    public const RoadNodeFlags Flags =
+        RoadNodeFlags.NoGps | RoadNodeFlags.Junction | RoadNodeFlags.Highway | RoadNodeFlags.OffRoad | RoadNodeFlags.SwitchedOff
+        | RoadNodeFlags.Water | RoadNodeFlags.PedestrianCrossing | RoadNodeFlags.TrafficLight
+        | RoadNodeFlags.IndicateKeepLeft | RoadNodeFlags.IndicateKeepRight;
 
     private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true };
 
@@ -16,14 +18,21 @@ internal static class DumpText
         network.Nodes.Select((node, index) => (node, index)).GroupBy(item => item.node.Area).Select(area => new
         {
             AreaId = area.Key,
-            Nodes = area.Select(item => Node(item.node, network.LinksOf(item.index).Select(i => Connection(network, item.index, network.Links[i])))),
+            Nodes = area.Select(
+                item => Node(item.node, network.LinksOf(item.index).Select(i => Connection(network, item.index, network.Links[i])))),
         }),
         Indented);
 
     private static object Connection(RoadNetwork network, int from, RoadLink link)
     {
         RoadLink seen = link.From == from ? link : link.Reversed();
-        return new { Node = Node(network.Nodes[seen.To], null), LaneCountForward = seen.LanesForward, LaneCountBackward = seen.LanesBackward };
+        return new
+        {
+            Node = Node(
+            network.Nodes[seen.To], null),
+            LaneCountForward = seen.LanesForward,
+            LaneCountBackward = seen.LanesBackward
+        };
     }
 
     private static object Node(RoadNode node, IEnumerable<object>? connections)

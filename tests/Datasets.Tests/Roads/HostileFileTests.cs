@@ -76,7 +76,8 @@ public sealed class HostileFileTests : IDisposable
         Assert.True(at >= 0, text);
         File.WriteAllText(_file, text[..at] + lie + text[(at + healthy.Length)..]);
 
-        Assert.Contains(expected, Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            expected, Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -84,7 +85,8 @@ public sealed class HostileFileTests : IDisposable
     [InlineData("<scene><objects><object class=\"vehiclenode\" guid=\"&lol2;\"/></objects></scene>")]
     public void Import_xml_with_entities_is_refused_before_they_are_expanded(string body)
     {
-        File.WriteAllText(_file, "<?xml version=\"1.0\"?>\n<!DOCTYPE lolz [<!ENTITY lol \"lol\"><!ENTITY lol2 \"&lol;&lol;&lol;\">]>\n" + body);
+        File.WriteAllText(
+            _file, "<?xml version=\"1.0\"?>\n<!DOCTYPE lolz [<!ENTITY lol \"lol\"><!ENTITY lol2 \"&lol;&lol;&lol;\">]>\n" + body);
 
         string message = Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message;
 
@@ -121,7 +123,8 @@ public sealed class HostileFileTests : IDisposable
             }
         }
 
-        Assert.Contains("larger than", Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "larger than", Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -150,7 +153,9 @@ public sealed class HostileFileTests : IDisposable
         // Each file is read several times over and counts once.
         Assert.NotEmpty(RoadImporter.Import(from, LanesIn.Forward, all).Network.Nodes);
         string refusal = Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(from, LanesIn.Forward, all - 1)).Message;
-        Assert.Equal($"nodes{texts.Length - 1}.ynd.xml: with the files before it larger than {all - 1} bytes when unpacked; no road data is.", refusal);
+        Assert.Equal(
+            $"nodes{texts.Length - 1}.ynd.xml: with the files before it larger than {all - 1} bytes when unpacked; no road data is.",
+            refusal);
         Directory.Delete(folder, recursive: true);
     }
 

@@ -62,7 +62,10 @@ public sealed class NetworkComparisonTests : IDisposable
         Assert.Equal((1, 0, 1), (found.OneWayInBoth, found.SameWay, found.OppositeWays));
     }
 
-    private static RoadNetwork Network((double X, double Y)[] nodes, (int From, int To, int Forward, int Backward)[] links, double height = 0) => new(
-        [.. nodes.Select((node, i) => new RoadNode(0, i, new Vector3D(node.X, node.Y, height), string.Empty, RoadNodeFlags.None) { Speed = RoadSpeed.Normal, Density = 5 })],
+    private static RoadNetwork Network(
+        (double X, double Y)[] nodes, (int From, int To, int Forward, int Backward)[] links, double height = 0) => new(
+        [.. nodes.Select(
+            (node, i) => new RoadNode(0, i, new Vector3D(node.X, node.Y, height), string.Empty, RoadNodeFlags.None) { Speed =
+                RoadSpeed.Normal, Density = 5 })],
         [.. links.Select(link => new RoadLink(link.From, link.To, link.Forward, link.Backward, 0, RoadLinkFlags.None))]);
 }

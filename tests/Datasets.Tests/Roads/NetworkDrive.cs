@@ -102,7 +102,8 @@ internal sealed class NetworkDrive(RoadNetwork network, int seed)
     private DriveLane Lane((int Link, bool IsForward) driven, int wish)
     {
         RoadLink road = network.Links[driven.Link];
-        return new DriveLane(driven.Link, driven.IsForward, Math.Min(wish, (driven.IsForward ? road.LanesForward : road.LanesBackward) - 1));
+        return new DriveLane(
+            driven.Link, driven.IsForward, Math.Min(wish, (driven.IsForward ? road.LanesForward : road.LanesBackward) - 1));
     }
 
     private double OffsetOf(DriveLane lane)
@@ -141,7 +142,8 @@ internal sealed class NetworkDrive(RoadNetwork network, int seed)
         {
             for (int y = row - 1; y <= row + 1; y++)
             {
-                if (junctions.TryGetValue((x, y), out List<Vector3D>? there) && there.Exists(junction => (junction - place).Length < JunctionRadius))
+                if (junctions.TryGetValue((x, y), out List<Vector3D>? there) && there.Exists(
+                    junction => (junction - place).Length < JunctionRadius))
                 {
                     return true;
                 }
@@ -151,7 +153,8 @@ internal sealed class NetworkDrive(RoadNetwork network, int seed)
         return false;
     }
 
-    private static (int Column, int Row) Cell(Vector3D place) => ((int)Math.Floor(place.X / JunctionRadius), (int)Math.Floor(place.Y / JunctionRadius));
+    private static (int Column, int Row) Cell(Vector3D place) =>
+        ((int)Math.Floor(place.X / JunctionRadius), (int)Math.Floor(place.Y / JunctionRadius));
 
     private static Vector3D Spline(Vector3D p0, Vector3D p1, Vector3D p2, Vector3D p3, double t)
     {

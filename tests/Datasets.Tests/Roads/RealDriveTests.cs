@@ -22,7 +22,8 @@ public sealed class RealDriveTests(ITestOutputHelper output)
         RoadNetwork network = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network;
         var matcher = new RoadMatcher(new RoadCurves(network), new LaneModel(network));
 
-        DriveResult result = DriveResult.Of(new NetworkDrive(network, seed: 2026), matcher, Kilometres * 1000, PositionNoise, HeadingNoiseDegrees);
+        DriveResult result = DriveResult.Of(
+            new NetworkDrive(network, seed: 2026), matcher, Kilometres * 1000, PositionNoise, HeadingNoiseDegrees);
 
         output.WriteLine(result.ToString());
         Assert.InRange(result.Metres, Kilometres * 1000, double.MaxValue);

@@ -62,7 +62,8 @@ public sealed class RoadImporterTests : IDisposable
         string folder = Directory.CreateTempSubdirectory().FullName;
         try
         {
-            File.WriteAllText(Path.Combine(folder, "lights.json"), """[{"Name": "prop_traffic_01d", "Position": {"X": 1, "Y": 2, "Z": 3}}]""");
+            File.WriteAllText(
+                Path.Combine(folder, "lights.json"), """[{"Name": "prop_traffic_01d", "Position": {"X": 1, "Y": 2, "Z": 3}}]""");
             File.WriteAllText(Path.Combine(folder, "nodes.json"), TwoNodes);
 
             Assert.Equal(2, RoadImporter.Import(folder).Network.Nodes.Count);
@@ -75,7 +76,8 @@ public sealed class RoadImporterTests : IDisposable
 
     [Theory]
     [InlineData("\"Id\": 8, \"Position\"", "\"Id\": 9, \"Position\"", "node 7 of cell 496 has a neighbour, node 9")]
-    [InlineData("\"LaneCountForward\": 2", "\"LaneCountForward\": 8", "node 7 of cell 496 has a link without a number of lanes from 0 to 7")]
+    [InlineData(
+        "\"LaneCountForward\": 2", "\"LaneCountForward\": 8", "node 7 of cell 496 has a link without a number of lanes from 0 to 7")]
     [InlineData("\"Id\": 8, \"StreetName\"", "\"Id\": \"8\", \"StreetName\"", "line 4")]
     [InlineData("\"LaneCountBackward\": 2}]}]}]", "\"LaneCountBackward\": 2}", "line 5")]
     [InlineData("\"X\": 10.25, \"Y\": -20.5, \"Z\": 3.0},\n   \"Conn", "\"X\": 1e999, \"Y\": -20.5, \"Z\": 3.0},\n   \"Conn", "finite")]
@@ -94,7 +96,9 @@ public sealed class RoadImporterTests : IDisposable
     public void Import_omits_and_notes_a_link_into_a_missing_cell()
     {
         // x = 600 lies one cell of 512 m further east than x = 30.
-        File.WriteAllText(_file, TwoNodes.Replace("\"Id\": 8, \"Position\": {\"X\": 30.0", "\"Id\": 8, \"Position\": {\"X\": 600.0", StringComparison.Ordinal));
+        File.WriteAllText(
+            _file,
+            TwoNodes.Replace("\"Id\": 8, \"Position\": {\"X\": 30.0", "\"Id\": 8, \"Position\": {\"X\": 600.0", StringComparison.Ordinal));
 
         RoadImport import = RoadImporter.Import(_file);
 
@@ -107,6 +111,7 @@ public sealed class RoadImporterTests : IDisposable
     {
         File.WriteAllText(_file, "no road data at all");
 
-        Assert.Contains("known format", Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "known format", Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
     }
 }

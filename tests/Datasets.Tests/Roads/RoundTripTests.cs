@@ -86,7 +86,8 @@ public sealed class RoundTripTests : IDisposable
     [Fact]
     public void Import_dump_restores_everything_a_dump_can_hold()
     {
-        var nodes = _network.Nodes.Select(node => node with { Flags = node.Flags & DumpText.Flags, Speed = null, Density = null }).ToArray();
+        var nodes =
+            _network.Nodes.Select(node => node with { Flags = node.Flags & DumpText.Flags, Speed = null, Density = null }).ToArray();
         var links = _network.Links.Select(link => link with { MedianWidth = null, Flags = RoadLinkFlags.None }).ToArray();
         var held = new RoadNetwork(nodes, links);
 
@@ -99,7 +100,9 @@ public sealed class RoundTripTests : IDisposable
     public void Import_csv_reads_back_everything_in_its_order(bool packed)
     {
         RoadNetwork named = RandomRoads.WithEdges(
-            new RoadNetwork([.. _network.Nodes.Select((node, i) => i == 3 ? node with { Street = "Mirror \"Park\", Blvd" } : node)], _network.Links), seed: 6);
+            new RoadNetwork([.. _network.Nodes.Select((node, i) => i == 3
+                ? node with { Street = "Mirror \"Park\", Blvd" }
+                : node)], _network.Links), seed: 6);
         string file = Path.Combine(_folder, packed ? "roads.csv.gz" : "roads.csv");
 
         RoadWriter.Write(named, file);
@@ -140,7 +143,9 @@ public sealed class RoundTripTests : IDisposable
         .OrderBy(link => link.From).ThenBy(link => link.To);
 
     private static RoadNetwork WithoutCells(RoadNetwork network) =>
-        new([.. network.Nodes.Select(node => node with { Area = RoadNode.NoArea, Flags = node.Flags & ~RandomRoads.OfCellsOnly })], network.Links);
+        new(
+            [.. network.Nodes.Select(node => node with { Area = RoadNode.NoArea, Flags = node.Flags & ~RandomRoads.OfCellsOnly })],
+            network.Links);
 
     private string Written(string text)
     {

@@ -9,14 +9,23 @@ internal static class SceneText
 {
     private static readonly (string Name, RoadNodeFlags Flag)[] NodeFlags =
     [
-        ("Disabled", RoadNodeFlags.SwitchedOff), ("Water", RoadNodeFlags.Water), ("Highway", RoadNodeFlags.Highway), ("NoGps", RoadNodeFlags.NoGps), ("Tunnel", RoadNodeFlags.Tunnel),
-        ("Cannot Go Left", RoadNodeFlags.CannotGoLeft), ("Left Turns Only", RoadNodeFlags.LeftTurnsOnly), ("Off Road", RoadNodeFlags.OffRoad), ("Cannot Go Right", RoadNodeFlags.CannotGoRight),
-        ("No Big Vehicles", RoadNodeFlags.NoBigVehicles), ("Indicate Keep Left", RoadNodeFlags.IndicateKeepLeft), ("Indicate Keep Right", RoadNodeFlags.IndicateKeepRight), ("Slip Lane", RoadNodeFlags.SlipLane),
+        ("Disabled", RoadNodeFlags.SwitchedOff), ("Water", RoadNodeFlags.Water), ("Highway", RoadNodeFlags.Highway),
+        ("NoGps", RoadNodeFlags.NoGps), ("Tunnel", RoadNodeFlags.Tunnel),
+        ("Cannot Go Left", RoadNodeFlags.CannotGoLeft),
+        ("Left Turns Only", RoadNodeFlags.LeftTurnsOnly),
+        ("Off Road", RoadNodeFlags.OffRoad),
+        ("Cannot Go Right", RoadNodeFlags.CannotGoRight),
+        ("No Big Vehicles", RoadNodeFlags.NoBigVehicles),
+        ("Indicate Keep Left", RoadNodeFlags.IndicateKeepLeft),
+        ("Indicate Keep Right", RoadNodeFlags.IndicateKeepRight),
+        ("Slip Lane", RoadNodeFlags.SlipLane),
     ];
 
     private static readonly (string Name, RoadLinkFlags Flag)[] LinkFlags =
     [
-        ("Narrowroad", RoadLinkFlags.NarrowRoad), ("GpsBothWays", RoadLinkFlags.GpsBothWays), ("Block If No Lanes", RoadLinkFlags.BlockIfNoLanes),
+        ("Narrowroad", RoadLinkFlags.NarrowRoad),
+        ("GpsBothWays", RoadLinkFlags.GpsBothWays),
+        ("Block If No Lanes", RoadLinkFlags.BlockIfNoLanes),
         ("Shortcut", RoadLinkFlags.Shortcut), ("Dont Use For Navigation", RoadLinkFlags.DontUseForNavigation),
     ];
 
@@ -26,7 +35,10 @@ internal static class SceneText
         for (int i = 0; i < network.Nodes.Count; i++)
         {
             RoadNode node = network.Nodes[i];
-            text.Append(CultureInfo.InvariantCulture, $"<object class=\"vehiclenode\" guid=\"{{{i}}}\">\n<transform><object><position x=\"{node.Position.X}\" y=\"{node.Position.Y}\" z=\"{node.Position.Z}\" /></object></transform>\n<attributes>\n");
+            text.Append(
+                CultureInfo.InvariantCulture,
+                $"<object class=\"vehiclenode\" guid=\"{{{i}}}\">\n<transform><object><position x=\"{node.Position.X}\" "
+                    + $"y=\"{node.Position.Y}\" z=\"{node.Position.Z}\" /></object></transform>\n<attributes>\n");
             Attribute(text, "Speed", (int)node.Speed!, 1);
             Attribute(text, "Special", IplText.Special(node.Flags), 0);
             text.Append(CultureInfo.InvariantCulture, $"<attribute name=\"Density\" value=\"{node.Density / 15.0:0.######}\" />\n");
@@ -46,7 +58,10 @@ internal static class SceneText
             Attribute(text, "Lanes In", link.LanesForward, 1);
             Attribute(text, "Lanes Out", link.LanesBackward, 1);
             Flags(text, LinkFlags.Where(flag => link.Flags.HasFlag(flag.Flag)).Select(flag => flag.Name));
-            text.Append(CultureInfo.InvariantCulture, $"</attributes>\n<children />\n<references><ref guid=\"{{{link.From}}}\" /><ref guid=\"{{{link.To}}}\" /></references>\n</object>\n");
+            text.Append(
+                CultureInfo.InvariantCulture,
+                $"</attributes>\n<children />\n<references><ref guid=\"{{{link.From}}}\" /><ref guid=\"{{{link.To}}}\" /></references>\n"
+                    + $"</object>\n");
         }
 
         return text.Append("</objects>\n</scene>\n").ToString();

@@ -33,10 +33,15 @@ public sealed class SimulatedTownTests(ITestOutputHelper output) : IDisposable
         foreach (RoadNode node in fromYnd.Nodes)
         {
             Vector3D error = node.Position - _town.Nodes[node.Number].Position;
-            Assert.InRange(Math.Max(Math.Abs(error.X), Math.Abs(error.Y)), 0, Math.Abs(node.Position.X * node.Position.Y) < PathGrid.HorizontalStep ? PathGrid.HorizontalStep : PathGrid.HorizontalStep / 2);
+            Assert.InRange(
+                Math.Max(Math.Abs(error.X), Math.Abs(error.Y)), 0, Math.Abs(node.Position.X * node.Position.Y) < PathGrid.HorizontalStep
+                    ? PathGrid.HorizontalStep
+                    : PathGrid.HorizontalStep / 2);
         }
 
-        RoadNetwork flat = new([.. stored.Nodes.Select(node => node with { Area = RoadNode.NoArea, Flags = node.Flags & ~RandomRoads.OfCellsOnly })], stored.Links);
+        RoadNetwork flat = new(
+            [.. stored.Nodes.Select(node => node with { Area = RoadNode.NoArea, Flags = node.Flags & ~RandomRoads.OfCellsOnly })],
+            stored.Links);
         RoundTripTests.AssertSame(flat, Import(IplText.Of(flat)));
         RoundTripTests.AssertSame(flat, Import(SceneText.Of(flat)));
         RoadNetwork bare = new(
@@ -52,7 +57,8 @@ public sealed class SimulatedTownTests(ITestOutputHelper output) : IDisposable
         RoadNetwork imported = Import(IplText.Of(Stored(_town)));
         var matcher = new RoadMatcher(new RoadCurves(imported), new LaneModel(imported));
 
-        DriveResult result = DriveResult.Of(new NetworkDrive(_town, seed: 4), matcher, Kilometres * 1000, PositionNoise, HeadingNoiseDegrees);
+        DriveResult result = DriveResult.Of(
+            new NetworkDrive(_town, seed: 4), matcher, Kilometres * 1000, PositionNoise, HeadingNoiseDegrees);
 
         output.WriteLine(result.ToString());
         Assert.InRange(result.FarFromJunctions.RightFraction, 0.99, 1);
@@ -66,7 +72,15 @@ public sealed class SimulatedTownTests(ITestOutputHelper output) : IDisposable
     private static RoadNode Stored(RoadNode node, int index)
     {
         Vector3D truncated = PathGrid.Truncate(node.Position);
-        return node with { Area = PathGrid.CellOf(truncated), Number = index, Street = "", Position = PathGrid.RemoveBias(truncated), Speed = RoadSpeed.Normal, Density = 5 };
+        return node with
+        {
+            Area = PathGrid.CellOf(truncated),
+            Number = index,
+            Street = "",
+            Position = PathGrid.RemoveBias(truncated),
+            Speed = RoadSpeed.Normal,
+            Density = 5,
+        };
     }
 
     private RoadNetwork Import(string text)

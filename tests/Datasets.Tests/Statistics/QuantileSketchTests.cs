@@ -37,9 +37,9 @@ public sealed class QuantileSketchTests
             sketch.Add(64 + (i % 640_000 / 10_000.0));
         }
 
-        // From 64 up to 128 numbers double once: 4,096 bins, each 1/64 wide. Each number is there once or twice: those below 100 twice, which
-        // are 720,000 of the million, so that the two in the middle of them are at 64 + 249,999/10,000 and 64 + 250,000/10,000, on either side of the border
-        // of two bins at 89.
+        // From 64 up to 128 numbers double once: 4,096 bins, each 1/64 wide. Each number is there once or twice: those below 100 twice,
+        // which are 720,000 of the million, so that the two in the middle of them are at 64 + 249,999/10,000 and 64 + 250,000/10,000, on
+        // either side of the border of two bins at 89.
         Assert.Equal(4096, sketch.Bins);
         Assert.InRange(sketch.Median, 89 - (1.0 / 64), 89 + (1.0 / 64));
     }

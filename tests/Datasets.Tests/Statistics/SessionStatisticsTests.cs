@@ -105,7 +105,8 @@ public sealed class SessionStatisticsTests : IDisposable
         Assert.Equal((6, 2), (statistics.Classes[ObjectClass.Car].Labels, statistics.Classes[ObjectClass.Car].Objects));
         Assert.Equal(6, statistics.FramesOfHours[13]);
         Assert.Equal(6, statistics.FramesOfWeathers["clear"]);
-        // Boxes are 6 and 12 pixels high: all in the first bin of 20. Truncated fractions are 0 and 0.2: the first and the third bin of 0.1.
+        // Boxes are 6 and 12 pixels high: all in the first bin of 20. Truncated fractions are 0 and 0.2: the first and the third bin of
+        // 0.1.
         Assert.Equal(12, statistics.BoxHeights.Counts[0]);
         // They are 6 and 10 pixels wide: 36 and 120 square pixels.
         Assert.Equal(12, statistics.BoxWidths.Counts[0]);

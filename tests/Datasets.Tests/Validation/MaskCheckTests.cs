@@ -4,7 +4,9 @@ using Harvester.Datasets.Validation;
 
 namespace Harvester.Datasets.Tests.Validation;
 
-/// <summary>Masks that show something else than their labels say. The car, 1, is seen in [38, 28, 43, 33], the pedestrian, 2, nowhere.</summary>
+/// <summary>
+/// Masks that show something else than their labels say. The car, 1, is seen in [38, 28, 43, 33], the pedestrian, 2, nowhere.
+/// </summary>
 public sealed class MaskCheckTests : IDisposable
 {
     private readonly TestSession _session = new();
@@ -66,7 +68,8 @@ public sealed class MaskCheckTests : IDisposable
         _session.Lines[0]["objects"]![2]!["box2dVisible"] = JsonNode.Parse("[19, 25, 21, 40]");
         _session.Lines[0]["objects"]![3]!["box2dVisible"] = JsonNode.Parse("[15, 15, 25, 25]");
 
-        _session.AssertProblem(1, "object 4: the mask has its number, but it is a part, and pixels of parts have the number of the whole, 3.");
+        _session.AssertProblem(
+            1, "object 4: the mask has its number, but it is a part, and pixels of parts have the number of the whole, 3.");
     }
 
     [Fact]

@@ -33,7 +33,10 @@ public sealed class SceneCheckTests : IDisposable
     {
         File.WriteAllBytes(Scene, File.ReadAllBytes(Scene)[..400]);
 
-        Assert.StartsWith("labels.jsonl, line 3: scene 'scenes/00000002.json' cannot be used: not JSON", Assert.Single(Problems()), StringComparison.Ordinal);
+        Assert.StartsWith(
+            "labels.jsonl, line 3: scene 'scenes/00000002.json' cannot be used: not JSON",
+            Assert.Single(Problems()),
+            StringComparison.Ordinal);
     }
 
     [Fact]

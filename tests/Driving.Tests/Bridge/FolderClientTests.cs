@@ -114,7 +114,8 @@ public sealed class FolderClientTests : IDisposable
         Await(() => _session.Status.Controls.Steering == steering, $"the controls of life {life}");
         if (_session.IsStepping)
         {
-            foreach (string command in new[] { """{"type":"reset","position":[1,2,3],"headingDegrees":4}""", """{"type":"pause","paused":true}""" })
+            foreach (string command
+                in new[] { """{"type":"reset","position":[1,2,3],"headingDegrees":4}""", """{"type":"pause","paused":true}""" })
             {
                 Command(command);
                 AwaitRead();
@@ -144,7 +145,9 @@ public sealed class FolderClientTests : IDisposable
         },
         $"{what}; the bridge says: {_bridge.Problem}");
 
-    /// <summary>A file that appears whole, of another length than the one before, as the times of files are coarse on some systems.</summary>
+    /// <summary>
+    /// A file that appears whole, of another length than the one before, as the times of files are coarse on some systems.
+    /// </summary>
     private void Drop(string name, string content)
     {
         string path = Path.Combine(_folder, name);

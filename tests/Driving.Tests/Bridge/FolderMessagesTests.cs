@@ -12,7 +12,9 @@ public sealed class FolderMessagesTests
     public void Truncated_controls_are_refused()
     {
         Assert.Equal(new ControlsMessage(new DrivingControls(-0.25, 0.5, 0.125), 31), FolderMessages.ParseControls(Controls));
-        Assert.All(Enumerable.Range(0, Controls.Length), length => Assert.Throws<BridgeException>(() => FolderMessages.ParseControls(Controls[..length])));
+        Assert.All(
+            Enumerable.Range(0, Controls.Length),
+            length => Assert.Throws<BridgeException>(() => FolderMessages.ParseControls(Controls[..length])));
     }
 
     [Fact]

@@ -135,7 +135,8 @@ internal sealed class FolderVandal(string folder, int seed) : IDisposable
             case 10:
                 for (int i = 0; i < 100; i++)
                 {
-                    File.WriteAllText(Path.Combine(folder, string.Create(CultureInfo.InvariantCulture, $"stranger {++_strangers}.txt")), "?");
+                    File.WriteAllText(
+                        Path.Combine(folder, string.Create(CultureInfo.InvariantCulture, $"stranger {++_strangers}.txt")), "?");
                 }
 
                 break;

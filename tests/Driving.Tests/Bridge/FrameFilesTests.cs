@@ -38,7 +38,15 @@ public sealed class FrameFilesTests : IDisposable
     [Fact]
     public void Pictures_of_earlier_drives_are_deleted_and_other_files_kept()
     {
-        string[] others = ["frame_0000001.png", "frame_000000012.png", "frame_0000000a.png", "frame_00000001.png.bak", "my_frame_00000001.png", "00000001.png"];
+        string[] others =
+        [
+            "frame_0000001.png",
+            "frame_000000012.png",
+            "frame_0000000a.png",
+            "frame_00000001.png.bak",
+            "my_frame_00000001.png",
+            "00000001.png",
+        ];
         string[] earlier = ["frame_00000000.png", "frame_00000123.png", "frame_99999999.png"];
         Assert.All([.. others, .. earlier], name => File.WriteAllText(PathOf(name), ""));
         _files.DeleteEarlier();

@@ -69,5 +69,7 @@ public sealed class FrameOutboxTests
     private void Put(byte frame) => _outbox.Put(Frames.State(frame), Frames.Picture(frame));
 
     private (long Frame, byte Shade)? Take() =>
-        _outbox.TryTake(TimeSpan.Zero, static _ => true, out BridgeState? state, out PixelBuffer picture) ? (state.Frame, picture.Bytes[0]) : null;
+        _outbox.TryTake(TimeSpan.Zero, static _ => true, out BridgeState? state, out PixelBuffer picture)
+            ? (state.Frame, picture.Bytes[0])
+            : null;
 }

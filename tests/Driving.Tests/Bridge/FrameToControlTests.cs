@@ -16,7 +16,8 @@ public sealed class FrameToControlTests : IDisposable
 {
     private readonly FakeGame _game = new();
     private readonly FakeCar _car = new();
-    private readonly AwaitedBridge _bridge = new(new SocketBridge(SocketBridgeOptions.Loopback with { Port = 0 }, new DrivingOptions().Picture));
+    private readonly AwaitedBridge _bridge = new(
+        new SocketBridge(SocketBridgeOptions.Loopback with { Port = 0 }, new DrivingOptions().Picture));
 
     [Theory]
     [InlineData(0)]
@@ -43,7 +44,8 @@ public sealed class FrameToControlTests : IDisposable
                 JsonElement frame = client.Receive().Header;
                 Assert.Equal(before, frame.GetProperty("frame").GetInt64());
                 answered = ((before % 1_000) + 1) / 1_000.0;
-                client.Send(FormattableString.Invariant($$"""{"type":"controls","steering":{{answered}},"throttle":0,"brake":0,"frame":{{before}}}"""));
+                client.Send(FormattableString.Invariant(
+                    $$"""{"type":"controls","steering":{{answered}},"throttle":0,"brake":0,"frame":{{before}}}"""));
                 _bridge.AwaitMessage();
             }
         }

@@ -60,7 +60,8 @@ public sealed class FuzzedDriveTests
         Assert.False(session.Status.IsOver, session.Status.Ending);
         Assert.InRange(refused, 1_000, 9_000);
         Assert.Contains(car.Driven, controls => controls != DrivingControls.Stop);
-        Assert.All(car.Driven, controls => Assert.True(Math.Abs(controls.Steering) <= 1 && controls.Throttle is >= 0 and <= 1 && controls.Brake is >= 0 and <= 1));
+        Assert.All(car.Driven, controls => Assert.True(
+            Math.Abs(controls.Steering) <= 1 && controls.Throttle is >= 0 and <= 1 && controls.Brake is >= 0 and <= 1));
 
         using var good = new SocketClient(bridge.EndPoint);
         good.Send("""{"type":"controls","steering":0.625,"throttle":0,"brake":0}""");
@@ -78,13 +79,15 @@ public sealed class FuzzedDriveTests
     public void Clients_that_trickle_bytes_are_cut_off_and_delay_nobody()
     {
         const string token = "open sesame";
-        SocketBridgeOptions options = SocketBridgeOptions.Loopback with { Port = 0, Token = token, TokenPatience = TimeSpan.FromSeconds(10) };
+        SocketBridgeOptions options =
+            SocketBridgeOptions.Loopback with { Port = 0, Token = token, TokenPatience = TimeSpan.FromSeconds(10) };
         using var bridge = new SocketBridge(options, Frames.Size);
         SocketClient[] slow = [.. Enumerable.Range(0, 10).Select(_ => new SocketClient(bridge.EndPoint))];
         using SocketClient good = Welcomed(bridge);
 
         // None of the reads waits for long, and at this pace the whole of this hello would take more than an hour.
-        byte[] hello = Framed(Encoding.UTF8.GetBytes(string.Concat("{\"type\":\"hello\",", new string(' ', 60_000), "\"token\":\"open sesame\"}")));
+        byte[] hello = Framed(
+            Encoding.UTF8.GetBytes(string.Concat("{\"type\":\"hello\",", new string(' ', 60_000), "\"token\":\"open sesame\"}")));
         int sent = 0;
         Frames.Await(
             () =>

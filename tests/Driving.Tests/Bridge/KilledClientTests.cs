@@ -24,7 +24,9 @@ public sealed class KilledClientTests : IDisposable
         {
             // Every other time it does not write its file as a whole.
             using Process client = Start(string.Create(
-                CultureInfo.InvariantCulture, $"echo '0.25 0.5 0 {life}' > part; mv part controls.txt; printf '0.25 ' > controls.txt; echo '0.5 0 {life}' >> controls.txt"));
+                CultureInfo.InvariantCulture,
+                $"echo '0.25 0.5 0 {life}' > part; mv part controls.txt; printf '0.25 ' > controls.txt; echo '0.5 0 {life}' >> "
+                    + $"controls.txt"));
             AwaitWordOf(bridge, life);
             bridge.Publish(Frames.State(life), Frames.Picture((byte)life));
             Kill(client, random);
@@ -42,7 +44,10 @@ public sealed class KilledClientTests : IDisposable
         var clock = new TestClock();
         using var bridge = new FolderBridge(_folder, Frames.Size, FolderBridge.DefaultPatienceSeconds, clock);
         using var session = new DrivingSession(
-            new DrivingOptions { SettleTicks = 0, Picture = Frames.Size }, game.Ports with { Car = new FakeCar() }, bridge, () => new DeepDrivingController());
+            new DrivingOptions { SettleTicks = 0, Picture = Frames.Size },
+            game.Ports with { Car = new FakeCar() },
+            bridge,
+            () => new DeepDrivingController());
         var random = new Random(10);
         for (int life = 1; life <= Lives; life++)
         {
@@ -55,7 +60,8 @@ public sealed class KilledClientTests : IDisposable
                 echo '{"type":"pause","paused":true}' > part; mv part command.json
                 echo '{"type":"step","seconds":4.'$n'}' > part; mv part command.json
                 """));
-            Await(() => session.Status.Controls.Steering == steering && (game.WantsFrozen || session.IsStepping), $"the word of life {life}");
+            Await(
+                () => session.Status.Controls.Steering == steering && (game.WantsFrozen || session.IsStepping), $"the word of life {life}");
             Kill(client, random);
 
             // What it wrote last may be read after this, and is a sign of life.

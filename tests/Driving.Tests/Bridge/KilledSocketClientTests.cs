@@ -66,7 +66,9 @@ public sealed class KilledSocketClientTests : IDisposable
         _bridge.Dispose();
     }
 
-    /// <summary>A client that is heard, for which a step of ten seconds goes on or the world stands, and that has said more than is taken.</summary>
+    /// <summary>
+    /// A client that is heard, for which a step of ten seconds goes on or the world stands, and that has said more than is taken.
+    /// </summary>
     private SocketClient Outstanding(int life)
     {
         // A life's controls are known by their steering.

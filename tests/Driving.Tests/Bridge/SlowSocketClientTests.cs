@@ -6,7 +6,9 @@ using Harvester.TestSupport;
 
 namespace Harvester.Driving.Tests.Bridge;
 
-/// <summary>Clients that are slower than the frames, which are noise, so that no network keeps many of them: 280 x 210 x 3 bytes each.</summary>
+/// <summary>
+/// Clients that are slower than the frames, which are noise, so that no network keeps many of them: 280 x 210 x 3 bytes each.
+/// </summary>
 public sealed class SlowSocketClientTests : IDisposable
 {
     private const int PublishedPerFrameRead = 5;

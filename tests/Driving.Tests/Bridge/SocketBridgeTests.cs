@@ -185,7 +185,12 @@ public sealed class SocketBridgeTests
 
         Assert.ThrowsAny<Exception>(() => BridgeClient.Serve(
             nobody,
-            new SocketReception(AnyPort, new ClientInbox<BridgeClient>(), new PendingClients<BridgeClient>(1), new FrameOutbox(Frames.Size), static _ => { })));
+            new SocketReception(
+                AnyPort,
+                new ClientInbox<BridgeClient>(),
+                new PendingClients<BridgeClient>(1),
+                new FrameOutbox(Frames.Size),
+                static _ => { })));
         Assert.Null(nobody.Client);
     }
 
@@ -224,7 +229,9 @@ public sealed class SocketBridgeTests
         }
     }
 
-    /// <summary>Frames in their order to one that must come; which of the earlier ones come depends on how fast the sender's thread is.</summary>
+    /// <summary>
+    /// Frames in their order to one that must come; which of the earlier ones come depends on how fast the sender's thread is.
+    /// </summary>
     private static void ReceiveUntil(SocketClient client, long wanted)
     {
         long last = -1;

@@ -53,7 +53,8 @@ public sealed class SocketTokenTests
     [Fact]
     public void Connections_without_the_token_in_time_are_cut_off()
     {
-        using var bridge = new SocketBridge(AnyPort with { Token = "open sesame", TokenPatience = TimeSpan.FromMilliseconds(50) }, Frames.Size);
+        using var bridge = new SocketBridge(
+            AnyPort with { Token = "open sesame", TokenPatience = TimeSpan.FromMilliseconds(50) }, Frames.Size);
         using var silent = new SocketClient(bridge.EndPoint);
         using var slow = new SocketClient(bridge.EndPoint);
         slow.TryWrite([0, 0]);
@@ -79,7 +80,8 @@ public sealed class SocketTokenTests
         using var bridge = new SocketBridge(AnyPort with { Token = "open sesame" }, Frames.Size);
         using var stranger = new SocketClient(bridge.EndPoint);
 
-        Assert.Contains("a hello with the right token", stranger.Receive().Header.GetProperty("reason").GetString(), StringComparison.Ordinal);
+        Assert.Contains(
+            "a hello with the right token", stranger.Receive().Header.GetProperty("reason").GetString(), StringComparison.Ordinal);
     }
 
     [Fact]

@@ -64,8 +64,12 @@ internal sealed class ClosedLoop(IController controller, LaneSection section, do
     private DrivingState State()
     {
         VehicleAhead[] vehicles = Lead is { } lead ? [new(lead.Lane, lead.Along - Along)] : [];
-        LaneIndicators at = IndicatorCalculator.Compute(RoadHeading(Along + LookAhead) - RoadHeading(Along) - Yaw, Offset, section, vehicles);
-        return new DrivingState(at, TorcsEquivalent.Of(at, section), IsFast: Bend.Curvature == 0, Speed) { HeadingRadians = _headingRadians };
+        LaneIndicators at = IndicatorCalculator.Compute(
+            RoadHeading(Along + LookAhead) - RoadHeading(Along) - Yaw, Offset, section, vehicles);
+        return new DrivingState(at, TorcsEquivalent.Of(at, section), IsFast: Bend.Curvature == 0, Speed)
+        {
+            HeadingRadians = _headingRadians,
+        };
     }
 
     private double RoadHeading(double along) => Bend.Curvature * (Math.Clamp(along, Bend.From, Bend.To) - Bend.From);

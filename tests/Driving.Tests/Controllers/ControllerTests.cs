@@ -82,7 +82,8 @@ public sealed class ControllerTests
     [InlineData(1)]
     public void DeepDriving_hits_a_parked_car_that_emergency_brakes_avoid(int lanesBeside)
     {
-        // At 10 m/s the published law brakes by a tenth for each m/s too fast, from 15 m on: at 5 m it still has 8 of them (docs/driving.md).
+        // At 10 m/s the published law brakes by a tenth for each m/s too fast, from 15 m on: at 5 m it still has 8 of them
+        // (docs/driving.md).
         const double halvesOfTwoCars = 4.8;
         double least = LeastGap(new DeepDrivingController());
         Assert.True(least < halvesOfTwoCars, $"It came to a stop {least:0.0} m before.");
@@ -112,7 +113,8 @@ public sealed class ControllerTests
         // At 14.9 m: 20 · (1 - exp(-2.772 / 20 · 14.9 + 0.693)) = 14.928 m/s; a tenth of what 20.023 m/s is more.
         var section = new LaneSection(1, 4);
         LaneIndicators at = IndicatorCalculator.Compute(0, 2, section, [new VehicleAhead(0, ahead)]);
-        DrivingControls controls = new DeepDrivingController().Drive(new DrivingState(at, TorcsEquivalent.Of(at, section), IsFast: true, 20.023));
+        DrivingControls controls = new DeepDrivingController().Drive(
+            new DrivingState(at, TorcsEquivalent.Of(at, section), IsFast: true, 20.023));
 
         Assert.Equal(ahead < 15 ? brake : 0.0023, controls.Brake, 0.0003);
     }
@@ -135,12 +137,13 @@ public sealed class ControllerTests
     [InlineData(false)]
     public void Plan_adds_lane_curvature_feedforward_to_the_published_law(bool isHeadingKnown)
     {
-        // The road's line bends by 50 m to the left, and the car drives 2 m right of it, along the middle of its lane, at 10 m/s. 10 m ahead
-        // the line points 0.2 rad to the left; each frame the car turns by 1/52 rad, and at the car there is no angle. So what it steers is
-        // the bend of its lane only: 2.9 / 52 = 0.0558 rad for a car of 2.9 m between the axles. A twentieth less is what it finds, because
-        // few places tell no bend (2 m² on 43 of the places' spread); by its own steering it knows its heading less well.
+        // The road's line bends by 50 m to the left, and the car drives 2 m right of it, along the middle of its lane, at 10 m/s. 10 m
+        // ahead the line points 0.2 rad to the left; each frame the car turns by 1/52 rad, and at the car there is no angle. So what it
+        // steers is the bend of its lane only: 2.9 / 52 = 0.0558 rad for a car of 2.9 m between the axles. A twentieth less is what it
+        // finds, because few places tell no bend (2 m² on 43 of the places' spread); by its own steering it knows its heading less well.
         LaneIndicators at = IndicatorCalculator.Compute(10 / 50.0, 2, new LaneSection(1, 4), []);
-        IController controller = new ControllerPlan { Kind = ControllerKind.DeepDriving, Car = new CarTraits { CharacteristicSpeed = 1e6 } }.New();
+        IController controller =
+            new ControllerPlan { Kind = ControllerKind.DeepDriving, Car = new CarTraits { CharacteristicSpeed = 1e6 } }.New();
         double steering = 0;
         for (int frame = 0; frame < 60; frame++)
         {
@@ -158,8 +161,8 @@ public sealed class ControllerTests
     [InlineData(ControllerKind.Stanley, -12)]
     public void Controllers_keep_their_lane_in_a_hairpin_at_a_low_speed(ControllerKind kind, double radius)
     {
-        // The road's line turns by 120 degrees at 12 m of radius; the lane's middle is at 14.7 m to the left, at 9.3 m to the right, where the
-        // car needs 17 degrees on its wheels. It has 1.7 m to either side.
+        // The road's line turns by 120 degrees at 12 m of radius; the lane's middle is at 14.7 m to the left, at 9.3 m to the right, where
+        // the car needs 17 degrees on its wheels. It has 1.7 m to either side.
         const double halfCar = 1.0;
         var section = new LaneSection(1, 5.4);
         IController controller = new ControllerPlan { Kind = kind, Speed = 4 }.New();

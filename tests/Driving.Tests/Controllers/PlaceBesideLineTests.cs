@@ -15,7 +15,8 @@ public sealed class PlaceBesideLineTests
     [InlineData(1, 2, -Left, 18, 18)] // to the right the lane is the inner one
     [InlineData(2, 6, Left, 26, 26)] // the second of two lanes
     [InlineData(1, 3.8, Left, 23.8, 20)] // on the marking the car's place is known, and the lane's is not
-    public void Bend_is_longer_outside_than_inside(int lanes, double carRightOfLine, double bendOfLine, double radiusOfCar, double radiusOfLane)
+    public void Bend_is_longer_outside_than_inside(
+        int lanes, double carRightOfLine, double bendOfLine, double radiusOfCar, double radiusOfLane)
     {
         var place = new PlaceBesideLine();
 

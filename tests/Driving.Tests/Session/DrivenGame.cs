@@ -5,7 +5,9 @@ using Harvester.TestSupport;
 
 namespace Harvester.Driving.Tests.Session;
 
-/// <summary>A drive in a game of 60 ticks a second, so that a frame at 10 Hz comes every sixth tick and half a second is 30 ticks.</summary>
+/// <summary>
+/// A drive in a game of 60 ticks a second, so that a frame at 10 Hz comes every sixth tick and half a second is 30 ticks.
+/// </summary>
 public abstract class DrivenGame : IDisposable
 {
     private protected static readonly DrivingControls Left = new(0.5, 0.25, 0);
@@ -22,8 +24,13 @@ public abstract class DrivenGame : IDisposable
         GC.SuppressFinalize(this);
     }
 
-    private protected DrivingSession Session(Func<IController>? controller = null, GamePorts? ports = null, DrivingOptions? options = null) =>
-        new(options ?? new DrivingOptions(), (ports ?? Game.Ports) with { Car = Car }, Bridge, controller ?? (() => new NotingController(Left)));
+    private protected DrivingSession Session(
+        Func<IController>? controller = null, GamePorts? ports = null, DrivingOptions? options = null) =>
+        new(
+            options ?? new DrivingOptions(),
+            (ports ?? Game.Ports) with { Car = Car },
+            Bridge,
+            controller ?? (() => new NotingController(Left)));
 
     private protected void Run(DrivingSession session, int ticks)
     {

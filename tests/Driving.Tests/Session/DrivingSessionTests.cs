@@ -246,7 +246,8 @@ public sealed class DrivingSessionTests : DrivenGame
     public void Client_that_floods_the_bridge_does_not_delay_a_tick()
     {
         using var flood = new FloodingBridge();
-        using var session = new DrivingSession(new DrivingOptions(), Game.Ports with { Car = Car }, flood, () => new NotingController(Left));
+        using var session = new DrivingSession(
+            new DrivingOptions(), Game.Ports with { Car = Car }, flood, () => new NotingController(Left));
         Run(session, 10);
 
         Assert.Equal(10, Car.Driven.Count);
@@ -273,5 +274,6 @@ public sealed class DrivingSessionTests : DrivenGame
 
     [Fact]
     public void Game_without_a_car_to_drive_is_refused() =>
-        Assert.Throws<ArgumentException>(() => new DrivingSession(new DrivingOptions(), Game.Ports, Bridge, () => new NotingController(Left)));
+        Assert.Throws<ArgumentException>(
+            () => new DrivingSession(new DrivingOptions(), Game.Ports, Bridge, () => new NotingController(Left)));
 }

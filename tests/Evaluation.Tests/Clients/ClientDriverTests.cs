@@ -126,7 +126,8 @@ public sealed class ClientDriverTests
         game.Hear();
         game.Close();
 
-        Assert.ThrowsAny<IOException>(() => new ClientDriver(link, static () => new StandingController(), Ample, TimeProvider.System).Run(null, 60, default));
+        Assert.ThrowsAny<IOException>(
+            () => new ClientDriver(link, static () => new StandingController(), Ample, TimeProvider.System).Run(null, 60, default));
     }
 
     private static ClientFrame FrameAt(int number, double x) => new(
@@ -167,8 +168,8 @@ public sealed class ClientDriverTests
     }
 
     /// <summary>
-    /// A game that goes on by a tenth of a second with each step and shows the world then. While a step goes on it obeys nothing else. A look at
-    /// it takes as long as the client is patient, on a clock of its own.
+    /// A game that goes on by a tenth of a second with each step and shows the world then. While a step goes on it obeys nothing else. A
+    /// look at it takes as long as the client is patient, on a clock of its own.
     /// </summary>
     private sealed class LockStepGame : TimeProvider, IBridgeLink
     {

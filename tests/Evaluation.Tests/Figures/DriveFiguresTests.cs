@@ -84,7 +84,8 @@ public sealed class DriveFiguresTests
         GroundBox other = Box(right, ahead, turned, 0);
 
         // Along: 2.25 + 2.25; across: 1 + 1; at right angles across: 1 + 2.25. Turned by 45 degrees to the left, the second's
-        // side parts them: on its normal (1, 1)·√½ the first reaches (1 + 2.25)·√½ = 2.298 m and it itself 1 m; 3.298 m are 2 · 2.332 m on the axes.
+        // side parts them: on its normal (1, 1)·√½ the first reaches (1 + 2.25)·√½ = 2.298 m and it itself 1 m; 3.298 m are 2 · 2.332 m on
+        // the axes.
         Assert.Equal(expected, one.Overlaps(other));
         Assert.Equal(expected, other.Overlaps(one));
         Assert.False(one.Overlaps(Box(right, ahead, turned, 5)));

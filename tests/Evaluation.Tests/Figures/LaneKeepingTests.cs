@@ -55,7 +55,10 @@ public sealed class LaneKeepingTests
     [Fact]
     public void Departures_of_built_in_driver_or_in_junctions_are_ignored()
     {
-        DriveSample[] samples = [Drives.At(0), Drives.At(1, 2) with { IsByController = false }, Drives.At(2) with { Lane = null }, Drives.At(3)];
+        DriveSample[] samples =
+        [
+            Drives.At(0), Drives.At(1, 2) with { IsByController = false }, Drives.At(2) with { Lane = null }, Drives.At(3),
+        ];
 
         Assert.Empty(new LaneKeeping(samples).Departures);
     }

@@ -16,7 +16,9 @@ public sealed class DriveReportTests
         DriveRecord record = RecordOf(samples);
         string page = PageOf(record, samples);
 
-        Assert.All(record.Figures.Rows(), row => Assert.Contains($"<tr><td>{row.Name}</td><td>{row.Value}</td></tr>", page, StringComparison.Ordinal));
+        Assert.All(
+            record.Figures.Rows(),
+            row => Assert.Contains($"<tr><td>{row.Name}</td><td>{row.Value}</td></tr>", page, StringComparison.Ordinal));
         Assert.Single(record.Collisions);
         Assert.Single(Regex.Matches(page, "<circle class=\"collision\""));
         Assert.DoesNotContain("<circle class=\"departure\"", page, StringComparison.Ordinal);
@@ -28,7 +30,10 @@ public sealed class DriveReportTests
         // Speeds 0, 1, 3, 6, 10: second differences of 1 m/s in a tenth of a second, 100 m/s³ each.
         double[] speeds = [0, 1, 3, 6, 10];
         DriveSample[] samples = [.. speeds.Select((speed, i) => Drives.At(i) with { Speed = speed })];
-        string[] plots = [.. Regex.Matches(PageOf(RecordOf(samples), samples), "<svg.*?</svg>", RegexOptions.Singleline).Select(match => match.Value)];
+        string[] plots =
+        [
+            .. Regex.Matches(PageOf(RecordOf(samples), samples), "<svg.*?</svg>", RegexOptions.Singleline).Select(match => match.Value)
+        ];
 
         Assert.Equal(5, plots.Length);
         (double X, double Y)[] speed = PointsOf(plots[2]);
@@ -39,8 +44,10 @@ public sealed class DriveReportTests
 
         // A metre in each tenth of a second: a straight line.
         (double X, double Y)[] progress = PointsOf(plots[4]);
-        Assert.All(Enumerable.Range(0, 5), i => Assert.Equal(i / 4.0, (progress[i].X - progress[0].X) / (progress[4].X - progress[0].X), 0.01));
-        Assert.All(Enumerable.Range(0, 5), i => Assert.Equal(i / 4.0, (progress[0].Y - progress[i].Y) / (progress[0].Y - progress[4].Y), 0.01));
+        Assert.All(
+            Enumerable.Range(0, 5), i => Assert.Equal(i / 4.0, (progress[i].X - progress[0].X) / (progress[4].X - progress[0].X), 0.01));
+        Assert.All(
+            Enumerable.Range(0, 5), i => Assert.Equal(i / 4.0, (progress[0].Y - progress[i].Y) / (progress[0].Y - progress[4].Y), 0.01));
     }
 
     [Theory]

@@ -93,7 +93,8 @@ public sealed class ConvexPolygonTests
         var random = new Random(3);
         for (int i = 0; i < 20; i++)
         {
-            IReadOnlyList<Vector2D> hull = ConvexPolygon.Hull(Enumerable.Range(0, 8).Select(_ => new Vector2D(random.Between(0, 100), random.Between(0, 100))));
+            IReadOnlyList<Vector2D> hull = ConvexPolygon.Hull(
+                Enumerable.Range(0, 8).Select(_ => new Vector2D(random.Between(0, 100), random.Between(0, 100))));
             var box = new Box2D(20, 30, 80, 70);
             const int steps = 200;
             int inside = 0;

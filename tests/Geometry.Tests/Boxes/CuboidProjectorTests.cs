@@ -59,7 +59,8 @@ public sealed class CuboidProjectorTests
     [InlineData(0.01, 1.1e10, 1.2e10)]
     public void Project_beside_the_camera_has_a_finite_amodal_box(double k2, double least, double most)
     {
-        // 8 m to the side and 2 m up at the near plane, 0.1 m ahead, is 80 and 20 focal lengths of 300 px; the lens multiplies that by 1 + k2 82.5^4.
+        // 8 m to the side and 2 m up at the near plane, 0.1 m ahead, is 80 and 20 focal lengths of 300 px; the lens multiplies that by 1 +
+        // k2 82.5^4.
         var wall = new Cuboid(new(8, 0, 0), new(0.01, 20, 2), Axes.Identity);
 
         CuboidProjection projection = CuboidProjector.Project(Looking(new Lens(1, 0, 0, 0, k2)), wall);
@@ -161,7 +162,9 @@ public sealed class CuboidProjectorTests
         while (seen < 25)
         {
             var cuboid = new Cuboid(
-                new(random.Between(-6, 6), random.Between(-3, isAcrossNearPlane ? 5 : 20), random.Between(-2, 2)), Half(random), random.Axes());
+                new(random.Between(-6, 6), random.Between(-3, isAcrossNearPlane ? 5 : 20), random.Between(-2, 2)),
+                Half(random),
+                random.Axes());
             if (cuboid.Contains(Vector3D.Zero)
                 || IsAcrossNearPlane(camera, cuboid) != isAcrossNearPlane
                 || CuboidProjector.Project(camera, cuboid).Box is not { } box)
@@ -174,7 +177,9 @@ public sealed class CuboidProjectorTests
             {
                 for (double v = 2; v < 600; v += 20)
                 {
-                    Assert.True(!IsMet(camera, cuboid, u, v) || box.Contains(new Box2D(u, v, u, v), BentEdgePixels), $"{cuboid} is outside of {box}");
+                    Assert.True(
+                        !IsMet(camera, cuboid, u, v) || box.Contains(new Box2D(u, v, u, v), BentEdgePixels),
+                        $"{cuboid} is outside of {box}");
                 }
             }
 
@@ -189,7 +194,8 @@ public sealed class CuboidProjectorTests
             bool IsMetBetween(double u, double v, double toU, double toV)
             {
                 int steps = (int)((toU - u + toV - v) / step);
-                return Enumerable.Range(0, steps + 1).Any(i => IsMet(camera, cuboid, u + ((toU - u) * i / steps), v + ((toV - v) * i / steps)));
+                return Enumerable.Range(0, steps + 1)
+                    .Any(i => IsMet(camera, cuboid, u + ((toU - u) * i / steps), v + ((toV - v) * i / steps)));
             }
         }
     }
@@ -215,6 +221,7 @@ public sealed class CuboidProjectorTests
     private static void AssertBox(Box2D expected, Box2D? actual)
     {
         Assert.NotNull(actual);
-        Assert.True(expected.Contains(actual.Value, Rounding) && actual.Value.Contains(expected, Rounding), $"expected {expected}, got {actual}");
+        Assert.True(
+            expected.Contains(actual.Value, Rounding) && actual.Value.Contains(expected, Rounding), $"expected {expected}, got {actual}");
     }
 }

@@ -45,7 +45,8 @@ public sealed class CuboidTests
         Assert.Null(cuboid.Intersect(new Ray(Vector3D.Zero, new(0, -1, 0))));
         Assert.Null(cuboid.Intersect(new Ray(new(1.1, 0, 0), new(0, 1, 0))));
         Assert.Equal(new RaySpan(8, 12), cuboid.Intersect(new Ray(new(1, 0, 0), new(0, 1, 0))));
-        Assert.Equal(new RaySpan(10, 10), new Cuboid(new(0, 10, 0), new(1, 0, 1), Axes.Identity).Intersect(new Ray(Vector3D.Zero, new(0, 1, 0))));
+        Assert.Equal(
+            new RaySpan(10, 10), new Cuboid(new(0, 10, 0), new(1, 0, 1), Axes.Identity).Intersect(new Ray(Vector3D.Zero, new(0, 1, 0))));
     }
 
     [Fact]
@@ -92,7 +93,8 @@ public sealed class CuboidTests
     {
         Assert.Throws<ArgumentOutOfRangeException>(() => new Cuboid(new(double.NaN, 0, 0), new(1, 1, 1), Axes.Identity));
         Assert.Throws<ArgumentOutOfRangeException>(() => new Cuboid(Vector3D.Zero, new(1, -1, 1), Axes.Identity));
-        Assert.Throws<ArgumentOutOfRangeException>(() => Cuboid.FromModel(new(1, 0, 0), new(0, 1, 1), new Pose(Vector3D.Zero, Axes.Identity)));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            () => Cuboid.FromModel(new(1, 0, 0), new(0, 1, 1), new Pose(Vector3D.Zero, Axes.Identity)));
         Assert.Throws<ArgumentException>(() => new Cuboid(Vector3D.Zero, new(1, 1, 1), default));
     }
 }

@@ -18,7 +18,12 @@ public sealed class LensFitterTests
         var random = new Random(1);
         for (int i = 0; i < 20; i++)
         {
-            var lens = new Lens(random.Between(0.95, 1.05), random.Between(-0.02, 0.02), random.Between(-0.02, 0.02), random.Between(-0.05, 0.05), random.Between(-0.01, 0.01));
+            var lens = new Lens(
+                random.Between(0.95, 1.05),
+                random.Between(-0.02, 0.02),
+                random.Between(-0.02, 0.02),
+                random.Between(-0.05, 0.05),
+                random.Between(-0.01, 0.01));
             CameraIntrinsics truth = Intrinsics(800, 600, random.Between(40, 90), lens);
 
             LensFit fit = LensFitter.Fit(Intrinsics(800, 600, truth.VerticalFovDegrees, Lens.Ideal), Sightings(truth, random, 0, 0));
@@ -173,7 +178,8 @@ public sealed class LensFitterTests
     /// <summary>Sightings of a grid over the image; noise is normal, wrong ones lie 10 to 200 pixels off.</summary>
     private static List<Sighting> Sightings(CameraIntrinsics truth, Random random, double noisePixels, double wrongFraction)
     {
-        var camera = new Camera(Pose(), new CameraIntrinsics(truth.VerticalFovDegrees, truth.Image, truth.WindowAspect, truth.NearClip, Lens.Ideal));
+        var camera = new Camera(
+            Pose(), new CameraIntrinsics(truth.VerticalFovDegrees, truth.Image, truth.WindowAspect, truth.NearClip, Lens.Ideal));
         var sees = new Camera(camera.Pose, truth);
         IReadOnlyList<PlannedMarker> markers = MarkerPlan.Across(camera, 15, 11, 6, [1, 1.5, 2]).Markers;
         int wrong = (int)(wrongFraction * markers.Count);

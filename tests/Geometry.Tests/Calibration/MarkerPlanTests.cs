@@ -30,7 +30,8 @@ public sealed class MarkerPlanTests
 
         // 165 markers over four quarters of a pixel: 41 each, give or take a dozen.
         int[] quarters = [.. plan.Markers
-            .GroupBy(marker => (int)(4 * (marker.ExpectedPixel.X - Math.Floor(marker.ExpectedPixel.X)))).OrderBy(group => group.Key).Select(group => group.Count())];
+            .GroupBy(marker => (int)(4 * (marker.ExpectedPixel.X - Math.Floor(marker.ExpectedPixel.X)))).OrderBy(group => group.Key).Select(
+                group => group.Count())];
         Assert.Equal(4, quarters.Length);
         Assert.All(quarters, count => Assert.InRange(count, 29, 53));
     }

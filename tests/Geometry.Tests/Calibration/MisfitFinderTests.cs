@@ -43,7 +43,8 @@ public sealed class MisfitFinderTests
                 Misfit.Stretch => local with { X = local.X * (1 + size) },
                 Misfit.CameraPosition => local - new Vector3D(size, 0, 0),
                 Misfit.CameraRoll => new Vector3D(local.X - (size * local.Z), local.Y, local.Z + (size * local.X)),
-                Misfit.LensShape => new Vector3D(local.X + (local.Y * 2 * size * x * z), local.Y, local.Z + (local.Y * size * ((x * x) + (3 * z * z)))),
+                Misfit.LensShape =>
+                    new Vector3D(local.X + (local.Y * 2 * size * x * z), local.Y, local.Z + (local.Y * size * ((x * x) + (3 * z * z)))),
                 _ => local,
             };
             Vector2D pixel = new Camera(pose, intrinsics).Project(pose.ToWorld(seen)).Pixel;

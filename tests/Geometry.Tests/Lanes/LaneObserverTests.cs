@@ -64,7 +64,10 @@ public sealed class LaneObserverTests
 
             AssertAre(
                 IndicatorCalculator.Compute(
-                    Angles.ToRadians(Math.IEEERemainder(road.HeadingAt(station + 10) - road.HeadingAt(station), 360)), 2.2, new LaneSection(1, 5.4), []),
+                    Angles.ToRadians(Math.IEEERemainder(road.HeadingAt(station + 10) - road.HeadingAt(station), 360)),
+                    2.2,
+                    new LaneSection(1, 5.4),
+                    []),
                 seen.Indicators);
         }
     }
@@ -209,11 +212,13 @@ public sealed class LaneObserverTests
     public void Trace_skips_the_junction_and_continues_beyond_it()
     {
         RoadNode[] nodes = [Node(0, 0, -100), Node(1, 0, 0), Node(2, 0, 100), Node(3, 100, 0)];
-        LaneObservation seen = Observer(new RoadNetwork(nodes, [Link(0, 1), Link(1, 2), Link(1, 3)])).Observe(new Vector3D(2.7, -30, 0), 0, 10, 4, [], null);
+        LaneObservation seen = Observer(new RoadNetwork(nodes, [Link(0, 1), Link(1, 2), Link(1, 3)]))
+            .Observe(new Vector3D(2.7, -30, 0), 0, 10, 4, [], null);
 
         IReadOnlyList<LaneLine> lines = LaneLineTracer.Trace(seen.Stretch!, 2.7, 0, 60);
 
-        // Three boundaries before and three after; the other road is 5.4 m wide on either side, its corners take 1.5 m; points are up to 2 m apart.
+        // Three boundaries before and three after; the other road is 5.4 m wide on either side, its corners take 1.5 m; points are up to 2
+        // m apart.
         Assert.Equal(6, lines.Count);
         Assert.All(lines.SelectMany(line => line.Points), point => Assert.InRange(Math.Abs(point.World.Y), 6.9, 30.5));
         Assert.All(lines.Where(line => line.Points[0].World.Y < 0), line => Assert.InRange(line.Points[^1].World.Y, -8.9, -6.9));

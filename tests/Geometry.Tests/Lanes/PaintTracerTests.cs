@@ -41,9 +41,11 @@ public sealed class PaintTracerTests
     [Fact]
     public void Gaps_stay_gaps()
     {
-        var dashed = new PaintedLine(White, [.. Enumerable.Range(0, 100).Select(i => new LinePoint(new Vector3D(5.4, 50.25 + (i * 0.5), 0), i / 6 % 3 == 0))]);
+        var dashed = new PaintedLine(
+            White, [.. Enumerable.Range(0, 100).Select(i => new LinePoint(new Vector3D(5.4, 50.25 + (i * 0.5), 0), i / 6 % 3 == 0))]);
 
-        Assert.All(Assert.Single(Trace(dashed)).Points, point => Assert.Equal((int)((point.World.Y - 50.25) / 3) % 3 == 0, point.IsPainted));
+        Assert.All(
+            Assert.Single(Trace(dashed)).Points, point => Assert.Equal((int)((point.World.Y - 50.25) / 3) % 3 == 0, point.IsPainted));
     }
 
     [Fact]
@@ -57,7 +59,8 @@ public sealed class PaintTracerTests
     private static IReadOnlyList<LaneLine> Trace(params PaintedLine[] paint)
     {
         RoadNetwork network = Straight.Network(5, 2, 1);
-        LaneObservation seen = new LaneObserver(new RoadCurves(network), new LaneModel(network)).Observe(Straight.At(50, 2.7).Point, 0, 10, 4, [], null);
+        LaneObservation seen = new LaneObserver(new RoadCurves(network), new LaneModel(network)).Observe(
+            Straight.At(50, 2.7).Point, 0, 10, 4, [], null);
         return PaintTracer.Trace(seen.Stretch!, 2.7, 0, 60, paint);
     }
 
@@ -65,6 +68,7 @@ public sealed class PaintTracerTests
     private static PaintedLine Line(double right, double from, double to)
     {
         int steps = (int)(Math.Abs(to - from) * 2);
-        return new PaintedLine(White, [.. Enumerable.Range(0, steps + 1).Select(i => new LinePoint(Straight.At(from + ((to - from) * i / steps), right).Point, true))]);
+        return new PaintedLine(White, [.. Enumerable.Range(0, steps + 1)
+            .Select(i => new LinePoint(Straight.At(from + ((to - from) * i / steps), right).Point, true))]);
     }
 }

@@ -52,7 +52,8 @@ public sealed class MapOcclusionEstimatorTests
     [Fact]
     public void Estimate_of_a_hidden_object_takes_only_the_rays_that_find_it()
     {
-        OcclusionEstimate estimate = Estimate([(Car, Target), (RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))], Sight.Unseen);
+        OcclusionEstimate estimate = Estimate(
+            [(Car, Target), (RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))], Sight.Unseen);
 
         Assert.Equal((OcclusionMethod.PixelMap, Sight.Unseen, 1), (estimate.Method, estimate.Sight, estimate.RaysCast));
     }
@@ -74,7 +75,8 @@ public sealed class MapOcclusionEstimatorTests
     private static OcclusionEstimate Estimate(IReadOnlyList<(int Entity, Cuboid Solid)> solids, Sight sight)
     {
         var world = new CuboidWorld(solids);
-        InstanceMap map = ExhaustivePixelMapper.Map(Camera, Camera.Image.Bounds, entity => entity == Car ? (ushort)1 : (ushort)0, RayHit.World, world);
+        InstanceMap map = ExhaustivePixelMapper.Map(
+            Camera, Camera.Image.Bounds, entity => entity == Car ? (ushort)1 : (ushort)0, RayHit.World, world);
         var target = new MapTarget(Car, 1, Target, CuboidProjector.Project(Camera, Target));
         return new MapOcclusionEstimator(Camera, map, RayHit.World, world, 64).Estimate(target, sight);
     }

@@ -59,7 +59,8 @@ public sealed class TownMapTests
     {
         TownScene scene = TownScene.Numbered(40, new ImageSize(320, 240));
 
-        InstanceMap whole = ExhaustivePixelMapper.Map(scene.Camera, scene.Camera.Image.Bounds, entity => (ushort)entity, RayHit.World, scene);
+        InstanceMap whole = ExhaustivePixelMapper.Map(
+            scene.Camera, scene.Camera.Image.Bounds, entity => (ushort)entity, RayHit.World, scene);
 
         Assert.True(whole.Ids.Distinct().Count() > 10);
         Assert.Equal(whole.Ids, scene.ExhaustiveMap().Ids);

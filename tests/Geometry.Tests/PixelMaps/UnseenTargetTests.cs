@@ -28,7 +28,8 @@ public sealed class UnseenTargetTests
         var wall = new Cuboid(new(0, 10, 0), new(9, 0.2, 9), Axes.Identity);
         var car = new Cuboid(new(0, 20, 0), new(2, 1, 1), Axes.Identity);
 
-        AdaptivePixelMap map = MapRun.Complete(SmallWorld.Camera, new CuboidWorld([(RayHit.World, wall), (6, car)]), [SmallWorld.Target(6, 2, car)]);
+        AdaptivePixelMap map = MapRun.Complete(
+            SmallWorld.Camera, new CuboidWorld([(RayHit.World, wall), (6, car)]), [SmallWorld.Target(6, 2, car)]);
 
         Assert.Equal(Sight.Unseen, map.Sights[2]);
         Assert.Null(map.Map.BoundsOf(2));
@@ -42,7 +43,8 @@ public sealed class UnseenTargetTests
         var withGap = new Cuboid(new(13, 20, 0), new(2, 0.5, 1), Axes.Identity);
         var wall = new Cuboid(new(0, 30, 0), new(60, 1, 9), Axes.Identity);
 
-        AdaptivePixelMap map = MapRun.Complete(SmallWorld.Camera, new CuboidWorld([(5, post), (6, wall)]), [SmallWorld.Target(5, 1, withGap), SmallWorld.Target(6, 2, wall)]);
+        AdaptivePixelMap map = MapRun.Complete(
+            SmallWorld.Camera, new CuboidWorld([(5, post), (6, wall)]), [SmallWorld.Target(5, 1, withGap), SmallWorld.Target(6, 2, wall)]);
 
         Assert.Equal((Sight.Unseen, Sight.Seen), (map.Sights[1], map.Sights[2]));
         Assert.Null(map.Map.BoundsOf(1));
@@ -80,7 +82,8 @@ public sealed class UnseenTargetTests
     {
         var car = new Cuboid(new(0, 20, 0), new(2, 1, 1), Axes.Identity);
         var mapper = new AdaptivePixelMapper(
-            SmallWorld.Camera, [SmallWorld.Target(6, 2, car)], RayHit.World, new CuboidWorld([(6, car)]), new PixelMapOptions { RayBudget = 0 });
+            SmallWorld.Camera, [SmallWorld.Target(6, 2, car)], RayHit.World, new CuboidWorld([(6, car)]),
+            new PixelMapOptions { RayBudget = 0 });
 
         mapper.Run();
         AdaptivePixelMap map = mapper.Finish();

@@ -51,7 +51,8 @@ public sealed class JunctionExtentsTests
         // A slip road joins a motorway at 15 degrees: the motorway goes on, the slip road's lane ends before.
         JunctionExtents extents = Of(
             [(0, 0), (0, -60), (0, 60), (-16, -60)],
-            [new(1, 0, 2, 0, null, RoadLinkFlags.None), new(0, 2, 2, 0, null, RoadLinkFlags.None), new(3, 0, 1, 0, null, RoadLinkFlags.None)]);
+            [new(1, 0, 2, 0, null, RoadLinkFlags.None), new(0, 2, 2, 0, null, RoadLinkFlags.None), new(
+                3, 0, 1, 0, null, RoadLinkFlags.None)]);
 
         Assert.Equal((0, 0), extents.Of(0));
         Assert.Equal((0, 0), extents.Of(1));
@@ -94,5 +95,6 @@ public sealed class JunctionExtentsTests
 
     private static RoadLink One(int from, int to) => new(from, to, 1, 0, null, RoadLinkFlags.None);
 
-    private static (double, double) Rounded((double FromStart, double FromEnd) extents) => (Math.Round(extents.FromStart, 6), Math.Round(extents.FromEnd, 6));
+    private static (double, double) Rounded((double FromStart, double FromEnd) extents) =>
+        (Math.Round(extents.FromStart, 6), Math.Round(extents.FromEnd, 6));
 }

@@ -75,5 +75,8 @@ public sealed class NodeDatabaseTests
 
     private static RoadNetwork Road(int forward, int backward, double? median) => new(
         [.. Enumerable.Range(0, 3).Select(i => new RoadNode(7, i, new Vector3D(0, i * 20, 0), "", RoadNodeFlags.None))],
-        [new RoadLink(0, 1, forward, backward, median, RoadLinkFlags.None), new RoadLink(1, 2, forward, backward, median, RoadLinkFlags.None)]);
+        [
+            new RoadLink(0, 1, forward, backward, median, RoadLinkFlags.None),
+            new RoadLink(1, 2, forward, backward, median, RoadLinkFlags.None),
+        ]);
 }

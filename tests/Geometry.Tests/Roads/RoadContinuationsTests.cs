@@ -40,7 +40,11 @@ public sealed class RoadContinuationsTests
     /// <summary>Links from a node in the middle to others, all with the same lanes outwards and inwards.</summary>
     private static RoadContinuations Star((int Outwards, int Inwards) lanes, params (double X, double Y)[] ends)
     {
-        RoadNode[] nodes = [.. ends.Prepend(Middle).Select((end, i) => new RoadNode(0, i, new Vector3D(end.X, end.Y, 0), "", RoadNodeFlags.None))];
-        return new RoadContinuations(new RoadNetwork(nodes, [.. ends.Select((_, i) => new RoadLink(0, i + 1, lanes.Outwards, lanes.Inwards, null, RoadLinkFlags.None))]));
+        RoadNode[] nodes =
+        [
+            .. ends.Prepend(Middle).Select((end, i) => new RoadNode(0, i, new Vector3D(end.X, end.Y, 0), "", RoadNodeFlags.None))
+        ];
+        return new RoadContinuations(new RoadNetwork(
+            nodes, [.. ends.Select((_, i) => new RoadLink(0, i + 1, lanes.Outwards, lanes.Inwards, null, RoadLinkFlags.None))]));
     }
 }

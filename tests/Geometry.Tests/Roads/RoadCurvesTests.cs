@@ -145,7 +145,9 @@ public sealed class RoadCurvesTests
         Assert.Equal(1 / 50.0, curves.Of(3).CurvatureAt(0.5), 4);
     }
 
-    /// <summary>Nodes 5 to 12 m apart on a circle about <see cref="Middle"/>, counter-clockwise; a negative radius drives it clockwise.</summary>
+    /// <summary>
+    /// Nodes 5 to 12 m apart on a circle about <see cref="Middle"/>, counter-clockwise; a negative radius drives it clockwise.
+    /// </summary>
     private static List<Vector3D> ArcPoints(double radius, Random random, double angle)
     {
         var points = new List<Vector3D>();
@@ -160,12 +162,14 @@ public sealed class RoadCurvesTests
         }
     }
 
-    private static RoadNetwork Truncated(IEnumerable<Vector3D> points) => Road(points.Select(point => PathGrid.RemoveBias(PathGrid.Truncate(point))));
+    private static RoadNetwork Truncated(IEnumerable<Vector3D> points) =>
+        Road(points.Select(point => PathGrid.RemoveBias(PathGrid.Truncate(point))));
 
     private static RoadNetwork Road(IEnumerable<Vector3D> points)
     {
         RoadNode[] nodes = [.. points.Select((point, i) => new RoadNode(0, i, point, "", RoadNodeFlags.None))];
-        return new RoadNetwork(nodes, [.. Enumerable.Range(0, nodes.Length - 1).Select(i => new RoadLink(i, i + 1, 2, 1, null, RoadLinkFlags.None))]);
+        return new RoadNetwork(
+            nodes, [.. Enumerable.Range(0, nodes.Length - 1).Select(i => new RoadLink(i, i + 1, 2, 1, null, RoadLinkFlags.None))]);
     }
 
     private static void ForEachPoint(RoadCurves curves, double offset, Action<Vector3D> visit)

@@ -10,7 +10,8 @@ public sealed class RoadIndexTests
     public void Near_finds_every_link_within_range()
     {
         var random = new Random(12);
-        RoadNode[] nodes = [.. Enumerable.Range(0, 300).Select(i => new RoadNode(0, i, new Vector3D(random.NextDouble() * 900, random.NextDouble() * 900, 0), "", RoadNodeFlags.None))];
+        RoadNode[] nodes = [.. Enumerable.Range(0, 300).Select(
+            i => new RoadNode(0, i, new Vector3D(random.NextDouble() * 900, random.NextDouble() * 900, 0), "", RoadNodeFlags.None))];
         RoadLink[] links = [.. Enumerable.Range(0, 299).Select(i => new RoadLink(i, i + 1, 1, 1, null, RoadLinkFlags.None))];
         var curves = new RoadCurves(new RoadNetwork(nodes, links));
         var index = new RoadIndex(curves, _ => Reach);

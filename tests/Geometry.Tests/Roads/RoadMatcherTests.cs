@@ -118,7 +118,8 @@ public sealed class RoadMatcherTests
     {
         var network = new RoadNetwork(
             [Node(0, 0, 0), Node(0, 50, 0), Node(0, 100, 0), Node(50, 50, 0)],
-            [new RoadLink(0, 1, 1, 1, null, RoadLinkFlags.None), new RoadLink(1, 2, 1, 1, null, RoadLinkFlags.None), new RoadLink(1, 3, 1, 1, null, RoadLinkFlags.None)]);
+            [new RoadLink(0, 1, 1, 1, null, RoadLinkFlags.None), new RoadLink(1, 2, 1, 1, null, RoadLinkFlags.None), new RoadLink(
+                1, 3, 1, 1, null, RoadLinkFlags.None)]);
         RoadMatcher matcher = Matcher(network);
 
         // The road that joins at y = 50 is 5.4 m wide on either side, and its corners take 1.5 m.
@@ -163,7 +164,8 @@ public sealed class RoadMatcherTests
 
     [Fact]
     public void Match_place_that_is_no_number_is_refused() =>
-        Assert.Throws<ArgumentOutOfRangeException>(() => Matcher(Road(1, 1, null, (0, 0), (0, 100))).Match(new Vector3D(double.NaN, 0, 0), North));
+        Assert.Throws<ArgumentOutOfRangeException>(
+            () => Matcher(Road(1, 1, null, (0, 0), (0, 100))).Match(new Vector3D(double.NaN, 0, 0), North));
 
     private static RoadMatcher Matcher(RoadNetwork network) => new(new RoadCurves(network), new LaneModel(network));
 

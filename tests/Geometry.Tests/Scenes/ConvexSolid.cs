@@ -14,7 +14,9 @@ internal sealed class ConvexSolid
 
     public static ConvexSolid Of(Cuboid cuboid) => Frustum(cuboid, 1, 1);
 
-    /// <summary>A cuboid whose top is drawn in towards its middle to shares of its width and length: the cabin of a car, a tapered post.</summary>
+    /// <summary>
+    /// A cuboid whose top is drawn in towards its middle to shares of its width and length: the cabin of a car, a tapered post.
+    /// </summary>
     public static ConvexSolid Frustum(Cuboid cuboid, double topWidth, double topLength)
     {
         (double x, double y, double z) = cuboid.HalfExtents;

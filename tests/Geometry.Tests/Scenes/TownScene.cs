@@ -19,7 +19,9 @@ internal sealed class TownScene : IRayCaster
     public TownScene(int seed, int objects, ImageSize image)
     {
         var random = new Random(seed);
-        var pose = new Pose(new(random.Between(-3, 3), 0, random.Between(1.2, 2.2)), Axes.FromEuler(new EulerAngles(random.Between(-4, 2), random.Between(-2, 2), random.Between(-12, 12))));
+        var pose = new Pose(
+            new(random.Between(-3, 3), 0, random.Between(1.2, 2.2)),
+            Axes.FromEuler(new EulerAngles(random.Between(-4, 2), random.Between(-2, 2), random.Between(-12, 12))));
         Camera = new Camera(pose, new CameraIntrinsics(50, image, image.Aspect, 0.1, Lens.Ideal));
         BuildStreet(random);
         int entity = 1;
@@ -45,7 +47,8 @@ internal sealed class TownScene : IRayCaster
     public static int ObjectsOf(int number) => 5 + (number * 75 / 49);
 
     public List<MapTarget> Targets() =>
-        [.. Entities.Select(thing => new MapTarget(thing.Entity, (ushort)thing.Entity, thing.Bounds, CuboidProjector.Project(Camera, thing.Bounds)))];
+        [.. Entities.Select(
+            thing => new MapTarget(thing.Entity, (ushort)thing.Entity, thing.Bounds, CuboidProjector.Project(Camera, thing.Bounds)))];
 
     /// <summary>
     /// The map of <see cref="ExhaustivePixelMapper"/> over the whole image, sooner: no entity reaches out of its cuboid, so each row is
@@ -117,7 +120,8 @@ internal sealed class TownScene : IRayCaster
                     side > 0 ? (new(-1.6, -0.1, 6.8), new(0, 0.1, 7), 1, 1) : (new(0, -0.1, 6.8), new(1.6, 0.1, 7), 1, 1));
                 if (random.NextDouble() < 0.4)
                 {
-                    var tree = new Pose(new(side * random.Between(8.5, 10.5), y + random.Between(0, 8), 0), Axes.FromHeading(random.Between(0, 90)));
+                    var tree = new Pose(
+                        new(side * random.Between(8.5, 10.5), y + random.Between(0, 8), 0), Axes.FromHeading(random.Between(0, 90)));
                     AddWorld(tree, (new(-0.2, -0.2, 0), new(0.2, 0.2, 3), 1, 1), (new(-1.5, -1.5, 2.2), new(1.5, 1.5, 6), 0.4, 0.4));
                 }
             }

@@ -96,7 +96,8 @@ public sealed class OcclusionEstimatorTests
     [Fact]
     public void Estimate_of_an_object_whose_visible_part_is_empty_is_unseen()
     {
-        // The image ends at x = y · 4/3 to the right. The cuboid reaches from x = 24 to 44 at 20 to 24 m; the object fills its right end, outside.
+        // The image ends at x = y · 4/3 to the right. The cuboid reaches from x = 24 to 44 at 20 to 24 m; the object fills its right end,
+        // outside.
         Cuboid wide = new(new(34, 22, 0), new(10, 2, 2), Axes.Identity);
         Cuboid rightEnd = new(new(43, 22, 0), new(1, 2, 2), Axes.Identity);
         OcclusionEstimate estimate = new OcclusionEstimator().Estimate(

@@ -75,7 +75,10 @@ internal sealed class SimulatedScene
 
         _handles.Clear();
         EgoState ego = _simulation.Ports.World.ReadEgo();
-        Put(game, new EntityState(ego.Handle, ObjectClass.Car, ego.Model, ego.Pose, default, default, ego.Velocity), ego.HeightAboveGroundMetres ?? 0);
+        Put(
+            game,
+            new EntityState(ego.Handle, ObjectClass.Car, ego.Model, ego.Pose, default, default, ego.Velocity),
+            ego.HeightAboveGroundMetres ?? 0);
         foreach (EntityState entity in _world.Unrounded())
         {
             Put(game, entity);
@@ -95,7 +98,13 @@ internal sealed class SimulatedScene
     {
         int handle = entity.Handle + AboveAllHandles;
         _handles.Add(handle);
-        game.Entities[handle] = new GameEntity { Pool = PoolKind.Peds, Name = "a_m_y_cyclist_01", Pose = entity.Pose, Vehicle = entity.Handle };
+        game.Entities[handle] = new GameEntity
+        {
+            Pool = PoolKind.Peds,
+            Name = "a_m_y_cyclist_01",
+            Pose = entity.Pose,
+            Vehicle = entity.Handle,
+        };
     }
 
     private void Put(TestGame game, EntityState entity, double heightAboveGround = 0)

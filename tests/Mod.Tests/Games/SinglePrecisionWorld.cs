@@ -35,7 +35,12 @@ internal sealed class SinglePrecisionWorld(IWorld world, FaceTable faces) : IWor
     public EgoState ReadEgo()
     {
         EgoState ego = world.ReadEgo();
-        return ego with { Pose = Round(ego.Pose), Velocity = Round(ego.Velocity), HeightAboveGroundMetres = (float?)ego.HeightAboveGroundMetres };
+        return ego with
+        {
+            Pose = Round(ego.Pose),
+            Velocity = Round(ego.Velocity),
+            HeightAboveGroundMetres = (float?)ego.HeightAboveGroundMetres,
+        };
     }
 
     public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range) =>

@@ -17,10 +17,12 @@ internal sealed partial class TestGame
             : 0;
         _natives[Hash.GET_ENTITY_MODEL] = a => Entities.TryGetValue((int)a[0], out GameEntity? entity) ? entity.Model : 0;
         _natives[Hash.GET_ENTITY_COORDS] = a => ToGame(PositionOf((int)a[0]));
-        _natives[Hash.GET_ENTITY_VELOCITY] = a => ToGame(Entities.TryGetValue((int)a[0], out GameEntity? entity) ? entity.Velocity : default);
+        _natives[Hash.GET_ENTITY_VELOCITY] = a => ToGame(
+            Entities.TryGetValue((int)a[0], out GameEntity? entity) ? entity.Velocity : default);
         _natives[Hash.GET_ENTITY_HEADING] = a => (float)Angles.HeadingDegrees(Entities[(int)a[0]].Pose.Axes.Forward);
         _natives[Hash.GET_OFFSET_FROM_ENTITY_IN_WORLD_COORDS] = a => ToGame(Entities[(int)a[0]].Pose.ToWorld(ToWorld(a[1], a[2], a[3])));
-        _natives[Hash.GET_ENTITY_HEIGHT_ABOVE_GROUND] = a => (float)(Entities.TryGetValue((int)a[0], out GameEntity? entity) ? entity.HeightAboveGround : 0);
+        _natives[Hash.GET_ENTITY_HEIGHT_ABOVE_GROUND] =
+            a => (float)(Entities.TryGetValue((int)a[0], out GameEntity? entity) ? entity.HeightAboveGround : 0);
         Do(Hash.GET_ENTITY_MATRIX, a =>
         {
             // Of what is gone nothing is written.

@@ -23,7 +23,12 @@ internal sealed partial class TestGame : IGameHost
     public TestGame(string folder)
     {
         ScriptFile = Path.Combine(folder, "GtaDataHarvester.dll");
-        Entities[Player] = new GameEntity { Pool = PoolKind.Peds, Name = "player_zero", Pose = new Pose(new Vector3D(10, 20, 30), Axes.FromHeading(90)) };
+        Entities[Player] = new GameEntity
+        {
+            Pool = PoolKind.Peds,
+            Name = "player_zero",
+            Pose = new Pose(new Vector3D(10, 20, 30), Axes.FromHeading(90)),
+        };
         AddEntityNatives();
         AddVehicleNatives();
         AddObjectNatives();
@@ -70,7 +75,9 @@ internal sealed partial class TestGame : IGameHost
     /// <summary>What happens after the handles of what is near were listed, before they are read.</summary>
     public Action AfterListing { get; set; } = () => { };
 
-    /// <summary>What a list of the API's gives in a build whose memory it cannot read, by throwing or being empty; null for what there is.</summary>
+    /// <summary>
+    /// What a list of the API's gives in a build whose memory it cannot read, by throwing or being empty; null for what there is.
+    /// </summary>
     public Func<PoolKind, int[]?>? BrokenList { get; set; }
 
     /// <summary>A list of handles needs free places in the pool of script handles.</summary>

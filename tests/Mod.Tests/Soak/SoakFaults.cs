@@ -5,7 +5,9 @@ using Harvester.Mod.Tests.Games.Natives;
 
 namespace Harvester.Mod.Tests.Soak;
 
-/// <summary>The faults of a game, each for some ticks: natives that throw or answer with garbage, lists that fail, an abort in the middle of a tick.</summary>
+/// <summary>
+/// The faults of a game, each for some ticks: natives that throw or answer with garbage, lists that fail, an abort in the middle of a tick.
+/// </summary>
 internal sealed class SoakFaults
 {
     private const int MostTicksOfAFault = 40;
@@ -151,8 +153,8 @@ internal sealed class SoakFaults
     }
 
     /// <summary>
-    /// After so many natives the loader finds the script hanging: it raises Aborted twice on its own thread, while the script's is in the middle
-    /// of a native that does nothing, and then stops that thread.
+    /// After so many natives the loader finds the script hanging: it raises Aborted twice on its own thread, while the script's is in the
+    /// middle of a native that does nothing, and then stops that thread.
     /// </summary>
     private void AbortAfter(int natives)
     {
@@ -176,7 +178,9 @@ internal sealed class SoakFaults
         };
     }
 
-    /// <summary>Calls from another thread than the script's are refused, as everywhere; they do not count as a misuse by the script.</summary>
+    /// <summary>
+    /// Calls from another thread than the script's are refused, as everywhere; they do not count as a misuse by the script.
+    /// </summary>
     private void RefuseCall()
     {
         Assert.Throws<InvalidOperationException>(() => Function.Call<int>(Hash.PLAYER_PED_ID));

@@ -13,7 +13,8 @@ internal sealed class SoakPlay
     /// <summary>Small pictures and few rays, so that a tick costs little; all features are on their keys.</summary>
     public const string Ini =
         "[Bridge]\nKind = Folder\nFolder = out/bridge\nWidth = 40\nHeight = 30\n"
-        + "[Harvest]\nWidth = 160\nHeight = 120\nRate = 2\nOcclusionRays = 4\nRays = 200\nDriveLights = On\nFreeze = Auto\nImageFormat = Bmp\n";
+        + "[Harvest]\nWidth = 160\nHeight = 120\nRate = 2\nOcclusionRays = 4\nRays = 200\nDriveLights = On\nFreeze = Auto\nImageFormat = "
+        + "Bmp\n";
 
     private const double MillisecondsOfATick = 16;
 
@@ -25,8 +26,10 @@ internal sealed class SoakPlay
     /// <summary>Every key; those that need another to be of use come after it too.</summary>
     private static readonly Keys[][] Presses =
     [
-        [Keys.NumPad0], [Keys.I], [Keys.O], [Keys.J], [Keys.J], [Keys.K], [Keys.L], [Keys.NumPad1], [Keys.U], [Keys.N], [Keys.W], [Keys.NumPad2],
-        [Keys.NumPad3], [Keys.Y], [Keys.Divide], [Keys.Multiply], [Keys.O, Keys.J], [Keys.O, Keys.N], [Keys.O, Keys.I, Keys.NumPad1], [Keys.O, Keys.Multiply],
+        [Keys.NumPad0], [Keys.I], [Keys.O], [Keys.J], [Keys.J], [Keys.K], [Keys.L], [Keys.NumPad1], [Keys.U], [Keys.N], [Keys.W],
+        [Keys.NumPad2],
+        [Keys.NumPad3], [Keys.Y], [Keys.Divide], [Keys.Multiply], [Keys.O, Keys.J], [Keys.O, Keys.N], [Keys.O, Keys.I, Keys.NumPad1],
+        [Keys.O, Keys.Multiply],
         [Keys.NumPad2, Keys.NumPad2, Keys.Y],
     ];
 
@@ -96,7 +99,9 @@ internal sealed class SoakPlay
         _faults.Stop();
         OtherThread.Do(_driver.Script.RaiseAborted);
         _driver.Script.RaiseAborted();
-        Assert.True(!_game.LeftBehind.Any(), $"Left behind: {string.Join(", ", _game.LeftBehind)}\n{string.Join('\n', _game.Notifications.TakeLast(20))}");
+        Assert.True(
+            !_game.LeftBehind.Any(),
+            $"Left behind: {string.Join(", ", _game.LeftBehind)}\n{string.Join('\n', _game.Notifications.TakeLast(20))}");
         _driver.Tick();
         Assert.Empty(_game.Balls);
         Assert.Empty(_game.Rectangles);
@@ -136,7 +141,12 @@ internal sealed class SoakPlay
 
     private void MakeWorld()
     {
-        _game.Entities[TestGame.Player] = new GameEntity { Pool = PoolKind.Peds, Name = "player_zero", Pose = new Pose(new Vector3D(100, 200, 1), Axes.Identity) };
+        _game.Entities[TestGame.Player] = new GameEntity
+        {
+            Pool = PoolKind.Peds,
+            Name = "player_zero",
+            Pose = new Pose(new Vector3D(100, 200, 1), Axes.Identity),
+        };
         HarvestTests.Street(_game);
         _game.Add(LightTests.LightAt(new Vector3D(104, 230, 0), Axes.Identity));
     }

@@ -27,7 +27,9 @@ public sealed class LinePlotTests
 
         // From 0 to 10 with eight steps at most: 0, 2, ... 10; at 4 it is 60 + 0.4 * 888 = 415.2.
         Assert.Equal("415.2", svg.Elements("text").Single(text => text.Value == "4").Attribute("x")!.Value);
-        Assert.Equal(["0", "2", "4", "6", "8", "10", "-1", "-0.5", "0", "0.5", "1", "time, s", "<speed>, m/s"], svg.Elements("text").Select(text => text.Value));
+        Assert.Equal(
+            ["0", "2", "4", "6", "8", "10", "-1", "-0.5", "0", "0.5", "1", "time, s", "<speed>, m/s"],
+            svg.Elements("text").Select(text => text.Value));
         Assert.Equal(11, svg.Elements("line").Count());
     }
 
@@ -63,7 +65,9 @@ public sealed class LinePlotTests
     [InlineData(3, 11, "3 4 5 6 7 8 9 10 11")]
     [InlineData(0, 4100, "0 1000 2000 3000 4000")]
     public void Ticks_are_round_values(double min, double max, string expected) =>
-        Assert.Equal(expected, string.Join(' ', new PlotAxis("", min, max).Ticks().Select(tick => FormattableString.Invariant($"{tick + 0.0:0.######}"))));
+        Assert.Equal(
+            expected,
+            string.Join(' ', new PlotAxis("", min, max).Ticks().Select(tick => FormattableString.Invariant($"{tick + 0.0:0.######}"))));
 
     [Fact]
     public void Axis_around_a_single_value_is_not_empty() => Assert.Equal(new PlotAxis("x", 4, 6), PlotAxis.Around("x", 5, 5));

@@ -36,7 +36,8 @@ public sealed class FeatureSetTests : IDisposable
         Assert.Equal(["a ticks", "b ticks", "b stops", "c ticks"], _done);
         Assert.Equal("GtaDataHarvester: b failed: no more More in GtaDataHarvester.log.", Assert.Single(_told));
         _messages.Wait(Timeout.InfiniteTimeSpan);
-        Assert.Contains("InvalidOperationException", File.ReadAllText(Path.Combine(_folder, "GtaDataHarvester.log")), StringComparison.Ordinal);
+        Assert.Contains(
+            "InvalidOperationException", File.ReadAllText(Path.Combine(_folder, "GtaDataHarvester.log")), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -48,7 +49,10 @@ public sealed class FeatureSetTests : IDisposable
         set.Do(feature, () => throw new IOException("key"));
 
         Assert.Equal(["a stops"], _done);
-        Assert.Equal(["GtaDataHarvester: a failed: key More in GtaDataHarvester.log.", "GtaDataHarvester: a failed: no more More in GtaDataHarvester.log."], _told);
+        Assert.Equal([
+            "GtaDataHarvester: a failed: key More in GtaDataHarvester.log.",
+            "GtaDataHarvester: a failed: no more More in GtaDataHarvester.log.",
+        ], _told);
     }
 
     [Fact]
@@ -97,7 +101,8 @@ public sealed class FeatureSetTests : IDisposable
         Assert.Equal(2, lines.Length);
         Assert.Equal("The overlay: on", lines[0]);
         Match figures = Regex.Match(
-            lines[1], @"^The overlay: off after 101 ticks in 1[.]0 s, 20[.]0 natives per tick, (\d+) rays per second, tick time p50 (.*) ms, p99 (.*) ms$");
+            lines[1], @"^The overlay: off after 101 ticks in 1[.]0 s, 20[.]0 natives per tick, (\d+) rays per second, tick time p50 (.*) "
+                + @"ms, p99 (.*) ms$");
         Assert.True(figures.Success, lines[1]);
         Assert.InRange(int.Parse(figures.Groups[1].Value, CultureInfo.InvariantCulture), 285, 310);
         Assert.InRange(double.Parse(figures.Groups[2].Value, CultureInfo.InvariantCulture), 2, 2.1);
@@ -114,7 +119,10 @@ public sealed class FeatureSetTests : IDisposable
         set.Finish();
 
         Assert.Equal(
-            ["The harvest: on", "The harvest: off after 1 tick in 0.0 s, 0.0 natives per tick, 0 rays per second, tick time p50 0.00 ms, p99 0.00 ms"],
+            [
+                "The harvest: on",
+                "The harvest: off after 1 tick in 0.0 s, 0.0 natives per tick, 0 rays per second, tick time p50 0.00 ms, p99 0.00 ms",
+            ],
             LogLines());
     }
 

@@ -224,7 +224,8 @@ public sealed class SightTests
         public ModelFacts FactsOf(EntityKind kind, int entity)
         {
             FactsAsked++;
-            return new ModelFacts(ObjectClass.Car, _entities[entity].Model, new Vector3D(-1, -HalfLength, 0), new Vector3D(1, HalfLength, 1));
+            return new ModelFacts(
+                ObjectClass.Car, _entities[entity].Model, new Vector3D(-1, -HalfLength, 0), new Vector3D(1, HalfLength, 1));
         }
 
         public ScaledPose? PlaceOf(int entity)

@@ -115,7 +115,8 @@ public sealed class WindowJudgeTests
 
     [Fact]
     public void Judge_drops_a_handle_reused_by_another_process() =>
-        Assert.Equal(1, WindowJudge.Judge(new DesktopView([GameWindow(), Window(2, Other, new(600, 0, 700, 50))], [Monitor]), Game, 2).Window);
+        Assert.Equal(
+            1, WindowJudge.Judge(new DesktopView([GameWindow(), Window(2, Other, new(600, 0, 700, 50))], [Monitor]), Game, 2).Window);
 
     private static WindowVerdict Judge(TopLevelWindow[] windows, params PixelRectangle[] monitors) =>
         WindowJudge.Judge(new DesktopView(windows, monitors.Length == 0 ? [Monitor] : monitors), Game, 0);
@@ -123,5 +124,7 @@ public sealed class WindowJudgeTests
     private static TopLevelWindow GameWindow() => Window(1, Game, Client);
 
     private static TopLevelWindow Window(long handle, int process, PixelRectangle area) =>
-        new(handle, process, IsApplication: true, IsMinimised: false, ShowsNothing: false, area, area, RestoredArea: area.IsEmpty ? 120_000 : area.Area);
+        new(
+            handle, process, IsApplication: true, IsMinimised: false, ShowsNothing: false, area, area,
+            RestoredArea: area.IsEmpty ? 120_000 : area.Area);
 }

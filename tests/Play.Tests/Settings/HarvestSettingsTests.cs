@@ -98,7 +98,9 @@ public sealed class HarvestSettingsTests
         Assert.StartsWith("Line 3: Classes = car, lorry is not a list of Car, Truck, Bus", ini.Complaints[1], StringComparison.Ordinal);
     }
 
-    /// <summary>A player's game is frozen in the way that a trial finds better; for a program, the way is paused unless it says otherwise.</summary>
+    /// <summary>
+    /// A player's game is frozen in the way that a trial finds better; for a program, the way is paused unless it says otherwise.
+    /// </summary>
     private static HarvestOptions Defaults => new() { FreezeBy = null };
 
     private static IniFile Read(string text) => IniFile.Read(new StringReader(text));

@@ -29,7 +29,8 @@ public sealed class IniFileTests
     [Fact]
     public void Changes_lists_values_other_than_the_default_in_file_order()
     {
-        IniFile ini = Read("[S]\nText = other\nSame = 5.0\nFormat = bmp\nBad = x\nClasses = bus, car\nAlike = car, bus\nUnasked = 1\nEmpty =\n");
+        IniFile ini = Read(
+            "[S]\nText = other\nSame = 5.0\nFormat = bmp\nBad = x\nClasses = bus, car\nAlike = car, bus\nUnasked = 1\nEmpty =\n");
         ini.Choices<ObjectClass>("S", "Alike", [ObjectClass.Car, ObjectClass.Bus], "classes");
         ini.Choices<ObjectClass>("S", "Classes", [ObjectClass.Car, ObjectClass.Bus], "classes");
         ini.Choice("S", "Format", ImageFormat.Png, "PNG or BMP");

@@ -3,7 +3,9 @@ using Harvester.Sessions.Faces;
 
 namespace Harvester.Sessions.Tests.Faces;
 
-/// <summary>Tables of faces with damage to a row, to the header, to line ends and to the encoding: nothing is thrown, and no good row is lost.</summary>
+/// <summary>
+/// Tables of faces with damage to a row, to the header, to line ends and to the encoding: nothing is thrown, and no good row is lost.
+/// </summary>
 public sealed class DamagedSpaceTableTests
 {
     private const string Header = "model,hash,class,name,mutcd,face,fulX,fulY,fulZ,blrX,blrY,blrZ,facing,provenance,source";
@@ -45,7 +47,8 @@ public sealed class DamagedSpaceTableTests
     public void Read_accepts_every_encoding_with_a_byte_order_mark()
     {
         string text = string.Join("\n", Rows.Prepend(Header));
-        foreach (Encoding encoding in (Encoding[])[new UTF8Encoding(false), new UTF8Encoding(true), Encoding.Unicode, Encoding.BigEndianUnicode, Encoding.UTF32])
+        foreach (Encoding encoding
+            in (Encoding[])[new UTF8Encoding(false), new UTF8Encoding(true), Encoding.Unicode, Encoding.BigEndianUnicode, Encoding.UTF32])
         {
             FaceTableContent content = Read([.. encoding.GetPreamble(), .. encoding.GetBytes(text)]);
 

@@ -7,8 +7,10 @@ namespace Harvester.Sessions.Tests.Faces;
 public sealed class SpaceTableReaderTests
 {
     private const string Header = "model,hash,class,name,mutcd,face,fulX,fulY,fulZ,blrX,blrY,blrZ,facing,provenance,source\n";
-    private const string Stop = "prop_sign_road_01a,-949234773,sign,STOP,R1-1,0,-0.381,0.000,2.662,0.381,-0.060,1.900,-y,estimated,standard size";
-    private const string Yield = "prop_sign_road_02a,-639994124,sign,YIELD,R1-2,0,-0.457,0.000,2.692,0.457,-0.060,1.900,-y,measured,\"survey, by ray\"";
+    private const string Stop =
+        "prop_sign_road_01a,-949234773,sign,STOP,R1-1,0,-0.381,0.000,2.662,0.381,-0.060,1.900,-y,estimated,standard size";
+    private const string Yield =
+        "prop_sign_road_02a,-639994124,sign,YIELD,R1-2,0,-0.457,0.000,2.692,0.457,-0.060,1.900,-y,measured,\"survey, by ray\"";
 
     [Fact]
     public void Read_good_rows_gives_all_fields()

@@ -60,7 +60,8 @@ public sealed class ImageScalerTests
     [InlineData(1, 1, 64, 48)]
     public void Scale_of_a_uniform_picture_leaves_its_colour(int width, int height, int toWidth, int toHeight)
     {
-        PixelBuffer source = Picture(width, height, [.. Enumerable.Repeat(new byte[] { 255, 128, 1 }, width * height).SelectMany(pixel => pixel)]);
+        PixelBuffer source = Picture(
+            width, height, [.. Enumerable.Repeat(new byte[] { 255, 128, 1 }, width * height).SelectMany(pixel => pixel)]);
 
         PixelBuffer target = Scale(source, toWidth, toHeight);
 
@@ -83,7 +84,10 @@ public sealed class ImageScalerTests
             {
                 for (int channel = 0; channel < 3; channel++, i++)
                 {
-                    Assert.Equal(Integral(source, x, y, channel, (double)width / toWidth, (double)height / toHeight), target.Bytes[i], RoundingTolerance);
+                    Assert.Equal(
+                        Integral(source, x, y, channel, (double)width / toWidth, (double)height / toHeight),
+                        target.Bytes[i],
+                        RoundingTolerance);
                 }
             }
         }

@@ -13,13 +13,28 @@ public sealed class JsonLabelWriterTests
     public void Line_has_the_documented_fields_in_their_order()
     {
         string expected =
-            """{"frame":3,"gameFrame":120,"timeSeconds":1.983333,"lagFrames":0,"lagSeconds":0,"image":"frames/00000003.png","mask":null,"pixelMap":null,"rays":{"total":231,"map":0,"occlusion":130,"faces":64,"ignoreRegions":17,"lanes":20},"""
-            + """ "camera":{"position":[1,-2.5,3],"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1],"verticalFovDegrees":50,"width":800,"height":600,"windowAspect":1.777777778,"nearClip":0.15,"fx":482.507,"fy":643.352076,"cx":400,"cy":300,"distortion":{"focalScale":1.008,"k1":-0.02,"k2":0}},""".TrimStart()
-            + """ "ego":{"position":[1,-4,0],"headingDegrees":0,"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1],"heightAboveGroundMetres":0.51,"velocity":[0,15.25,0],"model":"blista"},"environment":{"weather":"clear","timeOfDay":"07:05:09"},""".TrimStart()
-            + """ "objects":[{"id":1,"class":"trafficLight","model":"prop_traffic_01a","name":"light \"A\"","parent":9,"knownParts":null,"hasRider":null,"box2d":[0,10.5,20.125,30],"box2dAmodal":[-5.25,10.5,20.125,30],"box2dVisible":[0,11,20,30],"boxes":["cuboid","amodal","visible"],"truncatedFraction":0.25,"occludedFraction":0.5,"occlusionMethod":"rays","visibleFraction":0.375,""".TrimStart()
-            + """ "box3d":{"centre":[10,20,0.5],"halfExtents":[1,2,0.5],"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1]},"distanceMetres":24.3567,"velocity":[0,0,0],"space":{"face":1,"mutcd":null,"facesCamera":true,"facingAngleDegrees":12.3457,"provenance":"derived","light":{"state":"amber","method":"observed","litFraction":0.0813}}},""".TrimStart()
-            + """ {"id":2,"class":"motorcycle","model":"bati","name":null,"parent":null,"knownParts":0,"hasRider":true,"box2d":[1,2,3,4],"box2dAmodal":[1,2,3,4],"box2dVisible":null,"boxes":["cuboid","amodal"],"truncatedFraction":0,"occludedFraction":null,"occlusionMethod":"none","visibleFraction":null,""".TrimStart()
-            + """ "box3d":{"centre":[10,20,0.5],"halfExtents":[1,2,0.5],"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1]},"distanceMetres":5,"velocity":[0,0,0],"space":null}],"ignoreRegions":[{"reason":"beyondRange","class":"truck","box2d":[700.5,290,720.125,305],"distanceMetres":157.2346}]}""".TrimStart();
+            """{"frame":3,"gameFrame":120,"timeSeconds":1.983333,"lagFrames":0,"lagSeconds":0,"image":"frames/00000003.png","mask":null"""
+                + ""","pixelMap":null,"rays":{"total":231,"map":0,"occlusion":130,"faces":64,"ignoreRegions":17,"lanes":20},"""
+            + """ "camera":{"position":[1,-2.5,3],"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1],"verticalFovDegrees":50""".TrimStart()
+            + ""","width":800,"height":600,"windowAspect":1.777777778,"nearClip":0.15,"fx":482.507,"fy":643.352076,"cx":400,"cy":300"""
+            + ""","distortion":{"focalScale":1.008,"k1":-0.02,"k2":0}},"""
+            + """ "ego":{"position":[1,-4,0],"headingDegrees":0,"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1]""".TrimStart()
+            + ""","heightAboveGroundMetres":0.51,"velocity":[0,15.25,0],"model":"blista"}"""
+            + ""","environment":{"weather":"clear","timeOfDay":"07:05:09"},"""
+            + """ "objects":[{"id":1,"class":"trafficLight","model":"prop_traffic_01a","name":"light \"A\"","parent":9""".TrimStart()
+            + ""","knownParts":null,"hasRider":null,"box2d":[0,10.5,20.125,30],"box2dAmodal":[-5.25,10.5,20.125,30]"""
+            + ""","box2dVisible":[0,11,20,30],"boxes":["cuboid","amodal","visible"],"truncatedFraction":0.25,"occludedFraction":0.5"""
+            + ""","occlusionMethod":"rays","visibleFraction":0.375,"""
+            + """ "box3d":{"centre":[10,20,0.5],"halfExtents":[1,2,0.5],"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1]}""".TrimStart()
+            + ""","distanceMetres":24.3567,"velocity":[0,0,0],"space":{"face":1,"mutcd":null,"facesCamera":true"""
+            + ""","facingAngleDegrees":12.3457"""
+            + ""","provenance":"derived","light":{"state":"amber","method":"observed","litFraction":0.0813}}},"""
+            + """ {"id":2,"class":"motorcycle","model":"bati","name":null,"parent":null,"knownParts":0,"hasRider":true""".TrimStart()
+            + ""","box2d":[1,2,3,4],"box2dAmodal":[1,2,3,4],"box2dVisible":null,"boxes":["cuboid","amodal"],"truncatedFraction":0"""
+            + ""","occludedFraction":null,"occlusionMethod":"none","visibleFraction":null,"""
+            + """ "box3d":{"centre":[10,20,0.5],"halfExtents":[1,2,0.5],"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1]}""".TrimStart()
+            + ""","distanceMetres":5,"velocity":[0,0,0],"space":null}]"""
+            + ""","ignoreRegions":[{"reason":"beyondRange","class":"truck","box2d":[700.5,290,720.125,305],"distanceMetres":157.2346}]}""";
 
         Assert.Equal(expected, JsonLabelWriter.Line(Frame()));
     }
@@ -96,7 +111,11 @@ public sealed class JsonLabelWriterTests
         };
         return new FrameLabel(
             3, 120, 119 / 60.0, 0, 0, "frames/00000003.png", null, camera,
-            new EgoLabel(new Vector3D(1, -4, 0), 0, new Vector3D(0, 15.25, 0), "blista") { Axes = Axes.Identity, HeightAboveGroundMetres = 0.51 },
+            new EgoLabel(new Vector3D(1, -4, 0), 0, new Vector3D(0, 15.25, 0), "blista")
+            {
+                Axes = Axes.Identity,
+                HeightAboveGroundMetres = 0.51,
+            },
             new EnvironmentState("clear", new TimeSpan(7, 5, 9)),
             [light, motorcycle])
         {

@@ -4,7 +4,8 @@ namespace Harvester.Sessions.Tests.Scenes;
 
 public sealed class VehicleClassesTests
 {
-    // The game's classes: 1 sedans, 8 motorcycles, 10 industrial, 11 utility, 12 vans, 13 cycles, 14 boats, 17 service, 18 emergency, 20 commercial.
+    // The game's classes: 1 sedans, 8 motorcycles, 10 industrial, 11 utility, 12 vans, 13 cycles, 14 boats, 17 service, 18 emergency, 20
+    // commercial.
     [Theory]
     [InlineData("adder", 7, ObjectClass.Car)]
     [InlineData("taxi", 17, ObjectClass.Car)]

@@ -8,7 +8,8 @@ public sealed class WeatherNamesTests
     [InlineData("EXTRASUNNY", "extrasunny")]
     [InlineData("RAIN", "rain")]
     [InlineData("someModsWeather", "unknown")]
-    public void Of_a_hash_is_the_name_of_the_weather(string name, string expected) => Assert.Equal(expected, WeatherNames.Of(ModelHash.Of(name)));
+    public void Of_a_hash_is_the_name_of_the_weather(string name, string expected) =>
+        Assert.Equal(expected, WeatherNames.Of(ModelHash.Of(name)));
 
     [Fact]
     public void All_15_weathers_of_the_game_are_known_by_hash()

@@ -74,7 +74,8 @@ public sealed class CalibrationCheckTests
         HarvestOutcome outcome = Harvest(game, Options with { Image = new ImageSize(160, 120) }, []);
 
         Assert.Equal(
-            $"The picture is {lag} ticks behind the game, and the harvest allows for 4. Raise the limit (MaxPictureLagTicks) and start again.", outcome.Fault);
+            $"The picture is {lag} ticks behind the game, and the harvest allows for 4. Raise the limit (MaxPictureLagTicks) and start "
+                + $"again.", outcome.Fault);
         Assert.False(outcome.IsOpened);
         Assert.False(game.IsFrozen);
         Assert.False(game.ShowsMarkers);
@@ -82,7 +83,9 @@ public sealed class CalibrationCheckTests
 
     [Fact]
     public void Step_with_the_largest_allowed_lag_records() =>
-        AssertRecorded(Harvest(new RenderedGame { PictureLag = 7 }, Options with { Image = new ImageSize(160, 120), MaxPictureLagTicks = 7 }, []), isChecked: true);
+        AssertRecorded(
+            Harvest(new RenderedGame { PictureLag = 7 }, Options with { Image = new ImageSize(160, 120), MaxPictureLagTicks = 7 }, []),
+            isChecked: true);
 
     [Fact]
     public void Step_without_visible_markers_warns_and_records_unchecked()
@@ -90,7 +93,9 @@ public sealed class CalibrationCheckTests
         HarvestOutcome outcome = Harvest(new RenderedGame { HiddenMarkers = int.MaxValue }, Options, []);
 
         Assert.True(outcome is { IsOpened: true, Frames: 1, Fault: null, CameraErrorPixels: null }, outcome.ToString());
-        Assert.Matches(@"not checked, as none of 20 markers was seen.*MaxError = 0 in \[Lens\].*How late the picture is was not checked", outcome.Warning);
+        Assert.Matches(
+            @"not checked, as none of 20 markers was seen.*MaxError = 0 in \[Lens\].*How late the picture is was not checked",
+            outcome.Warning);
     }
 
     private static RenderedGame Game() =>

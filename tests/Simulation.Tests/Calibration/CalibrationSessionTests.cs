@@ -61,7 +61,13 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     public void Step_finds_the_lens_in_rain()
     {
         var image = new ImageSize(800, 600);
-        var game = new RenderedGame { Lens = Injected, VerticalFovDegrees = 60, RainMoves = true, Lighting = new Lighting { RainFraction = 1 } };
+        var game = new RenderedGame
+        {
+            Lens = Injected,
+            VerticalFovDegrees = 60,
+            RainMoves = true,
+            Lighting = new Lighting { RainFraction = 1 },
+        };
 
         CalibrationResult result = Calibrate(game, image);
 
@@ -97,7 +103,8 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     public void Step_without_a_static_open_view_fails_with_a_message(double creep, string? refusal, string message)
     {
         var game = new RenderedGame { Creep = creep, Refusal = refusal };
-        using var session = new CalibrationSession(new CalibrationOptions { Image = new ImageSize(80, 60), MarkerRadiusPixels = 1 }, game.Ports);
+        using var session = new CalibrationSession(
+            new CalibrationOptions { Image = new ImageSize(80, 60), MarkerRadiusPixels = 1 }, game.Ports);
 
         Run(session, game);
 
@@ -128,7 +135,8 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
 
     [Fact]
     public void Game_that_draws_no_markers_is_refused() =>
-        Assert.Throws<ArgumentException>(() => new CalibrationSession(new CalibrationOptions(), new RenderedGame().Ports with { Markers = null }));
+        Assert.Throws<ArgumentException>(
+            () => new CalibrationSession(new CalibrationOptions(), new RenderedGame().Ports with { Markers = null }));
 
     private void FindInjected(int width, int height, double fov, double leastErrorBefore)
     {
@@ -139,7 +147,9 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
 
         (double rmsBefore, double maxBefore) = ErrorOverImage(game, image, Injected, Lens.Ideal);
         (double rms, double max) = ErrorOverImage(game, image, Injected, result.Lens);
-        output.WriteLine($"{width}x{height}, {fov} degrees: {rmsBefore:F2} px RMS and {maxBefore:F2} px at most before, {rms:F3} and {max:F3} after; told {result}");
+        output.WriteLine(
+            $"{width}x{height}, {fov} degrees: {rmsBefore:F2} px RMS and {maxBefore:F2} px at most before, {rms:F3} and {max:F3} after; "
+                + $"told {result}");
         Assert.True(maxBefore >= leastErrorBefore, $"{maxBefore:F2} px at most before");
         Assert.True(rms <= LargestRms && max <= LargestError, $"{rms:F3} px RMS, {max:F3} px at most after");
         Assert.True(result.After.RmsPixels <= LargestRms && result.After.MaxPixels <= LargestError, $"{result.After} told");
@@ -162,7 +172,9 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
         }
     }
 
-    /// <summary>How far apart the injected and the found camera show one and the same points, over a grid up to the image's corners.</summary>
+    /// <summary>
+    /// How far apart the injected and the found camera show one and the same points, over a grid up to the image's corners.
+    /// </summary>
     private static (double Rms, double Max) ErrorOverImage(RenderedGame game, ImageSize image, RenderLens injected, Lens found)
     {
         const int steps = 40;

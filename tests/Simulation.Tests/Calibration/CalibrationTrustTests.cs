@@ -19,7 +19,12 @@ public sealed class CalibrationTrustTests(ITestOutputHelper output)
         for (int trial = 0; trial < trials; trial++)
         {
             bool rains = trial % 5 == 0;
-            var lens = new RenderLens(Between(random, 0.97, 1.03), Between(random, -0.02, 0.02), Between(random, -0.02, 0.02), Between(random, -0.04, 0.04), Between(random, -0.005, 0.005));
+            var lens = new RenderLens(
+                Between(random, 0.97, 1.03),
+                Between(random, -0.02, 0.02),
+                Between(random, -0.02, 0.02),
+                Between(random, -0.04, 0.04),
+                Between(random, -0.005, 0.005));
             var image = trial % 4 == 0 ? new ImageSize(640, 480) : new ImageSize(400, 300);
             var game = new RenderedGame(nearThings: trial % 7 == 0)
             {
@@ -34,7 +39,9 @@ public sealed class CalibrationTrustTests(ITestOutputHelper output)
         }
 
         int held = ratios.Count(ratio => ratio <= 1);
-        output.WriteLine($"the claim held in {held} of {trials}; error over claim: median {ratios.Order().ElementAt(trials / 2):0.00}, largest {ratios.Max():0.00}");
+        output.WriteLine(
+            $"the claim held in {held} of {trials}; error over claim: median {ratios.Order().ElementAt(trials / 2):0.00}, largest "
+                + $"{ratios.Max():0.00}");
         Assert.True(held >= 0.95 * trials, $"held in {held} of {trials}, largest ratio {ratios.Max():0.00}");
 
         // A claim that is far too large would hold too.
@@ -61,13 +68,15 @@ public sealed class CalibrationTrustTests(ITestOutputHelper output)
     [Fact]
     public void Lens_is_checked_on_markers_excluded_from_the_fit()
     {
-        // After the coarse grid, its seven coded pictures and the fine grid comes the tenth: the one to check by, of which all markers stand 2 cm too high.
+        // After the coarse grid, its seven coded pictures and the fine grid comes the tenth: the one to check by, of which all markers
+        // stand 2 cm too high.
         var game = new RenderedGame { VerticalFovDegrees = 60, MarkerShift = new Vector3D(0, 0, 0.02), MarkerShiftFromShow = 10 };
 
         CalibrationSession session = Run(game, new ImageSize(400, 300));
 
         Assert.Null(session.Result);
-        Assert.Matches("^Of [0-9]+ markers that the lens was not fitted to [0-9]+ are seen elsewhere than it puts them.*stands elsewhere than the game reports", session.Fault);
+        Assert.Matches("^Of [0-9]+ markers that the lens was not fitted to [0-9]+ are seen elsewhere than it puts them.*stands elsewhere "
+            + "than the game reports", session.Fault);
     }
 
     [Fact]
@@ -102,7 +111,9 @@ public sealed class CalibrationTrustTests(ITestOutputHelper output)
         return session;
     }
 
-    /// <summary>The largest distance between where the injected and the found lens show a point, pixels, over a grid up to the corners.</summary>
+    /// <summary>
+    /// The largest distance between where the injected and the found lens show a point, pixels, over a grid up to the corners.
+    /// </summary>
     private static double WorstError(RenderedGame game, ImageSize image, RenderLens injected, Lens found)
     {
         const int steps = 20;

@@ -29,7 +29,10 @@ internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock
         for (int i = 0; i < 150; i++)
         {
             var corner = new Vector3D((random.NextDouble() * 160) - 80, 6 + (random.NextDouble() * 80), 0);
-            yard.AddBox(corner, corner + new Vector3D(3, 3, 1 + (8 * random.NextDouble())), new Rgb((byte)random.Next(256), (byte)random.Next(256), (byte)random.Next(256)));
+            yard.AddBox(
+                corner,
+                corner + new Vector3D(3, 3, 1 + (8 * random.NextDouble())),
+                new Rgb((byte)random.Next(256), (byte)random.Next(256), (byte)random.Next(256)));
         }
 
         for (int i = 0; nearThings && i < 4; i++)
@@ -129,7 +132,9 @@ internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock
         }
 
         _scene.SetDynamic(_history[Math.Max(0, _history.Count - 1 - PictureLag)].Skip(HiddenMarkers).Select(MarkerModel.Of));
-        var camera = new RenderCamera(ReadCamera().Pose, VerticalFovDegrees, RenderedAspect ?? WindowAspect, 0.1, target.Size.Width, target.Size.Height) { Lens = Lens };
+        var camera = new RenderCamera(ReadCamera().Pose, VerticalFovDegrees, RenderedAspect
+            ?? WindowAspect, 0.1, target.Size.Width, target.Size.Height)
+        { Lens = Lens };
         var picture = new RenderTarget(target.Size.Width, target.Size.Height);
         _renderer.Render(_scene, camera, picture);
         picture.Colour.CopyTo(target.Bytes, 0);

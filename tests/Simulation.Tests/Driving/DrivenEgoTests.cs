@@ -26,7 +26,8 @@ public sealed class DrivenEgoTests
         Assert.InRange((after.Pose.Position - before.Pose.Position).Dot(before.Pose.Axes.Forward), 6.5, 9);
 
         Run(game, 1, () => car.Drive(new DrivingControls(0.3, 0, 0)));
-        Assert.True(Horizontal.Turn(after.Pose.Axes.Forward, game.Ports.World.ReadEgo().Pose.Axes.Forward) > 0.1, "The car did not turn left.");
+        Assert.True(
+            Horizontal.Turn(after.Pose.Axes.Forward, game.Ports.World.ReadEgo().Pose.Axes.Forward) > 0.1, "The car did not turn left.");
     }
 
     [Fact]

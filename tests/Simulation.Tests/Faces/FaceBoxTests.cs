@@ -45,7 +45,9 @@ public sealed class FaceBoxTests
                     CuboidBoxTests.Analytic(camera), face.CuboidAt(pose), FaceOutline.EdgesOf(face, pose)).Box!.Value;
 
                 double error = LargestDifference(box, rendered!.Value);
-                Assert.True(error <= PixelTolerance, FormattableString.Invariant($"{model.Name} at {distance:0.0} m turned {turn:0} degrees: {error:0.00} px"));
+                Assert.True(
+                    error <= PixelTolerance,
+                    FormattableString.Invariant($"{model.Name} at {distance:0.0} m turned {turn:0} degrees: {error:0.00} px"));
             }
         }
     }
@@ -55,7 +57,8 @@ public sealed class FaceBoxTests
     {
         double pitch = Math.Atan2(2.3 - height, distance) * 180 / Math.PI;
         double fov = 2 * Math.Atan(Side / 2.0 / FocalPixels) * 180 / Math.PI;
-        return new RenderCamera(new Pose(new Vector3D(0, 0, height), Axes.FromEuler(new EulerAngles(pitch, 0, 0))), fov, 1, 0.15, Side, Side);
+        return new RenderCamera(
+            new Pose(new Vector3D(0, 0, height), Axes.FromEuler(new EulerAngles(pitch, 0, 0))), fov, 1, 0.15, Side, Side);
     }
 
     private static double LargestDifference(Box2D box, Box2D fine) => new[]

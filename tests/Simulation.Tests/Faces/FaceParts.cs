@@ -11,7 +11,10 @@ internal static class FaceParts
     /// <summary>The plane of the sheets of all signs: sheet and paint lie on it and before it, metres.</summary>
     private const double SheetY = -0.05;
 
-    /// <summary>The middles of the heads as the models have them, by reading the drawing of the models: x and z, and the plane of the housing's front.</summary>
+    /// <summary>
+    /// The middles of the heads as the models have them, by reading the drawing of the models: x and z, and the plane of the housing's
+    /// front.
+    /// </summary>
     private static readonly Dictionary<string, (double X, double Z, double FrontY)[]> Heads = new()
     {
         ["prop_traffic_01a"] = [(-8, 6.1, -0.3), (-4.5, 6.1, -0.3), (0, 3.1, -0.42)],
@@ -33,7 +36,10 @@ internal static class FaceParts
         }
 
         (double X, double Z, double FrontY)[] heads = Heads[model.Name];
-        return [.. heads.Select(head => Part(mesh, triangle => IsOnFront(triangle, head))), Part(mesh, triangle => !heads.Any(head => IsOnFront(triangle, head)))];
+        return [
+            .. heads.Select(head => Part(mesh, triangle => IsOnFront(triangle, head))),
+            Part(mesh, triangle => !heads.Any(head => IsOnFront(triangle, head))),
+        ];
     }
 
     private static bool IsOnSheet(MeshTriangle triangle) => Corners(triangle).All(corner => corner.Y <= SheetY);

@@ -30,7 +30,8 @@ public sealed class LabelledFacesTests
     private const double MostUnread = 0.02;
 
     [Fact]
-    public void Labelled_faces_are_the_visible_ones_and_lights_are_read() => Judge(StreetOfFaces.Harvest(60, firstSeed: 1), fewestFaces: 300, fewestHeads: 30);
+    public void Labelled_faces_are_the_visible_ones_and_lights_are_read() =>
+        Judge(StreetOfFaces.Harvest(60, firstSeed: 1), fewestFaces: 300, fewestHeads: 30);
 
     [Fact]
     [Trait("Category", "Heavy")]
@@ -60,7 +61,8 @@ public sealed class LabelledFacesTests
         int heads = 0, hidden = 0, unknown = 0;
         foreach ((FrameLabel label, IReadOnlyList<TrueFace> faces) in StreetOfFaces.Harvest(40, firstSeed: 400))
         {
-            foreach (ObjectLabel head in label.Objects.Where(item => item.Face is { Light: not null, FacingAngleDegrees: <= ReadUpToDegrees }
+            foreach (ObjectLabel head
+                in label.Objects.Where(item => item.Face is { Light: not null, FacingAngleDegrees: <= ReadUpToDegrees }
                 && item.Box2D.Height >= MinHeadPixels && item.TruncatedFraction == 0))
             {
                 TrueFace truth = BooleanOf(head, faces);
@@ -83,8 +85,12 @@ public sealed class LabelledFacesTests
         int right = 0, wrong = 0, missed = 0, fromBehind = 0, statesRight = 0, statesWrong = 0;
         foreach ((FrameLabel label, IReadOnlyList<TrueFace> faces) in frames)
         {
-            fromBehind += label.Objects.Count(item => item is { Class: ObjectClass.Sign, Face: not null } && !BooleanOf(item, faces).FacesCamera);
-            ObjectLabel[] labelled = [.. label.Objects.Where(item => item.Face is not null && (item.Class == ObjectClass.Sign || item.Face.FacesCamera))];
+            fromBehind += label.Objects.Count(
+                item => item is { Class: ObjectClass.Sign, Face: not null } && !BooleanOf(item, faces).FacesCamera);
+            ObjectLabel[] labelled =
+            [
+                .. label.Objects.Where(item => item.Face is not null && (item.Class == ObjectClass.Sign || item.Face.FacesCamera))
+            ];
             foreach (ObjectLabel item in labelled)
             {
                 TrueFace truth = BooleanOf(item, faces);
@@ -102,7 +108,9 @@ public sealed class LabelledFacesTests
                 && !labelled.Any(item => (item.Box3D.Centre - face.Centre).Length < SamePlaceMetres));
         }
 
-        string figures = $"right {right}, wrong {wrong}, missed {missed}, signs from behind {fromBehind}; states right {statesRight}, wrong {statesWrong}";
+        string figures =
+            $"right {right}, wrong {wrong}, missed {missed}, signs from behind {fromBehind}; states right {statesRight}, wrong "
+                + $"{statesWrong}";
         Assert.True(right >= fewestFaces && statesRight >= fewestHeads, figures);
         Assert.True(fromBehind == 0, figures);
         Assert.True(right >= LeastShare * (right + wrong), figures);
@@ -115,5 +123,8 @@ public sealed class LabelledFacesTests
 
     // Heads of at least 12 pixels that hardly anything hides, up to the 60 degrees of turn of the project's other figures.
     private static bool IsClear(ObjectLabel head) =>
-        head.Box2D.Height >= MinHeadPixels && head.OccludedFraction <= MostHidden && head.TruncatedFraction <= MostHidden && head.Face!.FacingAngleDegrees <= ReadUpToDegrees;
+        head.Box2D.Height >= MinHeadPixels
+            && head.OccludedFraction <= MostHidden
+            && head.TruncatedFraction <= MostHidden
+            && head.Face!.FacingAngleDegrees <= ReadUpToDegrees;
 }

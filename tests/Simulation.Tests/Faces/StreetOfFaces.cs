@@ -103,7 +103,8 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
 
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity) => _rays.Cast(ray, maxDistance, ignoredEntity);
 
-    public LightState? SetStateOf(int entity, long gameFrame) => (LightState)(1 + _entities.Single(own => own.State.Handle == entity).Variant);
+    public LightState? SetStateOf(int entity, long gameFrame) =>
+        (LightState)(1 + _entities.Single(own => own.State.Handle == entity).Variant);
 
     public FreezeMethod Method { get; set; }
 
@@ -151,9 +152,16 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
         var entities = new List<(EntityState, Model, int)>();
         for (int handle = 1; handle <= 24; handle++)
         {
-            Model model = (handle % 3) switch { 0 => OneOf(catalogue.Vehicles), 1 => OneOf(catalogue.Signs), _ => OneOf(catalogue.TrafficLights) };
+            Model model = (handle % 3) switch
+            {
+                0 =>
+                OneOf(catalogue.Vehicles),
+                1 => OneOf(catalogue.Signs),
+                _ => OneOf(catalogue.TrafficLights)
+            };
             double ahead = Between(5, 70);
-            var position = new Vector3D(Between(-0.5, 0.5) * ahead, ahead, model.Class is ObjectClass.Sign or ObjectClass.TrafficLight ? 0 : -model.Min.Z);
+            var position = new Vector3D(
+                Between(-0.5, 0.5) * ahead, ahead, model.Class is ObjectClass.Sign or ObjectClass.TrafficLight ? 0 : -model.Min.Z);
 
             // Two in three look at the camera more or less, the others anywhere.
             double heading = random.Next(3) < 2 ? Between(-60, 60) : Between(0, 360);
@@ -166,7 +174,8 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
         string weather = OneOf([.. WeatherNames.All.Where(name => name is not ("foggy" or "blizzard"))]);
         var lighting = Weather.LightingOf(weather, TimeSpan.FromHours(Between(0, 24)));
         _drawn.Lighting = lighting;
-        _hit.SetDynamic(_entities.Select(entity => new MeshInstance(entity.Model.Variant(entity.Variant), entity.State.Pose, entity.State.Handle)));
+        _hit.SetDynamic(
+            _entities.Select(entity => new MeshInstance(entity.Model.Variant(entity.Variant), entity.State.Pose, entity.State.Handle)));
         _drawn.SetDynamic(_entities.SelectMany(entity => Drawn(entity.State, entity.Model, entity.Variant)));
     }
 
@@ -178,6 +187,7 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
         }
 
         IReadOnlyList<Mesh> parts = FaceParts.Split(model, variant);
-        return parts.Select((part, i) => new MeshInstance(part, state.Pose, i < parts.Count - 1 ? FaceHandle(state.Handle, i) : state.Handle));
+        return parts.Select(
+            (part, i) => new MeshInstance(part, state.Pose, i < parts.Count - 1 ? FaceHandle(state.Handle, i) : state.Handle));
     }
 }

@@ -19,7 +19,9 @@ public sealed class IgnoreRegionTests(ITestOutputHelper output)
     /// <summary>Objects hardly reach out of their cuboids.</summary>
     private const double LeastShareWithin = 0.95;
 
-    /// <summary>Rays and the renderer may differ along an outline: an object of a few pixels may be met by a ray and have no pixel.</summary>
+    /// <summary>
+    /// Rays and the renderer may differ along an outline: an object of a few pixels may be met by a ray and have no pixel.
+    /// </summary>
     private const double MostEmptyRegions = 0.02;
 
     [Theory]
@@ -29,13 +31,21 @@ public sealed class IgnoreRegionTests(ITestOutputHelper output)
     {
         int expected = 0, regions = 0, empty = 0;
         var missed = new List<string>();
-        var options = new HarvestOptions { Image = new ImageSize(1920, 1080), MaxFrames = 5, RateHz = 0.25, RangeMetres = Range, IgnoreRangeMetres = IgnoreRange };
+        var options = new HarvestOptions
+        {
+            Image = new ImageSize(1920, 1080),
+            MaxFrames = 5,
+            RateHz = 0.25,
+            RangeMetres = Range,
+            IgnoreRangeMetres = IgnoreRange,
+        };
         LabelledTown.Harvest(new SimulationOptions { Seed = seed, Weather = weather, WindowAspect = 16 / 9.0 }, options, (frame, truth) =>
         {
             EntityState[] distant =
             [
                 .. truth.Scene.Entities.Where(entity =>
-                    (entity.Pose.Position - truth.Scene.Camera.Pose.Position).Length is >= Range and < IgnoreRange && truth.PixelsOf(entity.Handle).Count > 0),
+                    (entity.Pose.Position - truth.Scene.Camera.Pose.Position).Length is >= Range and < IgnoreRange
+                        && truth.PixelsOf(entity.Handle).Count > 0),
             ];
             IgnoreRegion[] seen = [.. frame.Label.IgnoreRegions.Where(region => region.Reason == IgnoreReason.BeyondRange)];
             foreach (EntityState entity in distant.Where(entity => truth.PixelsOf(entity.Handle).Count >= ClearlyVisiblePixels))
@@ -44,12 +54,15 @@ public sealed class IgnoreRegionTests(ITestOutputHelper output)
                 if (!seen.Any(region => region.Class == entity.Class
                     && truth.PixelsWithin(entity.Handle, region.Box2D) >= LeastShareWithin * truth.PixelsOf(entity.Handle).Count))
                 {
-                    missed.Add($"frame {frame.Label.Frame}: {entity.Class} {entity.Model}, {truth.PixelsOf(entity.Handle).Count} pixels, at {(entity.Pose.Position - truth.Scene.Camera.Pose.Position).Length:F0} m");
+                    missed.Add(
+                        $"frame {frame.Label.Frame}: {entity.Class} {entity.Model}, {truth.PixelsOf(entity.Handle).Count} pixels, at "
+                            + $"{(entity.Pose.Position - truth.Scene.Camera.Pose.Position).Length:F0} m");
                 }
             }
 
             regions += seen.Length;
-            empty += seen.Count(region => !distant.Any(entity => entity.Class == region.Class && truth.PixelsWithin(entity.Handle, region.Box2D) > 0));
+            empty += seen.Count(
+                region => !distant.Any(entity => entity.Class == region.Class && truth.PixelsWithin(entity.Handle, region.Box2D) > 0));
         });
 
         output.WriteLine($"{expected} objects of {ClearlyVisiblePixels} pixels or more, {regions} regions, {empty} of them empty");

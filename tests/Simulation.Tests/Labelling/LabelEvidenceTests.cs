@@ -9,7 +9,9 @@ using Xunit.Abstractions;
 
 namespace Harvester.Simulation.Tests.Labelling;
 
-/// <summary>Labels against what the pictures truly show: nothing that cannot be seen has one, and nothing that is seen is left out.</summary>
+/// <summary>
+/// Labels against what the pictures truly show: nothing that cannot be seen has one, and nothing that is seen is left out.
+/// </summary>
 public sealed class LabelEvidenceTests(ITestOutputHelper output)
 {
     /// <summary>Rays and the renderer may differ along an outline: an object that a ray met at its very edge may have no pixel.</summary>
@@ -27,10 +29,12 @@ public sealed class LabelEvidenceTests(ITestOutputHelper output)
         // The simulated game draws moving things up to 350 m.
         int labels = 0, plain = 0;
         List<string> unseen = [], missed = [];
-        var options = new HarvestOptions { Image = new ImageSize(1280, 720), MaxFrames = 4, RateHz = 0.25, RangeMetres = 500, Masks = masks };
+        var options =
+            new HarvestOptions { Image = new ImageSize(1280, 720), MaxFrames = 4, RateHz = 0.25, RangeMetres = 500, Masks = masks };
         LabelledTown.Harvest(new SimulationOptions { Seed = seed, Weather = weather, WindowAspect = 16 / 9.0 }, options, (frame, truth) =>
         {
-            Dictionary<(string, Vector3D), int> handles = truth.Scene.Entities.ToDictionary(entity => (entity.Model, CentreOf(entity)), entity => entity.Handle);
+            Dictionary<(string, Vector3D), int> handles = truth.Scene.Entities.ToDictionary(
+                entity => (entity.Model, CentreOf(entity)), entity => entity.Handle);
             HashSet<int> labelled = [];
             foreach (ObjectLabel item in frame.Label.Objects.Where(item => item.Parent is null))
             {
@@ -39,7 +43,9 @@ public sealed class LabelEvidenceTests(ITestOutputHelper output)
                 labelled.Add(handle);
                 if (truth.PixelsOf(handle).Count == 0 || item.IsUndetermined)
                 {
-                    unseen.Add($"frame {frame.Label.Frame}: {item.Model} at {item.DistanceMetres:F0} m, {item.OcclusionMethod}, box {item.Box2D.Area:F0} px²");
+                    unseen.Add(
+                        $"frame {frame.Label.Frame}: {item.Model} at {item.DistanceMetres:F0} m, {item.OcclusionMethod}, box "
+                            + $"{item.Box2D.Area:F0} px²");
                 }
             }
 

@@ -20,11 +20,14 @@ public sealed class LightStateTests(ITestOutputHelper output)
     public void State_of_every_head_is_the_one_in_the_picture(int seed, bool freeze)
     {
         (Dictionary<(int Frame, int Id), LightLabel> told, _) = Harvest(seed, freeze, ports => ports);
-        (Dictionary<(int Frame, int Id), LightLabel> read, int fromOtherSides) = Harvest(seed, freeze, ports => ports with { Lights = null });
+        (Dictionary<(int Frame, int Id), LightLabel> read, int fromOtherSides) = Harvest(
+            seed, freeze, ports => ports with { Lights = null });
         (LightState Told, LightState Read)[] both =
             [.. read.Where(head => head.Value.Method == LightMethod.Observed).Select(head => (told[head.Key].State, head.Value.State))];
 
-        output.WriteLine($"{told.Count} heads, {told.Values.Count(head => head.State == LightState.Unknown)} unknown, {fromOtherSides} not from the front; {both.Length} read");
+        output.WriteLine(
+            $"{told.Count} heads, {told.Values.Count(head => head.State == LightState.Unknown)} unknown, {fromOtherSides} not from the "
+                + $"front; {both.Length} read");
         Assert.True(both.Length > 15, $"Only {both.Length} heads could be read.");
         Assert.True(both.Select(head => head.Read).Distinct().Count() > 1, "All lights show the same.");
         Assert.All(both, head => Assert.Equal(head.Read, head.Told));
@@ -35,7 +38,8 @@ public sealed class LightStateTests(ITestOutputHelper output)
         }
     }
 
-    private static (Dictionary<(int Frame, int Id), LightLabel> Heads, int FromOtherSides) Harvest(int seed, bool freeze, Func<GamePorts, GamePorts> change)
+    private static (Dictionary<(int Frame, int Id), LightLabel> Heads, int FromOtherSides) Harvest(
+        int seed, bool freeze, Func<GamePorts, GamePorts> change)
     {
         var heads = new Dictionary<(int, int), LightLabel>();
         int fromOtherSides = 0;

@@ -19,7 +19,9 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
     /// <summary>What the project asks of markings from 5 to 50 m, pixels of the labels' image.</summary>
     private const double LargestErrorPixels = 1.5;
 
-    /// <summary>Of the other points the paint is too thin to be measured, as that of the far lanes of wide roads, or something stands before it.</summary>
+    /// <summary>
+    /// Of the other points the paint is too thin to be measured, as that of the far lanes of wide roads, or something stands before it.
+    /// </summary>
     private const double LeastJudged = 1.0 / 3;
 
     [Theory]
@@ -27,12 +29,20 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
     [InlineData(2)]
     [Trait("Category", "Heavy")]
     public void Labelled_markings_lie_on_the_paint_in_generated_towns(int seed) =>
-        Assert.InRange(Judge(new SimulationOptions { Seed = seed, IsTimeOfDayFixed = true }, frames: 8, everySeconds: 7), 150, int.MaxValue);
+        Assert.InRange(
+            Judge(new SimulationOptions { Seed = seed, IsTimeOfDayFixed = true }, frames: 8, everySeconds: 7), 150, int.MaxValue);
 
     [Fact]
     public void Labelled_markings_lie_on_the_paint_of_a_winding_road()
     {
-        var road = new SimulationOptions { Roads = Loop.Network(), RadiusMetres = 600, TrafficDensity = 0.2, PedestrianDensity = 0, IsTimeOfDayFixed = true };
+        var road = new SimulationOptions
+        {
+            Roads = Loop.Network(),
+            RadiusMetres = 600,
+            TrafficDensity = 0.2,
+            PedestrianDensity = 0,
+            IsTimeOfDayFixed = true,
+        };
         Assert.InRange(Judge(road, frames: 8, everySeconds: 3), 150, int.MaxValue);
     }
 
@@ -42,7 +52,8 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
     [InlineData(15)]
     [InlineData(17)]
     public void Labelled_markings_lie_on_the_paint_all_over_generated_towns(int seed) =>
-        Assert.InRange(Judge(new SimulationOptions { Seed = seed, IsTimeOfDayFixed = true }, frames: 60, everySeconds: 7), 500, int.MaxValue);
+        Assert.InRange(
+            Judge(new SimulationOptions { Seed = seed, IsTimeOfDayFixed = true }, frames: 60, everySeconds: 7), 500, int.MaxValue);
 
     [RealWorldFact("nodes.zip")]
     [Trait("Category", "Heavy")]
@@ -50,7 +61,8 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
     {
         RoadNetwork network = RoadImporter.Import(RealWorldFactAttribute.PathOf("nodes.zip")!).Network;
         Vector2D[] places = [new(0, -1000), new(-700, 1000), new(-300, 6200), new(2000, 3000)];
-        int judged = places.Sum(near => Judge(new SimulationOptions { Seed = 3, Roads = network, Near = near, IsTimeOfDayFixed = true }, frames: 30, everySeconds: 7));
+        int judged = places.Sum(near => Judge(
+            new SimulationOptions { Seed = 3, Roads = network, Near = near, IsTimeOfDayFixed = true }, frames: 30, everySeconds: 7));
         Assert.InRange(judged, 1000, int.MaxValue);
     }
 
@@ -59,7 +71,14 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
         var game = new SimulatedGame(options);
         var judge = new MarkingJudge(game);
         using var session = new HarvestSession(
-            new HarvestOptions { Image = MarkingJudge.Image, MaxFrames = frames, RateHz = 1 / everySeconds, RangeMetres = 10, MaxCalibrationErrorPixels = null },
+            new HarvestOptions
+            {
+                Image = MarkingJudge.Image,
+                MaxFrames = frames,
+                RateHz = 1 / everySeconds,
+                RangeMetres = 10,
+                MaxCalibrationErrorPixels = null,
+            },
             game.Ports with { Roads = new FixedRoads(game.Roads, "simulation") },
             judge);
         do

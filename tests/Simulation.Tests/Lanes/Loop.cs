@@ -3,7 +3,9 @@ using Harvester.Geometry.Roads;
 
 namespace Harvester.Simulation.Tests.Lanes;
 
-/// <summary>A closed road without junctions: two straights of 300 m joined by half circles of 80 m radius, one straight with an S-bend in it.</summary>
+/// <summary>
+/// A closed road without junctions: two straights of 300 m joined by half circles of 80 m radius, one straight with an S-bend in it.
+/// </summary>
 internal static class Loop
 {
     private const double Spacing = 5;

@@ -33,7 +33,10 @@ internal sealed class MarkingJudge(SimulatedGame game) : IFrameSink
 
     public int Judged => _errors.Count;
 
-    /// <summary>Points that lie on no paint though nothing stands before them, and points labelled as in a gap, far from its ends, that lie on paint.</summary>
+    /// <summary>
+    /// Points that lie on no paint though nothing stands before them, and points labelled as in a gap, far from its ends, that lie on
+    /// paint.
+    /// </summary>
     public List<string> Faults { get; } = [];
 
     /// <summary>Pixels of the labels' image.</summary>
@@ -48,9 +51,11 @@ internal sealed class MarkingJudge(SimulatedGame game) : IFrameSink
         using JsonDocument label = JsonDocument.Parse(JsonLabelWriter.Line(frame.Label));
         frame.Dispose();
         _frames++;
-        if (label.RootElement.GetProperty("lanes").GetProperty("markings") is { ValueKind: JsonValueKind.Array } markings && markings.GetArrayLength() > 0)
+        if (label.RootElement.GetProperty("lanes").GetProperty("markings") is { ValueKind: JsonValueKind.Array } markings
+            && markings.GetArrayLength() > 0)
         {
-            var picture = new PaintInPicture(game.Render(new ImageSize(Image.Width * Fineness, Image.Height * Fineness)), game.Shown.Camera);
+            var picture = new PaintInPicture(
+                game.Render(new ImageSize(Image.Width * Fineness, Image.Height * Fineness)), game.Shown.Camera);
             foreach (JsonElement marking in markings.EnumerateArray())
             {
                 Judge(marking, picture);
@@ -70,7 +75,8 @@ internal sealed class MarkingJudge(SimulatedGame game) : IFrameSink
 
     public override string ToString() => string.Create(
         CultureInfo.InvariantCulture,
-        $"{Points} points, {Judged} judged; error {_errors.DefaultIfEmpty().Max():0.00} px at most, {_errors.Order().ElementAtOrDefault(Judged * 95 / 100):0.00} px at the 95th percentile");
+        $"{Points} points, {Judged} judged; error {_errors.DefaultIfEmpty().Max():0.00} px at most, "
+            + $"{_errors.Order().ElementAtOrDefault(Judged * 95 / 100):0.00} px at the 95th percentile");
 
     private void Judge(JsonElement marking, PaintInPicture picture)
     {
@@ -92,7 +98,9 @@ internal sealed class MarkingJudge(SimulatedGame game) : IFrameSink
                 _errors.Add(error);
             }
 
-            if (line.IsPainted(i) ? found.Kind == PaintFindingKind.NoPaint : line.IsWithinGap(i) && found.Kind == PaintFindingKind.Paint && error < OnPaint)
+            if (line.IsPainted(i) ? found.Kind == PaintFindingKind.NoPaint : line.IsWithinGap(i)
+                && found.Kind == PaintFindingKind.Paint
+                && error < OnPaint)
             {
                 Faults.Add($"frame {_frames}, {line.Point(i)} at {line.Pixel(i)}: {(line.IsPainted(i) ? "no paint" : "paint in a gap")}");
             }

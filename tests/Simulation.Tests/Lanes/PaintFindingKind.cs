@@ -9,6 +9,8 @@ internal enum PaintFindingKind
     /// <summary>No paint of its colour is near.</summary>
     NoPaint,
 
-    /// <summary>Something stands before it, or it is too thin in the picture, cut at a slant, or runs into other paint: its middle cannot be told.</summary>
+    /// <summary>
+    /// Something stands before it, or it is too thin in the picture, cut at a slant, or runs into other paint: its middle cannot be told.
+    /// </summary>
     NotMeasurable,
 }

@@ -6,7 +6,8 @@ namespace Harvester.Simulation.Tests.Lanes;
 
 /// <summary>
 /// Finds the stripe of a marking in a picture at noon in clear weather, where paint is far brighter than asphalt and yellow has little
-/// blue. It is looked for across the line as it lies on the ground, where it crosses the labelled pixel: the ends of dashes run that way, too.
+/// blue. It is looked for across the line as it lies on the ground, where it crosses the labelled pixel: the ends of dashes run that way,
+/// too.
 /// </summary>
 internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
 {
@@ -19,16 +20,22 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
     /// <summary>A line that is seen at a smaller angle to the cut is cut at a slant: its sine, of 6 degrees.</summary>
     private const double LeastSine = 0.1;
 
-    /// <summary>At noon asphalt is darker than this, of 255; what is brighter all along a cut is paint that runs along the cut, as a stop line's.</summary>
+    /// <summary>
+    /// At noon asphalt is darker than this, of 255; what is brighter all along a cut is paint that runs along the cut, as a stop line's.
+    /// </summary>
     private const double BrightestAsphalt = 140;
 
-    /// <summary>A picture tells where paint begins or ends to this, pixels: where a cut so far beyond meets paint, it may end at the place.</summary>
+    /// <summary>
+    /// A picture tells where paint begins or ends to this, pixels: where a cut so far beyond meets paint, it may end at the place.
+    /// </summary>
     private const double EndPixels = 1;
 
     /// <summary>Paint differs from the asphalt around by at least this, of 255.</summary>
     private const double LeastContrast = 25;
 
-    /// <summary>Stripes are this near to their width, as a fraction of it and pixels for their edges; others are cut, or run into other paint.</summary>
+    /// <summary>
+    /// Stripes are this near to their width, as a fraction of it and pixels for their edges; others are cut, or run into other paint.
+    /// </summary>
     private const double WidthFraction = 0.25;
     private const double WidthPixels = 2;
 
@@ -58,17 +65,23 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
         }
 
         PaintFinding At(double pixelsBeyond) =>
-            Cut((line.Pixel(i) * fineness) + (direction * (pixelsBeyond / (squareToLine * direction.Length))), width * (1 / expected), expected, line.Point(i), along, line.IsYellow) is { } cut
+            Cut((line.Pixel(i) * fineness)
+                + (direction * (pixelsBeyond / (squareToLine * direction.Length))), width * (1 / expected), expected, line.Point(i), along,
+                line.IsYellow) is { } cut
                 ? Nearest(cut, line.IsDouble, expected, squareToLine)
                 : new PaintFinding(PaintFindingKind.NotMeasurable);
 
         PaintFinding found = At(0);
-        return found.Kind == PaintFindingKind.NoPaint && (At(EndPixels).Kind != PaintFindingKind.NoPaint || At(-EndPixels).Kind != PaintFindingKind.NoPaint)
+        return found.Kind == PaintFindingKind.NoPaint
+            && (At(EndPixels).Kind != PaintFindingKind.NoPaint || At(-EndPixels).Kind != PaintFindingKind.NoPaint)
             ? new PaintFinding(PaintFindingKind.NotMeasurable)
             : found;
     }
 
-    /// <summary>How much brighter or yellower than the ground around the pixels of a cut are; null where something stands before its middle, its middle is not in the picture, or it lies in other paint.</summary>
+    /// <summary>
+    /// How much brighter or yellower than the ground around the pixels of a cut are; null where something stands before its middle, its
+    /// middle is not in the picture, or it lies in other paint.
+    /// </summary>
     private double[]? Cut(Vector2D at, Vector2D direction, double width, Vector3D ground, Vector3D along, bool isYellow)
     {
         double middle = width + WidthPixels;
@@ -115,7 +128,8 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
         }
 
         // From afar two stripes are one.
-        IEnumerable<(int From, int To)> stripes = isDouble ? runs.Concat(runs.Zip(runs.Skip(1), (left, right) => (left.From, right.To))) : runs;
+        IEnumerable<(int From, int To)> stripes =
+            isDouble ? runs.Concat(runs.Zip(runs.Skip(1), (left, right) => (left.From, right.To))) : runs;
         (int From, int To) nearest = stripes.MinBy(run => Math.Abs(Middle(run, cut)));
         return Math.Abs(nearest.To - nearest.From - expected) <= (WidthFraction * expected) + WidthPixels
             ? new PaintFinding(PaintFindingKind.Paint, Middle(nearest, cut) * squareToLine)

@@ -93,7 +93,8 @@ public sealed class VehicleDistanceTests
         {
             if (vehicle.Road == car.Road && vehicle.AlongRoad == car.AlongRoad && vehicle.Lane == lane)
             {
-                double ahead = car.AlongRoad ? vehicle.DistanceAlongRoad - car.DistanceAlongRoad : car.DistanceAlongRoad - vehicle.DistanceAlongRoad;
+                double ahead =
+                    car.AlongRoad ? vehicle.DistanceAlongRoad - car.DistanceAlongRoad : car.DistanceAlongRoad - vehicle.DistanceAlongRoad;
                 nearest = ahead > 0 && (nearest is null || ahead < nearest) ? ahead : nearest;
             }
         }

@@ -16,7 +16,10 @@ public sealed class ModelCatalogueTests
     public void Vehicles_are_the_games_models_of_every_class()
     {
         Assert.Equal(49, Catalogue.Vehicles.Count);
-        ObjectClass[] classes = [ObjectClass.Car, ObjectClass.Truck, ObjectClass.Bus, ObjectClass.Motorcycle, ObjectClass.Bicycle, ObjectClass.Trailer];
+        ObjectClass[] classes =
+        [
+            ObjectClass.Car, ObjectClass.Truck, ObjectClass.Bus, ObjectClass.Motorcycle, ObjectClass.Bicycle, ObjectClass.Trailer,
+        ];
         Assert.All(classes, expected => Assert.Contains(Catalogue.Vehicles, model => model.Class == expected));
 
         // The published size of one of them.
@@ -40,11 +43,18 @@ public sealed class ModelCatalogueTests
     [Fact]
     public void Every_other_model_has_the_box_around_all_its_variants()
     {
-        IEnumerable<Model> models = [.. Catalogue.Pedestrians, .. Catalogue.Signs, .. Catalogue.TrafficLights, .. Catalogue.Trees, Catalogue.StreetLamp];
+        IEnumerable<Model> models =
+        [
+            .. Catalogue.Pedestrians, .. Catalogue.Signs, .. Catalogue.TrafficLights, .. Catalogue.Trees, Catalogue.StreetLamp,
+        ];
         foreach (Model model in models)
         {
-            Assert.Equal(model.Min, new Vector3D(model.Variants.Min(m => m.Min.X), model.Variants.Min(m => m.Min.Y), model.Variants.Min(m => m.Min.Z)));
-            Assert.Equal(model.Max, new Vector3D(model.Variants.Max(m => m.Max.X), model.Variants.Max(m => m.Max.Y), model.Variants.Max(m => m.Max.Z)));
+            Assert.Equal(
+                model.Min,
+                new Vector3D(model.Variants.Min(m => m.Min.X), model.Variants.Min(m => m.Min.Y), model.Variants.Min(m => m.Min.Z)));
+            Assert.Equal(
+                model.Max,
+                new Vector3D(model.Variants.Max(m => m.Max.X), model.Variants.Max(m => m.Max.Y), model.Variants.Max(m => m.Max.Z)));
         }
     }
 

@@ -50,7 +50,9 @@ public sealed class VehicleBoxTests
         Assert.True(poor.Count == 0, $"At {distance} m: {string.Join("; ", poor)}");
     }
 
-    /// <summary>Where a motorcycle's cuboid shows no empty corners, its box fits: what is lost elsewhere is the cuboid's, not the projection's.</summary>
+    /// <summary>
+    /// Where a motorcycle's cuboid shows no empty corners, its box fits: what is lost elsewhere is the cuboid's, not the projection's.
+    /// </summary>
     [Theory]
     [InlineData(25)]
     [InlineData(60)]
@@ -60,7 +62,9 @@ public sealed class VehicleBoxTests
         Model[] motorcycles = [.. ModelCatalogueTests.Catalogue.Vehicles.Where(model => model.Class == ObjectClass.Motorcycle)];
 
         Assert.NotEmpty(motorcycles);
-        Assert.All(motorcycles, model => Assert.All([0, 90, 180, 270], heading => Assert.InRange(Overlap(model, distance, heading), leastOverlapAlongAxes, 1)));
+        Assert.All(
+            motorcycles,
+            model => Assert.All([0, 90, 180, 270], heading => Assert.InRange(Overlap(model, distance, heading), leastOverlapAlongAxes, 1)));
     }
 
     /// <summary>The distance is from the camera to the nearest side of the model's box along the road.</summary>
@@ -71,9 +75,11 @@ public sealed class VehicleBoxTests
         double reach = (Math.Abs(axes.Right.Y) * half.X) + (Math.Abs(axes.Forward.Y) * half.Y);
         Vector3D centre = axes.ToWorld((model.Min + model.Max) * 0.5);
         var pose = new Pose(new Vector3D(-centre.X, distance + reach - centre.Y, -EyeHeight - model.Min.Z), axes);
-        RenderCamera camera = TestScene.Camera with { Width = 240, Height = 180, VerticalFovDegrees = 2 * Math.Atan(5 / distance) * 180 / Math.PI };
+        RenderCamera camera =
+            TestScene.Camera with { Width = 240, Height = 180, VerticalFovDegrees = 2 * Math.Atan(5 / distance) * 180 / Math.PI };
         RenderTarget target = TestScene.Render(camera, new MeshInstance(model.Mesh, pose, 1));
-        CuboidProjection projection = CuboidProjector.Project(CuboidBoxTests.Analytic(camera), Cuboid.FromModel(model.Min, model.Max, pose));
+        CuboidProjection projection = CuboidProjector.Project(
+            CuboidBoxTests.Analytic(camera), Cuboid.FromModel(model.Min, model.Max, pose));
         return projection.Box!.Value.IntersectionOverUnion(Silhouette.BoxOf(target, 1)!.Value);
     }
 }

@@ -9,7 +9,9 @@ using Xunit.Abstractions;
 
 namespace Harvester.Simulation.Tests.PixelMaps;
 
-/// <summary>Adaptive maps of the simulated town, whose things are meshes with round wheels, branches and lamps, against exhaustive ones.</summary>
+/// <summary>
+/// Adaptive maps of the simulated town, whose things are meshes with round wheels, branches and lamps, against exhaustive ones.
+/// </summary>
 public sealed class SimulatedTownMapTests(ITestOutputHelper output)
 {
     private const double RangeMetres = 150;
@@ -42,7 +44,8 @@ public sealed class SimulatedTownMapTests(ITestOutputHelper output)
             CameraState state = game.Ports.World.ReadCamera();
             var camera = new Camera(
                 state.Pose,
-                new CameraIntrinsics(state.VerticalFovDegrees, new ImageSize(width, height), state.WindowAspect, state.NearClip, Lens.Ideal));
+                new CameraIntrinsics(
+                    state.VerticalFovDegrees, new ImageSize(width, height), state.WindowAspect, state.NearClip, Lens.Ideal));
             int ego = game.Ports.World.ReadEgo().Handle;
             List<MapTarget> targets = Targets(camera, game.Ports.World.ReadEntities(state.Pose.Position, RangeMetres), ego);
             Dictionary<int, ushort> numbers = targets.ToDictionary(target => target.Entity, target => target.Number);
@@ -57,8 +60,10 @@ public sealed class SimulatedTownMapTests(ITestOutputHelper output)
         }
 
         output.WriteLine(
-            $"large {scores.Large.Count}: mean {scores.Large.Average():F4}, least {scores.Large.Min():F3}, under 0.95: {scores.Large.Count(iou => iou < 0.95)}; "
-            + $"medium {scores.Medium.Count}: {scores.Medium.Average():F4}; small {scores.SmallFound.Count}: {scores.SmallFound.Average(found => found ? 1.0 : 0):P1}; "
+            $"large {scores.Large.Count}: mean {scores.Large.Average():F4}, least {scores.Large.Min():F3}, under 0.95: "
+                + $"{scores.Large.Count(iou => iou < 0.95)}; "
+            + $"medium {scores.Medium.Count}: {scores.Medium.Average():F4}; small {scores.SmallFound.Count}: "
+            + $"{scores.SmallFound.Average(found => found ? 1.0 : 0):P1}; "
             + $"rays {scores.MeanRayFraction:P3}, of allowed {scores.GreatestShareOfAllowedRays:F2}");
         Assert.InRange(scores.Large.Average(), 0.99, 1);
         Assert.InRange(scores.Large.Min(), 0.95, 1);

@@ -44,7 +44,8 @@ public sealed class VisibleBoxTests(ITestOutputHelper output)
             {
                 rays.Add((double)frame.Label.PixelMap!.RaysCast / options.Image.PixelCount);
                 Dictionary<(string, Vector3D), int> handles = truth.Scene.Entities.ToDictionary(
-                    entity => (entity.Model, Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose).Centre), entity => entity.Handle);
+                    entity => (entity.Model, Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose).Centre),
+                    entity => entity.Handle);
                 foreach (ObjectLabel item in frame.Label.Objects.Where(item => item.Parent is null))
                 {
                     IReadOnlyList<int> pixels = truth.PixelsOf(handles[(item.Model, item.Box3D.Centre)]);
@@ -63,14 +64,18 @@ public sealed class VisibleBoxTests(ITestOutputHelper output)
 
                     if (error > TolerancePixels || iou < LeastIou)
                     {
-                        output.WriteLine($"seed {seed}, frame {frame.Label.Frame}: {item.Model}, {pixels.Count} pixels, box off by {error} px, IoU {iou:F3}");
+                        output.WriteLine(
+                            $"seed {seed}, frame {frame.Label.Frame}: {item.Model}, {pixels.Count} pixels, box off by {error} px, IoU "
+                                + $"{iou:F3}");
                     }
                 }
             });
         }
 
         int off = errors.Count(error => error > TolerancePixels);
-        string figures = $"{errors.Count} objects, {off} of them off by more than {TolerancePixels} px; {ious.Count} large ones, IoU {ious.Average():F4}, {ious.Min():F3} at least; rays {rays.Average():P3}, {rays.Max():P3} at most";
+        string figures =
+            $"{errors.Count} objects, {off} of them off by more than {TolerancePixels} px; {ious.Count} large ones, IoU "
+                + $"{ious.Average():F4}, {ious.Min():F3} at least; rays {rays.Average():P3}, {rays.Max():P3} at most";
         output.WriteLine(figures);
         Assert.True(errors.Count > 50 && off <= MostOff * errors.Count, figures);
         Assert.True(ious.Min() >= LeastIou, figures);
@@ -78,9 +83,13 @@ public sealed class VisibleBoxTests(ITestOutputHelper output)
     }
 
     private static Box2D BoxAround(IReadOnlyList<int> pixels, int width) => new(
-        pixels.Min(pixel => pixel % width), pixels.Min(pixel => pixel / width), pixels.Max(pixel => pixel % width) + 1, pixels.Max(pixel => pixel / width) + 1);
+        pixels.Min(pixel => pixel % width),
+        pixels.Min(pixel => pixel / width),
+        pixels.Max(pixel => pixel % width) + 1,
+        pixels.Max(pixel => pixel / width) + 1);
 
-    private static double Error(Box2D a, Box2D b) => new[] { a.XMin - b.XMin, a.YMin - b.YMin, a.XMax - b.XMax, a.YMax - b.YMax }.Max(Math.Abs);
+    private static double Error(Box2D a, Box2D b) =>
+        new[] { a.XMin - b.XMin, a.YMin - b.YMin, a.XMax - b.XMax, a.YMax - b.YMax }.Max(Math.Abs);
 
     private static double Iou(IReadOnlyList<int> truth, ushort[] mask, int id)
     {

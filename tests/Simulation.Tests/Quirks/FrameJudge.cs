@@ -7,18 +7,22 @@ using Harvester.Simulation.Tests.Labelling;
 namespace Harvester.Simulation.Tests.Quirks;
 
 /// <summary>
-/// Holds a label against what its picture truly shows: the camera, the ego, and all that is labelled or seen. What is seen has a label. Only
-/// where rays may fail to meet it, which is what the quirk says, may it have an ignore region instead, over all of its pixels.
+/// Holds a label against what its picture truly shows: the camera, the ego, and all that is labelled or seen. What is seen has a label.
+/// Only where rays may fail to meet it, which is what the quirk says, may it have an ignore region instead, over all of its pixels.
 /// </summary>
 internal static class FrameJudge
 {
-    /// <summary>Two readings of a standing scene may each be 1 mm from the first of the run (HarvestOptions.StillToleranceMetres).</summary>
+    /// <summary>
+    /// Two readings of a standing scene may each be 1 mm from the first of the run (HarvestOptions.StillToleranceMetres).
+    /// </summary>
     private const double PositionTolerance = 0.002;
 
     /// <summary>Twice the protocol's tolerance for axes.</summary>
     private const double AxisTolerance = 2e-4;
 
-    /// <summary>Rays meet every entity up to here, metres (GameQuirks.RayMissFraction), less what the camera moves while the game is read.</summary>
+    /// <summary>
+    /// Rays meet every entity up to here, metres (GameQuirks.RayMissFraction), less what the camera moves while the game is read.
+    /// </summary>
     private const double MetUpTo = 29;
 
     /// <summary>What the label says wrongly of the picture; empty when they agree.</summary>

@@ -93,7 +93,8 @@ public sealed class FreezeChoiceTests
     public void Known_finding_is_used_without_a_trial()
     {
         SimulatedGame game = Game(None, None);
-        FreezeReport known = FreezeReport.Of([new FreezeFinding(FreezeMethod.Paused, true, null), new FreezeFinding(FreezeMethod.TimeScale, true, 0)]);
+        FreezeReport known = FreezeReport.Of(
+            [new FreezeFinding(FreezeMethod.Paused, true, null), new FreezeFinding(FreezeMethod.TimeScale, true, 0)]);
         using var session = new HarvestSession(Options with { KnownFreezing = known }, game.Ports, new MemorySink());
         IReadOnlyList<HarvestPhase> phases = Run(game, session);
 

@@ -35,7 +35,8 @@ public sealed class FreezeQuirksTests
     public void Quirks_of_one_freeze_method_do_not_affect_the_other(FreezeMethod method)
     {
         FreezeMethod other = method == FreezeMethod.Paused ? FreezeMethod.TimeScale : FreezeMethod.Paused;
-        SimulatedGame game = Frozen(other, new FreezeQuirks { NeverStands = true, HoldsCamera = true, LetsWeatherGoOn = true, ChangesVisibility = true }, method);
+        SimulatedGame game = Frozen(
+            other, new FreezeQuirks { NeverStands = true, HoldsCamera = true, LetsWeatherGoOn = true, ChangesVisibility = true }, method);
         SceneSnapshot before = Read(game);
         game.Ports.MountedCamera!.Shift(new Vector3D(0, 0, 1));
         Run(game, 20);
@@ -151,7 +152,9 @@ public sealed class FreezeQuirksTests
         Quirks = quirky == FreezeMethod.Paused ? new GameQuirks { Paused = quirks } : new GameQuirks { TimeScale = quirks },
     });
 
-    /// <summary>A game that was frozen a tick ago; its quirks are those of one way, it is frozen in that way unless another is named.</summary>
+    /// <summary>
+    /// A game that was frozen a tick ago; its quirks are those of one way, it is frozen in that way unless another is named.
+    /// </summary>
     private static SimulatedGame Frozen(FreezeMethod quirky, FreezeQuirks quirks, FreezeMethod? by = null)
     {
         SimulatedGame game = Game(quirky, quirks);

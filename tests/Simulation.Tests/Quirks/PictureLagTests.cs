@@ -62,11 +62,16 @@ public sealed class PictureLagTests(ITestOutputHelper output)
         {
             string weather = seed % 4 == 0 ? "rain" : "clear";
             bool isCameraLate = seed % 2 == 1;
-            var quirks = new GameQuirks { IsCameraReportedLate = isCameraLate, Paused = new FreezeQuirks { CreepTicks = creep, LetsWeatherGoOn = seed % 8 == 0 } };
+            var quirks = new GameQuirks
+            {
+                IsCameraReportedLate = isCameraLate,
+                Paused = new FreezeQuirks { CreepTicks = creep, LetsWeatherGoOn = seed % 8 == 0 },
+            };
             SimulatedGame game = Game(seed, quirks, weather);
             for (int lag = 0; lag <= 3; lag++)
             {
-                PictureLag? measured = Measure(game, Options with { Freeze = false }, new LateScreen(game.Ports.Screen, Options.Image, lag)).Lag;
+                PictureLag? measured =
+                    Measure(game, Options with { Freeze = false }, new LateScreen(game.Ports.Screen, Options.Image, lag)).Lag;
                 runs++;
                 if (measured != new PictureLag(isCameraLate ? lag - 1 : lag, lag))
                 {
@@ -98,5 +103,14 @@ public sealed class PictureLagTests(ITestOutputHelper output)
     }
 
     private static SimulatedGame Game(int seed, GameQuirks quirks, string weather) =>
-        new(new SimulationOptions { Seed = seed, Quirks = quirks, Weather = weather, RadiusMetres = 100, TrafficDensity = 0.7, PedestrianDensity = 0.3 });
+        new(
+            new SimulationOptions
+            {
+                Seed = seed,
+                Quirks = quirks,
+                Weather = weather,
+                RadiusMetres = 100,
+                TrafficDensity = 0.7,
+                PedestrianDensity = 0.3,
+            });
 }

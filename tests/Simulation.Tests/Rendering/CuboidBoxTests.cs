@@ -49,7 +49,8 @@ public sealed class CuboidBoxTests
         {
             RenderCamera camera = CameraOf(random, place);
             Pose pose = PoseOf(random, place);
-            RenderTarget target = TestScene.Render(camera with { Width = camera.Width * Finer, Height = camera.Height * Finer }, new MeshInstance(box, pose, 1));
+            RenderTarget target = TestScene.Render(
+                camera with { Width = camera.Width * Finer, Height = camera.Height * Finer }, new MeshInstance(box, pose, 1));
             CuboidProjection projection = CuboidProjector.Project(Analytic(camera), Cuboid.FromModel(Min, Max, pose));
             int pixels = Silhouette.Count(target, 1);
             if (pixels < MinPixels)
@@ -61,7 +62,10 @@ public sealed class CuboidBoxTests
             compared++;
             Box2D drawn = Silhouette.BoxOf(target, 1)!.Value;
             Assert.NotNull(projection.Box);
-            AssertSidesAgree(projection, new Box2D(drawn.XMin / Finer, drawn.YMin / Finer, drawn.XMax / Finer, drawn.YMax / Finer), $"seed {seed}, {place}, attempt {attempt}");
+            AssertSidesAgree(
+                projection,
+                new Box2D(drawn.XMin / Finer, drawn.YMin / Finer, drawn.XMax / Finer, drawn.YMax / Finer),
+                $"seed {seed}, {place}, attempt {attempt}");
         }
 
         Assert.True(compared >= 1, $"Only {compared} of {Attempts} silhouettes were large enough.");
@@ -94,7 +98,9 @@ public sealed class CuboidBoxTests
         {
             Width = 200,
             Height = 150,
-            Pose = new Pose(new Vector3D(1000, -3000, 20), Axes.FromEuler(new EulerAngles((random.NextDouble() * 20) - 10, (random.NextDouble() * 20) - 10, 0))),
+            Pose = new Pose(
+                new Vector3D(1000, -3000, 20),
+                Axes.FromEuler(new EulerAngles((random.NextDouble() * 20) - 10, (random.NextDouble() * 20) - 10, 0))),
             VerticalFovDegrees = 40 + (random.NextDouble() * 40),
             WindowAspect = place == "free" ? 16.0 / 9 : 4.0 / 3,
             NearClip = place == "near" ? 0.5 : 0.15,

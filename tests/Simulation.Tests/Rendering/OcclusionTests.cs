@@ -61,7 +61,9 @@ public sealed class OcclusionTests
         return models
             .Select((model, i) => new MeshInstance(
                 model.Variant(i),
-                new Pose(new Vector3D((random.NextDouble() * 8) - 4, 8 + (i * 4), -1.5 - model.Min.Z), Axes.FromHeading(random.NextDouble() * 360)),
+                new Pose(
+                    new Vector3D((random.NextDouble() * 8) - 4, 8 + (i * 4), -1.5 - model.Min.Z),
+                    Axes.FromHeading(random.NextDouble() * 360)),
                 i + 1))
             .ToArray();
     }

@@ -28,7 +28,12 @@ public sealed class RaysAgainstPictureTests
         var rays = new SceneRayCaster(scene);
         var analytic = new Camera(
             camera.Pose,
-            new CameraIntrinsics(camera.VerticalFovDegrees, new ImageSize(camera.Width, camera.Height), camera.WindowAspect, camera.NearClip, new Lens(0.97, 0.01, -0.02, k1, k2)));
+            new CameraIntrinsics(
+                camera.VerticalFovDegrees,
+                new ImageSize(camera.Width, camera.Height),
+                camera.WindowAspect,
+                camera.NearClip,
+                new Lens(0.97, 0.01, -0.02, k1, k2)));
 
         int mismatches = 0;
         for (int pixel = 0; pixel < target.Handles.Length; pixel++)
@@ -36,7 +41,9 @@ public sealed class RaysAgainstPictureTests
             Ray ray = analytic.RayThrough((pixel % camera.Width) + 0.5, (pixel / camera.Width) + 0.5);
             RayHit? hit = rays.Cast(ray, 10_000, RayHit.World);
             double depth = hit is { } met ? met.Distance * ray.Direction.Dot(camera.Pose.Axes.Forward) : double.PositiveInfinity;
-            bool sameDepth = double.IsInfinity(depth) ? float.IsInfinity(target.Depth[pixel]) : Math.Abs(depth - target.Depth[pixel]) <= depth * DepthTolerance;
+            bool sameDepth = double.IsInfinity(depth)
+                ? float.IsInfinity(target.Depth[pixel])
+                : Math.Abs(depth - target.Depth[pixel]) <= depth * DepthTolerance;
             mismatches += sameDepth && (hit?.Entity ?? 0) == target.Handles[pixel] ? 0 : 1;
         }
 
@@ -69,18 +76,23 @@ public sealed class RaysAgainstPictureTests
         var random = new Random(6);
         for (int i = 0; i < 300; i++)
         {
-            var ray = new Ray(new(random.NextDouble() * 20, random.NextDouble() * 20, 3), new(random.NextDouble() - 0.5, random.NextDouble(), random.NextDouble() - 0.5));
+            var ray = new Ray(
+                new(random.NextDouble() * 20, random.NextDouble() * 20, 3),
+                new(random.NextDouble() - 0.5, random.NextDouble(), random.NextDouble() - 0.5));
             double nearest = double.PositiveInfinity;
             foreach (MeshInstance instance in scene.Static.Instances.ToArray().Concat(scene.Dynamic.Instances.ToArray()))
             {
                 foreach (MeshTriangle t in instance.Mesh.Triangles.ToArray())
                 {
-                    nearest = Math.Min(nearest, Distance(ray, instance.Pose.ToWorld(t.A), instance.Pose.ToWorld(t.B), instance.Pose.ToWorld(t.C)));
+                    nearest = Math.Min(
+                        nearest, Distance(ray, instance.Pose.ToWorld(t.A), instance.Pose.ToWorld(t.B), instance.Pose.ToWorld(t.C)));
                 }
             }
 
             double found = rays.Cast(ray, 1_000, RayHit.World)?.Distance ?? double.PositiveInfinity;
-            Assert.True(nearest > 1_000 ? double.IsInfinity(found) : Math.Abs(found - nearest) < 1e-9 * nearest + 1e-9, $"ray {i}: {found} instead of {nearest}");
+            Assert.True(
+                nearest > 1_000 ? double.IsInfinity(found) : Math.Abs(found - nearest) < 1e-9 * nearest + 1e-9,
+                $"ray {i}: {found} instead of {nearest}");
         }
     }
 
@@ -90,7 +102,8 @@ public sealed class RaysAgainstPictureTests
         Vector3D normal = (b - a).Cross(c - a);
         double t = (a - ray.Origin).Dot(normal) / ray.Direction.Dot(normal);
         Vector3D at = ray.At(t);
-        bool isInside = (b - a).Cross(at - a).Dot(normal) >= 0 && (c - b).Cross(at - b).Dot(normal) >= 0 && (a - c).Cross(at - c).Dot(normal) >= 0;
+        bool isInside =
+            (b - a).Cross(at - a).Dot(normal) >= 0 && (c - b).Cross(at - b).Dot(normal) >= 0 && (a - c).Cross(at - c).Dot(normal) >= 0;
         return isInside && t >= 0 ? t : double.PositiveInfinity;
     }
 }

@@ -37,7 +37,9 @@ public sealed class RendererTests
     public void Render_gives_forward_axis_depth_of_a_slanted_plane()
     {
         // Ground 2 m below a level camera: the pixel centre v looks down by (v - 120) / 120 a metre ahead, so depth = 240 / (v - 120).
-        Mesh ground = new MeshBuilder().AddQuad(new(-900, -900, -2), new(900, -900, -2), new(900, 900, -2), new(-900, 900, -2), TestScene.White).Build();
+        Mesh ground = new MeshBuilder()
+            .AddQuad(new(-900, -900, -2), new(900, -900, -2), new(900, 900, -2), new(-900, 900, -2), TestScene.White)
+            .Build();
 
         RenderTarget target = TestScene.Render(TestScene.Camera, TestScene.AtOrigin(ground, 0));
 
@@ -90,7 +92,8 @@ public sealed class RendererTests
             for (int j = 0; j < 20; j++)
             {
                 bool isInside = i is > 0 and < 19 && j is > 0 and < 19;
-                grid[i, j] = new(i - 9.5 + (isInside ? random.NextDouble() * 0.7 : 0), 5, j - 9.5 + (isInside ? random.NextDouble() * 0.7 : 0));
+                grid[i, j] = new(
+                    i - 9.5 + (isInside ? random.NextDouble() * 0.7 : 0), 5, j - 9.5 + (isInside ? random.NextDouble() * 0.7 : 0));
             }
         }
 

@@ -11,10 +11,14 @@ public sealed class WalkerVelocityTests(ITestOutputHelper output)
 {
     private const double TickSeconds = 0.01;
 
-    /// <summary>The mean of the velocities before and after a tick is that of its way, but for what the acceleration changes within the tick.</summary>
+    /// <summary>
+    /// The mean of the velocities before and after a tick is that of its way, but for what the acceleration changes within the tick.
+    /// </summary>
     private const double Tolerance = 0.005;
 
-    /// <summary>Someone steps off a kerb, sets off, stops, turns round or comes to another bend within a tick, in which the velocity jumps.</summary>
+    /// <summary>
+    /// Someone steps off a kerb, sets off, stops, turns round or comes to another bend within a tick, in which the velocity jumps.
+    /// </summary>
     private const double MaxSteps = 0.002;
 
     [Theory]
@@ -41,7 +45,9 @@ public sealed class WalkerVelocityTests(ITestOutputHelper output)
 
         errors.Sort();
         int off = errors.Count(error => error > Tolerance);
-        output.WriteLine($"{errors.Count} velocities, {climbs} of them up or down; median error {errors[errors.Count / 2]:F5} m/s, {off} of more than {Tolerance} m/s, greatest {errors[^1]:F3} m/s");
+        output.WriteLine(
+            $"{errors.Count} velocities, {climbs} of them up or down; median error {errors[errors.Count / 2]:F5} m/s, {off} of more than "
+                + $"{Tolerance} m/s, greatest {errors[^1]:F3} m/s");
         Assert.True(errors.Count > 10_000 && climbs > 1_000, $"{errors.Count} velocities, {climbs} of them up or down.");
         Assert.True(off <= MaxSteps * errors.Count, $"{off} of {errors.Count} velocities are more than {Tolerance} m/s off.");
     }

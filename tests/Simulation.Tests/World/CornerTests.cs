@@ -15,7 +15,8 @@ public class CornerTests
         Junction corner = Assert.Single(plan.Junctions, junction => junction.IsCorner);
         Assert.Equal(2, plan.Roads.Count);
 
-        // Half of the carriageway is 5.4 m, with the strip to park 7.8 m: so far do the roads reach over each other, and 3.5 m are left as room.
+        // Half of the carriageway is 5.4 m, with the strip to park 7.8 m: so far do the roads reach over each other, and 3.5 m are left as
+        // room.
         Assert.All(corner.Arms, arm => Assert.Equal(11.3, arm.Trim, 9));
         Assert.All(new LaneGraph(plan).Paths, AssertNeverTurnsBack);
     }
@@ -43,7 +44,9 @@ public class CornerTests
         for (int i = 1; i < path.Line.Points.Count; i++)
         {
             Vector3D step = path.Line.Points[i] - path.Line.Points[i - 1];
-            Assert.True(step.Dot(path.Line.TangentAt(path.Length * (i - 0.5) / (path.Line.Points.Count - 1))) > 0, $"Path {path.Index} runs back at {path.Line.Points[i]}.");
+            Assert.True(
+                step.Dot(path.Line.TangentAt(path.Length * (i - 0.5) / (path.Line.Points.Count - 1))) > 0,
+                $"Path {path.Index} runs back at {path.Line.Points[i]}.");
         }
     }
 }

@@ -27,7 +27,8 @@ public class LaneLayoutTests
         for (int lane = 0; lane < forward; lane++)
         {
             double centre = layout.LaneCentre(forward: true, lane);
-            Assert.Equal((RoadGeometry.MarkingOffset(link, lane, width) + RoadGeometry.MarkingOffset(link, lane + 1, width)) / 2, centre, 12);
+            Assert.Equal(
+                (RoadGeometry.MarkingOffset(link, lane, width) + RoadGeometry.MarkingOffset(link, lane + 1, width)) / 2, centre, 12);
             Assert.Equal((true, lane), layout.LaneAt(centre));
         }
     }

@@ -10,7 +10,8 @@ public sealed class UnknownModelsTests
     [Fact]
     public void Write_lists_signs_and_lights_that_the_table_lacks_once_each()
     {
-        FaceTable table = FaceTableReader.Read(new StringReader("prop_sign_road_01a,,sign,STOP,R1-1,0,-0.4,0,2.7,0.4,-0.1,1.9,-y,measured,test")).Table;
+        FaceTable table =
+            FaceTableReader.Read(new StringReader("prop_sign_road_01a,,sign,STOP,R1-1,0,-0.4,0,2.7,0.4,-0.1,1.9,-y,measured,test")).Table;
         var unknown = new UnknownModels(() => table);
 
         unknown.Look([
@@ -25,7 +26,8 @@ public sealed class UnknownModelsTests
         unknown.Write(text);
 
         Assert.Equal(
-            $"model,hash,class,x,y,z\n0x00000010,16,sign,7,0.5,0\nprop_traffic_01a,{ModelHash.Of("prop_traffic_01a")},trafficLight,3,0.5,0\n",
+            $"model,hash,class,x,y,z\n0x00000010,16,sign,7,0.5,0\n"
+                + $"prop_traffic_01a,{ModelHash.Of("prop_traffic_01a")},trafficLight,3,0.5,0\n",
             text.ToString());
     }
 

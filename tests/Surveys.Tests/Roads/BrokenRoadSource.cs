@@ -8,7 +8,8 @@ internal sealed class BrokenRoadSource : IRoadSource
 {
     public bool RequestNodes(Vector3D centre, double range) => true;
 
-    public SurveyedNode? NthClosestNode(Vector3D place, int number) => number > 3 ? null : new SurveyedNode(number, new Vector3D(number, 0, 0));
+    public SurveyedNode? NthClosestNode(Vector3D place, int number) =>
+        number > 3 ? null : new SurveyedNode(number, new Vector3D(number, 0, 0));
 
     public SurveyedProperties? ReadProperties(Vector3D place) => null;
 

@@ -56,7 +56,8 @@ public sealed class EdgeSurveyTests : IDisposable
     public void Step_with_inconsistent_edges_keeps_the_constant()
     {
         int asked = 0;
-        AssertConstant(Surveyed(new FakeRoadSource(Street()) { EdgeTold = sides => sides.Node + (sides.Right * (sides.ToTheRight + (asked++ / 6 * 0.5))) }));
+        AssertConstant(Surveyed(
+            new FakeRoadSource(Street()) { EdgeTold = sides => sides.Node + (sides.Right * (sides.ToTheRight + (asked++ / 6 * 0.5))) }));
     }
 
     [Fact]
@@ -74,7 +75,8 @@ public sealed class EdgeSurveyTests : IDisposable
         Vector3D Any(RoadSides sides)
         {
             double scale = scales[random.Next(scales.Length)];
-            return sides.Node + new Vector3D((random.NextDouble() - 0.5) * scale, (random.NextDouble() - 0.5) * scale, (random.NextDouble() - 0.5) * scale);
+            return sides.Node + new Vector3D(
+                (random.NextDouble() - 0.5) * scale, (random.NextDouble() - 0.5) * scale, (random.NextDouble() - 0.5) * scale);
         }
 
         RoadNetwork found = Surveyed(new FakeRoadSource(Street()) { EdgeTold = sides => Any(sides) });
@@ -180,9 +182,12 @@ public sealed class EdgeSurveyTests : IDisposable
     }
 
     private static void AssertConstant(RoadNetwork found) => Assert.All(
-        Enumerable.Range(0, 3), link => Assert.Equal((RoadGeometry.LaneWidth, LaneWidthSource.Constant), new LaneModel(found).WidthOf(link)));
+        Enumerable.Range(0, 3),
+        link => Assert.Equal((RoadGeometry.LaneWidth, LaneWidthSource.Constant), new LaneModel(found).WidthOf(link)));
 
-    /// <summary>A street of three links in a slight bend: two lanes there and one back about a median, three lanes one-way, one lane each way.</summary>
+    /// <summary>
+    /// A street of three links in a slight bend: two lanes there and one back about a median, three lanes one-way, one lane each way.
+    /// </summary>
     private static RoadNetwork Street() => new(
         [Node(0, -400, 800), Node(1, -401, 820), Node(2, -404, 840), Node(3, -409, 860)],
         [

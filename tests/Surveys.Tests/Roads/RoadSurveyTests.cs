@@ -106,7 +106,9 @@ public sealed class RoadSurveyTests : IDisposable
         return status;
     }
 
-    /// <summary>A grid of streets with a node every 20 m, some streets one-way, some with a median, near but not at multiples of the stored grid.</summary>
+    /// <summary>
+    /// A grid of streets with a node every 20 m, some streets one-way, some with a median, near but not at multiples of the stored grid.
+    /// </summary>
     private static RoadNetwork Town()
     {
         const double step = 20;
@@ -123,8 +125,13 @@ public sealed class RoadSurveyTests : IDisposable
                 {
                     bool isJunction = i % perBlock == 0 && j % perBlock == 0;
                     indices[(i, j)] = nodes.Count;
-                    Vector3D stored = PathGrid.Truncate(new Vector3D(600 + (i * step) + (0.3 * j), -300 + (j * step) - (0.2 * i), 10 + (0.07 * i)));
-                    nodes.Add(new RoadNode(500, nodes.Count, PathGrid.RemoveBias(stored), "", isJunction ? RoadNodeFlags.Junction : RoadNodeFlags.Highway) { Density = i % 16 });
+                    Vector3D stored = PathGrid.Truncate(
+                        new Vector3D(600 + (i * step) + (0.3 * j), -300 + (j * step) - (0.2 * i), 10 + (0.07 * i)));
+                    nodes.Add(
+                        new RoadNode(500, nodes.Count, PathGrid.RemoveBias(stored), "", isJunction
+                            ? RoadNodeFlags.Junction
+                            : RoadNodeFlags.Highway)
+                        { Density = i % 16 });
                 }
             }
         }

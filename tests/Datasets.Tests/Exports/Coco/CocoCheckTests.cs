@@ -94,5 +94,6 @@ public sealed class CocoCheckTests(SimulatedSession simulated) : CheckTests(simu
     public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 
     private int FirstId() =>
-        int.Parse(Folder.Lines("out/" + File)[FirstAnnotationLine - 1].Split(':', ',')[1], System.Globalization.CultureInfo.InvariantCulture);
+        int.Parse(
+            Folder.Lines("out/" + File)[FirstAnnotationLine - 1].Split(':', ',')[1], System.Globalization.CultureInfo.InvariantCulture);
 }

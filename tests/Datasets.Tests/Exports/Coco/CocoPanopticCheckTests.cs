@@ -11,7 +11,8 @@ public sealed class CocoPanopticCheckTests(SimulatedSession simulated) : CheckTe
     private const string Picture = "annotations/panoptic_train/00000000.png";
 
     [Theory]
-    [InlineData("\"segments_info\":\\[\\{\"id\":\\d+", "\"segments_info\":[{\"id\":60000", "segment 60000 is not in its picture, or there twice.")]
+    [InlineData(
+        "\"segments_info\":\\[\\{\"id\":\\d+", "\"segments_info\":[{\"id\":60000", "segment 60000 is not in its picture, or there twice.")]
     [InlineData("\"area\":(\\d+)", "\"area\":1$1", "segment 1 has another area or box than in its picture.")]
     [InlineData("\"bbox\":\\[(\\d+)", "\"bbox\":[1$1", "segment 1 has another area or box than in its picture.")]
     [InlineData("\"category_id\":\\d+", "\"category_id\":77", "segment 1 has a category that is not listed")]

@@ -14,7 +14,8 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : ExportTests
     {
         Folder.Export("coco", simulated.Open());
         using JsonDocument coco = Read("out/annotations/instances_train.json");
-        ILookup<int, JsonElement> annotations = coco.RootElement.GetProperty("annotations").EnumerateArray().Where(IsObject).ToLookup(item => item.GetProperty("image_id").GetInt32());
+        ILookup<int, JsonElement> annotations = coco.RootElement.GetProperty("annotations").EnumerateArray().Where(IsObject).ToLookup(
+            item => item.GetProperty("image_id").GetInt32());
         int frame = 0;
         foreach (FrameLabel label in simulated.Open().ReadLabels())
         {
@@ -57,8 +58,14 @@ public sealed class CocoWriterTests(SimulatedSession simulated) : ExportTests
         Folder.Export("coco", [simulated.Open(), simulated.Open()]);
         using JsonDocument coco = Read("out/annotations/instances_train.json");
         JsonElement[] annotations = [.. coco.RootElement.GetProperty("annotations").EnumerateArray()];
-        HashSet<int> categories = [.. coco.RootElement.GetProperty("categories").EnumerateArray().Select(item => item.GetProperty("id").GetInt32())];
-        HashSet<int> images = [.. coco.RootElement.GetProperty("images").EnumerateArray().Select(item => item.GetProperty("id").GetInt32())];
+        HashSet<int> categories =
+        [
+            .. coco.RootElement.GetProperty("categories").EnumerateArray().Select(item => item.GetProperty("id").GetInt32())
+        ];
+        HashSet<int> images =
+        [
+            .. coco.RootElement.GetProperty("images").EnumerateArray().Select(item => item.GetProperty("id").GetInt32())
+        ];
 
         Assert.Equal(annotations.Length, annotations.Select(item => item.GetProperty("id").GetInt64()).Distinct().Count());
         Assert.All(annotations, item => Assert.Contains(item.GetProperty("category_id").GetInt32(), categories));

@@ -61,7 +61,10 @@ public sealed class KittiLeaningTests : ExportTests
             Assert.Single(DatasetValidator.Validate(Folder.PathOf("out")).Problems).ToString());
     }
 
-    /// <summary>Puts a car of 2 x 6 x 2 m before the camera, pitched, and returns its box in KITTI's pixels: u = 39.5 + 30 x / z, v = 29.5 + 30 y / z.</summary>
+    /// <summary>
+    /// Puts a car of 2 x 6 x 2 m before the camera, pitched, and returns its box in KITTI's pixels: u = 39.5 + 30 x / z, v = 29.5 + 30 y /
+    /// z.
+    /// </summary>
     private Box2D PitchCar(double degrees)
     {
         (double sin, double cos) = Math.SinCos(degrees * Math.PI / 180);

@@ -5,15 +5,19 @@ namespace Harvester.Datasets.Tests.Exports.Kitti;
 
 /// <summary>An object of KITTI's label_2, read as the development kit's readme describes it.</summary>
 internal sealed record KittiObject(
-    string Type, double Truncated, int Occluded, double Alpha, Box2D Box, double Height, double Width, double Length, Vector3D Location, double RotationY)
+    string Type, double Truncated, int Occluded, double Alpha, Box2D Box, double Height, double Width, double Length, Vector3D Location,
+    double RotationY)
 {
     public static KittiObject[] ReadAll(string path) => [.. File.ReadAllLines(path).Select(Parse)];
 
     /// <summary>The matrix of a name in a calibration file, 3 x 4.</summary>
     public static double[] ReadMatrix(string path, string name) =>
-        [.. File.ReadAllLines(path).Single(line => line.StartsWith(name + ": ", StringComparison.Ordinal)).Split(' ').Skip(1).Select(Number)];
+        [.. File.ReadAllLines(path).Single(line => line.StartsWith(name + ": ", StringComparison.Ordinal)).Split(' ').Skip(1).Select(
+            Number)];
 
-    /// <summary>The box around the eight projected corners: x = P2 · (R(rotation_y) · corner + location), as the kit's computeBox3D does it.</summary>
+    /// <summary>
+    /// The box around the eight projected corners: x = P2 · (R(rotation_y) · corner + location), as the kit's computeBox3D does it.
+    /// </summary>
     public Box2D Project(double[] p2)
     {
         double cos = Math.Cos(RotationY);

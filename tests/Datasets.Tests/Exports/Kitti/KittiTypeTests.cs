@@ -25,7 +25,12 @@ public sealed class KittiTypeTests : ExportTests
     [InlineData("car", "speedo", "Car")]
     public void Type_is_the_requested_one(string kind, string model, string expected)
     {
-        var names = new Dictionary<ObjectClass, string> { [ObjectClass.Bus] = "Truck", [ObjectClass.Bicycle] = "Cyclist", [ObjectClass.Car] = "Car" };
+        var names = new Dictionary<ObjectClass, string>
+        {
+            [ObjectClass.Bus] = "Truck",
+            [ObjectClass.Bicycle] = "Cyclist",
+            [ObjectClass.Car] = "Car",
+        };
 
         Assert.Equal(expected, TypeOf(kind, model, null, new ExportOptions { Names = names }));
     }

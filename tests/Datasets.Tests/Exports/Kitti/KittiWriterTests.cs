@@ -64,7 +64,10 @@ public sealed class KittiWriterTests(SimulatedSession simulated) : ExportTests
         foreach (FrameLabel label in simulated.Open().ReadLabels())
         {
             double[] p2 = KittiObject.ReadMatrix(Folder.PathOf($"out/training/calib/{frame:D6}.txt"), "P2");
-            KittiObject[] written = [.. KittiObject.ReadAll(Folder.PathOf($"out/training/label_2/{frame:D6}.txt")).Where(item => item.Type != "DontCare")];
+            KittiObject[] written =
+            [
+                .. KittiObject.ReadAll(Folder.PathOf($"out/training/label_2/{frame:D6}.txt")).Where(item => item.Type != "DontCare")
+            ];
             ObjectLabel[] labels = [.. label.Objects.Where(item => item.Class is not (ObjectClass.Sign or ObjectClass.TrafficLight))];
             Assert.Equal(labels.Length, written.Length);
             foreach ((KittiObject item, ObjectLabel source) in written.Zip(labels))
@@ -99,9 +102,9 @@ public sealed class KittiWriterTests(SimulatedSession simulated) : ExportTests
     }
 
     /// <summary>
-    /// KITTI's boxes stand upright in the camera's frame. A box that leans by an angle t against it has its corners up to 2 sin(t / 2) of its half
-    /// diagonal elsewhere, and its turn is measured on the tilted plane, which costs as much again at most; seen at depth z that is f / z times
-    /// as many pixels, more towards the side.
+    /// KITTI's boxes stand upright in the camera's frame. A box that leans by an angle t against it has its corners up to 2 sin(t / 2) of
+    /// its half diagonal elsewhere, and its turn is measured on the tilted plane, which costs as much again at most; seen at depth z that
+    /// is f / z times as many pixels, more towards the side.
     /// </summary>
     private static double AllowedPixels(ObjectLabel label, CameraLabel camera)
     {

@@ -31,9 +31,11 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
                 Assert.Contains(columns, column => column != -2);
                 for (int i = 0; i < rows.Length; i++)
                 {
-                    // The point in the middle of the row is within the pixel that starts at the column: half a pixel from its middle at most.
+                    // The point in the middle of the row is within the pixel that starts at the column: half a pixel from its middle at
+                    // most.
                     const double halfPixel = 0.5001;
-                    Assert.True(columns[i] == -2 || label.Lanes!.Markings!.Any(view => Crosses(view, columns[i] + 0.5, rows[i] + 0.5, halfPixel)));
+                    Assert.True(
+                        columns[i] == -2 || label.Lanes!.Markings!.Any(view => Crosses(view, columns[i] + 0.5, rows[i] + 0.5, halfPixel)));
                 }
             }
         }
@@ -48,7 +50,8 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
         int points = 0;
         foreach (string image in list)
         {
-            using JsonDocument json = JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/lane3d/" + Path.ChangeExtension(image, ".json"))));
+            using JsonDocument json = JsonDocument.Parse(
+                File.ReadAllText(Folder.PathOf("out/lane3d/" + Path.ChangeExtension(image, ".json"))));
             Assert.Equal(image, json.RootElement.GetProperty("file_path").GetString());
             Assert.True(File.Exists(Folder.PathOf("out/images/" + image)));
             double[][] k = Matrix(json.RootElement.GetProperty("intrinsic"));
@@ -75,11 +78,15 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
     {
         Folder.Export("openlane", simulated.Open());
         FrameLabel label = Known()[0];
-        using JsonDocument json = JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/lane3d/" + Path.ChangeExtension(Folder.Lines("out/train.txt")[0], ".json"))));
+        using JsonDocument json = JsonDocument.Parse(
+            File.ReadAllText(Folder.PathOf("out/lane3d/" + Path.ChangeExtension(Folder.Lines("out/train.txt")[0], ".json"))));
         double[][] extrinsic = Matrix(json.RootElement.GetProperty("extrinsic"));
         JsonElement line = json.RootElement.GetProperty("lane_lines")[0];
         double[][] xyz = Matrix(line.GetProperty("xyz"));
-        double[] inVehicle = [.. extrinsic.Take(3).Select(row => (row[0] * xyz[0][0]) + (row[1] * xyz[1][0]) + (row[2] * xyz[2][0]) + row[3])];
+        double[] inVehicle =
+        [
+            .. extrinsic.Take(3).Select(row => (row[0] * xyz[0][0]) + (row[1] * xyz[1][0]) + (row[2] * xyz[2][0]) + row[3])
+        ];
 
         // The origin is the foot of the model's origin on the road, and the axes are the body's: forward, left, up.
         EgoLabel ego = label.Ego;
@@ -98,16 +105,19 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
         int points = 0;
         foreach (string image in Folder.Lines("out/train.txt"))
         {
-            using JsonDocument json = JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/lane3d/" + Path.ChangeExtension(image, ".json"))));
+            using JsonDocument json = JsonDocument.Parse(
+                File.ReadAllText(Folder.PathOf("out/lane3d/" + Path.ChangeExtension(image, ".json"))));
             double[][] extrinsic = Matrix(json.RootElement.GetProperty("extrinsic"));
             foreach (JsonElement line in json.RootElement.GetProperty("lane_lines").EnumerateArray())
             {
                 double[][] xyz = Matrix(line.GetProperty("xyz"));
                 for (int i = 0; i < xyz[0].Length && xyz[0][i] < 10; i++, points++)
                 {
-                    // On a road that bends in height by a radius of 500 m, 10 m ahead is 10² / 1000 = 0.1 m off the tangent; the crown and the paint are as much.
+                    // On a road that bends in height by a radius of 500 m, 10 m ahead is 10² / 1000 = 0.1 m off the tangent; the crown and
+                    // the paint are as much.
                     const double roadMetres = 0.2;
-                    double height = (extrinsic[2][0] * xyz[0][i]) + (extrinsic[2][1] * xyz[1][i]) + (extrinsic[2][2] * xyz[2][i]) + extrinsic[2][3];
+                    double height =
+                        (extrinsic[2][0] * xyz[0][i]) + (extrinsic[2][1] * xyz[1][i]) + (extrinsic[2][2] * xyz[2][i]) + extrinsic[2][3];
                     Assert.InRange(height, -roadMetres, roadMetres);
                 }
             }
@@ -165,7 +175,12 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
     [Fact]
     public void OpenLane_category_of_a_boundary_is_unknown()
     {
-        string lanes = JsonLabelWriter.Lanes(new LanesLabel { Status = LaneStatus.Known, Source = "simulation", Boundaries = [new LaneLineView(1, true, [PointAt(20, 50, 5), PointAt(30, 40, 10)])] });
+        string lanes = JsonLabelWriter.Lanes(new LanesLabel
+        {
+            Status = LaneStatus.Known,
+            Source = "simulation",
+            Boundaries = [new LaneLineView(1, true, [PointAt(20, 50, 5), PointAt(30, 40, 10)])],
+        });
         Session.Lines.ForEach(line => line["lanes"] = JsonNode.Parse(lanes));
         Folder.Export("openlane", Session.Open());
 
@@ -175,12 +190,17 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
     /// <summary>Gives all frames of the hand-written session these markings.</summary>
     private void SetMarkings(params LaneLineView[] views)
     {
-        LaneLineView[] painted = [.. views.Select(view => view with { Paint = view.Paint ?? new MarkingPaint(MarkingStyle.Solid, MarkingColour.White, 0.15) })];
+        LaneLineView[] painted =
+        [
+            .. views.Select(view => view with { Paint = view.Paint ?? new MarkingPaint(MarkingStyle.Solid, MarkingColour.White, 0.15) })
+        ];
         string lanes = JsonLabelWriter.Lanes(new LanesLabel { Status = LaneStatus.Known, Source = "simulation", Markings = painted });
         Session.Lines.ForEach(line => line["lanes"] = JsonNode.Parse(lanes));
     }
 
-    /// <summary>A point that the hand-written session's camera, with a focal length of 30 pixels and its centre at (40, 30), sees at a pixel.</summary>
+    /// <summary>
+    /// A point that the hand-written session's camera, with a focal length of 30 pixels and its centre at (40, 30), sees at a pixel.
+    /// </summary>
     private static LaneLinePoint PointAt(double u, double v, double forward, bool? isHidden = null)
     {
         var inCamera = new Vector3D((u - 40) * forward / 30, forward, (30 - v) * forward / 30);
@@ -188,7 +208,9 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
     }
 
     private JsonElement[] LinesOf() =>
-        [.. JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/lane3d/train/segment-0000/00000000.json"))).RootElement.GetProperty("lane_lines").EnumerateArray()];
+        [.. JsonDocument.Parse(File.ReadAllText(Folder.PathOf("out/lane3d/train/segment-0000/00000000.json"))).RootElement
+            .GetProperty("lane_lines")
+            .EnumerateArray()];
 
     private static bool Crosses(LaneLineView view, double x, double y, double within) => view.Points.Zip(view.Points.Skip(1)).Any(piece =>
     {
@@ -198,7 +220,8 @@ public sealed class LaneFormatTests(SimulatedSession simulated) : ExportTests
 
     private static int[] Ints(JsonElement list) => [.. list.EnumerateArray().Select(item => item.GetInt32())];
 
-    private static double[][] Matrix(JsonElement rows) => [.. rows.EnumerateArray().Select(row => row.EnumerateArray().Select(item => item.GetDouble()).ToArray())];
+    private static double[][] Matrix(JsonElement rows) =>
+        [.. rows.EnumerateArray().Select(row => row.EnumerateArray().Select(item => item.GetDouble()).ToArray())];
 
     private FrameLabel[] Known()
     {

@@ -42,7 +42,9 @@ public sealed class VocWriterTests : ExportTests
         Folder.Export("voc", Session.Open(), new ExportOptions { Boxes = BoxKind.Cuboid });
 
         XElement box = XDocument.Load(Folder.PathOf("out/Annotations/00000000.xml")).Descendants("bndbox").First();
-        Assert.Equal((first, "28", last, "33"), (box.Element("xmin")!.Value, box.Element("ymin")!.Value, box.Element("xmax")!.Value, box.Element("ymax")!.Value));
+        Assert.Equal(
+            (first, "28", last, "33"),
+            (box.Element("xmin")!.Value, box.Element("ymin")!.Value, box.Element("xmax")!.Value, box.Element("ymax")!.Value));
     }
 
     [Fact]

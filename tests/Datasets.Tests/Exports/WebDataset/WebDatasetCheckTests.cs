@@ -65,7 +65,8 @@ public sealed class WebDatasetCheckTests(SimulatedSession simulated) : CheckTest
     [Fact]
     public void Duplicate_sample_is_found()
     {
-        Rewrite(entry => entry.Name.StartsWith("00000003", StringComparison.Ordinal) ? (entry.Name.Replace('3', '1'), entry.Content) : entry);
+        Rewrite(
+            entry => entry.Name.StartsWith("00000003", StringComparison.Ordinal) ? (entry.Name.Replace('3', '1'), entry.Content) : entry);
         AssertFound($"{Archive}: sample 00000001: it is there twice, here or in another archive.");
     }
 
@@ -92,7 +93,8 @@ public sealed class WebDatasetCheckTests(SimulatedSession simulated) : CheckTest
             entry.DataStream!.CopyTo(content);
             if (change((entry.Name, content.ToArray())) is { } changed)
             {
-                target.WriteEntry(new UstarTarEntry(TarEntryType.RegularFile, changed.Name) { DataStream = new MemoryStream(changed.Content) });
+                target.WriteEntry(
+                    new UstarTarEntry(TarEntryType.RegularFile, changed.Name) { DataStream = new MemoryStream(changed.Content) });
             }
         }
     }

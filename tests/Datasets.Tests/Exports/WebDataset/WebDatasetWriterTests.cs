@@ -20,7 +20,9 @@ public sealed class WebDatasetWriterTests(SimulatedSession simulated) : ExportTe
         Assert.Equal(3 * SimulatedSession.Frames, entries.Length);
         for (int frame = 0; frame < SimulatedSession.Frames; frame++)
         {
-            Assert.Equal([$"{frame:D8}.png", $"{frame:D8}.json", $"{frame:D8}.mask.png"], entries.Skip(3 * frame).Take(3).Select(entry => entry.Name));
+            Assert.Equal(
+                [$"{frame:D8}.png", $"{frame:D8}.json", $"{frame:D8}.mask.png"],
+                entries.Skip(3 * frame).Take(3).Select(entry => entry.Name));
             Assert.Equal(File.ReadAllBytes(Path.Combine(simulated.Folder, $"frames/{frame:D8}.png")), entries[3 * frame].Content);
             Assert.True(JsonNode.DeepEquals(JsonNode.Parse(labels[frame]), JsonNode.Parse(entries[(3 * frame) + 1].Content)));
         }
@@ -34,10 +36,19 @@ public sealed class WebDatasetWriterTests(SimulatedSession simulated) : ExportTe
 
         Assert.Equal(
             ["train-000000.tar", "train-000001.tar", "val-000000.tar", "val-000001.tar"],
-            writer.Aggregates(new Dictionary<string, int> { ["train-000000"] = 1, ["train-000002"] = 1, ["val-000001"] = 1, ["val-000003"] = 1 }).Select(file => file.Path));
+            writer.Aggregates(new Dictionary<string, int>
+            {
+                ["train-000000"] =
+                1,
+                ["train-000002"] = 1,
+                ["val-000001"] = 1,
+                ["val-000003"] = 1
+            }).Select(file => file.Path));
     }
 
-    /// <summary>Reads ustar as POSIX 1003.1 lays it out: name at 0, size in octal at 124, checksum at 148, type at 156, magic at 257.</summary>
+    /// <summary>
+    /// Reads ustar as POSIX 1003.1 lays it out: name at 0, size in octal at 124, checksum at 148, type at 156, magic at 257.
+    /// </summary>
     private static IEnumerable<(string Name, byte[] Content)> Entries(byte[] archive)
     {
         Assert.Equal(0, archive.Length % Block);
@@ -59,5 +70,6 @@ public sealed class WebDatasetWriterTests(SimulatedSession simulated) : ExportTe
         Assert.All(archive[at..], value => Assert.Equal(0, value));
     }
 
-    private static int Octal(byte[] header, int at, int length) => Convert.ToInt32(Encoding.ASCII.GetString(header, at, length).Trim('\0', ' '), 8);
+    private static int Octal(byte[] header, int at, int length) =>
+        Convert.ToInt32(Encoding.ASCII.GetString(header, at, length).Trim('\0', ' '), 8);
 }

@@ -30,7 +30,8 @@ public sealed class YoloWriterTests(SimulatedSession simulated) : ExportTests
         Folder.Export("yolo", Session.Open(), new ExportOptions { Classes = [ObjectClass.Pedestrian, ObjectClass.Bus] });
 
         Assert.Equal(
-            ["# Paths are relative to this file.", "train: images/train", "val: images/train", "names:", "  0: bus", "  1: pedestrian"], Folder.Lines("out/data.yaml"));
+            ["# Paths are relative to this file.", "train: images/train", "val: images/train", "names:", "  0: bus", "  1: pedestrian"],
+            Folder.Lines("out/data.yaml"));
         Assert.StartsWith("1 ", Assert.Single(Folder.Lines("out/labels/train/00000000.txt")), StringComparison.Ordinal);
     }
 
@@ -42,7 +43,8 @@ public sealed class YoloWriterTests(SimulatedSession simulated) : ExportTests
         Folder.Export("yolo-segment", Session.Open());
 
         InstanceMap mask = PngDecoder.ReadInstanceMap(Session.PathOf("masks/00000000.png"));
-        Assert.Equal(mask.Ids.Select(id => id == 1), Covered(Corners(Folder.Lines("out/labels/train/00000000.txt")[0], mask.Image), mask.Image));
+        Assert.Equal(
+            mask.Ids.Select(id => id == 1), Covered(Corners(Folder.Lines("out/labels/train/00000000.txt")[0], mask.Image), mask.Image));
     }
 
     [Fact]
@@ -55,7 +57,8 @@ public sealed class YoloWriterTests(SimulatedSession simulated) : ExportTests
             InstanceMap mask = PngDecoder.ReadInstanceMap(simulated.Open().PathOf(label.Mask!));
             ObjectLabel[] seen = [.. label.Objects.Where(item => mask.Ids.Contains((ushort)item.Id))];
             string[] lines = Folder.Lines($"out/labels/train/{frame:D8}.txt");
-            Assert.Equal(seen.Select(item => (int)item.Class), lines.Select(line => int.Parse(line.Split(' ')[0], CultureInfo.InvariantCulture)));
+            Assert.Equal(
+                seen.Select(item => (int)item.Class), lines.Select(line => int.Parse(line.Split(' ')[0], CultureInfo.InvariantCulture)));
             foreach ((string line, ObjectLabel item) in lines.Zip(seen))
             {
                 Assert.Equal(mask.Ids.Select(id => id == item.Id), Covered(Corners(line, mask.Image), mask.Image));

@@ -54,7 +54,9 @@ internal sealed class NativeAddress(IntPtr place, NativeType type, int boolBytes
         }
     }
 
-    /// <summary>Writes handles as natives write lists of them: the first slot keeps how many there is room for, each further slot gets one.</summary>
+    /// <summary>
+    /// Writes handles as natives write lists of them: the first slot keeps how many there is room for, each further slot gets one.
+    /// </summary>
     public int WriteList(IEnumerable<int> handles)
     {
         int count = 0;

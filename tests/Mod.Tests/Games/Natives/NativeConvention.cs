@@ -10,7 +10,9 @@ internal sealed class NativeConvention(int boolBytes)
     private const int SlotBytes = sizeof(ulong);
     private readonly Dictionary<string, IntPtr> _texts = [];
 
-    /// <summary>The arguments as the native reads them, whatever the script meant. Those that were not passed are what the slots still hold.</summary>
+    /// <summary>
+    /// The arguments as the native reads them, whatever the script meant. Those that were not passed are what the slots still hold.
+    /// </summary>
     public object?[] ReadArguments(NativeSignature native, NativeCall call)
     {
         object?[] arguments = new object?[native.Parameters.Count];
@@ -49,13 +51,15 @@ internal sealed class NativeConvention(int boolBytes)
         {
             if (native.Parameters[i].IsAddress && random.Next(2) == 0)
             {
-                new NativeAddress(Marshal.ReadIntPtr(call.Arguments + (i * SlotBytes)), native.Parameters[i].Pointee, boolBytes).WriteGarbage(random);
+                new NativeAddress(
+                    Marshal.ReadIntPtr(call.Arguments + (i * SlotBytes)), native.Parameters[i].Pointee, boolBytes).WriteGarbage(random);
             }
         }
 
         if (native.Result.IsText)
         {
-            Marshal.WriteIntPtr(call.Result, random.Next(2) == 0 ? IntPtr.Zero : TextOf($"{(char)random.Next('A', 'Z')}{(char)random.Next('A', 'Z')}"));
+            Marshal.WriteIntPtr(
+                call.Result, random.Next(2) == 0 ? IntPtr.Zero : TextOf($"{(char)random.Next('A', 'Z')}{(char)random.Next('A', 'Z')}"));
         }
         else if (!native.Result.IsVoid)
         {

@@ -5,7 +5,9 @@ using Mono.Cecil.Cil;
 
 namespace Harvester.Mod.Tests.Games.Natives;
 
-/// <summary>Reads all calls of natives out of the built mod. Each is a hash, an array of converted arguments and the call, in this order.</summary>
+/// <summary>
+/// Reads all calls of natives out of the built mod. Each is a hash, an array of converted arguments and the call, in this order.
+/// </summary>
 internal static class WrittenCalls
 {
     private const string CallsOfNatives = "Harvester.Mod.Natives";
@@ -37,8 +39,11 @@ internal static class WrittenCalls
     public static IReadOnlyList<WrittenCall> Read(string path)
     {
         using ModuleDefinition module = ModuleDefinition.ReadModule(path);
-        MethodDefinition[] methods = [.. module.GetTypes().SelectMany(type => type.Methods).Where(method => method.HasBody && !IsCall(method) && method.Name != Conversion)];
-        Assert.DoesNotContain(methods.SelectMany(method => method.Body.Instructions), instruction => instruction.Operand is MethodReference { DeclaringType.FullName: CallsOfApi });
+        MethodDefinition[] methods = [.. module.GetTypes().SelectMany(type => type.Methods).Where(
+            method => method.HasBody && !IsCall(method) && method.Name != Conversion)];
+        Assert.DoesNotContain(
+            methods.SelectMany(method => method.Body.Instructions),
+            instruction => instruction.Operand is MethodReference { DeclaringType.FullName: CallsOfApi });
         return [.. methods.SelectMany(method => In(method, methods))];
     }
 

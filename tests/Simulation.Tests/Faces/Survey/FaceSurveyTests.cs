@@ -76,7 +76,8 @@ public sealed class SpaceSurveyTests : IDisposable
     {
         var stage = new PropStage(KnownProps.All, Place);
         using (var survey = new FaceSurvey(
-            stage, [new SurveyedModel("octagon", ObjectClass.TrafficLight, string.Empty, string.Empty)], _folder = Reopened(), new PlayerClock(), BudgetMilliseconds))
+            stage, [new SurveyedModel("octagon", ObjectClass.TrafficLight, string.Empty, string.Empty)], _folder = Reopened(),
+            new PlayerClock(), BudgetMilliseconds))
         {
             ToEnd(survey);
         }
@@ -88,11 +89,15 @@ public sealed class SpaceSurveyTests : IDisposable
     public void Survey_replaces_faces_that_rays_find_and_keeps_the_back()
     {
         ModelFace back = Known("plate", 1, Facing.Front);
-        var model = new SurveyedModel("plate", ObjectClass.Sign, "STOP", "R1-1") { Known = [Known("plate", 0, Facing.Back), back, Known("plate", 2, Facing.Back)] };
+        var model = new SurveyedModel("plate", ObjectClass.Sign, "STOP", "R1-1")
+        {
+            Known = [Known("plate", 0, Facing.Back), back, Known("plate", 2, Facing.Back)],
+        };
         Survey(model);
 
         IReadOnlyList<ModelFace> faces = Reopened().Table.Of("plate");
-        Assert.Equal([("STOP", Provenance.Measured), (back.Name, Provenance.Estimated)], faces.Select(face => (face.Name, face.Provenance)));
+        Assert.Equal(
+            [("STOP", Provenance.Measured), (back.Name, Provenance.Estimated)], faces.Select(face => (face.Name, face.Provenance)));
         Assert.Equal(back, faces[1]);
 
         // A second survey measures the front anew and finds the back among the player's own rows.
@@ -112,7 +117,10 @@ public sealed class SpaceSurveyTests : IDisposable
     [Fact]
     public void Survey_that_finds_more_faces_renumbers_the_kept_one()
     {
-        Survey(new SurveyedModel("two", ObjectClass.Sign, "STOP", "R1-1") { Known = [Known("two", 0, Facing.Back), Known("two", 1, Facing.Front)] });
+        Survey(new SurveyedModel("two", ObjectClass.Sign, "STOP", "R1-1")
+        {
+            Known = [Known("two", 0, Facing.Back), Known("two", 1, Facing.Front)],
+        });
 
         Assert.Equal(
             [(0, Facing.Back), (1, Facing.Back), (2, Facing.Front)],
@@ -156,13 +164,15 @@ public sealed class SpaceSurveyTests : IDisposable
 
     private void Survey(SurveyedModel model)
     {
-        using var survey = new FaceSurvey(new PropStage(KnownProps.All, Place), [model], _folder = Reopened(), new PlayerClock(), BudgetMilliseconds);
+        using var survey = new FaceSurvey(
+            new PropStage(KnownProps.All, Place), [model], _folder = Reopened(), new PlayerClock(), BudgetMilliseconds);
         ToEnd(survey);
         Assert.Null(survey.Fault);
     }
 
     private static ModelFace Known(string model, int face, Facing facing) => new(
-        model, ModelHash.Of(model), ObjectClass.Sign, $"known {face}", "", face, new(-0.4, 0.02, 2.6), new(0.4, -0.04, 1.9), facing, Provenance.Estimated, "test");
+        model, ModelHash.Of(model), ObjectClass.Sign, $"known {face}", "", face, new(-0.4, 0.02, 2.6), new(0.4, -0.04, 1.9), facing,
+        Provenance.Estimated, "test");
 
     private PropStage Run(params string[] names)
     {
@@ -203,5 +213,6 @@ public sealed class SpaceSurveyTests : IDisposable
             new(face.FrontUpperLeft.X, y, face.BackLowerRight.Z), new(face.BackLowerRight.X, y, face.FrontUpperLeft.Z));
     }
 
-    private static double Largest(Vector3D difference) => Math.Max(Math.Abs(difference.X), Math.Max(Math.Abs(difference.Y), Math.Abs(difference.Z)));
+    private static double Largest(Vector3D difference) =>
+        Math.Max(Math.Abs(difference.X), Math.Max(Math.Abs(difference.Y), Math.Abs(difference.Z)));
 }

@@ -38,7 +38,9 @@ internal static class KnownProps
         {
             builder.AddPrism(plate, new Vector3D(0, ahead ? -Thickness : Thickness, 0), Grey);
             faces.Add((
-                new(plate.Min(c => c.X), plate[0].Y, plate.Min(c => c.Z)), new(plate.Max(c => c.X), plate[0].Y, plate.Max(c => c.Z)), ahead ? Facing.Front : Facing.Back));
+                new(plate.Min(c => c.X), plate[0].Y, plate.Min(c => c.Z)), new(plate.Max(c => c.X), plate[0].Y, plate.Max(c => c.Z)), ahead
+                    ? Facing.Front
+                    : Facing.Back));
         }
 
         builder.AddCylinder(new(0, 0, 0), new(0, 0, plates.Max(plate => plate.Average(c => c.Z))), 0.035, 0.035, 8, Grey);
@@ -47,7 +49,10 @@ internal static class KnownProps
 
     /// <summary>Rays meet boxes around post and plate where an octagon on a pipe is seen.</summary>
     private static Prop Coarse() => new(
-        new MeshBuilder().AddBox(new(-0.05, -0.05, 0), new(0.05, 0.05, 2.3), Grey).AddBox(new(-0.37, -0.07, 1.93), new(0.37, -0.04, 2.67), Grey).Build(),
+        new MeshBuilder()
+            .AddBox(new(-0.05, -0.05, 0), new(0.05, 0.05, 2.3), Grey)
+            .AddBox(new(-0.37, -0.07, 1.93), new(0.37, -0.04, 2.67), Grey)
+            .Build(),
         [],
         [(new(-0.37, -0.07, 1.93), new(0.37, -0.07, 2.67), Facing.Back)]);
 

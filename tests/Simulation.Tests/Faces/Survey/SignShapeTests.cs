@@ -54,17 +54,21 @@ public sealed class SignShapeTests(ITestOutputHelper output) : IDisposable
             }
         }
 
-        output.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{signs.Count - wrong.Count} of {signs.Count} right, {largest:0.0000} m at most"));
+        output.WriteLine(
+            string.Create(CultureInfo.InvariantCulture, $"{signs.Count - wrong.Count} of {signs.Count} right, {largest:0.0000} m at most"));
         wrong.ForEach(output.WriteLine);
         Assert.Empty(wrong);
     }
 
     private (IReadOnlyList<ModelFace> Found, int Rays) Survey(string name, Prop sign)
     {
-        var stage = new PropStage(new Dictionary<string, Prop> { ["sign"] = sign }, new Pose(new Vector3D(1200, -340, 25), Axes.FromHeading(77)));
-        var folder = new SurveyFolder(Directory.CreateDirectory(Path.Combine(_path, ModelHash.Of(name).ToString(CultureInfo.InvariantCulture))).FullName);
+        var stage = new PropStage(
+            new Dictionary<string, Prop> { ["sign"] = sign }, new Pose(new Vector3D(1200, -340, 25), Axes.FromHeading(77)));
+        var folder = new SurveyFolder(
+            Directory.CreateDirectory(Path.Combine(_path, ModelHash.Of(name).ToString(CultureInfo.InvariantCulture))).FullName);
         using var survey = new FaceSurvey(
-            stage, [new SurveyedModel("sign", ObjectClass.Sign, "a name", string.Empty)], folder, new PlayerClock(), double.PositiveInfinity);
+            stage, [new SurveyedModel("sign", ObjectClass.Sign, "a name", string.Empty)], folder, new PlayerClock(),
+            double.PositiveInfinity);
         while (!survey.IsOver)
         {
             survey.Step();
@@ -74,7 +78,9 @@ public sealed class SignShapeTests(ITestOutputHelper output) : IDisposable
         return (folder.Table.Of("sign"), stage.RaysCast);
     }
 
-    /// <summary>The largest distance of an edge or of the plane from where it truly is; infinite where the face looks the other way.</summary>
+    /// <summary>
+    /// The largest distance of an edge or of the plane from where it truly is; infinite where the face looks the other way.
+    /// </summary>
     private static double Error(Prop sign, ModelFace found)
     {
         (Vector3D min, Vector3D max, Facing facing) = sign.Faces[0];

@@ -1,15 +1,21 @@
+using System.Globalization;
 using Harvester.Geometry;
 using Harvester.Sessions.Faces;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Tests.Faces.Survey;
 
-/// <summary>Signs of every shape, on posts of every radius up to 6 cm that end behind the plate or above it, with plates before and behind the post.</summary>
+/// <summary>
+/// Signs of every shape, on posts of every radius up to 6 cm that end behind the plate or above it, with plates before and behind the post.
+/// </summary>
 internal static class SignShapes
 {
     private static readonly Rgb Grey = new(128, 128, 128);
 
-    public static IReadOnlyList<string> Outlines { get; } = ["rectangle", "octagon", "diamond", "triangle up", "triangle down", "triangle sideways", "turned square"];
+    public static IReadOnlyList<string> Outlines { get; } =
+    [
+        "rectangle", "octagon", "diamond", "triangle up", "triangle down", "triangle sideways", "turned square",
+    ];
 
     public static IReadOnlyDictionary<string, Prop> Of(string outline, Facing facing)
     {
@@ -25,15 +31,20 @@ internal static class SignShapes
                 double gap = random.Next(2) * 0.03 * random.NextDouble();
                 double middle = 1.9 + random.NextDouble();
                 double beside = random.Next(2) * 0.1 * (random.NextDouble() - 0.5);
-                string name = FormattableString.Invariant($"{outline} {size:0.000} m, {facing}, post {radius:0.00} m to {postTop:0.0}, plate {thickness:0.0000} m, gap {gap:0.0000} m, at {middle:0.000} m");
-                signs.Add(name, Sign([.. Corners(outline, size / 2)], facing, radius, postTop, thickness, gap, new Vector3D(beside, 0, middle)));
+                string name = string.Create(
+                    CultureInfo.InvariantCulture,
+                    $"{outline} {size:0.000} m, {facing}, post {radius:0.00} m to {postTop:0.0}, plate {thickness:0.0000} m, gap "
+                        + $"{gap:0.0000} m, at {middle:0.000} m");
+                signs.Add(
+                    name, Sign([.. Corners(outline, size / 2)], facing, radius, postTop, thickness, gap, new Vector3D(beside, 0, middle)));
             }
         }
 
         return signs;
     }
 
-    private static Prop Sign((double Right, double Up)[] outline, Facing facing, double radius, double postTop, double thickness, double gap, Vector3D middle)
+    private static Prop Sign(
+        (double Right, double Up)[] outline, Facing facing, double radius, double postTop, double thickness, double gap, Vector3D middle)
     {
         int side = facing == Facing.Front ? 1 : -1;
         double y = side * (radius + gap + thickness);
