@@ -1,3 +1,7 @@
+using FsCheck;
+using FsCheck.Fluent;
+using Harvester.TestSupport;
+
 namespace Harvester.Geometry.Tests;
 
 public sealed class AxesTests
@@ -24,20 +28,15 @@ public sealed class AxesTests
     }
 
     [Fact]
-    public void ToEuler_random_orientations_invert_FromEuler()
-    {
-        var random = new Random(1);
-        for (int i = 0; i < 2_000; i++)
+    public void ToEuler_random_orientations_invert_FromEuler() =>
+        RandomCases.Check(2_000, Orientations(89), angles =>
         {
-            var angles = new EulerAngles(random.Between(-89, 89), random.Between(-180, 180), random.Between(-180, 180));
-
             EulerAngles back = Axes.FromEuler(angles).ToEuler();
 
             Assert.Equal(angles.PitchDegrees, back.PitchDegrees, AfterInverse);
             Assert.Equal(angles.RollDegrees, back.RollDegrees, AfterInverse);
             Assert.Equal(angles.YawDegrees, back.YawDegrees, AfterInverse);
-        }
-    }
+        });
 
     [Theory]
     [InlineData(90)]
@@ -68,12 +67,10 @@ public sealed class AxesTests
     }
 
     [Fact]
-    public void FromVectors_single_precision_axes_become_exactly_orthonormal()
-    {
-        var random = new Random(2);
-        for (int i = 0; i < 500; i++)
+    public void FromVectors_single_precision_axes_become_exactly_orthonormal() =>
+        RandomCases.Check(500, Orientations(90), angles =>
         {
-            Axes exact = random.Axes();
+            Axes exact = Axes.FromEuler(angles);
 
             Axes axes = Axes.FromVectors(Single(exact.Right), Single(exact.Forward), Single(exact.Up));
 
@@ -81,8 +78,7 @@ public sealed class AxesTests
             Assert.Equal(0, axes.Right.Dot(axes.Forward), Rounding);
             AssertClose(axes.Up, axes.Right.Cross(axes.Forward), Rounding);
             AssertClose(exact.Forward, axes.Forward, 1e-6);
-        }
-    }
+        });
 
     [Fact]
     public void FromVectors_left_handed_long_or_skew_is_refused()
@@ -95,14 +91,14 @@ public sealed class AxesTests
     }
 
     [Fact]
-    public void ToLocal_of_ToWorld_is_the_vector()
-    {
-        var random = new Random(3);
-        Axes axes = random.Axes();
-        Vector3D vector = random.Vector(100);
+    public void ToLocal_of_ToWorld_is_the_vector() =>
+        RandomCases.Check(500, Arb.Zip(Orientations(90), RandomCases.ArrayOf(RandomCases.Number(-100, 100), 3)), drawn =>
+        {
+            Axes axes = Axes.FromEuler(drawn.Item1);
+            var vector = new Vector3D(drawn.Item2[0], drawn.Item2[1], drawn.Item2[2]);
 
-        AssertClose(vector, axes.ToLocal(axes.ToWorld(vector)), 1e-11);
-    }
+            AssertClose(vector, axes.ToLocal(axes.ToWorld(vector)), 1e-11);
+        });
 
     [Fact]
     public void Compose_camera_ahead_of_a_car_that_looks_west()
@@ -116,6 +112,11 @@ public sealed class AxesTests
         AssertClose(new(-1, 0, 0), camera.Axes.Forward, Rounding);
         AssertClose(new(0, 2, 0.4), car.ToLocal(camera.Position), Rounding);
     }
+
+    private static Arbitrary<EulerAngles> Orientations(double maxPitch) => Arb.Convert(
+        Arb.Zip(RandomCases.Number(-maxPitch, maxPitch), Arb.Zip(RandomCases.Number(-180, 180), RandomCases.Number(-180, 180))),
+        angles => new EulerAngles(angles.Item1, angles.Item2.Item1, angles.Item2.Item2),
+        angles => (angles.PitchDegrees, (angles.RollDegrees, angles.YawDegrees)));
 
     private static Vector3D Single(Vector3D v) => new((float)v.X, (float)v.Y, (float)v.Z);
 

@@ -1,4 +1,7 @@
+using FsCheck.Fluent;
+using FsCheck;
 using Harvester.Geometry.Boxes;
+using Harvester.TestSupport;
 
 namespace Harvester.Geometry.Tests.Boxes;
 
@@ -15,26 +18,20 @@ public sealed class ConvexPolygonTests
     }
 
     [Fact]
-    public void Hull_does_not_depend_on_the_order_of_points()
-    {
-        var random = new Random(1);
-        for (int i = 0; i < 200; i++)
+    public void Hull_does_not_depend_on_the_order_of_points() =>
+        RandomCases.Check(200, Arb.Zip(Points(12, 5), RandomCases.Integer(0, 1_000)), drawn =>
         {
-            Vector2D[] points = [.. Enumerable.Range(0, 12).Select(_ => new Vector2D(random.Next(6), random.Next(6)))];
+            Vector2D[] points = [.. drawn.Item1];
             IReadOnlyList<Vector2D> hull = ConvexPolygon.Hull(points);
-            random.Shuffle(points);
+            new Random(drawn.Item2).Shuffle(points);
 
             Assert.Equal(hull, ConvexPolygon.Hull(points));
-        }
-    }
+        });
 
     [Fact]
-    public void Hull_contains_every_point_and_turns_left_everywhere()
-    {
-        var random = new Random(2);
-        for (int i = 0; i < 200; i++)
+    public void Hull_contains_every_point_and_turns_left_everywhere() =>
+        RandomCases.Check(200, Points(15, 49), points =>
         {
-            Vector2D[] points = [.. Enumerable.Range(0, 15).Select(_ => new Vector2D(random.Next(50), random.Next(50)))];
             IReadOnlyList<Vector2D> hull = ConvexPolygon.Hull(points);
 
             Assert.All(points, point => Assert.True(ConvexPolygon.Contains(hull, point)));
@@ -43,8 +40,7 @@ public sealed class ConvexPolygonTests
                 Vector2D side = hull[(k + 1) % hull.Count] - hull[k];
                 Assert.True(side.Cross(hull[(k + 2) % hull.Count] - hull[(k + 1) % hull.Count]) > 0);
             }
-        }
-    }
+        });
 
     [Fact]
     public void Hull_degenerate_input_has_no_area()
@@ -128,4 +124,11 @@ public sealed class ConvexPolygonTests
         Assert.Equal(new Box2D(-1, 2, 3, 8), ConvexPolygon.Bounds([new(3, 2), new(-1, 8)]));
         Assert.Null(ConvexPolygon.Bounds([]));
     }
+
+    private static Arbitrary<Vector2D[]> Points(int count, int max) => RandomCases.ArrayOf(
+        Arb.Convert(
+            Arb.Zip(RandomCases.Integer(0, max), RandomCases.Integer(0, max)),
+            at => new Vector2D(at.Item1, at.Item2),
+            point => ((int)point.X, (int)point.Y)),
+        count);
 }

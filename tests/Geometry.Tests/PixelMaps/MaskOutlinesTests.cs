@@ -1,16 +1,23 @@
+using FsCheck;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
+using Harvester.TestSupport;
 
 namespace Harvester.Geometry.Tests.PixelMaps;
 
 public sealed class MaskOutlinesTests
 {
-    internal static InstanceMap Draw(Random random)
+    private static readonly ImageSize Size = new(9, 7);
+
+    /// <summary>The pixels of maps that mix the world and two objects.</summary>
+    internal static Arbitrary<int[]> Pixels => RandomCases.ArrayOf(RandomCases.Integer(0, 2), Size.PixelCount);
+
+    internal static InstanceMap MapOf(int[] pixels)
     {
-        var map = new InstanceMap(new ImageSize(9, 7));
-        for (int i = 0; i < map.Ids.Length; i++)
+        var map = new InstanceMap(Size);
+        for (int i = 0; i < pixels.Length; i++)
         {
-            map.Ids[i] = (ushort)random.Next(3);
+            map.Ids[i] = (ushort)pixels[i];
         }
 
         return map;
@@ -50,16 +57,13 @@ public sealed class MaskOutlinesTests
     }
 
     [Fact]
-    public void Outlines_of_random_masks_enclose_the_area_of_their_pixels()
-    {
-        var random = new Random(2);
-        for (int i = 0; i < 200; i++)
+    public void Outlines_of_random_masks_enclose_the_area_of_their_pixels() =>
+        RandomCases.Check(200, Pixels, pixels =>
         {
-            InstanceMap map = Draw(random);
+            InstanceMap map = MapOf(pixels);
 
             Assert.Equal(map.MapOf(1).Count, MaskOutlines.Of(map, 1).Sum(SignedArea), 1e-9);
-        }
-    }
+        });
 
     // Clockwise on the screen, where y points down, is positive.
     private static double SignedArea(IReadOnlyList<Vector2D> polygon) =>

@@ -1,5 +1,6 @@
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
+using Harvester.TestSupport;
 
 namespace Harvester.Geometry.Tests.PixelMaps;
 
@@ -19,12 +20,10 @@ public sealed class MaskRunsTests
     }
 
     [Fact]
-    public void Decode_inverts_Encode()
-    {
-        var random = new Random(1);
-        for (int i = 0; i < 50; i++)
+    public void Decode_inverts_Encode() =>
+        RandomCases.Check(50, MaskOutlinesTests.Pixels, pixels =>
         {
-            InstanceMap map = MaskOutlinesTests.Draw(random);
+            InstanceMap map = MaskOutlinesTests.MapOf(pixels);
 
             PixelMap back = MaskRuns.Decode(MaskRuns.Encode(map, 1), map.Image);
 
@@ -32,8 +31,7 @@ public sealed class MaskRunsTests
             {
                 Assert.Equal(map.Ids[pixel] == 1, back[pixel % map.Image.Width, pixel / map.Image.Width]);
             }
-        }
-    }
+        });
 
     [Fact]
     public void Decode_counts_that_do_not_add_up_are_refused()
