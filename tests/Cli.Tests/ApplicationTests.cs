@@ -47,7 +47,8 @@ public sealed class ApplicationTests
 
         // The docs say more of SIGTERM than fits into the help.
         static string InHelp(string[] cells) =>
-            $"\n  {cells[1].Trim(),-5}{cells[2].Trim().Replace(", which `kill`, `timeout` and batch systems send", "", StringComparison.Ordinal)}\n";
+            $"\n  {cells[1].Trim(),-5}"
+            + $"{cells[2].Trim().Replace(", which `kill`, `timeout` and batch systems send", "", StringComparison.Ordinal)}\n";
     }
 
     public static TheoryData<string> Commands => [.. CommandsWithin("")];
