@@ -37,11 +37,14 @@ internal sealed class LightMap
         }
     }
 
+    /// <summary>Whether any lamp shines on what is in view.</summary>
+    public bool AreLit => _tiles.Length > 0;
+
     /// <summary>The light of all lamps on a surface at a place relative to the camera.</summary>
     public Vector3 At(Vector3 place, Vector3 normal, int column, int row)
     {
         Vector3 light = Vector3.Zero;
-        if (_tiles.Length == 0 || _tiles[((row / TileSize) * _tilesAcross) + (column / TileSize)] is not { } lamps)
+        if (_tiles[((row / TileSize) * _tilesAcross) + (column / TileSize)] is not { } lamps)
         {
             return light;
         }

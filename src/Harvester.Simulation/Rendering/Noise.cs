@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.Intrinsics;
 
 namespace Harvester.Simulation.Rendering;
 
@@ -12,20 +13,21 @@ internal static class Noise
         float below = MathF.Floor(y);
         float u = Smooth(x - left);
         float v = Smooth(y - below);
-        int column = (int)left;
-        int row = (int)below;
-        float low = Mix(Hash(column, row), Hash(column + 1, row), u);
-        float high = Mix(Hash(column, row + 1), Hash(column + 1, row + 1), u);
-        return Mix(low, high, v);
+        Vector128<int> corner = Vector128.Create((int)left) + Vector128.Create(0, 1, 0, 1);
+        Vector128<int> row = Vector128.Create((int)below) + Vector128.Create(0, 0, 1, 1);
+        Vector128<float> values = Hash(corner.AsUInt32(), row.AsUInt32());
+        return Mix(Mix(values[0], values[1], u), Mix(values[2], values[3], u), v);
     }
 
-    /// <summary>A value from 0 to 1 for a whole-numbered place.</summary>
-    public static float Hash(int x, int y)
+    /// <summary>Values from 0 to 1 for whole-numbered places.</summary>
+    private static Vector128<float> Hash(Vector128<uint> x, Vector128<uint> y)
     {
-        uint mixed = ((uint)x * 0x9E3779B1u) ^ ((uint)y * 0x85EBCA77u);
-        mixed = (mixed ^ (mixed >> 15)) * 0xC2B2AE3Du;
-        mixed = (mixed ^ (mixed >> 13)) * 0x27D4EB2Fu;
-        return ((mixed ^ (mixed >> 16)) & 0xFFFFFF) / (float)0x1000000;
+        Vector128<uint> mixed = (x * 0x9E3779B1u) ^ (y * 0x85EBCA77u);
+        mixed = (mixed ^ (mixed >>> 15)) * 0xC2B2AE3Du;
+        mixed = (mixed ^ (mixed >>> 13)) * 0x27D4EB2Fu;
+
+        // 24 bits are a whole number in single precision too.
+        return Vector128.ConvertToSingle(((mixed ^ (mixed >>> 16)) & Vector128.Create(0xFFFFFFu)).AsInt32()) / Vector128.Create((float)0x1000000);
     }
 
     private static float Smooth(float t) => t * t * (3 - (2 * t));

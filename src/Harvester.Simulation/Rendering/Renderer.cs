@@ -146,24 +146,37 @@ public sealed class Renderer
 
     private void Resolve(PixelShader shader, View view, RenderTarget target, int top, int bottom)
     {
+        var near = (float)view.Camera.NearClip;
         for (int row = top; row < bottom; row++)
         {
-            for (int column = 0; column < target.Width; column++)
+            int end = (row + 1) * target.Width;
+            for (int pixel = row * target.Width; pixel < end;)
             {
-                int pixel = (row * target.Width) + column;
                 int id = _ids[pixel];
+                int length = _ids.AsSpan(pixel, end - pixel).IndexOfAnyExcept(id);
+                length = length < 0 ? end - pixel : length;
+                int column = pixel - (row * target.Width);
+                Span<byte> colours = target.Colour.AsSpan(pixel * 3, length * 3);
+                Span<float> depths = target.Depth.AsSpan(pixel, length);
                 if (id == ScreenTriangles.Nothing)
                 {
-                    target.Handles[pixel] = 0;
-                    target.Depth[pixel] = float.PositiveInfinity;
-                    shader.ShadeSky(column, row, target.Colour.AsSpan(pixel * 3, 3));
-                    continue;
+                    target.Handles.AsSpan(pixel, length).Clear();
+                    depths.Fill(float.PositiveInfinity);
+                    shader.ShadeSky(row, column, colours);
+                }
+                else
+                {
+                    ref readonly ScreenTriangle triangle = ref _screen[id];
+                    target.Handles.AsSpan(pixel, length).Fill(triangle.Handle);
+                    for (int i = 0; i < length; i++)
+                    {
+                        depths[i] = near / _nearness[pixel + i];
+                    }
+
+                    shader.Shade(triangle, row, column, depths, colours);
                 }
 
-                ref readonly ScreenTriangle triangle = ref _screen[id];
-                target.Handles[pixel] = triangle.Handle;
-                target.Depth[pixel] = (float)view.Camera.NearClip / _nearness[pixel];
-                shader.Shade(triangle, column, row, target.Depth[pixel], target.Colour.AsSpan(pixel * 3, 3));
+                pixel += length;
             }
         }
     }
