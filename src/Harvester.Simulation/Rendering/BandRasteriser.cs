@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.Intrinsics;
 
 namespace Harvester.Simulation.Rendering;
 
@@ -12,11 +13,12 @@ internal static class BandRasteriser
     {
         int first = Math.Max(top, triangle.Pixels.Top);
         int last = Math.Min(bottom, triangle.Pixels.Bottom);
+        EdgeTriple edges = view.Grid is null ? new EdgeTriple(triangle) : default;
         for (int row = first; row < last; row++)
         {
             if (view.Grid is null)
             {
-                DrawRow(triangle, id, row, view.Camera.Width, nearness, ids);
+                DrawRow(triangle, edges, id, row, view.Camera.Width, nearness, ids);
             }
             else
             {
@@ -25,22 +27,29 @@ internal static class BandRasteriser
         }
     }
 
-    private static void DrawRow(in ScreenTriangle triangle, int id, int row, int width, float[] nearness, int[] ids)
+    private static void DrawRow(in ScreenTriangle triangle, in EdgeTriple edges, int id, int row, int width, float[] nearness, int[] ids)
     {
         double y = row + 0.5;
-        int left = triangle.Pixels.Left;
-        int right = triangle.Pixels.Right;
-        if (!Narrow(triangle.Edge0, y, ref left, ref right)
-            || !Narrow(triangle.Edge1, y, ref left, ref right)
-            || !Narrow(triangle.Edge2, y, ref left, ref right))
-        {
-            return;
-        }
-
+        (int column, int right) = edges.ColumnsInside(y, triangle.Pixels.Left, triangle.Pixels.Right);
         double step = triangle.Nearness.X;
         double start = triangle.Nearness.At(0.5, y);
         int offset = row * width;
-        for (int column = left; column < right; column++)
+        for (; column <= right - Vector256<float>.Count; column += Vector256<float>.Count)
+        {
+            Vector256<double> low = Vector256.Create((double)column) + Vector256.Create(0.0, 1, 2, 3);
+            Vector256<double> high = Vector256.Create((double)column) + Vector256.Create(4.0, 5, 6, 7);
+            Vector256<float> own = Vector256.Narrow(Vector256.Create(start) + (low * step), Vector256.Create(start) + (high * step));
+            Span<float> before = nearness.AsSpan(offset + column, Vector256<float>.Count);
+            Vector256<float> isNearer = Vector256.GreaterThan(own, Vector256.Create<float>(before));
+            if (isNearer != Vector256<float>.Zero)
+            {
+                Span<int> idsBefore = ids.AsSpan(offset + column, Vector256<int>.Count);
+                Vector256.ConditionalSelect(isNearer, own, Vector256.Create<float>(before)).CopyTo(before);
+                Vector256.ConditionalSelect(isNearer.AsInt32(), Vector256.Create(id), Vector256.Create<int>(idsBefore)).CopyTo(idsBefore);
+            }
+        }
+
+        for (; column < right; column++)
         {
             float own = (float)(start + (step * column));
             if (own > nearness[offset + column])
@@ -49,31 +58,6 @@ internal static class BandRasteriser
                 ids[offset + column] = id;
             }
         }
-    }
-
-    /// <summary>
-    /// Holds a row's columns to an edge's inner side. A centre exactly on an edge belongs to the triangle on its right,
-    /// or below it when the edge is level.
-    /// </summary>
-    private static bool Narrow(in ScreenLine edge, double y, ref int left, ref int right)
-    {
-        double atZero = (edge.Y * y) + edge.W;
-        if (edge.X == 0)
-        {
-            return atZero > 0 || (atZero == 0 && edge.Y > 0);
-        }
-
-        double crossing = Math.Ceiling((-atZero / edge.X) - 0.5);
-        if (edge.X > 0)
-        {
-            left = crossing > left ? (int)Math.Min(crossing, right) : left;
-        }
-        else
-        {
-            right = crossing < right ? (int)Math.Max(crossing, left) : right;
-        }
-
-        return left < right;
     }
 
     private static void DrawDistortedRow(

@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.Intrinsics;
 using System.Threading.Tasks;
 using Harvester.Geometry;
 
@@ -15,11 +16,35 @@ internal sealed class EdgeSmoother(View view, ScreenTriangles triangles, int[] i
         Array.Copy(target.Colour, before, before.Length);
         Parallel.For(0, target.Height, row =>
         {
-            for (int column = 0; column < target.Width; column++)
+            for (int column = 0; column < target.Width;)
             {
-                Smooth(target, before, column, row);
+                if (IsWithinOneTriangle(column, row, target.Width, target.Height))
+                {
+                    column += Vector256<int>.Count;
+                    continue;
+                }
+
+                for (int end = Math.Min(target.Width, column + Vector256<int>.Count); column < end; column++)
+                {
+                    Smooth(target, before, column, row);
+                }
             }
         });
+    }
+
+    /// <summary>Whether each of the next few pixels of a row shows the same triangle as its neighbours do; no at the image's border.</summary>
+    private bool IsWithinOneTriangle(int column, int row, int width, int height)
+    {
+        if (column == 0 || row == 0 || row == height - 1 || column + Vector256<int>.Count >= width)
+        {
+            return false;
+        }
+
+        int pixel = (row * width) + column;
+        Vector256<int> own = Vector256.Create(ids, pixel);
+        Vector256<int> differences = (own ^ Vector256.Create(ids, pixel - 1)) | (own ^ Vector256.Create(ids, pixel + 1))
+            | (own ^ Vector256.Create(ids, pixel - width)) | (own ^ Vector256.Create(ids, pixel + width));
+        return differences == Vector256<int>.Zero;
     }
 
     private void Smooth(RenderTarget target, byte[] before, int column, int row)

@@ -1,20 +1,28 @@
 using System;
+using System.Runtime.Intrinsics;
 
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>Cuts triangles in clip space at the near plane (w = near) and divides what is left by w.</summary>
 internal static class NearClipper
 {
+    private const int DepthElement = 3;
+
     /// <summary>The corners of what is left, 0, 3 or 4; x and y are then pixels and z is near / depth.</summary>
-    public static int Clip(Vector4 a, Vector4 b, Vector4 c, double near, Span<Vector4> kept)
+    public static int Clip(Vector256<double> a, Vector256<double> b, Vector256<double> c, double near, Span<Vector256<double>> kept)
     {
-        if (a.W >= near && b.W >= near && c.W >= near)
+        double depthA = a[DepthElement];
+        double depthB = b[DepthElement];
+        double depthC = c[DepthElement];
+        if (depthA >= near && depthB >= near && depthC >= near)
         {
-            (kept[0], kept[1], kept[2]) = (Divided(a), Divided(b), Divided(c));
+            kept[2] = c / depthC;
+            kept[1] = b / depthB;
+            kept[0] = a / depthA;
             return 3;
         }
 
-        if (a.W < near && b.W < near && c.W < near)
+        if (depthA < near && depthB < near && depthC < near)
         {
             return 0;
         }
@@ -26,22 +34,23 @@ internal static class NearClipper
         return count < 3 ? 0 : count;
     }
 
-    private static void AddEdge(Vector4 from, Vector4 to, double near, Span<Vector4> kept, ref int count)
+    private static void AddEdge(Vector256<double> from, Vector256<double> to, double near, Span<Vector256<double>> kept, ref int count)
     {
-        if (from.W >= near)
+        bool isFromVisible = from[DepthElement] >= near;
+        if (isFromVisible)
         {
             kept[count++] = Divided(from);
         }
 
-        if ((from.W >= near) != (to.W >= near))
+        if (isFromVisible != to[DepthElement] >= near)
         {
             // Always from the visible end to the hidden one, so that neighbours that share the edge get the same point.
-            kept[count++] = from.W >= near ? Divided(Crossing(from, to, near)) : Divided(Crossing(to, from, near));
+            kept[count++] = Divided(isFromVisible ? Crossing(from, to, near) : Crossing(to, from, near));
         }
     }
 
-    private static Vector4 Crossing(Vector4 visible, Vector4 hidden, double near) =>
-        visible + ((hidden - visible) * ((visible.W - near) / (visible.W - hidden.W)));
+    private static Vector256<double> Crossing(Vector256<double> visible, Vector256<double> hidden, double near) =>
+        visible + ((hidden - visible) * ((visible[DepthElement] - near) / (visible[DepthElement] - hidden[DepthElement])));
 
-    private static Vector4 Divided(Vector4 point) => new(point.X / point.W, point.Y / point.W, point.Z / point.W, 1);
+    private static Vector256<double> Divided(Vector256<double> point) => point / point[DepthElement];
 }

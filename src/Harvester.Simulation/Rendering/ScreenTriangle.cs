@@ -5,15 +5,22 @@ namespace Harvester.Simulation.Rendering;
 /// <summary>A triangle in the pinhole's image: three edges whose value grows inward, the plane of near / depth over it, and its looks.</summary>
 internal readonly struct ScreenTriangle
 {
-    public ScreenTriangle(in Vector4 a, in Vector4 b, in Vector4 c, PixelRectangle pixels, int handle, in MeshTriangle source, Vector3 normal)
+    /// <param name="a">First corner: pixels, near / depth.</param>
+    /// <param name="b">Second corner.</param>
+    /// <param name="c">Third corner.</param>
+    /// <param name="doubleArea">Twice the area in square pixels, positive where the corners run clockwise on the screen; not 0.</param>
+    /// <param name="pixels">The pixels that it may cover.</param>
+    /// <param name="handle">The handle of what it belongs to.</param>
+    /// <param name="source">The triangle that is shown.</param>
+    /// <param name="normal">Unit vector of the world square to it, on the camera's side.</param>
+    public ScreenTriangle(in Vector4 a, in Vector4 b, in Vector4 c, double doubleArea, PixelRectangle pixels, int handle, in MeshTriangle source, Vector3 normal)
     {
         // Edges of neighbours are the same numbers with opposite signs, to the last bit, so that no pixel falls between them.
-        double area = ((b.X - a.X) * (c.Y - a.Y)) - ((b.Y - a.Y) * (c.X - a.X));
-        (Edge0, Edge1, Edge2) = area >= 0
+        (Edge0, Edge1, Edge2) = doubleArea >= 0
             ? (new ScreenLine(a, b), new ScreenLine(b, c), new ScreenLine(c, a))
             : (new ScreenLine(b, a), new ScreenLine(c, b), new ScreenLine(a, c));
-        double slopeX = (((b.Z - a.Z) * (c.Y - a.Y)) - ((c.Z - a.Z) * (b.Y - a.Y))) / area;
-        double slopeY = (((c.Z - a.Z) * (b.X - a.X)) - ((b.Z - a.Z) * (c.X - a.X))) / area;
+        double slopeX = (((b.Z - a.Z) * (c.Y - a.Y)) - ((c.Z - a.Z) * (b.Y - a.Y))) / doubleArea;
+        double slopeY = (((c.Z - a.Z) * (b.X - a.X)) - ((b.Z - a.Z) * (c.X - a.X))) / doubleArea;
         Nearness = new ScreenLine(slopeX, slopeY, a.Z - (slopeX * a.X) - (slopeY * a.Y));
         Pixels = pixels;
         Handle = handle;

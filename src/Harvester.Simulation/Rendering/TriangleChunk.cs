@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
@@ -20,9 +22,9 @@ internal sealed class TriangleChunk
 
     public int TriangleCount { get; private set; }
 
-    public ReadOnlySpan<ScreenTriangle> Triangles => System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_triangles);
+    public ReadOnlySpan<ScreenTriangle> Triangles => CollectionsMarshal.AsSpan(_triangles);
 
-    public ReadOnlySpan<int> Band(int number) => System.Runtime.InteropServices.CollectionsMarshal.AsSpan(_bands[number]);
+    public ReadOnlySpan<int> Band(int number) => CollectionsMarshal.AsSpan(_bands[number]);
 
     public void Clear(int bandCount)
     {
@@ -51,7 +53,7 @@ internal sealed class TriangleChunk
     {
         foreach (MeshPiece piece in _pieces)
         {
-            Matrix4 toClip = view.Matrix * Matrix4.ToWorld(piece.Instance.Pose);
+            var toClip = new ClipTransform(view.Matrix * Matrix4.ToWorld(piece.Instance.Pose));
             foreach (ref readonly MeshTriangle triangle in piece.Triangles)
             {
                 Process(view, piece.Instance, triangle, toClip, bandHeight);
@@ -59,38 +61,36 @@ internal sealed class TriangleChunk
         }
     }
 
-    private void Process(View view, in MeshInstance instance, in MeshTriangle triangle, in Matrix4 toClip, int bandHeight)
+    private void Process(View view, in MeshInstance instance, in MeshTriangle triangle, in ClipTransform toClip, int bandHeight)
     {
-        Span<Vector4> corners = stackalloc Vector4[4];
-        int count = NearClipper.Clip(
-            toClip.Transform(triangle.A), toClip.Transform(triangle.B), toClip.Transform(triangle.C), view.Camera.NearClip, corners);
-        if (count == 0)
-        {
-            return;
-        }
-
+        Span<Vector256<double>> corners = stackalloc Vector256<double>[4];
+        int count = NearClipper.Clip(toClip.Apply(triangle.A), toClip.Apply(triangle.B), toClip.Apply(triangle.C), view.NearClip, corners);
         Vector3? normal = null;
         for (int i = 2; i < count; i++)
         {
-            Vector4 a = corners[0];
-            Vector4 b = corners[i - 1];
-            Vector4 c = corners[i];
+            Vector256<double> a = corners[0];
+            Vector256<double> b = corners[i - 1];
+            Vector256<double> c = corners[i];
             PixelRectangle pixels = view.PixelsIn(
-                Math.Min(a.X, Math.Min(b.X, c.X)), Math.Min(a.Y, Math.Min(b.Y, c.Y)), Math.Max(a.X, Math.Max(b.X, c.X)), Math.Max(a.Y, Math.Max(b.Y, c.Y)));
-            double area = ((b.X - a.X) * (c.Y - a.Y)) - ((b.Y - a.Y) * (c.X - a.X));
-            if (pixels.IsEmpty || area == 0)
+                Vector256.MinNative(a, Vector256.MinNative(b, c)), Vector256.MaxNative(a, Vector256.MaxNative(b, c)));
+            if (pixels.IsEmpty)
             {
                 continue;
             }
 
-            normal ??= NormalTowards(view.Camera.Pose.Position, instance.Pose, triangle);
-            Add(new ScreenTriangle(a, b, c, pixels, instance.Handle, triangle, normal.Value), bandHeight);
+            double doubleArea = ((b[0] - a[0]) * (c[1] - a[1])) - ((b[1] - a[1]) * (c[0] - a[0]));
+            if (doubleArea != 0)
+            {
+                normal ??= NormalTowards(view.Camera.Pose.Position, instance.Pose, triangle);
+                Add(new ScreenTriangle(Vector4.Of(a), Vector4.Of(b), Vector4.Of(c), doubleArea, pixels, instance.Handle, triangle, normal.Value), bandHeight);
+            }
         }
     }
 
     private void Add(in ScreenTriangle triangle, int bandHeight)
     {
-        for (int band = triangle.Pixels.Top / bandHeight; band <= (triangle.Pixels.Bottom - 1) / bandHeight; band++)
+        int last = (triangle.Pixels.Bottom - 1) / bandHeight;
+        for (int band = triangle.Pixels.Top / bandHeight; band <= last; band++)
         {
             _bands[band].Add(_triangles.Count);
         }

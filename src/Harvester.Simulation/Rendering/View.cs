@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.Intrinsics;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
@@ -10,12 +11,14 @@ internal sealed class View
     private readonly double _top;
     private readonly double _right;
     private readonly double _bottom;
+    private readonly Vector256<double> _size;
 
     public View(RenderCamera camera, SampleGrid? grid)
     {
         Camera = camera;
         Grid = grid;
         Matrix = camera.ViewProjection;
+        _size = Vector256.Create(camera.Width, camera.Height, camera.Width, (double)camera.Height);
         (_left, _right) = Range(grid?.U, camera.Width);
         (_top, _bottom) = Range(grid?.V, camera.Height);
     }
@@ -36,6 +39,23 @@ internal sealed class View
         Side(toClip.Row3 * _bottom, toClip.Row1 * -1),
         Side(toClip.Row3, new Vector4(0, 0, 0, -Camera.NearClip)),
     ];
+
+    /// <summary>Distance of the near plane, metres.</summary>
+    public double NearClip => Camera.NearClip;
+
+    /// <summary>The pixels whose centres may lie in a rectangle of the pinhole's image; x and y are the first two elements of its corners.</summary>
+    public PixelRectangle PixelsIn(Vector256<double> min, Vector256<double> max)
+    {
+        if (Grid is not null)
+        {
+            return PixelsIn(min[0], min[1], max[0], max[1]);
+        }
+
+        Vector256<double> sides = Vector256.Create(min.GetLower(), max.GetLower());
+        sides = Vector256.Ceiling(sides - Vector256.Create(0.5));
+        sides = Vector256.MinNative(Vector256.MaxNative(sides, Vector256<double>.Zero), _size);
+        return new PixelRectangle((int)sides[0], (int)sides[1], (int)sides[2], (int)sides[3]);
+    }
 
     /// <summary>The pixels whose centres may lie in a rectangle of the pinhole's image.</summary>
     public PixelRectangle PixelsIn(double left, double top, double right, double bottom)
