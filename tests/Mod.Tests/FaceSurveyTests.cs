@@ -211,7 +211,9 @@ public sealed class SpaceSurveyTests
 
         // A folder where the file should be written: the system refuses that.
         driver.WaitForDisk();
-        Directory.CreateDirectory(Path.Combine(Folder(driver), SurveyFolder.TableName + ".partial"));
+        string table = Path.Combine(Folder(driver), SurveyFolder.TableName);
+        File.Delete(table);
+        Directory.CreateDirectory(table);
         driver.UntilTold("The survey stopped: ");
         Assert.Empty(driver.Game.Objects);
         Assert.Empty(driver.Game.Cameras);

@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Text;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Capture.Storage;
 
@@ -12,38 +13,12 @@ internal sealed class SessionDirectory(string path) : ISessionFiles
 {
     public const string Header = "session.json";
     public const string Labels = "labels.jsonl";
-    private const string Temporary = ".partial";
 
     private FileStream? _labels;
 
     public void MakeFolder(string name) => Directory.CreateDirectory(Path.Combine(path, name));
 
-    public void WriteWhole(string name, Action<Stream> content)
-    {
-        string target = Path.Combine(path, name);
-        string temporary = target + Temporary;
-        try
-        {
-            using (var stream = new FileStream(temporary, FileMode.Create, FileAccess.Write, FileShare.None))
-            {
-                content(stream);
-            }
-
-            if (File.Exists(target))
-            {
-                File.Replace(temporary, target, null);
-            }
-            else
-            {
-                File.Move(temporary, target);
-            }
-        }
-        catch
-        {
-            DeleteQuietly(temporary);
-            throw;
-        }
-    }
+    public void WriteWhole(string name, Action<Stream> content) => AtomicFile.Write(Path.Combine(path, name), content);
 
     public void AppendLabel(string line)
     {
@@ -64,16 +39,4 @@ internal sealed class SessionDirectory(string path) : ISessionFiles
     }
 
     public void Dispose() => _labels?.Dispose();
-
-    private static void DeleteQuietly(string file)
-    {
-        try
-        {
-            File.Delete(file);
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            // The first failure is the one to tell; readers leave temporary names aside.
-        }
-    }
 }

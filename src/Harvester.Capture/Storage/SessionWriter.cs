@@ -55,6 +55,11 @@ public sealed class SessionWriter : IFrameSink
         }
 
         _before = resume ? SessionContent.Read(directory) : SessionContent.Nothing;
+        foreach (string folder in new[] { "", FramePaths.Frames, FramePaths.Masks, FramePaths.Scenes })
+        {
+            AtomicFile.DeleteLeftovers(Path.Combine(directory, folder), _ => true);
+        }
+
         _framesWritten = _before.Frames;
     }
 

@@ -10,7 +10,6 @@ using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Driving;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
 using Harvester.Driving.Controllers;
 using Harvester.Evaluation.Clients;
@@ -18,6 +17,7 @@ using Harvester.Evaluation.Figures;
 using Harvester.Evaluation.Noise;
 using Harvester.Evaluation.Reports;
 using Harvester.Geometry;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Commands;
 
@@ -113,8 +113,8 @@ internal static class DriveCommand
         ExceptionDispatchInfo? fault = new JobProgress(terminal, metres, "m").Run(report => FaultOf(drives, report, cancellation));
         DriveRecord record = DriveRecord.Of(SettingsOf(parsed, plan), drives.Samples, isWhole: fault is null && !cancellation.IsCancellationRequested);
         string report = Path.Combine(folder, DriveReport.FileName);
-        WholeFile.Write(Path.Combine(folder, DriveRecord.FileName), record.Write);
-        WholeFile.Write(report, stream => DriveReport.Write(stream, record, drives.Samples));
+        AtomicFile.Write(Path.Combine(folder, DriveRecord.FileName), record.Write);
+        AtomicFile.Write(report, stream => DriveReport.Write(stream, record, drives.Samples));
         foreach ((string name, string value) in record.Figures.Rows())
         {
             terminal.Out.WriteLine($"{name + ":",-19}{value}");

@@ -5,6 +5,7 @@ using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sharding;
 using Harvester.Evaluation.Figures;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Driving;
 
@@ -17,7 +18,7 @@ internal static class BridgeFolder
     private const string Picture = "frame_";
 
     // What the game and its client write, under these names or temporary ones made of them; docs/bridge.md. Pictures are no sign: other tools number theirs so too.
-    private static readonly string[] Signs = ["state.txt", "indicators.txt", "controls.txt", "command.json", "alive.txt", "writing.part"];
+    private static readonly string[] Signs = ["state.txt", "indicators.txt", "controls.txt", "command.json", "alive.txt"];
 
     /// <summary>Checks that a bridge may be opened in a folder, and changes nothing.</summary>
     /// <exception cref="OccupiedFolderException">The folder holds something else.</exception>
@@ -37,5 +38,7 @@ internal static class BridgeFolder
         }
     }
 
-    private static bool IsSign(string name) => Signs.Any(sign => name.Contains(sign, StringComparison.Ordinal));
+    private static bool IsSign(string name) =>
+        Signs.Any(sign => name.Contains(sign, StringComparison.Ordinal))
+        || (name.StartsWith(Picture, StringComparison.Ordinal) && AtomicFile.TargetOf(name) is not null);
 }

@@ -4,7 +4,6 @@ using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using System.Text;
 using System.Threading;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
@@ -123,7 +122,7 @@ internal sealed class SimulatedHarvest
         RoadCsvWriter.Write(town, text);
         string path = Path.Combine(_plan.Folder, FramePaths.Roads);
         Directory.CreateDirectory(Path.GetDirectoryName(path)!);
-        WholeFile.Write(path, file => file.Write(new UTF8Encoding(false).GetBytes(text.ToString())));
+        AtomicFile.Write(path, text.ToString());
         return RoadCsvReader.Read(new StringReader(text.ToString()));
     }
 

@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Linq;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Terminals;
 
@@ -14,9 +15,6 @@ internal static class FileFault
     private static readonly int[] FullDisk = [28, 122, 69, unchecked((int)0x80070070), unchecked((int)0x80070027)];
 
     private static readonly string[] SentencesOfRuntime = ["Could not find a part of the path '", "Access to the path '", "Is a directory : '", "Cannot create '", "The file '"];
-
-    // Files have such a name until they are whole.
-    private static readonly string[] TemporaryEnds = [".tmp", ".partial"];
 
     /// <summary>One line.</summary>
     /// <param name="fault">What was thrown.</param>
@@ -57,6 +55,6 @@ internal static class FileFault
         int start = message.IndexOf('\'', StringComparison.Ordinal) + 1;
         int end = message.LastIndexOf('\'');
         string? path = end > start ? message[start..end] : null;
-        return TemporaryEnds.FirstOrDefault(temporaryEnd => path?.EndsWith(temporaryEnd, StringComparison.Ordinal) == true) is { } temporary ? path![..^temporary.Length] : path;
+        return path is null ? null : AtomicFile.TargetOf(path) ?? path;
     }
 }

@@ -1,12 +1,13 @@
 using System;
 using System.IO;
 using System.Linq;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Files;
 
 /// <summary>
 /// The folder of a dataset. While it is made, a working folder beside the data holds the plan and the journals; when all is done it is
-/// gone and export.json is there. Every file is written under a temporary name and renamed.
+/// gone and export.json is there. Every file appears whole or not at all.
 /// </summary>
 internal sealed class DatasetFolder(string path)
 {
@@ -20,7 +21,6 @@ internal sealed class DatasetFolder(string path)
     public const string Staging = Working + "/staged";
 
     private const string PlanFile = Working + "/plan.json";
-    private const string Temporary = ".partial";
 
     public string Path => path;
 
@@ -67,7 +67,8 @@ internal sealed class DatasetFolder(string path)
         CheckUnoccupied();
         if (!IsBegun)
         {
-            WritePlan(plan);
+            // Of shards that begin at once, the first to be done writes the plan of all.
+            AtomicFile.TryWriteNew(Prepare(PlanFile), plan);
         }
 
         if (!string.Equals(ReadPlan(), plan, StringComparison.Ordinal))
@@ -76,38 +77,25 @@ internal sealed class DatasetFolder(string path)
         }
     }
 
-    /// <summary>Takes the working folder away: when the plan is gone, the dataset is finished.</summary>
+    /// <summary>Takes away the working folder and what stopped exports left: when the plan is gone, the dataset is finished.</summary>
     public void Finish()
     {
+        DeleteLeftovers();
         File.Delete(PathOf(PlanFile));
         Directory.Delete(PathOf(Working), recursive: true);
     }
 
-    public void Write(string name, Action<Stream> write)
-    {
-        string target = Prepare(name);
-        using (var stream = new FileStream(target + Temporary, FileMode.Create, FileAccess.Write, FileShare.None))
-        {
-            write(stream);
-        }
-
-        File.Move(target + Temporary, target, overwrite: true);
-    }
+    public void Write(string name, Action<Stream> write) => AtomicFile.Write(Prepare(name), write);
 
     public void Transfer(string name, string source, ImageTransfer transfer) => FileTransfer.Place(Prepare(name), source, transfer);
 
-    // Of shards that begin at once each writes a file of its own, and the first that is moved is the plan.
-    private void WritePlan(string plan)
+    // Before the end this would take away the files that other shards write just now.
+    private void DeleteLeftovers()
     {
-        string own = Prepare($"{PlanFile}.{Guid.NewGuid():N}{Temporary}");
-        File.WriteAllText(own, plan);
-        try
+        var options = new EnumerationOptions { RecurseSubdirectories = true, AttributesToSkip = FileAttributes.ReparsePoint };
+        foreach (string folder in Directory.EnumerateDirectories(path, "*", options).Append(path))
         {
-            File.Move(own, PathOf(PlanFile));
-        }
-        catch (IOException) when (IsBegun)
-        {
-            File.Delete(own);
+            AtomicFile.DeleteLeftovers(folder, _ => true);
         }
     }
 

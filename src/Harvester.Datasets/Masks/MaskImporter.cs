@@ -18,8 +18,6 @@ namespace Harvester.Datasets.Masks;
 /// </summary>
 public static class MaskImporter
 {
-    private const string Temporary = ".partial";
-
     /// <summary>Imports a map for every frame of a session.</summary>
     /// <param name="session">The session.</param>
     /// <param name="folder">Where the maps are: 16-bit grey PNG files named by frame number.</param>
@@ -31,13 +29,13 @@ public static class MaskImporter
     {
         ArgumentNullException.ThrowIfNull(session);
         var maps = new ExternalMaps(folder);
-        string staged = session.PathOf(FramePaths.Masks + Temporary);
+        string staged = AtomicFile.TemporaryFor(session.PathOf(FramePaths.Masks));
         var encoder = new PngEncoder();
         var done = new MaskImport(0, 0, 0);
         Directory.CreateDirectory(staged);
         try
         {
-            WholeFile.Write(session.PathOf(SessionReader.LabelsFile), file =>
+            AtomicFile.Write(session.PathOf(SessionReader.LabelsFile), file =>
             {
                 using (var lines = new StreamWriter(file, new UTF8Encoding(false), leaveOpen: true) { NewLine = "\n" })
                 {
@@ -46,11 +44,8 @@ public static class MaskImporter
                         cancellation.ThrowIfCancellationRequested();
                         var size = new ImageSize(label.Camera.Width, label.Camera.Height);
                         var frame = new ImportedFrame(label, maps.Read(label.Frame, size), numbers);
-                        using (FileStream mask = File.Create(Path.Combine(staged, Path.GetFileName(FramePaths.Mask(label.Frame)))))
-                        {
-                            encoder.Write(frame.Map, mask);
-                        }
-
+                        string mask = Path.Combine(staged, Path.GetFileName(FramePaths.Mask(label.Frame)));
+                        AtomicFile.Write(mask, stream => encoder.Write(frame.Map, stream));
                         lines.WriteLine(frame.Rewrite(line));
                         done = new MaskImport(done.Frames + 1, done.Objects + label.Objects.Count, done.Seen + frame.Seen);
                     }

@@ -12,6 +12,7 @@ using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
@@ -78,7 +79,7 @@ public sealed class SessionRelabeller
         int frames = 0;
         bool masks = _recorded.Options.Masks;
         Directory.CreateDirectory(folder);
-        WholeFile.Write(Path.Combine(folder, SessionReader.LabelsFile), file =>
+        AtomicFile.Write(Path.Combine(folder, SessionReader.LabelsFile), file =>
         {
             using var lines = new StreamWriter(file, new UTF8Encoding(false), leaveOpen: true) { NewLine = "\n" };
             foreach ((FrameLabel label, RecordedScene scene) in _recorded.Frames())
@@ -177,7 +178,7 @@ public sealed class SessionRelabeller
             map.Ids[i] = kept.Contains(map.Ids[i]) ? map.Ids[i] : (ushort)0;
         }
 
-        WholeFile.Write(Prepare(folder, mask), file => _png.Write(map, file));
+        AtomicFile.Write(Prepare(folder, mask), file => _png.Write(map, file));
     }
 
     private void Place(string folder, string name)

@@ -8,6 +8,7 @@ using Harvester.Datasets.Images;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
 using Harvester.Pages;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Reports;
@@ -36,7 +37,7 @@ public sealed class ReportWriter
     public int Write(string path)
     {
         int shown = 0;
-        WholeFile.Write(path, stream => shown = Write(stream, Path.GetDirectoryName(Path.GetFullPath(path))!));
+        AtomicFile.Write(path, stream => shown = Write(stream, Path.GetDirectoryName(Path.GetFullPath(path))!));
         return shown;
     }
 

@@ -6,6 +6,7 @@ using Harvester.Datasets.Reports.Colours;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
@@ -53,7 +54,7 @@ public static class StillWriter
             canvas.Rectangle(item.Box2D, BoxWidth, colour, opacity);
         }
 
-        WholeFile.Write(path, file => new PngEncoder().Write(picture, file));
+        AtomicFile.Write(path, file => new PngEncoder().Write(picture, file));
     }
 
     private static PixelBuffer ReadPicture(SessionReader session, string image)

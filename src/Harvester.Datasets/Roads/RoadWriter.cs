@@ -1,8 +1,8 @@
 using System;
 using System.IO;
 using System.IO.Compression;
-using Harvester.Datasets.Files;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Roads;
 
 namespace Harvester.Datasets.Roads;
@@ -16,7 +16,7 @@ public static class RoadWriter
     {
         ArgumentNullException.ThrowIfNull(network);
         ArgumentException.ThrowIfNullOrEmpty(path);
-        WholeFile.Write(path, file =>
+        AtomicFile.Write(path, file =>
         {
             using Stream? packed = path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? new GZipStream(file, CompressionLevel.Optimal, leaveOpen: true) : null;
             using var writer = new StreamWriter(packed ?? file, leaveOpen: true);

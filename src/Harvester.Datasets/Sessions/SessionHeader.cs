@@ -54,7 +54,7 @@ internal sealed class SessionHeader
 
     /// <summary>Writes it into a folder.</summary>
     public void Write(string folder) =>
-        WholeFile.Write(Path.Combine(folder, SessionInfo.FileName), file => file.Write(new UTF8Encoding(false).GetBytes(ToString())));
+        AtomicFile.Write(Path.Combine(folder, SessionInfo.FileName), ToString());
 
     /// <summary>The text of the file.</summary>
     public override string ToString()

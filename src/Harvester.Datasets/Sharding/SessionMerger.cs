@@ -35,7 +35,7 @@ public static class SessionMerger
         IReadOnlyList<SessionShard> sources = Find(shards);
         Directory.CreateDirectory(folder);
         int frames = 0;
-        WholeFile.Write(Path.Combine(folder, SessionReader.LabelsFile), file =>
+        AtomicFile.Write(Path.Combine(folder, SessionReader.LabelsFile), file =>
         {
             using var lines = new StreamWriter(file, new UTF8Encoding(false), leaveOpen: true) { NewLine = "\n" };
             foreach ((string line, SessionReader source) in InOrder(sources))

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Text.RegularExpressions;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
 
@@ -13,6 +14,7 @@ namespace Harvester.Driving.Bridge;
 /// </summary>
 internal sealed class FrameFiles(string folder) : IDisposable
 {
+    private const string State = "state.txt";
     private const int PicturesKept = 10;
 
     /// <summary>Where so many cannot be deleted, writing more would fill the disk.</summary>
@@ -23,19 +25,22 @@ internal sealed class FrameFiles(string folder) : IDisposable
     private readonly MemoryStream _png = new();
     private BridgeState? _waiting;
     private bool _isPictureWritten;
+    private bool _mayHaveLeftovers;
 
-    /// <summary>Deletes the pictures of earlier drives, which are known by their names. What somebody holds fast stays.</summary>
+    /// <summary>Deletes the pictures of earlier drives and what these left unfinished, known by their names. What somebody holds fast stays.</summary>
     /// <exception cref="IOException">The folder cannot be read.</exception>
     /// <exception cref="UnauthorizedAccessException">The folder may not be read.</exception>
     public void DeleteEarlier()
     {
         foreach (string path in Directory.GetFiles(folder, "frame_*.png"))
         {
-            if (Regex.IsMatch(Path.GetFileName(path), @"\Aframe_[0-9]{8}\.png\z"))
+            if (IsPicture(Path.GetFileName(path)))
             {
                 TryDelete(path);
             }
         }
+
+        DeleteLeftovers();
     }
 
     /// <summary>Puts a frame in the place of the one that could not be written yet.</summary>
@@ -65,7 +70,7 @@ internal sealed class FrameFiles(string folder) : IDisposable
         }
 
         byte[] text = BridgeText.StateFile(state, name);
-        WriteWhole("state.txt", text, text.Length);
+        WriteWhole(State, text, text.Length);
         _waiting = null;
     }
 
@@ -99,6 +104,8 @@ internal sealed class FrameFiles(string folder) : IDisposable
         }
     }
 
+    private static bool IsPicture(string name) => Regex.IsMatch(name, @"\Aframe_[0-9]{8}\.png\z");
+
     /// <returns>Whether it is gone, as it is with the folder too.</returns>
     private static bool TryDelete(string path)
     {
@@ -119,22 +126,23 @@ internal sealed class FrameFiles(string folder) : IDisposable
 
     private void WriteWhole(string name, byte[] bytes, int count)
     {
-        string path = Path.Combine(folder, name);
-
-        // Always the same, or each failure would leave a file.
-        string temporary = Path.Combine(folder, "writing.part");
-        using (FileStream stream = File.Create(temporary))
+        try
         {
-            stream.Write(bytes, 0, count);
+            AtomicFile.Write(Path.Combine(folder, name), stream => stream.Write(bytes, 0, count));
+        }
+        catch
+        {
+            _mayHaveLeftovers = true;
+            throw;
         }
 
-        if (File.Exists(path))
+        if (_mayHaveLeftovers)
         {
-            File.Replace(temporary, path, null);
-        }
-        else
-        {
-            File.Move(temporary, path);
+            // Of a write that failed, the temporary file may have been as little to be deleted as the file to be written.
+            DeleteLeftovers();
+            _mayHaveLeftovers = false;
         }
     }
+
+    private void DeleteLeftovers() => AtomicFile.DeleteLeftovers(folder, target => target == State || IsPicture(target));
 }

@@ -6,6 +6,7 @@ using System.Threading;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Controllers;
 using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Evaluation.Clients;
 
@@ -132,8 +133,7 @@ public sealed class FolderLink : IBridgeLink
         {
             try
             {
-                File.WriteAllText(path + ".part", text);
-                File.Move(path + ".part", path, overwrite: true);
+                AtomicFile.Write(path, text);
                 return;
             }
             catch (Exception e) when (e is IOException or UnauthorizedAccessException && tried.Elapsed < PatienceOfWriting)

@@ -4,6 +4,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Play.Settings;
 
@@ -18,17 +19,7 @@ public static class IniEditor
     public static void Set(string path, string section, IReadOnlyList<KeyValuePair<string, double>> values)
     {
         string[] before = File.Exists(path) ? File.ReadAllLines(path, Encoding.UTF8) : [];
-        string temporary = path + ".partial";
-        File.WriteAllText(
-            temporary, string.Concat(Changed(before, section, values).Select(line => line + Environment.NewLine)), new UTF8Encoding(false));
-        if (File.Exists(path))
-        {
-            File.Replace(temporary, path, null);
-        }
-        else
-        {
-            File.Move(temporary, path);
-        }
+        AtomicFile.Write(path, string.Concat(Changed(before, section, values).Select(line => line + Environment.NewLine)));
     }
 
     private static List<string> Changed(string[] before, string section, IReadOnlyList<KeyValuePair<string, double>> values)

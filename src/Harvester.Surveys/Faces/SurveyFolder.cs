@@ -5,6 +5,7 @@ using System.Linq;
 using System.Text;
 using Harvester.Capture.Storage;
 using Harvester.Sessions.Faces;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
 
@@ -110,11 +111,7 @@ public sealed class SurveyFolder
     private void WriteFile(string name, Action<Stream> content)
     {
         ThrowFailure();
-        _disk.Add(() =>
-        {
-            using var files = new SessionDirectory(_path);
-            files.WriteWhole(name, content);
-        });
+        _disk.Add(() => AtomicFile.Write(Path.Combine(_path, name), content));
     }
 
     private void ThrowFailure()

@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Text;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Roads;
 
 namespace Harvester.Surveys.Roads;
@@ -9,8 +10,6 @@ namespace Harvester.Surveys.Roads;
 /// <summary>Keeps a survey's findings in a file of the form of <see cref="RoadCsv"/>.</summary>
 public static class RoadSurveyFile
 {
-    private const string Temporary = ".partial";
-
     /// <summary>What an earlier survey found; null when there is no file.</summary>
     /// <exception cref="FormatException">The file is damaged; the message says in which line.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
@@ -25,23 +24,11 @@ public static class RoadSurveyFile
         return RoadCsvReader.Read(text);
     }
 
-    /// <summary>Writes the findings under a temporary name, then renames: the file is always a whole survey.</summary>
+    /// <summary>Writes the findings. The file is always a whole survey.</summary>
     /// <exception cref="IOException">The file cannot be written; one that was there before is as it was.</exception>
-    public static void Save(string path, RoadNetwork network)
+    public static void Save(string path, RoadNetwork network) => AtomicFile.Write(path, stream =>
     {
-        string temporary = path + Temporary;
-        using (var text = new StreamWriter(temporary, append: false, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false)))
-        {
-            RoadCsvWriter.Write(network, text);
-        }
-
-        if (File.Exists(path))
-        {
-            File.Replace(temporary, path, null);
-        }
-        else
-        {
-            File.Move(temporary, path);
-        }
-    }
+        using var text = new StreamWriter(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), 4096, leaveOpen: true);
+        RoadCsvWriter.Write(network, text);
+    });
 }

@@ -73,7 +73,8 @@ public sealed class ServeCommandTests
 
     [Theory]
     [InlineData("controls.txt.tmp")]
-    [InlineData("writing.part")]
+    [InlineData("state.txt.0123456789abcdef.partial")]
+    [InlineData("frame_00000007.png.0123456789abcdef.partial")]
     public void Shared_folder_of_a_waiting_client_or_killed_game_is_reused(string sign)
     {
         using var folder = new TemporaryFolder();

@@ -155,7 +155,8 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     {
         Directory.CreateDirectory(Folder.PathOf("out/.export"));
         using var other = new FileStream(
-            Folder.PathOf("out/.export/plan.json.partial"), FileMode.CreateNew, FileAccess.Write, FileShare.None);
+            Folder.PathOf("out/.export/plan.json.0123456789abcdef.partial"),
+            FileMode.CreateNew, FileAccess.Write, FileShare.None);
 
         Assert.Equal(2, Folder.Export("csv", Session.Open(), shard: new Shard(1, 2)).Frames);
         Assert.Equal(1, Folder.Export("csv", Session.Open(), shard: new Shard(2, 2)).Frames);

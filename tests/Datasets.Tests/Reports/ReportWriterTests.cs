@@ -136,7 +136,7 @@ public sealed partial class ReportWriterTests : IDisposable
         Assert.Throws<FileNotFoundException>(() => new ReportWriter(_session.Open()).Write(report));
 
         Assert.Equal(before, File.ReadAllBytes(report));
-        Assert.False(File.Exists(report + ".tmp"));
+        Assert.Empty(Directory.GetFiles(_session.PathOf(""), "*.partial"));
     }
 
     private string Write(ReportLimits limits)

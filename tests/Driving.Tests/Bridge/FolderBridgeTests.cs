@@ -38,6 +38,39 @@ public sealed class FolderBridgeTests : IDisposable
         Frames.Await(() => Directory.GetFiles(_folder, "frame_*.png").Length <= 10, "old pictures to go");
     }
 
+    [Theory]
+    [InlineData("writing.part")]
+    [InlineData("state.txt.partial")]
+    [InlineData("state.txt")]
+    [InlineData("frame_00000004.png")]
+    public void Planted_link_is_not_followed(string name)
+    {
+        string secret = Path.Combine(Directory.CreateDirectory(PathOf("elsewhere")).FullName, "secret");
+        File.WriteAllText(secret, "mine");
+        File.CreateSymbolicLink(PathOf(name), secret);
+        using var bridge = new FolderBridge(_folder, Frames.Size);
+
+        bridge.Publish(Frames.State(4), Frames.Picture(9));
+        Frames.Await(() => File.Exists(PathOf("state.txt")) && new FileInfo(PathOf("state.txt")).LinkTarget is null, "state.txt");
+
+        Assert.Equal("mine", File.ReadAllText(secret));
+    }
+
+    [Fact]
+    public void What_a_killed_game_left_unfinished_is_deleted()
+    {
+        string[] left = ["frame_00000004.png.0123456789abcdef.partial", "state.txt.0123456789abcdef.partial"];
+        string client = PathOf("controls.txt.0123456789abcdef.partial");
+        foreach (string path in left.Select(PathOf).Append(client))
+        {
+            File.WriteAllText(path, "");
+        }
+
+        using var bridge = new FolderBridge(_folder, Frames.Size);
+
+        Assert.Equal([client], Directory.GetFiles(_folder));
+    }
+
     [Fact]
     public void Controls_and_indicators_arrive_once_per_write()
     {

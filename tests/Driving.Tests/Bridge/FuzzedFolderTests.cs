@@ -81,7 +81,7 @@ public sealed class FuzzedFolderTests : IDisposable
 
         // Ten that the bridge keeps; the vandal's own are none of them.
         Frames.Await(() => Directory.GetFiles(_folder, "frame_*.png").Length <= 10, "old pictures to go");
-        Assert.InRange(Directory.GetFiles(_folder, "*.part").Length, 0, 1);
+        Assert.InRange(Directory.GetFiles(_folder, "*.partial").Length, 0, 1);
     }
 
     /// <summary>A good client drives, and sees.</summary>

@@ -2,7 +2,7 @@ using System.CommandLine;
 using System.IO;
 using Harvester.Cli.Faces;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Files;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Commands.Faces;
 
@@ -23,7 +23,7 @@ internal static class GalleryCommand
             string folder = Path.GetDirectoryName(Path.GetFullPath(table))!;
             string page = parsed.GetValue(output) ?? (Directory.Exists(given) ? Path.Combine(folder, FileName) : FileName);
             var gallery = new FaceGallery(FaceFile.ReadGood(table, terminal.WriteError), folder);
-            WholeFile.Write(page, gallery.Write);
+            AtomicFile.Write(page, gallery.Write);
             terminal.Out.WriteLine($"{page}: {Counted.Of(gallery.Models, "model")} shown");
             return ExitCode.Done;
         });

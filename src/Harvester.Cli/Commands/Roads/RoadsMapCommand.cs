@@ -4,11 +4,11 @@ using System.IO;
 using System.IO.Compression;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
 using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Cli.Commands.Roads;
@@ -56,7 +56,7 @@ internal static class RoadsMapCommand
                 throw new UsageException(part is null ? NoRoads : "--area has no roads. Name another, or leave it out to draw all roads.");
             }
 
-            WholeFile.Write(file, stream => Write(map, extension, stream));
+            AtomicFile.Write(file, stream => Write(map, extension, stream));
             terminal.Out.WriteLine(FormattableString.Invariant($"{file}: {map.Size.Width} x {map.Size.Height} pixels of {ThreeDigits(map.MetresPerPixel):0.###############} m; {Legend}"));
             return ExitCode.Done;
         });

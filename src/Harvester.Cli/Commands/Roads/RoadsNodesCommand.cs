@@ -2,10 +2,10 @@ using System.CommandLine;
 using System.IO;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
 using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Commands.Roads;
 
@@ -26,7 +26,7 @@ internal static class RoadsNodesCommand
             var database = new NodeDatabase(new RoadCurves(network), new LaneModel(network, parsed.GetValue(laneWidth), parsed.GetValue(narrow)));
             string file = parsed.GetRequiredValue(output);
             int count = 0;
-            WholeFile.Write(file, stream =>
+            AtomicFile.Write(file, stream =>
             {
                 using var text = new StreamWriter(stream, leaveOpen: true);
                 count = NodeDatabaseWriter.Write(database, text);
