@@ -10,6 +10,7 @@ using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Driving;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
 using Harvester.Driving.Controllers;
 using Harvester.Evaluation.Clients;
@@ -107,6 +108,7 @@ internal static class DriveCommand
             throw new UsageException("Option '--out' is required.");
         }
 
+        using FolderLock held = FolderLock.Take(folder);
         DriveFolder.Prepare(folder, parsed.GetValue(Overwrite));
         int metres = (int)Math.Ceiling(plan.Metres * Math.Max(1, plan.Starts.Count));
         var drives = new SimulatedDrives(plan, terminal.Out);

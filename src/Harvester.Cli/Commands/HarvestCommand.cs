@@ -11,6 +11,7 @@ using Harvester.Capture.Ports;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
@@ -153,6 +154,7 @@ internal static class HarvestCommand
 
     private static int Run(Terminal terminal, HarvestPlan plan, bool withReport, CancellationToken cancellation)
     {
+        using FolderLock held = FolderLock.Take(plan.Folder);
         OutputFolder.Check(plan.Folder, plan.Overwrite);
         terminal.Out.WriteLine($"Harvesting {(plan.Shard.Count > 1 ? $"shard {plan.Shard} of " : "")}{Counted.Of(plan.Frames, "frame")} of {plan.Image.Width} x {plan.Image.Height}, seed {plan.Seed}, to {plan.Folder}");
         terminal.Out.Flush();

@@ -40,6 +40,7 @@ internal static class MergeCommand
                 throw new DirectoryNotFoundException($"Folder not found: '{absent}'.");
             }
 
+            using FolderLock held = FolderLock.Take(folder);
             terminal.Out.WriteLine(folders.Any(SessionMerger.IsSession)
                 ? MergeSession(folders, folder, parsed.GetValue(images), !parsed.GetValue(noReport))
                 : MergeDataset(folders, folder, parsed.GetValue(images)));

@@ -66,6 +66,7 @@ internal static class RelabelCommand
             throw new UsageException("--out is the recorded session itself, which stays as it is. Name another folder.");
         }
 
+        using FolderLock held = FolderLock.Take(folder);
         OutputFolder.Check(folder, parsed.GetValue(Overwrite));
         RelabelOptions changes = ChangesOf(terminal, parsed);
         var relabeller = new SessionRelabeller(session, changes);

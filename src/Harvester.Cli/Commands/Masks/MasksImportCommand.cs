@@ -3,6 +3,7 @@ using System.IO;
 using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Masks;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Sessions;
@@ -32,6 +33,7 @@ internal static class MasksImportCommand
         command.SetAction((parsed, cancellation) =>
         {
             string session = parsed.GetRequiredValue(folder);
+            using FolderLock held = FolderLock.Take(session);
             MaskNumbers numbers = parsed.GetValue(match) ? MaskNumbers.Overlap : MaskNumbers.Ids;
             MaskImport done = MaskImporter.Import(RecordedSessions.Open(terminal, session), parsed.GetRequiredValue(maps), numbers, cancellation);
             string report = Path.Combine(session, ReportWriter.FileName);
