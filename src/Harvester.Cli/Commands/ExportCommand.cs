@@ -130,7 +130,8 @@ internal static class ExportCommand
         }
 
         Shard shard = parsed.GetValue(ShardOf);
-        using FolderLock held = FolderLock.Take(folder, shard.Count > 1 ? FormattableString.Invariant($".{shard.Number}-of-{shard.Count}") : "");
+        string part = shard.Count > 1 ? FormattableString.Invariant($".{shard.Number}-of-{shard.Count}") : "";
+        using FolderLock held = FolderLock.Take(folder, part);
         int frames = plan.Sessions.Sum(session => session.CountLines()) / shard.Count;
         var exporter = new DatasetExporter(plan, folder, shard);
         ExportResult result = new JobProgress(terminal, frames).Run(report => exporter.Run(report, cancellation));

@@ -47,12 +47,15 @@ public sealed class FolderLock : IDisposable
             MakeFolder(parent, made);
             var taken = new FolderLock(path, made, Open(path));
             AtomicFile.Write(OwnerOf(path), string.Create(
-                CultureInfo.InvariantCulture, $"process {Environment.ProcessId} on {Environment.MachineName} since {DateTime.UtcNow:yyyy-MM-dd HH:mm:ss} UTC\n"));
+                CultureInfo.InvariantCulture,
+                $"process {Environment.ProcessId} on {Environment.MachineName} since {DateTime.UtcNow:yyyy-MM-dd HH:mm:ss} UTC\n"));
             return taken;
         }
         catch (IOException e) when (Array.IndexOf(HeldByAnother, e.HResult) >= 0)
         {
-            throw new OccupiedFolderException($"'{folder}' is being written by another harvester{OwnerIn(OwnerOf(path))}. Wait until it has ended, or name another folder.");
+            throw new OccupiedFolderException(
+                $"'{folder}' is being written by another harvester{OwnerIn(OwnerOf(path))}. "
+                + "Wait until it has ended, or name another folder.");
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {

@@ -27,7 +27,9 @@ internal sealed class FrameFiles(string folder) : IDisposable
     private bool _isPictureWritten;
     private bool _mayHaveLeftovers;
 
-    /// <summary>Deletes the pictures of earlier drives and what these left unfinished, known by their names. What somebody holds fast stays.</summary>
+    /// <summary>
+    /// Deletes the pictures of earlier drives and what these left unfinished, known by their names. What somebody holds fast stays.
+    /// </summary>
     /// <exception cref="IOException">The folder cannot be read.</exception>
     /// <exception cref="UnauthorizedAccessException">The folder may not be read.</exception>
     public void DeleteEarlier()

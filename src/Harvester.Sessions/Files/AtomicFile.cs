@@ -12,7 +12,8 @@ namespace Harvester.Sessions.Files;
 public static class AtomicFile
 {
     private const string Suffix = ".partial";
-    private static readonly Regex TemporaryName = new(@"\A(.+)\.[0-9a-f]{16}\.partial\z", RegexOptions.CultureInvariant | RegexOptions.Singleline);
+    private static readonly Regex TemporaryName = new(
+        @"\A(.+)\.[0-9a-f]{16}\.partial\z", RegexOptions.CultureInvariant | RegexOptions.Singleline);
 
     /// <summary>Writes a file, in place of an older one.</summary>
     /// <param name="path">The file; its folder must exist.</param>

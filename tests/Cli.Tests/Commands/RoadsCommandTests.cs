@@ -38,7 +38,9 @@ public sealed class RoadsCommandTests : IDisposable
         Assert.Matches(@"link flag NarrowRoad +1\n", info.Out);
         Assert.Matches(@"links with 2 \+ 1 lanes +1\n", info.Out);
         Assert.Matches(@"length +0\.0 km\n", info.Out);
-        Assert.Equal(["roads.csv.gz", "roads.txt"], Directory.GetFiles(_folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            ["roads.csv.gz", "roads.txt"],
+            Directory.GetFiles(_folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
     }
 
     [Fact]

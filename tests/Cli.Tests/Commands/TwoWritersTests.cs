@@ -25,7 +25,8 @@ public sealed class TwoWritersTests : IDisposable
 
             Assert.Equal(ExitCode.Usage, second.ExitCode);
             Assert.StartsWith(
-                $"harvester: '{_folder.PathOf("out")}' is being written by another harvester (process {first.Id} on {Environment.MachineName} since ",
+                $"harvester: '{_folder.PathOf("out")}' is being written by another harvester "
+                + $"(process {first.Id} on {Environment.MachineName} since ",
                 error,
                 StringComparison.Ordinal);
             Assert.Equal(1, error.Count(character => character == '\n'));
@@ -65,7 +66,8 @@ public sealed class TwoWritersTests : IDisposable
         }
     }
 
-    private string[] Arguments(string frames) => ["harvest", "--out", _folder.PathOf("out"), "--frames", frames, "--size", "64x48", "--no-report", "--quiet"];
+    private string[] Arguments(string frames) =>
+        ["harvest", "--out", _folder.PathOf("out"), "--frames", frames, "--size", "64x48", "--no-report", "--quiet"];
 
     private Process Start(string frames, params string[] more)
     {

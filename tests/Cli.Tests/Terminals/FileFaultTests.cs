@@ -46,7 +46,9 @@ public sealed class FileFaultTests : IDisposable
     [Theory]
     [InlineData("No space left on device : '/data/kitti/label.txt.0123456789abcdef.partial'", 28, "'/data/kitti/label.txt'")]
     [InlineData("No space left on device", 28, "'kitti'")]
-    [InlineData("There is not enough space on the disk. : 'D:\\out\\page.html.0123456789abcdef.partial'", unchecked((int)0x80070070), "'D:\\out\\page.html'")]
+    [InlineData(
+        "There is not enough space on the disk. : 'D:\\out\\p.html.0123456789abcdef.partial'",
+        unchecked((int)0x80070070), "'D:\\out\\p.html'")]
     public void Full_disk_is_reported_with_the_path_and_advice(string message, int code, string place) => Assert.Equal(
         $"The disk is full: {place} cannot be written. Free some space, or name a place on another disk, and give the command again.",
         FileFault.TextOf(new IOException(message, code), "kitti"));

@@ -7,7 +7,8 @@ namespace Harvester.Driving.Tests.Bridge;
 /// <summary>Does to a shared folder what clients, other programs, networks and people do to folders, at random.</summary>
 internal sealed class FolderVandal(string folder, int seed) : IDisposable
 {
-    private static readonly string[] Names = ["controls.txt", "indicators.txt", "command.json", "alive.txt", "state.txt", "state.txt.0123456789abcdef.partial"];
+    private static readonly string[] Names =
+        ["controls.txt", "indicators.txt", "command.json", "alive.txt", "state.txt", "state.txt.0123456789abcdef.partial"];
 
     private static readonly string[] Contents =
     [

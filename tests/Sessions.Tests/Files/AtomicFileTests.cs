@@ -102,7 +102,9 @@ public sealed class AtomicFileTests : IDisposable
 
         Assert.Equal(names.Length, names.Distinct().Count());
         Assert.All(names, name => Assert.Equal("a/spaces.csv", AtomicFile.TargetOf(name)));
-        Assert.All(["a.partial", ".0123456789abcdef.partial", "a.0123456789abcde.partial", "a.0123456789abcdef.png"], name => Assert.Null(AtomicFile.TargetOf(name)));
+        Assert.All(
+            ["a.partial", ".0123456789abcdef.partial", "a.0123456789abcde.partial", "a.0123456789abcdef.png"],
+            name => Assert.Null(AtomicFile.TargetOf(name)));
     }
 
     [Fact]
@@ -126,7 +128,9 @@ public sealed class AtomicFileTests : IDisposable
 
         AtomicFile.DeleteLeftovers(_folder, target => target == "mine.txt");
 
-        Assert.Equal(others.Order(StringComparer.Ordinal), Directory.GetFiles(_folder).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            others.Order(StringComparer.Ordinal),
+            Directory.GetFiles(_folder).Select(Path.GetFileName).Order(StringComparer.Ordinal));
     }
 
     [Fact]
