@@ -1,7 +1,6 @@
 using System.Collections.Generic;
 using Harvester.Capture.Labelling;
 using Harvester.Sessions.Imaging;
-using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
@@ -34,15 +33,14 @@ internal sealed class FrameHarvester(HarvestOptions options, IFrameSink sink, IC
         }
     }
 
-    private CapturedFrame FrameOf(FrameDraft taken)
+    private CapturedFrame FrameOf(FrameDraft draft)
     {
-        FrameDraft draft = taken with { Labelling = LightObserver.Observe(taken.Labelling, taken.Picture) };
-        FrameLabel label = FrameLabels.Of(
-            sink.FirstFrame + counters.Captured, draft, FrameLabeller.CameraOf(options, draft.Snapshot.Camera), options.Format);
-        return new CapturedFrame(label, draft.Picture, draft.Labelling.Mask, pool)
+        PixelBuffer picture = draft.Picture!;
+        LightObserver.Observe(draft, picture);
+        return new CapturedFrame(draft.Label(sink.FirstFrame + counters.Captured, options.Format), picture, draft.Mask, pool)
         {
             Scene = options.Scenes
-                ? new RecordedScene(draft.Snapshot, options.Lens, draft.Labelling.Ids, draft.Labelling.Occlusions) { Distant = draft.Labelling.Distant }
+                ? new RecordedScene(draft.Snapshot, options.Lens, draft.Ids, draft.Occlusions) { Distant = draft.Distant }
                 : null,
         };
     }

@@ -73,15 +73,15 @@ internal sealed class FrozenFlow(
                 yield break;
             }
 
-            FrameLabelling? labelling = null;
+            FrameDraft? draft = null;
             if (!isOurs)
             {
                 labeller.Pass(snapshot);
             }
 
-            foreach (FrameLabelling? slice in isOurs ? labeller.Label(snapshot, static () => true) : [])
+            foreach (FrameDraft? slice in isOurs ? labeller.Label(snapshot, static () => true) : [])
             {
-                labelling = slice;
+                draft = slice;
                 if (slice is null && budget.IsSpent)
                 {
                     yield return HarvestPhase.Labelling;
@@ -97,7 +97,8 @@ internal sealed class FrozenFlow(
             IsPassed = !isOurs;
             if (isOurs)
             {
-                Draft = new FrameDraft(snapshot, 0, 0, picture, labelling!);
+                draft!.Picture = picture;
+                Draft = draft;
                 picture = null;
             }
         }

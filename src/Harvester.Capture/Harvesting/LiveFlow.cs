@@ -38,7 +38,7 @@ internal sealed class LiveFlow(
             double grabSeconds = 0;
             SceneSnapshot? scene = null;
             CameraState? camera = null;
-            FrameLabelling? labelling = null;
+            FrameDraft? draft = null;
             for (int tick = 0; tick <= Math.Max(GrabTick, ReadTick); tick++)
             {
                 if (tick > 0)
@@ -67,11 +67,14 @@ internal sealed class LiveFlow(
                 if (tick == ReadTick)
                 {
                     scene = scene! with { Camera = camera! };
-                    labelling = LabelNow(scene);
+                    draft = LabelNow(scene);
                 }
             }
 
-            Draft = new FrameDraft(scene!, lag.EntityTicks, grabSeconds - scene!.TimeSeconds, picture, labelling!);
+            draft!.Picture = picture;
+            draft.LagFrames = lag.EntityTicks;
+            draft.LagSeconds = grabSeconds - draft.Snapshot.TimeSeconds;
+            Draft = draft;
             picture = null;
         }
         finally
@@ -83,14 +86,14 @@ internal sealed class LiveFlow(
         }
     }
 
-    private FrameLabelling LabelNow(SceneSnapshot scene)
+    private FrameDraft LabelNow(SceneSnapshot scene)
     {
-        FrameLabelling? labelling = null;
-        foreach (FrameLabelling? slice in labeller.Label(scene, () => !budget.IsSpent))
+        FrameDraft? draft = null;
+        foreach (FrameDraft? slice in labeller.Label(scene, () => !budget.IsSpent))
         {
-            labelling = slice;
+            draft = slice;
         }
 
-        return labelling!;
+        return draft!;
     }
 }

@@ -18,7 +18,9 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
     /// <summary>A face's own surface lies in its cuboid up to the rounding of its corners; less than the thickness of a sign's plate.</summary>
     private const double MeasuredMarginMetres = 0.005;
 
-    /// <summary>An estimated cuboid may lie before or behind the plate by so much; with less, all of its faces would count as hidden by their own plates.</summary>
+    /// <summary>
+    /// An estimated cuboid may lie this far before or behind the plate; with less, its faces would count as hidden by their own plates.
+    /// </summary>
     private const double EstimatedMarginMetres = 0.15;
 
     /// <summary>The plate behind the head of a light reaches beyond it by so much: 5 inches is the usual size, and a corner may be rounded.</summary>
@@ -27,12 +29,11 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
     private readonly OcclusionEstimator _occlusion = new(options.OcclusionSamples);
 
     /// <summary>Labels the faces of entities, a slice each.</summary>
-    /// <param name="camera">The camera of the saved image.</param>
-    /// <param name="snapshot">The scene.</param>
-    /// <param name="findings">Has what was found of the entities, and gets what is found of each face in the image.</param>
-    /// <param name="mayCastRays">Asked for each; one that gets a no has no occlusion.</param>
-    public IEnumerable<bool> Label(Camera camera, SceneSnapshot snapshot, FrameFindings findings, Func<bool> mayCastRays)
+    /// <param name="draft">The frame with its entities; gets each face in the image.</param>
+    /// <param name="mayCastRays">Asked before each face; after a no, the face has no occlusion.</param>
+    public IEnumerable<bool> Label(FrameDraft draft, Func<bool> mayCastRays)
     {
+        (Camera camera, SceneSnapshot snapshot) = (draft.Camera, draft.Snapshot);
         foreach (FaceCandidate? candidate in CandidatesOf(camera, snapshot))
         {
             yield return true;
@@ -41,22 +42,23 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
                 continue;
             }
 
-            OcclusionEstimate parent = findings.OcclusionOf(candidate.Seen.Entity.Handle);
+            OcclusionEstimate parent = draft.OcclusionOf(candidate.Seen.Entity.Handle);
             OcclusionEstimate occlusion =
                 parent.Sight is Sight.Unseen or Sight.Undetermined ? parent
                 : mayCastRays() && rays?.Left >= _occlusion.MaxRays ? Estimate(camera, candidate, snapshot.Ego.Handle, rays)
                 : default;
-            Add(findings, camera, snapshot, candidate, occlusion);
+            Add(draft, candidate, occlusion);
         }
     }
 
-    /// <summary>Adds what was found of a space to a frame's findings; where its object has an ignore region it needs none of its own.</summary>
-    public void Add(FrameFindings findings, Camera camera, SceneSnapshot snapshot, FaceCandidate candidate, OcclusionEstimate occlusion)
+    /// <summary>Adds a face to a frame. It gets an ignore region only if its object has none.</summary>
+    public void Add(FrameDraft draft, FaceCandidate candidate, OcclusionEstimate occlusion)
     {
+        (Camera camera, SceneSnapshot snapshot) = (draft.Camera, draft.Snapshot);
         LabelCandidate seen = candidate.Seen;
         int handle = seen.Entity.Handle;
-        bool isParentMarked = findings.OcclusionOf(handle).Sight == Sight.Undetermined;
-        findings.Add(
+        bool isParentMarked = draft.OcclusionOf(handle).Sight == Sight.Undetermined;
+        draft.Add(
             RecordedOcclusion.Of(handle, candidate.Face.Number, seen.Id, occlusion, lights?.SetStateOf(handle, snapshot.GameFrame)),
             occlusion,
             LabelOf(camera, snapshot, candidate, occlusion),
@@ -73,8 +75,8 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
     }
 
     /// <summary>
-    /// The faces of entities, numbered; null for one that is not in the image, and for a sign's seen that is seen from behind: there is
-    /// nothing of it to see. The head of a light is a housing, and seen from all sides.
+    /// The faces of entities, numbered; null for one that is not in the image, and for a sign's face seen from behind.
+    /// The head of a light is a housing, visible from all sides.
     /// </summary>
     public IEnumerable<FaceCandidate?> CandidatesOf(Camera camera, SceneSnapshot snapshot) =>
         from entity in snapshot.Entities
@@ -91,41 +93,29 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
         }
 
         CuboidProjection projection = CuboidProjector.Project(camera, cuboid, FaceOutline.EdgesOf(face, entity.Pose));
-        return projection is { Box: { } box, AmodalBox: { } amodal } && options.IsLargeEnough(box)
-            ? new FaceCandidate(face, new LabelCandidate(entity, registry.IdOf(entity, face.Number), cuboid, projection, box, amodal), registry.IdOf(entity))
+        return projection is { Box: { } box, AmodalBox: not null } && options.IsLargeEnough(box)
+            ? new FaceCandidate(face, new LabelCandidate(entity, registry.IdOf(entity, face.Number), cuboid, projection), registry.IdOf(entity))
             : null;
     }
 
-    /// <summary>The label of a space in the image; null when it is not listed.</summary>
-    public ObjectLabel? LabelOf(Camera camera, SceneSnapshot snapshot, FaceCandidate candidate, OcclusionEstimate occlusion)
+    /// <summary>The label of a face in the image; null when it is not listed.</summary>
+    private ObjectLabel? LabelOf(Camera camera, SceneSnapshot snapshot, FaceCandidate candidate, OcclusionEstimate occlusion)
     {
-        (ModelFace face, LabelCandidate seen, int parent) = candidate;
-        EntityState entity = seen.Entity;
-        Cuboid cuboid = seen.Cuboid;
         if (!options.IsListed(occlusion))
         {
             return null;
         }
 
-        return new ObjectLabel
+        (ModelFace face, LabelCandidate seen, int parent) = candidate;
+        EntityState entity = seen.Entity;
+        return seen.Label(camera, face.Class, occlusion) with
         {
-            Id = seen.Id,
-            Class = face.Class,
-            Model = entity.Model,
             Name = face.Name.Length == 0 ? null : face.Name,
             Parent = parent,
-            Box2D = seen.Box,
-            Box2DAmodal = seen.AmodalBox,
-            TruncatedFraction = seen.Projection.TruncatedFraction,
-            OccludedFraction = occlusion.Method == OcclusionMethod.None ? null : occlusion.OccludedFraction,
-            OcclusionMethod = occlusion.Method,
-            Box3D = cuboid,
-            DistanceMetres = (cuboid.Centre - camera.Pose.Position).Length,
-            Velocity = entity.Velocity,
             Face = new FaceLabel(
                 face.Number,
                 face.MutcdCode.Length == 0 ? null : face.MutcdCode,
-                FacingAngleDegrees(face, cuboid, entity.Pose, camera.Pose.Position),
+                FacingAngleDegrees(face, seen.Cuboid, entity.Pose, camera.Pose.Position),
                 face.Provenance,
                 face.Class == ObjectClass.TrafficLight ? LightOf(entity, snapshot.GameFrame) : null),
         };
@@ -149,7 +139,10 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
     private LightLabel LightOf(EntityState entity, long gameFrame) =>
         lights?.SetStateOf(entity.Handle, gameFrame) is { } state ? new LightLabel(state, LightMethod.Set, null) : LightLabel.Unknown;
 
-    /// <summary>The angle between two directions by the tangent of its half, which is exact near 0 and 180 degrees as well. A camera in the middle of the seen sees it at 0.</summary>
+    /// <summary>
+    /// The angle between two directions by the tangent of its half, which is exact near 0 and 180 degrees as well; 0 for a camera in the
+    /// middle of the face.
+    /// </summary>
     private static double FacingAngleDegrees(ModelFace face, Cuboid cuboid, Pose entity, Vector3D eye)
     {
         Vector3D outward = face.DirectionAt(entity);

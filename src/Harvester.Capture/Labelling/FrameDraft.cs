@@ -1,13 +1,136 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
+using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>A picture and what is seen in it, agreed to be of one moment.</summary>
-/// <param name="Snapshot">The state that the picture shows.</param>
-/// <param name="LagFrames">Game frames from the reading of the state to the grab.</param>
-/// <param name="LagSeconds">The same in seconds of the game's time.</param>
-/// <param name="Picture">The picture, of the session's pool.</param>
-/// <param name="Labelling">Objects and mask.</param>
-internal sealed record FrameDraft(
-    SceneSnapshot Snapshot, int LagFrames, double LagSeconds, PixelBuffer Picture, FrameLabelling Labelling);
+/// <summary>A frame in progress: a scene, the camera that sees it, what labelling finds, and the image of the same moment.</summary>
+/// <param name="snapshot">The state that the image shows.</param>
+/// <param name="camera">The camera of the saved image.</param>
+internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
+{
+    private readonly List<ObjectLabel> _objects = [];
+    private readonly List<IgnoreRegion> _regions = [];
+    private readonly List<RecordedOcclusion> _occlusions = [];
+    private readonly List<DistantEntity> _distant = [];
+    private readonly Dictionary<int, OcclusionEstimate> _entities = [];
+
+    /// <summary>The state that the image shows.</summary>
+    public SceneSnapshot Snapshot => snapshot;
+
+    /// <summary>The camera of the saved image.</summary>
+    public Camera Camera => camera;
+
+    /// <summary>The image, from the session's pool; null until it is grabbed.</summary>
+    public PixelBuffer? Picture { get; set; }
+
+    /// <summary>Game frames from reading the state to grabbing the image.</summary>
+    public int LagFrames { get; set; }
+
+    /// <summary>The same in seconds of game time.</summary>
+    public double LagSeconds { get; set; }
+
+    /// <summary>The instance map; null until there is one.</summary>
+    public InstanceMap? Mask { get; set; }
+
+    /// <summary>The accuracy of the mask; null without one.</summary>
+    public PixelMapLabel? PixelMap { get; set; }
+
+    /// <summary>The lanes; null when no roads are known.</summary>
+    public LanesLabel? Lanes { get; set; }
+
+    /// <summary>The rays used; null for labels made without a game.</summary>
+    public RayCounts? Rays { get; set; }
+
+    /// <summary>The numbers of the entities that have one, by handle.</summary>
+    public IReadOnlyDictionary<int, int> Ids { get; set; } = new Dictionary<int, int>();
+
+    /// <summary>The objects in the image, in the order of their ids.</summary>
+    public IReadOnlyList<ObjectLabel> Objects => [.. _objects.OrderBy(label => label.Id)];
+
+    /// <summary>Regions of objects without a label, the nearest first.</summary>
+    public IReadOnlyList<IgnoreRegion> IgnoreRegions => [.. _regions.OrderBy(region => region.DistanceMetres)];
+
+    /// <summary>The occlusion of each entity and face in the image, for the scene.</summary>
+    public IReadOnlyList<RecordedOcclusion> Occlusions => _occlusions;
+
+    /// <summary>The entities beyond the labelling range that are in the image.</summary>
+    public IReadOnlyList<DistantEntity> Distant => _distant;
+
+    /// <summary>The occlusion of an entity in the image; the default, not examined, if it has none.</summary>
+    public OcclusionEstimate OcclusionOf(int handle) => _entities.TryGetValue(handle, out OcclusionEstimate found) ? found : default;
+
+    /// <summary>Adds an entity or one of its faces.</summary>
+    /// <param name="found">Its occlusion, for the scene.</param>
+    /// <param name="estimate">The same as an estimate.</param>
+    /// <param name="label">Its label; null when it is not listed.</param>
+    /// <param name="region">Its ignore region; null for none.</param>
+    public void Add(RecordedOcclusion found, OcclusionEstimate estimate, ObjectLabel? label, IgnoreRegion? region)
+    {
+        _occlusions.Add(found);
+        if (found.Face is null)
+        {
+            _entities[found.Handle] = estimate;
+        }
+
+        List(label, region);
+    }
+
+    /// <summary>Adds an entity beyond the labelling range.</summary>
+    public void Add(DistantEntity found, IgnoreRegion? region)
+    {
+        _distant.Add(found);
+        List(null, region);
+    }
+
+    /// <summary>Replaces each object label by what a function makes of it.</summary>
+    public void Update(Func<ObjectLabel, ObjectLabel> change)
+    {
+        for (int i = 0; i < _objects.Count; i++)
+        {
+            _objects[i] = change(_objects[i]);
+        }
+    }
+
+    /// <summary>The label of the finished frame.</summary>
+    /// <param name="frame">Its number in the session.</param>
+    /// <param name="format">The format of the session's images.</param>
+    public FrameLabel Label(int frame, ImageFormat format) => new(
+        frame,
+        snapshot.GameFrame,
+        snapshot.TimeSeconds,
+        LagFrames,
+        LagSeconds,
+        FramePaths.Image(frame, format),
+        Mask is null ? null : FramePaths.Mask(frame),
+        CameraLabel.Of(camera),
+        EgoLabel.Of(snapshot.Ego),
+        snapshot.Environment,
+        Objects)
+    {
+        PixelMap = PixelMap,
+        Rays = Rays,
+        IgnoreRegions = IgnoreRegions,
+        Lanes = Lanes,
+    };
+
+    private void List(ObjectLabel? label, IgnoreRegion? region)
+    {
+        if (label is not null)
+        {
+            _objects.Add(label);
+        }
+
+        if (region is not null)
+        {
+            _regions.Add(region);
+        }
+    }
+}

@@ -23,32 +23,30 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     /// <summary>Labels the parts of objects that matter; null for labels without.</summary>
     public FaceLabeller? Faces { get; init; }
 
-    /// <summary>The camera of the saved image.</summary>
-    public static Camera CameraOf(LabellingOptions options, CameraState state) =>
-        new(state.Pose, new CameraIntrinsics(state.VerticalFovDegrees, options.Image, state.WindowAspect, state.NearClip, options.Lens));
-
     /// <summary>
     /// Labels a snapshot a slice at a time. Each element is null until the work is done; the last is the result.
     /// The caller may leave off after any slice and go on in a later tick, as long as the game stands still.
     /// </summary>
     /// <param name="snapshot">The scene.</param>
-    /// <param name="mayCastRays">Asked for each object and each ray of a mask; objects that get a no have no occlusion, and a mask ends there.</param>
-    public IEnumerable<FrameLabelling?> Label(SceneSnapshot snapshot, Func<bool> mayCastRays)
+    /// <param name="mayCastRays">
+    /// Asked before each object and each ray of a mask: after a no, an object has no occlusion and a mask gets no further rays.
+    /// </param>
+    public IEnumerable<FrameDraft?> Label(SceneSnapshot snapshot, Func<bool> mayCastRays)
     {
         rays.Begin();
-        var findings = new FrameFindings();
-        Camera camera = CameraOf(options, snapshot.Camera);
+        Camera camera = options.CameraOf(snapshot.Camera);
+        var draft = new FrameDraft(snapshot, camera);
         List<LabelCandidate> candidates = _objects.CandidatesOf(camera, snapshot);
         IEnumerable<bool> objects = options.Masks
-            ? new MapLabeller(options, _objects, rays).Label(camera, snapshot.Ego.Handle, candidates, findings, mayCastRays)
-            : LabelByRays(camera, snapshot.Ego.Handle, candidates, findings, mayCastRays);
+            ? new MapLabeller(options, _objects, rays).Label(draft, candidates, mayCastRays)
+            : LabelByRays(draft, candidates, mayCastRays);
         foreach (bool _ in objects)
         {
             yield return null;
         }
 
         rays.Begin(RayPhase.Faces);
-        foreach (bool _ in Faces?.Label(camera, snapshot, findings, mayCastRays) ?? [])
+        foreach (bool _ in Faces?.Label(draft, mayCastRays) ?? [])
         {
             yield return null;
         }
@@ -56,19 +54,23 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
         rays.Begin(RayPhase.IgnoreRegions);
         foreach (DistantCandidate candidate in _distant.CandidatesOf(camera, snapshot.Distant))
         {
-            Sight sight = mayCastRays() && rays.Left >= SightFinder.MaxRays ? _distant.Look(camera, candidate, snapshot.Ego.Handle, rays) : Sight.NotAsked;
-            findings.Add(new DistantEntity(candidate.Entity, sight), DistantLabeller.RegionOf(camera, candidate, sight));
+            Sight sight = mayCastRays() && rays.Left >= SightFinder.MaxRays
+                ? _distant.Look(camera, candidate, snapshot.Ego.Handle, rays)
+                : Sight.NotAsked;
+            draft.Add(new DistantEntity(candidate.Entity, sight), DistantLabeller.RegionOf(camera, candidate, sight));
             yield return null;
         }
 
         rays.Begin(RayPhase.Lanes);
         foreach (LanesLabel? slice in Lanes?.Label(snapshot, camera, mayCastRays) ?? [])
         {
-            findings.Lanes = slice;
+            draft.Lanes = slice;
             yield return null;
         }
 
-        yield return findings.Labelling(registry.IdsOf(snapshot.Entities), rays.Counts);
+        draft.Ids = registry.IdsOf(snapshot.Entities);
+        draft.Rays = rays.Counts;
+        yield return draft;
     }
 
     /// <summary>
@@ -77,15 +79,16 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     /// </summary>
     public void Pass(SceneSnapshot snapshot)
     {
-        Camera camera = CameraOf(options, snapshot.Camera);
+        Camera camera = options.CameraOf(snapshot.Camera);
         _objects.CandidatesOf(camera, snapshot);
         Faces?.Pass(camera, snapshot);
         Lanes?.Pass(snapshot);
     }
 
-    private IEnumerable<bool> LabelByRays(
-        Camera camera, int egoHandle, List<LabelCandidate> candidates, FrameFindings findings, Func<bool> mayCastRays)
+    private IEnumerable<bool> LabelByRays(FrameDraft draft, List<LabelCandidate> candidates, Func<bool> mayCastRays)
     {
+        Camera camera = draft.Camera;
+        int egoHandle = draft.Snapshot.Ego.Handle;
         rays.Begin(RayPhase.Occlusion);
         foreach (LabelCandidate candidate in candidates)
         {
@@ -94,7 +97,7 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
                 : mayCastRays() && rays.Left >= _occlusion.MaxRays
                     ? _occlusion.Estimate(camera, candidate.Cuboid, candidate.Projection, candidate.Entity.Handle, egoHandle, rays)
                 : default;
-            findings.Add(
+            draft.Add(
                 RecordedOcclusion.Of(candidate.Entity.Handle, null, candidate.Id, occlusion, null),
                 occlusion,
                 _objects.LabelOf(camera, candidate, occlusion),

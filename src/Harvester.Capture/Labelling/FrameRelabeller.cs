@@ -72,12 +72,12 @@ public sealed class FrameRelabeller
         bool keepsMask = KeepsMask(scene, recorded, _options.Lens);
         SceneSnapshot snapshot = Begin(scene, out Camera camera);
         var occlusions = new RecordedOcclusions(scene, recorded, _recordedOptions, isLensSame);
-        var findings = new FrameFindings();
+        var draft = new FrameDraft(snapshot, camera);
         foreach (LabelCandidate candidate in _objects.CandidatesOf(camera, snapshot))
         {
             OcclusionEstimate occlusion = occlusions.Of(candidate);
             ObjectLabel? label = _objects.LabelOf(camera, candidate, occlusion);
-            findings.Add(
+            draft.Add(
                 RecordedOcclusion.Of(candidate.Entity.Handle, null, candidate.Id, occlusion, null),
                 occlusion,
                 label is null
@@ -88,27 +88,30 @@ public sealed class FrameRelabeller
 
         foreach (FaceCandidate candidate in (_faces?.CandidatesOf(camera, snapshot) ?? []).OfType<FaceCandidate>())
         {
-            _faces!.Add(findings, camera, snapshot, candidate, occlusions.Of(candidate));
+            _faces!.Add(draft, candidate, occlusions.Of(candidate));
         }
 
         foreach (DistantEntity distant in DistantIn(scene))
         {
             foreach (DistantCandidate candidate in _distant.CandidatesOf(camera, [distant.Entity]))
             {
-                findings.Add(distant, DistantLabeller.RegionOf(camera, candidate, distant.Sight));
+                draft.Add(distant, DistantLabeller.RegionOf(camera, candidate, distant.Sight));
             }
         }
 
-        FrameLabelling labelling = findings.Labelling(scene.Ids, recorded.Rays);
-        labelling = LightObserver.NeedsPicture(labelling) ? LightObserver.Observe(labelling, picture()) : labelling;
+        if (LightObserver.NeedsPicture(draft))
+        {
+            LightObserver.Observe(draft, picture());
+        }
+
         return recorded with
         {
             Mask = keepsMask ? recorded.Mask : null,
             PixelMap = keepsMask ? recorded.PixelMap : null,
-            Camera = FrameLabels.Of(camera),
-            Ego = FrameLabels.Of(snapshot.Ego),
-            Objects = labelling.Objects,
-            IgnoreRegions = labelling.IgnoreRegions,
+            Camera = CameraLabel.Of(camera),
+            Ego = EgoLabel.Of(snapshot.Ego),
+            Objects = draft.Objects,
+            IgnoreRegions = draft.IgnoreRegions,
             Lanes = LanesOf(snapshot, camera, recorded.Lanes, isLensSame),
         };
     }
@@ -132,7 +135,7 @@ public sealed class FrameRelabeller
     {
         _registry.Remember(scene);
         _lights.Show(scene);
-        camera = FrameLabeller.CameraOf(_options, scene.Snapshot.Camera);
+        camera = _options.CameraOf(scene.Snapshot.Camera);
         return scene.Snapshot with { Entities = [.. scene.Snapshot.Entities.Where(entity => _options.IsInRange(scene.Snapshot.Camera, entity))] };
     }
 

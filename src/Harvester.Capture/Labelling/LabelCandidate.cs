@@ -1,8 +1,38 @@
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>An entity that is in the image, with its number, before it is known how much of it is hidden.</summary>
-internal sealed record LabelCandidate(EntityState Entity, ushort Id, Cuboid Cuboid, CuboidProjection Projection, Box2D Box, Box2D AmodalBox);
+/// <summary>An entity, or a face of one, that is in the image, before its occlusion is known.</summary>
+/// <param name="Entity">The entity.</param>
+/// <param name="Id">The number of the object in the session.</param>
+/// <param name="Cuboid">Its cuboid, world frame, metres.</param>
+/// <param name="Projection">The cuboid in the image; it has both boxes.</param>
+internal sealed record LabelCandidate(EntityState Entity, ushort Id, Cuboid Cuboid, CuboidProjection Projection)
+{
+    /// <summary>Its box within the image, pixels.</summary>
+    public Box2D Box => Projection.Box!.Value;
+
+    /// <summary>The distance of its centre from a camera, metres.</summary>
+    public double DistanceFrom(Camera camera) => (Cuboid.Centre - camera.Pose.Position).Length;
+
+    /// <summary>The part of its label that entities and faces share.</summary>
+    public ObjectLabel Label(Camera camera, ObjectClass objectClass, OcclusionEstimate occlusion) => new()
+    {
+        Id = Id,
+        Class = objectClass,
+        Model = Entity.Model,
+        Box2D = Box,
+        Box2DAmodal = Projection.AmodalBox!.Value,
+        TruncatedFraction = Projection.TruncatedFraction,
+        OccludedFraction = occlusion.Method == OcclusionMethod.None ? null : occlusion.OccludedFraction,
+        OcclusionMethod = occlusion.Method,
+        Box3D = Cuboid,
+        DistanceMetres = DistanceFrom(camera),
+        Velocity = Entity.Velocity,
+    };
+}

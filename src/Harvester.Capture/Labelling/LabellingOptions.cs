@@ -71,6 +71,10 @@ public record LabellingOptions
     /// <summary>How far entities are read, metres.</summary>
     internal double ReadRangeMetres => Math.Max(RangeMetres, IgnoreRangeMetres);
 
+    /// <summary>The camera of the saved image for a camera of the game.</summary>
+    internal Camera CameraOf(CameraState state) =>
+        new(state.Pose, new CameraIntrinsics(state.VerticalFovDegrees, Image, state.WindowAspect, state.NearClip, Lens));
+
     /// <summary>Whether an entity lies within the labelling range.</summary>
     internal bool IsInRange(CameraState camera, EntityState entity) => (entity.Pose.Position - camera.Pose.Position).Length < RangeMetres;
 

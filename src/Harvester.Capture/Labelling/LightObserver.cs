@@ -27,14 +27,12 @@ internal static class LightObserver
     /// <summary>The lamp that burns must have so many times the pixels of the next.</summary>
     private const double Prominence = 2;
 
-    /// <summary>The labels with the states that the picture shows; those that are known stay.</summary>
-    public static FrameLabelling Observe(FrameLabelling labelling, PixelBuffer picture) => labelling with
-    {
-        Objects = [.. labelling.Objects.Select(label => IsReadable(label) ? WithState(label, picture) : label)],
-    };
+    /// <summary>Gives the labels of a frame the states that its picture shows; known states stay.</summary>
+    public static void Observe(FrameDraft draft, PixelBuffer picture) =>
+        draft.Update(label => IsReadable(label) ? WithState(label, picture) : label);
 
     /// <summary>Whether there is a light whose state the picture may show.</summary>
-    public static bool NeedsPicture(FrameLabelling labelling) => labelling.Objects.Any(IsReadable);
+    public static bool NeedsPicture(FrameDraft draft) => draft.Objects.Any(IsReadable);
 
     private static bool IsReadable(ObjectLabel label) =>
         label.Face is { Light.Method: LightMethod.Unknown } face

@@ -14,14 +14,14 @@ namespace Harvester.Capture.Labelling;
 internal sealed class MapLabeller(LabellingOptions options, ObjectLabeller objects, FrameRays rays)
 {
     /// <summary>Labels the objects of a frame, a slice at a time.</summary>
-    /// <param name="camera">The camera of the saved image.</param>
-    /// <param name="egoHandle">Handle of the vehicle that carries the camera; rays pass through it.</param>
+    /// <param name="draft">The frame; gets labels, occlusions and mask. Rays pass through the vehicle that carries its camera.</param>
     /// <param name="candidates">The objects.</param>
-    /// <param name="findings">Gets what is found, and the mask.</param>
     /// <param name="mayCastRays">Asked before each ray of the map, and before each object.</param>
-    public IEnumerable<bool> Label(
-        Camera camera, int egoHandle, List<LabelCandidate> candidates, FrameFindings findings, Func<bool> mayCastRays)
+    public IEnumerable<bool> Label(FrameDraft draft, List<LabelCandidate> candidates, Func<bool> mayCastRays)
     {
+        Camera camera = draft.Camera;
+        int egoHandle = draft.Snapshot.Ego.Handle;
+
         // Which objects are kept is known only after the map: until then they are numbered through.
         MapTarget[] targets = [.. candidates.Select((candidate, index) =>
             new MapTarget(candidate.Entity.Handle, (ushort)(index + 1), candidate.Cuboid, candidate.Projection))];
@@ -49,7 +49,7 @@ internal sealed class MapLabeller(LabellingOptions options, ObjectLabeller objec
                 : new OcclusionEstimate { Sight = map.Sights[number] };
             ObjectLabel? label = objects.LabelOf(camera, candidate, occlusion);
             numbers[number] = (ushort)(label?.Id ?? 0);
-            findings.Add(
+            draft.Add(
                 RecordedOcclusion.Of(candidate.Entity.Handle, null, candidate.Id, occlusion, null),
                 occlusion,
                 label is null ? null : label with { Box2DVisible = bounds[number] },
@@ -62,7 +62,7 @@ internal sealed class MapLabeller(LabellingOptions options, ObjectLabeller objec
             map.Map.Ids[i] = numbers[map.Map.Ids[i]];
         }
 
-        findings.Mask = map.Map;
-        findings.PixelMap = new PixelMapLabel(map.ResolutionPixels, map.InterpolatedPixels, map.RaysCast);
+        draft.Mask = map.Map;
+        draft.PixelMap = new PixelMapLabel(map.ResolutionPixels, map.InterpolatedPixels, map.RaysCast);
     }
 }

@@ -8,7 +8,9 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>What of an object's label is geometry: whether it is in the image, its boxes, and whether it is listed once its occlusion is known.</summary>
+/// <summary>
+/// The geometry of object labels: which entities are in the image, their boxes, and whether an object is listed once its occlusion is known.
+/// </summary>
 internal sealed class ObjectLabeller(LabellingOptions options, ObjectRegistry registry)
 {
     /// <summary>The entities in the image, numbered.</summary>
@@ -24,42 +26,23 @@ internal sealed class ObjectLabeller(LabellingOptions options, ObjectRegistry re
 
         Cuboid cuboid = Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose);
         CuboidProjection projection = CuboidProjector.Project(camera, cuboid);
-        return projection is { Box: { } box, AmodalBox: { } amodal }
-            && options.IsLargeEnough(box)
-            ? new LabelCandidate(entity, registry.IdOf(entity), cuboid, projection, box, amodal)
+        return projection is { Box: { } box, AmodalBox: not null } && options.IsLargeEnough(box)
+            ? new LabelCandidate(entity, registry.IdOf(entity), cuboid, projection)
             : null;
     }
 
     /// <summary>The label of an entity in the image; null when it is not listed.</summary>
-    public ObjectLabel? LabelOf(Camera camera, LabelCandidate candidate, OcclusionEstimate occlusion)
-    {
-        if (!options.IsListed(occlusion))
+    public ObjectLabel? LabelOf(Camera camera, LabelCandidate candidate, OcclusionEstimate occlusion) => options.IsListed(occlusion)
+        ? candidate.Label(camera, candidate.Entity.Class, occlusion) with
         {
-            return null;
+            KnownParts = options.Faces?.Of(candidate.Entity.Model).Count,
+            HasRider = candidate.Entity.HasRider,
         }
-
-        EntityState entity = candidate.Entity;
-        return new ObjectLabel
-        {
-            Id = candidate.Id,
-            Class = entity.Class,
-            Model = entity.Model,
-            KnownParts = options.Faces?.Of(entity.Model).Count,
-            HasRider = entity.HasRider,
-            Box2D = candidate.Box,
-            Box2DAmodal = candidate.AmodalBox,
-            TruncatedFraction = candidate.Projection.TruncatedFraction,
-            OccludedFraction = occlusion.Method == OcclusionMethod.None ? null : occlusion.OccludedFraction,
-            OcclusionMethod = occlusion.Method,
-            Box3D = candidate.Cuboid,
-            DistanceMetres = (candidate.Cuboid.Centre - camera.Pose.Position).Length,
-            Velocity = entity.Velocity,
-        };
-    }
-
-    /// <summary>The ignore region of an entity in the image; null unless it could not be determined whether it is seen.</summary>
-    public static IgnoreRegion? RegionOf(Camera camera, LabelCandidate candidate, OcclusionEstimate occlusion) => occlusion.Sight == Sight.Undetermined
-        ? new IgnoreRegion(
-            IgnoreReason.Undetermined, candidate.Entity.Class, candidate.Box, (candidate.Cuboid.Centre - camera.Pose.Position).Length)
         : null;
+
+    /// <summary>The ignore region of an entity in the image; null unless its visibility could not be determined.</summary>
+    public static IgnoreRegion? RegionOf(Camera camera, LabelCandidate candidate, OcclusionEstimate occlusion) =>
+        occlusion.Sight == Sight.Undetermined
+            ? new IgnoreRegion(IgnoreReason.Undetermined, candidate.Entity.Class, candidate.Box, candidate.DistanceFrom(camera))
+            : null;
 }

@@ -2,7 +2,6 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
 using Harvester.Capture.Harvesting;
-using Harvester.Capture.Labelling;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
@@ -61,7 +60,7 @@ internal static class SessionJson
         }
 
         json.EndObject();
-        JsonLabelWriter.Append(json.Key("camera"), FrameLabels.Of(FrameLabeller.CameraOf(options, record.Start.Camera)));
+        JsonLabelWriter.Append(json.Key("camera"), CameraLabel.Of(options.CameraOf(record.Start.Camera)));
         AppendEnd(json, record);
         return json.EndObject() + "\n";
     }

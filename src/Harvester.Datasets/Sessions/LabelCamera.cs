@@ -5,7 +5,7 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Sessions;
 
-/// <summary>Makes the camera of a label again, to project with.</summary>
+/// <summary>Cameras of labels that were read from a file, whose values may be out of range.</summary>
 public static class LabelCamera
 {
     /// <summary>The camera that a label describes.</summary>
@@ -14,20 +14,11 @@ public static class LabelCamera
     {
         try
         {
-            return Make(label);
+            return label.ToCamera();
         }
         catch (ArgumentException e)
         {
             throw new DatasetFormatException($"camera: {e.Message}", e);
         }
-    }
-
-    private static Camera Make(CameraLabel label)
-    {
-        DistortionLabel distortion = label.Distortion;
-        var lens = new Lens(
-            distortion.FocalScale, (label.Cx / label.Width) - 0.5, (label.Cy / label.Height) - 0.5, distortion.K1, distortion.K2);
-        return new Camera(label.Pose, new CameraIntrinsics(
-            label.VerticalFovDegrees, new ImageSize(label.Width, label.Height), label.WindowAspect, label.NearClip, lens));
     }
 }

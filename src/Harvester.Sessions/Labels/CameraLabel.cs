@@ -1,4 +1,6 @@
+using System;
 using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
 
 namespace Harvester.Sessions.Labels;
 
@@ -25,4 +27,32 @@ public sealed record CameraLabel(
     double Fy,
     double Cx,
     double Cy,
-    DistortionLabel Distortion);
+    DistortionLabel Distortion)
+{
+    /// <summary>The label of a camera.</summary>
+    /// <exception cref="ArgumentNullException"><paramref name="camera"/> is null.</exception>
+    public static CameraLabel Of(Camera camera)
+    {
+        CameraIntrinsics intrinsics = (camera ?? throw new ArgumentNullException(nameof(camera))).Intrinsics;
+        return new CameraLabel(
+            camera.Pose,
+            intrinsics.VerticalFovDegrees,
+            intrinsics.Image.Width,
+            intrinsics.Image.Height,
+            intrinsics.WindowAspect,
+            intrinsics.NearClip,
+            intrinsics.Fx,
+            intrinsics.Fy,
+            intrinsics.Cx,
+            intrinsics.Cy,
+            new DistortionLabel(intrinsics.Lens.FocalScale, intrinsics.Lens.K1, intrinsics.Lens.K2));
+    }
+
+    /// <summary>The camera that the label describes. The label has no shift of the principal point, which follows from cx and cy.</summary>
+    /// <exception cref="ArgumentException">A value is outside its range.</exception>
+    public Camera ToCamera()
+    {
+        var lens = new Lens(Distortion.FocalScale, (Cx / Width) - 0.5, (Cy / Height) - 0.5, Distortion.K1, Distortion.K2);
+        return new Camera(Pose, new CameraIntrinsics(VerticalFovDegrees, new ImageSize(Width, Height), WindowAspect, NearClip, lens));
+    }
+}

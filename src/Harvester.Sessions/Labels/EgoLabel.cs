@@ -1,4 +1,5 @@
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Sessions.Labels;
 
@@ -14,4 +15,16 @@ public sealed record EgoLabel(Vector3D Position, double HeadingDegrees, Vector3D
 
     /// <summary>Vertical distance from the model's origin down to the ground, metres; null when unknown.</summary>
     public double? HeightAboveGroundMetres { get; init; }
+
+    /// <summary>The label of a vehicle that carries the camera.</summary>
+    /// <exception cref="System.ArgumentNullException"><paramref name="ego"/> is null.</exception>
+    public static EgoLabel Of(EgoState ego)
+    {
+        Pose pose = (ego ?? throw new System.ArgumentNullException(nameof(ego))).Pose;
+        return new EgoLabel(pose.Position, Angles.HeadingDegrees(pose.Axes.Forward), ego.Velocity, ego.Model)
+        {
+            Axes = pose.Axes,
+            HeightAboveGroundMetres = ego.HeightAboveGroundMetres,
+        };
+    }
 }

@@ -67,9 +67,9 @@ public sealed class FrameLabellerTests
             Near with { Handle = 21, Class = ObjectClass.Pedestrian, Pose = new Pose(new Vector3D(4, 10, 0), Axes.Identity) },
         ];
 
-        FrameLabelling labelling = Label(Options with { Classes = [ObjectClass.Car] }, entities);
+        FrameDraft draft = Label(Options with { Classes = [ObjectClass.Car] }, entities);
 
-        Assert.Equal(45, Assert.Single(labelling.Objects).Box2D.XMin, 9);
+        Assert.Equal(45, Assert.Single(draft.Objects).Box2D.XMin, 9);
     }
 
     [Fact]
@@ -87,30 +87,30 @@ public sealed class FrameLabellerTests
     public void Label_half_hidden_object_is_half_occluded()
     {
         // Seen past the near one's right edge: both have their middle 20 m away at x = 2, where the near one's edge at 1 m of 10 m ends.
-        FrameLabelling labelling = Label(Options with { OcclusionSamples = 400 }, Near, Entity(21, 2, 20));
+        FrameDraft draft = Label(Options with { OcclusionSamples = 400 }, Near, Entity(21, 2, 20));
 
         // The far near-face spans 52.5 to 57.5, the near one covers up to 55: of its 5 or 6 columns of pixels the centres of 2 or 3 are
         // hidden. The right side adds nothing, it is hidden by the near face.
-        Assert.InRange(labelling.Objects[1].OccludedFraction!.Value, 2 / 5.0, 3 / 5.0);
+        Assert.InRange(draft.Objects[1].OccludedFraction!.Value, 2 / 5.0, 3 / 5.0);
     }
 
     [Fact]
     public void Label_with_masks_gives_visible_boxes_and_ids_of_kept_objects()
     {
-        FrameLabelling labelling = Label(Options with { Masks = true, MinBoxAreaPixels = 26 }, Near, Entity(21, 2, 18), Entity(22, -6, 30));
+        FrameDraft draft = Label(Options with { Masks = true, MinBoxAreaPixels = 26 }, Near, Entity(21, 2, 18), Entity(22, -6, 30));
 
         // Object 22 is 3.3 pixels wide: not kept, and not in the mask.
-        Assert.Equal([1, 2], labelling.Objects.Select(label => label.Id));
-        Assert.Equal(new Box2D(45, 45, 55, 55), labelling.Objects[0].Box2DVisible);
-        Assert.Equal(55, labelling.Objects[1].Box2DVisible!.Value.XMin);
-        Assert.Equal([0, 1, 2], labelling.Mask!.Ids.Distinct().Select(id => (int)id).Order());
-        Assert.InRange(labelling.PixelMap!.RaysCast, 1, int.MaxValue);
-        Assert.Equal(1, labelling.PixelMap.ResolutionPixels);
-        Assert.InRange(labelling.PixelMap.InterpolatedPixels, 1, labelling.Mask.Ids.Length - labelling.PixelMap.RaysCast);
-        Assert.InRange(labelling.Mask.Ids.Count(id => id == 1), 100 - MaskPixels, 100 + MaskPixels);
-        Assert.All(labelling.Objects, label => Assert.Equal(OcclusionMethod.PixelMap, label.OcclusionMethod));
-        Assert.InRange(labelling.Objects[0].OccludedFraction!.Value, 0, MaskPixels / 100.0);
-        Assert.InRange(labelling.Objects[1].OccludedFraction!.Value, 0.4, 0.6);
+        Assert.Equal([1, 2], draft.Objects.Select(label => label.Id));
+        Assert.Equal(new Box2D(45, 45, 55, 55), draft.Objects[0].Box2DVisible);
+        Assert.Equal(55, draft.Objects[1].Box2DVisible!.Value.XMin);
+        Assert.Equal([0, 1, 2], draft.Mask!.Ids.Distinct().Select(id => (int)id).Order());
+        Assert.InRange(draft.PixelMap!.RaysCast, 1, int.MaxValue);
+        Assert.Equal(1, draft.PixelMap.ResolutionPixels);
+        Assert.InRange(draft.PixelMap.InterpolatedPixels, 1, draft.Mask.Ids.Length - draft.PixelMap.RaysCast);
+        Assert.InRange(draft.Mask.Ids.Count(id => id == 1), 100 - MaskPixels, 100 + MaskPixels);
+        Assert.All(draft.Objects, label => Assert.Equal(OcclusionMethod.PixelMap, label.OcclusionMethod));
+        Assert.InRange(draft.Objects[0].OccludedFraction!.Value, 0, MaskPixels / 100.0);
+        Assert.InRange(draft.Objects[1].OccludedFraction!.Value, 0.4, 0.6);
     }
 
     [Fact]
@@ -119,33 +119,33 @@ public sealed class FrameLabellerTests
         EntityState left = Entity(30, -4, 10);
         var registry = new ObjectRegistry(1);
         Label(Options, registry, left);
-        FrameLabelling labelling = Label(Options, registry, Near, left);
+        FrameDraft draft = Label(Options, registry, Near, left);
 
-        Assert.Equal([1, 2], labelling.Objects.Select(label => label.Id));
-        Assert.True(labelling.Objects[0].Box2D.XMin < labelling.Objects[1].Box2D.XMin);
+        Assert.Equal([1, 2], draft.Objects.Select(label => label.Id));
+        Assert.True(draft.Objects[0].Box2D.XMin < draft.Objects[1].Box2D.XMin);
     }
 
     [Fact]
     public void Visible_object_out_of_range_is_an_ignore_region()
     {
-        FrameLabelling labelling = LabelWithDistant(Options, [Near], [Entity(21, 10, 20)]);
+        FrameDraft draft = LabelWithDistant(Options, [Near], [Entity(21, 10, 20)]);
 
         // At 20 m, 1 m is 2.5 pixels: 11 m to the right is 50 + 27.5.
-        IgnoreRegion region = Assert.Single(labelling.IgnoreRegions);
+        IgnoreRegion region = Assert.Single(draft.IgnoreRegions);
         Assert.Equal((IgnoreReason.BeyondRange, ObjectClass.Car), (region.Reason, region.Class));
         Assert.Equal(77.5, region.Box2D.XMax, 9);
         Assert.Equal(new Vector3D(10, 21, 0).Length, region.DistanceMetres, 9);
-        Assert.Equal([1], labelling.Objects.Select(label => label.Id));
-        Assert.Equal([20], labelling.Ids.Keys);
-        Assert.Equal((21, Sight.Seen), (Assert.Single(labelling.Distant).Entity.Handle, labelling.Distant[0].Sight));
+        Assert.Equal([1], draft.Objects.Select(label => label.Id));
+        Assert.Equal([20], draft.Ids.Keys);
+        Assert.Equal((21, Sight.Seen), (Assert.Single(draft.Distant).Entity.Handle, draft.Distant[0].Sight));
     }
 
     [Fact]
     public void Ignore_regions_are_the_nearest_first()
     {
-        FrameLabelling labelling = LabelWithDistant(Options, [], [Entity(21, 10, 22), Entity(22, -10, 20)]);
+        FrameDraft draft = LabelWithDistant(Options, [], [Entity(21, 10, 22), Entity(22, -10, 20)]);
 
-        Assert.Equal([22, 21], labelling.IgnoreRegions.Select(region => region.Box2D.XMin < 50 ? 22 : 21));
+        Assert.Equal([22, 21], draft.IgnoreRegions.Select(region => region.Box2D.XMin < 50 ? 22 : 21));
     }
 
     [Fact]
@@ -175,15 +175,15 @@ public sealed class FrameLabellerTests
     [InlineData(true)]
     public void Object_that_no_ray_hits_is_an_ignore_region_without_label(bool masks)
     {
-        FrameLabelling labelling = Labeller(Options with { Masks = masks }, new CuboidRays([]), new ObjectRegistry(1))
+        FrameDraft draft = Labeller(Options with { Masks = masks }, new CuboidRays([]), new ObjectRegistry(1))
             .Label(Snapshot([Near]), static () => true)
             .Last()!;
 
-        Assert.Empty(labelling.Objects);
+        Assert.Empty(draft.Objects);
         Assert.Equal(
-            (IgnoreReason.Undetermined, ObjectClass.Car), labelling.IgnoreRegions.Select(region => (region.Reason, region.Class)).Single());
-        Assert.Equal(Sight.Undetermined, Assert.Single(labelling.Occlusions).Sight);
-        Assert.True(labelling.Mask?.Ids.All(id => id == 0) ?? true);
+            (IgnoreReason.Undetermined, ObjectClass.Car), draft.IgnoreRegions.Select(region => (region.Reason, region.Class)).Single());
+        Assert.Equal(Sight.Undetermined, Assert.Single(draft.Occlusions).Sight);
+        Assert.True(draft.Mask?.Ids.All(id => id == 0) ?? true);
     }
 
     [Theory]
@@ -191,11 +191,11 @@ public sealed class FrameLabellerTests
     [InlineData(true)]
     public void Object_beyond_the_reach_of_rays_is_ignored_without_rays(bool masks)
     {
-        FrameLabelling labelling = Label(Options with { Masks = masks, RayReachMetres = 8 }, Near);
+        FrameDraft draft = Label(Options with { Masks = masks, RayReachMetres = 8 }, Near);
 
-        Assert.Empty(labelling.Objects);
-        Assert.Equal(IgnoreReason.Undetermined, Assert.Single(labelling.IgnoreRegions).Reason);
-        Assert.Equal(0, labelling.Rays!.Total);
+        Assert.Empty(draft.Objects);
+        Assert.Equal(IgnoreReason.Undetermined, Assert.Single(draft.IgnoreRegions).Reason);
+        Assert.Equal(0, draft.Rays!.Total);
     }
 
     [Theory]
@@ -206,12 +206,12 @@ public sealed class FrameLabellerTests
         // The image ends at 10 m to the right at 10 m ahead. Rays meet the entity at its right end only, from 11 m on.
         EntityState wide = Entity(20, 9, 10) with { ModelMax = new Vector3D(8, 1, 1) };
         EntityState rightEnd = Entity(20, 16, 10) with { ModelMax = new Vector3D(1, 1, 1) };
-        FrameLabelling labelling = Labeller(
+        FrameDraft draft = Labeller(
             Options with { Masks = masks, MaxOccludedFraction = 1 }, new CuboidRays([rightEnd]), new ObjectRegistry(1))
             .Label(Snapshot([wide]), static () => true).Last()!;
 
-        Assert.Empty(labelling.Objects);
-        Assert.Empty(labelling.IgnoreRegions);
+        Assert.Empty(draft.Objects);
+        Assert.Empty(draft.IgnoreRegions);
     }
 
     [Theory]
@@ -228,25 +228,25 @@ public sealed class FrameLabellerTests
         RayCounts LabelWith(int budget)
         {
             var counted = new CountedRays(new CuboidRays([.. entities, distant]));
-            FrameLabelling labelling = Labeller(Options with { Masks = masks, RayBudget = budget }, counted, new ObjectRegistry(1))
+            FrameDraft draft = Labeller(Options with { Masks = masks, RayBudget = budget }, counted, new ObjectRegistry(1))
                 .Label(Snapshot(entities) with { Distant = [distant] }, static () => true).Last()!;
-            RayCounts rays = labelling.Rays!;
+            RayCounts rays = draft.Rays!;
 
             Assert.Equal(counted.Count, rays.Total);
-            Assert.Equal(masks ? labelling.PixelMap!.RaysCast : 0, rays.Map);
-            Assert.Equal(budget == 50_000, labelling.Objects.All(label => !label.IsUndetermined) && rays.IgnoreRegions > 0);
+            Assert.Equal(masks ? draft.PixelMap!.RaysCast : 0, rays.Map);
+            Assert.Equal(budget == 50_000, draft.Objects.All(label => !label.IsUndetermined) && rays.IgnoreRegions > 0);
             return rays;
         }
     }
 
-    private static FrameLabelling LabelWithDistant(HarvestOptions options, EntityState[] entities, EntityState[] distant) =>
+    private static FrameDraft LabelWithDistant(HarvestOptions options, EntityState[] entities, EntityState[] distant) =>
         Labeller(options, new CuboidRays([.. entities, .. distant]), new ObjectRegistry(1))
             .Label(Snapshot(entities) with { Distant = distant }, static () => true).Last()!;
 
-    private static FrameLabelling Label(HarvestOptions options, params EntityState[] entities) =>
+    private static FrameDraft Label(HarvestOptions options, params EntityState[] entities) =>
         Label(options, new ObjectRegistry(1), entities);
 
-    private static FrameLabelling Label(HarvestOptions options, ObjectRegistry registry, params EntityState[] entities)
+    private static FrameDraft Label(HarvestOptions options, ObjectRegistry registry, params EntityState[] entities)
     {
         return Labeller(options, new CuboidRays(entities), registry).Label(Snapshot(entities), static () => true).Last()!;
     }
