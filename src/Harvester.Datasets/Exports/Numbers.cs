@@ -39,7 +39,4 @@ internal static class Numbers
 
         return [.. numbers];
     }
-
-    /// <summary>An angle in (-pi, pi].</summary>
-    public static double Wrap(double radians) => Math.PI - ((((Math.PI - radians) % Math.Tau) + Math.Tau) % Math.Tau);
 }

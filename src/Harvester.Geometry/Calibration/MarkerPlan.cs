@@ -12,10 +12,6 @@ namespace Harvester.Geometry.Calibration;
 /// </summary>
 public sealed class MarkerPlan
 {
-    // The powers of the inverse of the plastic number, whose multiples spread evenly over the square (Roberts, the R2 sequence).
-    private const double SpreadX = 0.7548776662466927;
-    private const double SpreadY = 0.5698402909980532;
-
     private MarkerPlan(IReadOnlyList<PlannedMarker> markers, double spacingPixels)
     {
         Markers = markers;
@@ -67,7 +63,8 @@ public sealed class MarkerPlan
     }
 
     /// <summary>How far a ball lies beside its place in the grid, radii, -0.5 to 0.5 along either axis.</summary>
-    private static Vector2D BesideGrid(int index) => new(Fraction((index + 1) * SpreadX) - 0.5, Fraction((index + 1) * SpreadY) - 0.5);
+    private static Vector2D BesideGrid(int index) =>
+        new(Fraction((index + 1) * R2Sequence.First) - 0.5, Fraction((index + 1) * R2Sequence.Second) - 0.5);
 
     private static double Fraction(double value) => value - Math.Floor(value);
 

@@ -6,10 +6,6 @@ namespace Harvester.Geometry.PixelMaps;
 /// <summary>A target together with the pixels of its cuboid's silhouette and what is known of how much of it shows.</summary>
 internal sealed class TargetView
 {
-    /// <summary>Steps of the R2 sequence, the inverse powers of the plastic number 1.3247...</summary>
-    public const double StepX = 0.5698402909980532;
-    public const double StepY = 0.7548776662466927;
-
     /// <summary>From this many visible pixels on, an error counts by its share of them; smaller objects may be rougher.</summary>
     private const int SmallPixels = 230;
 
@@ -50,9 +46,9 @@ internal sealed class TargetView
     /// <summary>A pixel of the silhouette: number 0 in its middle row, the others spread evenly. Null where the row has none.</summary>
     public (int Column, int Row)? SpreadPixel(int number)
     {
-        int row = Spans.FirstRow + (int)((Spans.LastRow - Spans.FirstRow + 1) * Fraction(0.5 + (number * StepY)));
+        int row = Spans.FirstRow + (int)((Spans.LastRow - Spans.FirstRow + 1) * Fraction(0.5 + (number * R2Sequence.First)));
         (int first, int last) = Spans.Row(row);
-        return first <= last ? (first + (int)((last - first + 1) * Fraction(0.5 + (number * StepX))), row) : null;
+        return first <= last ? (first + (int)((last - first + 1) * Fraction(0.5 + (number * R2Sequence.Second))), row) : null;
     }
 
     /// <summary>Estimates the visible pixels from the share of the rays through the silhouette that met the object.</summary>

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Json;
+using Harvester.Datasets.Masks.Pixels;
 using Harvester.Geometry;
 using Harvester.Geometry.PixelMaps;
 

@@ -6,7 +6,6 @@ using Harvester.Datasets.Json;
 using Harvester.Datasets.Masks.Pixels;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
-using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;
 

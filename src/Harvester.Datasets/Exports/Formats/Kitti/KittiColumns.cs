@@ -69,7 +69,8 @@ internal sealed class KittiColumns(BoxKind boxes)
         double distance = Math.Sqrt((location.X * location.X) + (location.Z * location.Z));
         double allowed = RoundingRadians + (RoundingMetres / Math.Max(distance, RoundingMetres));
         return Math.Abs(n[1]) > HalfTurn || Math.Abs(n[12]) > HalfTurn ? "alpha or rotation_y is not an angle from -pi to pi."
-            : Math.Abs(Numbers.Wrap(n[12] - Math.Atan2(location.X, location.Z) - n[1])) > allowed ? "alpha is not rotation_y less the direction of x and z."
+            : Math.Abs(Angles.WrapRadians(n[12] - Math.Atan2(location.X, location.Z) - n[1])) > allowed
+                ? "alpha is not rotation_y less the direction of x and z."
             : projection is null || image is not { } known || IsOn(box, n, known, projection, missPixels) ? null
             : "its 3D box, projected with P2, does not fall onto its 2D box.";
     }

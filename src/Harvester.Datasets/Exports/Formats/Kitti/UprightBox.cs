@@ -49,7 +49,7 @@ internal sealed record UprightBox
     public double RotationY { get; }
 
     /// <summary>The turn less the direction in which the object is seen, radians.</summary>
-    public double Alpha => Numbers.Wrap(RotationY - Math.Atan2(Location.X, Location.Z));
+    public double Alpha => Angles.WrapRadians(RotationY - Math.Atan2(Location.X, Location.Z));
 
     /// <summary>By how much the sides of the projection miss those of the cuboid's at most, pixels; 0 where the cuboid reaches too near to the camera.</summary>
     public double MissPixels { get; private init; }

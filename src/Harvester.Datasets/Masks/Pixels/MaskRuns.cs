@@ -1,13 +1,14 @@
 using System;
 using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
+using Harvester.Geometry.PixelMaps;
 
-namespace Harvester.Geometry.PixelMaps;
+namespace Harvester.Datasets.Masks.Pixels;
 
 /// <summary>
 /// Run lengths of a mask in COCO's layout: down the first column, then the next; the first count is of pixels outside, and may be 0.
 /// </summary>
-public static class MaskRuns
+internal static class MaskRuns
 {
     /// <summary>Counts the runs of one object's pixels.</summary>
     /// <param name="map">The map.</param>
@@ -15,7 +16,6 @@ public static class MaskRuns
     /// <returns>Lengths of runs outside and inside in turn; their sum is the number of pixels of the image.</returns>
     public static IReadOnlyList<int> Encode(InstanceMap map, ushort number)
     {
-        Guard.NotNull(map, nameof(map));
         var counts = new List<int>();
         bool inside = false;
         int run = 0;
@@ -44,7 +44,6 @@ public static class MaskRuns
     /// <exception cref="ArgumentException">A count is negative, or they do not add up to the image's pixels.</exception>
     public static PixelMap Decode(IReadOnlyList<int> counts, ImageSize image)
     {
-        Guard.NotNull(counts, nameof(counts));
         var map = new PixelMap(image);
         long at = 0;
         for (int i = 0; i < counts.Count; i++)

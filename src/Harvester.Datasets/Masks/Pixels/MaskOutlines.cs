@@ -1,11 +1,13 @@
 using System.Collections.Generic;
+using Harvester.Geometry;
+using Harvester.Geometry.PixelMaps;
 
-namespace Harvester.Geometry.PixelMaps;
+namespace Harvester.Datasets.Masks.Pixels;
 
 /// <summary>
 /// The outlines of a mask as polygons along the edges of its pixels, in continuous pixels. Pixels that touch only at a corner are apart.
 /// </summary>
-public static class MaskOutlines
+internal static class MaskOutlines
 {
     // Clockwise on the screen with the object on the right hand: right along its upper side, down its right side, and so on.
     private static readonly (int X, int Y)[] Steps = [(1, 0), (0, 1), (-1, 0), (0, -1)];
@@ -19,7 +21,6 @@ public static class MaskOutlines
     /// </returns>
     public static IReadOnlyList<IReadOnlyList<Vector2D>> Of(InstanceMap map, ushort number)
     {
-        Guard.NotNull(map, nameof(map));
         var outlines = new List<IReadOnlyList<Vector2D>>();
         var followed = new HashSet<(int Column, int Row, int Side)>();
         for (int row = 0; row < map.Image.Height; row++)

@@ -1,9 +1,11 @@
 using FsCheck;
+using Harvester.Datasets.Masks.Pixels;
+using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.TestSupport;
 
-namespace Harvester.Geometry.Tests.PixelMaps;
+namespace Harvester.Datasets.Tests.Masks.Pixels;
 
 public sealed class MaskOutlinesTests
 {

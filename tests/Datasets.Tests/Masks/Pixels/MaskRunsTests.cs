@@ -1,8 +1,9 @@
+using Harvester.Datasets.Masks.Pixels;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.TestSupport;
 
-namespace Harvester.Geometry.Tests.PixelMaps;
+namespace Harvester.Datasets.Tests.Masks.Pixels;
 
 public sealed class MaskRunsTests
 {

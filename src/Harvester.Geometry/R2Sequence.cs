@@ -1,0 +1,14 @@
+namespace Harvester.Geometry;
+
+/// <summary>
+/// Steps of the R2 sequence (Roberts): the fractions of their multiples spread evenly over the unit square. They are the first two powers
+/// of the inverse of the plastic number 1.3247...
+/// </summary>
+internal static class R2Sequence
+{
+    /// <summary>The first power.</summary>
+    public const double First = 0.7548776662466927;
+
+    /// <summary>The second power.</summary>
+    public const double Second = 0.5698402909980532;
+}
