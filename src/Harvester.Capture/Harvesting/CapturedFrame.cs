@@ -6,15 +6,17 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>One frame, ready to be written: picture, label and mask of one moment. Disposing it lets the picture's buffer be used again.</summary>
+/// <summary>
+/// One frame, ready to be written: picture, label and mask of one moment. Disposing it lets the picture's buffer be used again.
+/// </summary>
 public sealed class CapturedFrame : IDisposable
 {
     private readonly PixelBufferPool? _pool;
     private bool _disposed;
 
-    /// <summary>Puts a frame together.</summary>
-    /// <param name="label">Its label line.</param>
-    /// <param name="picture">Its screenshot.</param>
+    /// <summary>Creates a frame from its parts.</summary>
+    /// <param name="label">Its label, one line of labels.jsonl.</param>
+    /// <param name="picture">Its image.</param>
     /// <param name="mask">Its instance map; null without pixel maps.</param>
     /// <param name="pool">Where the picture's buffer goes back to; null to leave it to the garbage collector.</param>
     public CapturedFrame(FrameLabel label, PixelBuffer picture, InstanceMap? mask, PixelBufferPool? pool = null)
@@ -25,7 +27,7 @@ public sealed class CapturedFrame : IDisposable
         _pool = pool;
     }
 
-    /// <summary>Its label line.</summary>
+    /// <summary>Its label, one line of labels.jsonl.</summary>
     public FrameLabel Label { get; }
 
     /// <summary>Its screenshot; not to be used after disposing.</summary>

@@ -30,10 +30,10 @@ public sealed class HarvestSession : IDisposable
     private bool _opened;
     private HarvestPhase _phase = HarvestPhase.Waiting;
 
-    /// <summary>Makes a session; nothing is asked of the game before the first step.</summary>
-    /// <param name="options">What to harvest and how.</param>
-    /// <param name="game">The game.</param>
-    /// <param name="sink">Where the frames go.</param>
+    /// <summary>Creates a session. The game is not used before the first step.</summary>
+    /// <param name="options">Labelling, frame rate, number of frames and capture mode.</param>
+    /// <param name="game">The ports of the game to harvest from.</param>
+    /// <param name="sink">Receives the frames. The session closes it; the caller disposes it.</param>
     public HarvestSession(HarvestOptions options, GamePorts game, IFrameSink sink)
     {
         _options = options ?? throw new ArgumentNullException(nameof(options));
@@ -63,7 +63,7 @@ public sealed class HarvestSession : IDisposable
     /// <summary>One line that says why the harvest ended; null without a fault.</summary>
     public string? Fault { get; private set; }
 
-    /// <summary>One line about what could not be made sure of; null when there is none.</summary>
+    /// <summary>One line about a check that could not be made; null if there is none.</summary>
     public string? Warning { get; private set; }
 
     /// <summary>By how much the camera model was off, pixels; null when it was not checked, or not yet.</summary>
@@ -75,13 +75,13 @@ public sealed class HarvestSession : IDisposable
     /// <summary>By how much the picture is behind the state; null when it was not measured.</summary>
     public PictureLag? Lag { get; private set; }
 
-    /// <summary>The harvest as it stands.</summary>
+    /// <summary>The current state of the harvest.</summary>
     public HarvestStatus Status => new(_phase, Counters.Captured, Counters.Discarded, FramesPerSecond, Fault);
 
     private double FramesPerSecond =>
         _endMilliseconds > _startMilliseconds ? Counters.Captured * 1000.0 / (_endMilliseconds - _startMilliseconds) : 0;
 
-    /// <summary>Does one tick's share of the harvest. After the end it does nothing.</summary>
+    /// <summary>Does the work of one tick. After the end of the harvest it does nothing.</summary>
     public HarvestStatus Step()
     {
         if (Status.IsOver)
@@ -120,7 +120,7 @@ public sealed class HarvestSession : IDisposable
         return Status;
     }
 
-    /// <summary>Ends the harvest, lets the game go on and closes the sink. A frame that is not done is dropped. Again is no harm.</summary>
+    /// <summary>Ends the harvest, resumes the game and closes the sink. An unfinished frame is dropped. Further calls do nothing.</summary>
     public void Stop()
     {
         if (Status.IsOver)
@@ -140,7 +140,7 @@ public sealed class HarvestSession : IDisposable
         }
     }
 
-    /// <summary>Stops the harvest; the sink stays its maker's to dispose.</summary>
+    /// <summary>Ends the harvest like <see cref="Stop"/>; the caller disposes the sink.</summary>
     public void Dispose() => Stop();
 
     private IEnumerable<HarvestPhase> Run()

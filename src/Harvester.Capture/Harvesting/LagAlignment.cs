@@ -22,10 +22,12 @@ internal sealed class LagAlignment
     private readonly double[] _changes;
     private readonly int _firstChange;
 
-    /// <summary>Makes the comparison.</summary>
+    /// <summary>Groups the movements by pace.</summary>
     /// <param name="motions">The movement from the tick before to each tick; the first is of no meaning.</param>
     /// <param name="fullMotion">The movement in a tick of the running game, greater than 0.</param>
-    /// <param name="changes">The change of the picture in each tick from <paramref name="firstChange"/> on, 1 as in the running game.</param>
+    /// <param name="changes">
+    /// The change of the picture in each tick from <paramref name="firstChange"/> on, 1 as in the running game.
+    /// </param>
     /// <param name="firstChange">The tick of the first change.</param>
     public LagAlignment(IEnumerable<double> motions, double fullMotion, double[] changes, int firstChange)
     {
@@ -34,7 +36,9 @@ internal sealed class LagAlignment
         _firstChange = firstChange;
     }
 
-    /// <summary>The cost of a lag; infinite where a slower pace would change the picture more than a faster one, or a pace is on no record.</summary>
+    /// <summary>
+    /// The cost of a lag; infinite where a slower pace would change the picture more than a faster one, or a pace is on no record.
+    /// </summary>
     /// <param name="lagTicks">Ticks from a movement to the picture that shows it; may be -1.</param>
     public double CostOf(int lagTicks)
     {

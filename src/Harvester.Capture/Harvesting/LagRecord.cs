@@ -13,7 +13,9 @@ namespace Harvester.Capture.Harvesting;
 /// </summary>
 internal sealed class LagRecord
 {
-    /// <summary>The last pictures of a record, which show what changes from picture to picture in a standing game: rain, grain, flicker.</summary>
+    /// <summary>
+    /// The last pictures of a record, which show what changes from picture to picture in a standing game: rain, grain, flicker.
+    /// </summary>
     public const int NoiseTicks = 3;
 
     /// <summary>By what factor a change must stand out from the noise to count as movement.</summary>
@@ -32,15 +34,20 @@ internal sealed class LagRecord
     public void Add(SceneSnapshot state) => _states.Add(state);
 
     /// <summary>Adds a tick with a picture.</summary>
-    /// <param name="state">What was read.</param>
-    /// <param name="change">How much the picture differs from the tick's before; the first is of no meaning; not a number when there was no good picture.</param>
+    /// <param name="state">The scene read in this tick.</param>
+    /// <param name="change">
+    /// How much the picture differs from the tick's before; the first is of no meaning; not a number when there was no good picture.
+    /// </param>
     public void Add(SceneSnapshot state, double change)
     {
         _states.Add(state);
         _changes.Add(change);
     }
 
-    /// <summary>The lag that the record shows; null when ticks or pictures are missing, camera or entities did not move, or the pictures do not show which lag it is.</summary>
+    /// <summary>
+    /// The lag that the record shows; null when ticks or pictures are missing, camera or entities did not move, or the pictures do not show
+    /// which lag it is.
+    /// </summary>
     /// <param name="runningTicks">The pictures before the freeze, without the first, 1 or more.</param>
     /// <param name="greatestTicks">The greatest lag to look for, 0 or more.</param>
     public PictureLag? LagOf(int runningTicks, int greatestTicks)

@@ -3,7 +3,7 @@ namespace Harvester.Capture.Harvesting;
 /// <summary>How fast something moves in a tick, compared with the running game.</summary>
 internal enum MotionPace
 {
-    /// <summary>It stands.</summary>
+    /// <summary>It does not move.</summary>
     Still,
 
     /// <summary>It moves clearly slower than before the freeze.</summary>

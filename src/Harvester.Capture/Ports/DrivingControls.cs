@@ -2,14 +2,14 @@ using System;
 
 namespace Harvester.Capture.Ports;
 
-/// <summary>What a driver does with wheel and pedals. Values beyond their range are cut to it.</summary>
+/// <summary>Positions of steering wheel and pedals. Values out of range are clamped.</summary>
 public readonly record struct DrivingControls
 {
-    /// <summary>Makes controls.</summary>
+    /// <summary>Creates controls, clamping each value to its range.</summary>
     /// <param name="steering">-1 is full lock to the right, 1 full lock to the left.</param>
-    /// <param name="throttle">0 to 1.</param>
-    /// <param name="brake">0 to 1.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A value is not a number.</exception>
+    /// <param name="throttle">Throttle pedal, 0 (released) to 1 (fully pressed).</param>
+    /// <param name="brake">Brake pedal, 0 (released) to 1 (fully pressed).</param>
+    /// <exception cref="ArgumentOutOfRangeException">A value is NaN.</exception>
     public DrivingControls(double steering, double throttle, double brake)
     {
         Steering = Cut(steering, -1, nameof(steering));
@@ -17,16 +17,16 @@ public readonly record struct DrivingControls
         Brake = Cut(brake, 0, nameof(brake));
     }
 
-    /// <summary>Wheel straight, brake down: what a car does that nobody drives any more.</summary>
+    /// <summary>Wheel straight, full brake: the controls of a car without a driver.</summary>
     public static DrivingControls Stop { get; } = new(0, 0, 1);
 
-    /// <summary>-1 (right) to 1 (left).</summary>
+    /// <summary>Steering wheel, -1 (full lock right) to 1 (full lock left).</summary>
     public double Steering { get; }
 
-    /// <summary>0 to 1.</summary>
+    /// <summary>Throttle pedal, 0 (released) to 1 (fully pressed).</summary>
     public double Throttle { get; }
 
-    /// <summary>0 to 1.</summary>
+    /// <summary>Brake pedal, 0 (released) to 1 (fully pressed).</summary>
     public double Brake { get; }
 
     private static double Cut(double value, double least, string name) =>

@@ -9,6 +9,6 @@ public enum EntityKind
     /// <summary>People and animals.</summary>
     Ped,
 
-    /// <summary>Objects.</summary>
+    /// <summary>Movable and fixed objects, such as signs, traffic lights and lamps.</summary>
     Prop,
 }

@@ -11,7 +11,7 @@ public sealed class FixedRoads : IRoads
     private readonly KnownRoads _roads;
 
     /// <summary>Prepares a road network; a large one takes a moment.</summary>
-    /// <param name="network">The roads.</param>
+    /// <param name="network">The road network, world frame, metres.</param>
     /// <param name="source">Where they are from, as a short camelCase word for the labels.</param>
     /// <param name="lookAhead">Where the indicators are measured; the thesis's ten metres when null.</param>
     /// <param name="laneWidth">Width of the lanes of an ordinary road, metres.</param>

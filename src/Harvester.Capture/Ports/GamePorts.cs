@@ -2,12 +2,12 @@ using Harvester.Geometry.Visibility;
 
 namespace Harvester.Capture.Ports;
 
-/// <summary>A game, as the harvest sees it. The mod and the simulation are two makers of one of these.</summary>
+/// <summary>A game as a harvest sees it. The mod and the simulation each provide one.</summary>
 /// <param name="World">Camera, ego, entities, environment.</param>
-/// <param name="Rays">What rays meet.</param>
-/// <param name="Screen">The picture shown.</param>
-/// <param name="Pause">Stops the world.</param>
-/// <param name="Clock">The player's time.</param>
+/// <param name="Rays">Casts rays into the world.</param>
+/// <param name="Screen">Grabs the displayed image.</param>
+/// <param name="Pause">Freezes and resumes the world.</param>
+/// <param name="Clock">Real time, independent of the game.</param>
 /// <param name="Markers">Draws markers for calibration; null where the game cannot.</param>
 public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IPause Pause, IClock Clock, IMarkers? Markers = null)
 {

@@ -1,15 +1,18 @@
 namespace Harvester.Capture.Ports;
 
 /// <summary>Whether a picture was grabbed.</summary>
-/// <param name="Refusal">Why the picture is not to be used, as a short camelCase word for the counters (minimised, covered, black); null when it is good.</param>
+/// <param name="Refusal">
+/// Why the image must not be used, as a short camelCase word for the counters (minimised, covered, black); null if it can be used.
+/// </param>
 public readonly record struct GrabResult(string? Refusal)
 {
-    /// <summary>A good picture.</summary>
+    /// <summary>The image was grabbed and can be used.</summary>
     public static GrabResult Good => default;
 
     /// <summary>Whether the picture can be used.</summary>
     public bool IsGood => Refusal is null;
 
-    /// <summary>A picture not to be used.</summary>
+    /// <summary>The image must not be used.</summary>
+    /// <param name="reason">The reason, as in <see cref="Refusal"/>.</param>
     public static GrabResult Refused(string reason) => new(reason);
 }

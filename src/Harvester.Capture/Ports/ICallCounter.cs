@@ -6,6 +6,6 @@ public interface ICallCounter
     /// <summary>Calls of the game's native functions, those of rays included.</summary>
     long Natives { get; }
 
-    /// <summary>Rays cast.</summary>
+    /// <summary>Number of rays cast since the start of the game.</summary>
     long Rays { get; }
 }

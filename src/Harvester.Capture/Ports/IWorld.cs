@@ -27,6 +27,6 @@ public interface IWorld
     /// <param name="range">Metres; greater than 0.</param>
     IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range);
 
-    /// <summary>Weather and hour.</summary>
+    /// <summary>Reads the current weather and time of day.</summary>
     EnvironmentState ReadEnvironment();
 }

@@ -8,8 +8,8 @@ namespace Harvester.Driving.Bridge;
 /// What the client has said and the drive has not done yet: commands that wait for a step's end, and the newest controls or indicators. Those
 /// that came before a reset are void with it, those that came behind it wait until it is done.
 /// </summary>
-/// <param name="bridge">To the client.</param>
-/// <param name="report">Is told what the client does wrong.</param>
+/// <param name="bridge">The bridge to the client.</param>
+/// <param name="report">Receives a message for each fault of the client.</param>
 internal sealed class ClientAgenda(IDrivingBridge bridge, Action<string> report)
 {
     /// <summary>A client that sends faster than the ticks go does not keep a tick busy.</summary>

@@ -36,11 +36,13 @@ internal sealed class FrameOutbox(ImageSize size)
     }
 
     /// <summary>Waits for a frame and takes it; the picture stays the taker's until it takes the next.</summary>
-    /// <param name="patience">How long it waits.</param>
+    /// <param name="patience">Maximum time to wait.</param>
     /// <param name="mayGo">Whether a frame may be taken now; one that may not waits on, until a newer one replaces it.</param>
-    /// <param name="state">The frame.</param>
-    /// <param name="picture">Its picture.</param>
-    /// <returns>False when the box is closed, nothing that may go came within the time, or the wait was ended by <see cref="Wake"/>.</returns>
+    /// <param name="state">The frame's state; null if there is none.</param>
+    /// <param name="picture">The frame's image.</param>
+    /// <returns>
+    /// False when the box is closed, nothing that may go came within the time, or the wait was ended by <see cref="Wake"/>.
+    /// </returns>
     public bool TryTake(TimeSpan patience, Func<BridgeState, bool> mayGo, [NotNullWhen(true)] out BridgeState? state, out PixelBuffer picture)
     {
         lock (_gate)

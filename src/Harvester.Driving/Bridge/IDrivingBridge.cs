@@ -13,12 +13,12 @@ public interface IDrivingBridge : IDisposable
     /// <summary>The last thing that went wrong, as one line; null when nothing has.</summary>
     string? Problem { get; }
 
-    /// <summary>Who is connected, for people: the address of a socket or the folder; null for nobody.</summary>
+    /// <summary>The connected client, for display: the address of a socket or the folder; null for none.</summary>
     string? Client { get; }
 
     /// <summary>Offers a frame. The newest wins: one that the client has not been given yet is dropped for it.</summary>
-    /// <param name="state">What is known.</param>
-    /// <param name="picture">The picture; it is copied and free again at once.</param>
+    /// <param name="state">Car, time and indicators of the frame.</param>
+    /// <param name="picture">The image; it is copied, so the caller may reuse it at once.</param>
     void Publish(BridgeState state, PixelBuffer picture);
 
     /// <summary>

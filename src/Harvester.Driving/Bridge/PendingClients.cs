@@ -3,11 +3,11 @@ using System.Collections.Generic;
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// Who has yet to show the token: so many at most. Each leaves once, so only one of those who let it out (it has shown the token, its time is
-/// over, another has come for its place) finds it here. When the room is full the one that has waited longest makes room: it is least likely to
-/// be about to show the token.
+/// Connections that have not sent the token yet, up to a maximum. Each is removed exactly once, whether because it has sent the token, its
+/// time is over, or a newer connection replaces it. At the maximum, the one that has waited longest is replaced: it is the least likely to
+/// send the token.
 /// </summary>
-/// <param name="places">How many may wait; at least 1.</param>
+/// <param name="places">Maximum number of pending connections; at least 1.</param>
 internal sealed class PendingClients<T>(int places)
     where T : class
 {
@@ -15,7 +15,7 @@ internal sealed class PendingClients<T>(int places)
     private readonly List<T> _waiting = [];
     private bool _isClosed;
 
-    /// <summary>How many wait.</summary>
+    /// <summary>Number of pending connections.</summary>
     public int Count
     {
         get
@@ -27,8 +27,10 @@ internal sealed class PendingClients<T>(int places)
         }
     }
 
-    /// <summary>Lets one in.</summary>
-    /// <returns>Who has to go: the one that has waited longest, or the newcomer when the room is closed; null for nobody.</returns>
+    /// <summary>Adds a pending connection.</summary>
+    /// <returns>
+    /// The connection to close: the one that has waited longest, or the new one after <see cref="Close"/>; null for none.
+    /// </returns>
     public T? Enter(T newcomer)
     {
         lock (_gate)
@@ -50,8 +52,8 @@ internal sealed class PendingClients<T>(int places)
         }
     }
 
-    /// <summary>Lets one out.</summary>
-    /// <returns>Whether it was still here.</returns>
+    /// <summary>Removes a connection.</summary>
+    /// <returns>Whether it was still pending.</returns>
     public bool TryLeave(T one)
     {
         lock (_gate)
@@ -60,8 +62,8 @@ internal sealed class PendingClients<T>(int places)
         }
     }
 
-    /// <summary>Lets nobody in any more.</summary>
-    /// <returns>Who waited.</returns>
+    /// <summary>Accepts no further connections.</summary>
+    /// <returns>The connections that were pending.</returns>
     public IReadOnlyList<T> Close()
     {
         lock (_gate)

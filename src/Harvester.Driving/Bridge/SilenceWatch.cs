@@ -3,8 +3,8 @@ using Harvester.Capture.Ports;
 namespace Harvester.Driving.Bridge;
 
 /// <summary>Holds the last controls while the client speaks, and the brake when it has been silent too long.</summary>
-/// <param name="clock">The time that counts.</param>
-/// <param name="patienceSeconds">How long controls hold.</param>
+/// <param name="clock">The clock that silence is measured with.</param>
+/// <param name="patienceSeconds">How long controls hold, seconds.</param>
 public sealed class SilenceWatch(IClock clock, double patienceSeconds = SilenceWatch.DefaultPatienceSeconds)
 {
     /// <summary>Half a second: five missed frames at ten a second.</summary>
@@ -20,7 +20,7 @@ public sealed class SilenceWatch(IClock clock, double patienceSeconds = SilenceW
     /// <summary>What the car is to do now.</summary>
     public DrivingControls Controls => IsClientAlive ? _controls : DrivingControls.Stop;
 
-    /// <summary>Takes new controls.</summary>
+    /// <summary>Sets new controls, which hold from now on.</summary>
     public void Hear(DrivingControls controls)
     {
         _controls = controls;

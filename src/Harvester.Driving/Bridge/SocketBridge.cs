@@ -24,11 +24,11 @@ public sealed class SocketBridge : IDrivingBridge
     private volatile bool _stopping;
     private volatile string? _problem;
 
-    /// <summary>Starts to listen.</summary>
-    /// <param name="options">Where, and to whom.</param>
-    /// <param name="picture">Size of the pictures, pixels.</param>
+    /// <summary>Starts to listen for clients.</summary>
+    /// <param name="options">Address, port and token.</param>
+    /// <param name="picture">Size of the images, pixels.</param>
     /// <exception cref="ArgumentException">The address is not a loopback address and there is no token.</exception>
-    /// <exception cref="SocketException">The address or port cannot be had.</exception>
+    /// <exception cref="SocketException">The address or port is not available.</exception>
     public SocketBridge(SocketBridgeOptions options, ImageSize picture)
     {
         if (options is null)
@@ -58,7 +58,7 @@ public sealed class SocketBridge : IDrivingBridge
     /// <inheritdoc/>
     public string? Client => _reception.Inbox.Client?.Place;
 
-    /// <summary>How many connections have yet to show the token.</summary>
+    /// <summary>Number of connections that have not sent the token yet.</summary>
     internal int Pending => _reception.Pending.Count;
 
     /// <inheritdoc/>
@@ -67,7 +67,10 @@ public sealed class SocketBridge : IDrivingBridge
     /// <inheritdoc/>
     public bool TryReceive([NotNullWhen(true)] out ClientMessage? message) => _reception.Inbox.TryTake(out message);
 
-    /// <summary>Ends all connections, the listening and the threads; waits for a frame that is being sent, at most <see cref="SocketBridgeOptions.SendPatience"/>.</summary>
+    /// <summary>
+    /// Closes all connections, stops listening and ends the threads. Waits for a frame in transmission, at most
+    /// <see cref="SocketBridgeOptions.SendPatience"/>.
+    /// </summary>
     public void Dispose()
     {
         _stopping = true;

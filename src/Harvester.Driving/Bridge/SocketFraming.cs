@@ -7,12 +7,13 @@ namespace Harvester.Driving.Bridge;
 /// <summary>A message on the socket: two lengths of four bytes each (big-endian), then the header (UTF-8), then the payload.</summary>
 internal static class SocketFraming
 {
-    /// <summary>The longest header that is read.</summary>
+    /// <summary>Maximum length of a header that is read, bytes.</summary>
     public const int MaxHeaderLength = 65_536;
 
     private const int LengthBytes = 8;
 
-    /// <summary>Writes a message.</summary>
+    /// <summary>Writes a message: lengths, header, payload.</summary>
+    /// <exception cref="IOException">The connection is broken.</exception>
     public static void Write(Stream stream, byte[] header, ArraySegment<byte> payload)
     {
         byte[] lengths = new byte[LengthBytes];
@@ -30,8 +31,8 @@ internal static class SocketFraming
 
     /// <summary>Reads a client's header; clients send no payload.</summary>
     /// <returns>Null at the end of the stream.</returns>
-    /// <exception cref="BridgeException">The lengths are none that a client may send.</exception>
-    /// <exception cref="IOException">The stream broke off.</exception>
+    /// <exception cref="BridgeException">The header is too long, or there is a payload.</exception>
+    /// <exception cref="IOException">The stream ends within the header.</exception>
     public static string? ReadHeader(Stream stream)
     {
         byte[] lengths = new byte[LengthBytes];

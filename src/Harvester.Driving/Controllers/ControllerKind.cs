@@ -1,9 +1,9 @@
 namespace Harvester.Driving.Controllers;
 
-/// <summary>The controllers.</summary>
+/// <summary>The control laws that drive by the indicators.</summary>
 public enum ControllerKind
 {
-    /// <summary>The one published with DeepDriving.</summary>
+    /// <summary>The controller published with DeepDriving (<see cref="DeepDrivingController"/>).</summary>
     DeepDriving,
 
     /// <summary>Stanley's law of steering, with a time gap to the vehicle ahead.</summary>

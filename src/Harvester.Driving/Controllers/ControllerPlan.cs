@@ -3,31 +3,31 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Driving.Controllers;
 
-/// <summary>Which controller drives what car by what labels: the one place where controllers are made for cars of the game or the simulation.</summary>
+/// <summary>Settings of a controller, and the one place where controllers are created for cars of the game or the simulation.</summary>
 public sealed record ControllerPlan
 {
-    /// <summary>The game's and the simulation's vehicles are up to 8 m longer than the cars of TORCS: half of that from centre to centre, metres.</summary>
+    /// <summary>Vehicles here are up to 8 m longer than the cars of TORCS; from centre to centre that is half, metres.</summary>
     private const double VehicleAllowance = 4;
 
-    /// <summary>The law.</summary>
+    /// <summary>The control law to use.</summary>
     public required ControllerKind Kind { get; init; }
 
     /// <summary>
-    /// How far ahead the angle of the indicators is measured, metres: 10 (default) for those of labels, 0 for those that a client sends, whose
-    /// angle is at the car as in TORCS.
+    /// How far ahead of the car the angle of the indicators is measured, metres, 0 or more: 10 (default) for indicators of labels, 0 for
+    /// those sent by a client, whose angle is at the car as in TORCS.
     /// </summary>
     public double LookAheadMetres { get; init; } = 10;
 
-    /// <summary>Speed on a free straight road, m/s; null for the law's own.</summary>
+    /// <summary>Speed on a free straight road, m/s; null for the default of the control law.</summary>
     public double? Speed { get; init; }
 
-    /// <summary>Whether an emergency brake stands behind the law.</summary>
+    /// <summary>Whether an emergency brake may override the control law.</summary>
     public bool BrakesInEmergency { get; init; }
 
-    /// <summary>The car.</summary>
+    /// <summary>Steering lock, wheelbase and other traits of the driven car.</summary>
     public CarTraits Car { get; init; } = new();
 
-    /// <summary>Makes the controller.</summary>
+    /// <summary>Creates a controller with these settings and no memory of the road.</summary>
     public IController New()
     {
         IController controller = Kind == ControllerKind.Stanley ? NewStanley() : NewDeepDriving();

@@ -45,13 +45,13 @@ public sealed class DeepDrivingController : IController
     private double _previousMl = -2;
     private double _previousMr = 2;
 
-    /// <summary>Makes a controller.</summary>
+    /// <summary>Creates a controller for indicators whose angle is measured at the car, as in TORCS.</summary>
     /// <param name="steeringLockRadians">Angle of the car's front wheels at full lock, radians; that of TORCS unless given.</param>
     /// <param name="vehicleAllowanceMetres">
     /// Taken off the distances to vehicles, metres: the published controller stops 5 m from a vehicle, centre to centre, which is right for the
     /// short cars of TORCS only.
     /// </param>
-    /// <param name="mostSpeed">Metres per second; the published controller drives 20.</param>
+    /// <param name="mostSpeed">Speed on a free straight road, m/s, greater than 0; 20 as published unless given.</param>
     public DeepDrivingController(double steeringLockRadians = SteeringLockRadians, double vehicleAllowanceMetres = 0, double mostSpeed = MaxSpeed)
     {
         _mostSpeed = mostSpeed;
@@ -59,13 +59,13 @@ public sealed class DeepDrivingController : IController
         _vehicleAllowance = vehicleAllowanceMetres;
     }
 
-    /// <summary>Makes a controller for labels that measure the angle ahead of the car.</summary>
-    /// <param name="car">The car.</param>
-    /// <param name="lookAheadMetres">How far ahead, metres; 0 or more.</param>
-    /// <param name="vehicleAllowanceMetres">Taken off the distances to vehicles, metres.</param>
-    /// <param name="mostSpeed">Metres per second.</param>
-    /// <exception cref="ArgumentNullException">There is no car.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The angle would be measured behind the car.</exception>
+    /// <summary>Creates a controller for indicators whose angle is measured ahead of the car.</summary>
+    /// <param name="car">Steering lock, wheelbase and other traits of the driven car.</param>
+    /// <param name="lookAheadMetres">How far ahead of the car the angle is measured, metres, 0 or more.</param>
+    /// <param name="vehicleAllowanceMetres">Subtracted from the distances to vehicles, metres.</param>
+    /// <param name="mostSpeed">Speed on a free straight road, m/s, greater than 0.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="car"/> is null.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="lookAheadMetres"/> is negative.</exception>
     public DeepDrivingController(CarTraits car, double lookAheadMetres, double vehicleAllowanceMetres, double mostSpeed)
         : this((car ?? throw new ArgumentNullException(nameof(car))).SteeringLockRadians, vehicleAllowanceMetres, mostSpeed) =>
         _road = new RoadAhead(lookAheadMetres, PeriodSeconds, car, new PlaceBesideLine());

@@ -28,9 +28,9 @@ internal sealed class LeaderEstimate(double? speedOfNewcomers = null)
     public double Speed { get; private set; }
 
     /// <summary>Takes a frame: the nearest of the vehicles ahead in the lane, or in the two lanes that the car is between.</summary>
-    /// <param name="at">The indicators.</param>
-    /// <param name="ownSpeed">Metres per second.</param>
-    /// <param name="seconds">Since the frame before.</param>
+    /// <param name="at">The indicators of the frame, metres.</param>
+    /// <param name="ownSpeed">The car's own speed, m/s.</param>
+    /// <param name="seconds">Time since the previous frame, seconds.</param>
     public void Observe(LaneIndicators at, double ownSpeed, double seconds)
     {
         double nearest = Math.Min(DistanceOf(at.DistMM), Math.Min(DistanceOf(at.DistL), DistanceOf(at.DistR)));

@@ -10,8 +10,10 @@ namespace Harvester.Driving.Controllers;
 /// </summary>
 /// <param name="lookAheadMetres">How far ahead the angles are measured, metres along the road; 0 or more.</param>
 /// <param name="periodSeconds">Time between two frames, seconds.</param>
-/// <param name="car">The car.</param>
-/// <param name="place">Told where the car is beside the road's line, to make up for it in bends; null to take the car for on the line.</param>
+/// <param name="car">Wheelbase and understeer of the driven car.</param>
+/// <param name="place">
+/// Told where the car is beside the road's line, to make up for it in bends; null to take the car for on the line.
+/// </param>
 internal sealed class RoadAhead(double lookAheadMetres, double periodSeconds, CarTraits car, PlaceBesideLine? place = null)
 {
     /// <summary>No car turns by more between two frames, radians; it was put elsewhere.</summary>
@@ -24,7 +26,7 @@ internal sealed class RoadAhead(double lookAheadMetres, double periodSeconds, Ca
     /// <summary>The angle of the front wheels that was last asked for, radians, positive to the left.</summary>
     public double WantedWheelAngle { private get; set; }
 
-    /// <summary>Takes a frame.</summary>
+    /// <summary>Adds the angle that a frame measures ahead of the car.</summary>
     public void Observe(DrivingState state)
     {
         double metres = state.SpeedMetresPerSecond * periodSeconds;
@@ -49,7 +51,9 @@ internal sealed class RoadAhead(double lookAheadMetres, double periodSeconds, Ca
         }
     }
 
-    /// <summary>The road's heading some way ahead less the car's, radians, and how it bends there, or the car's lane where its place is known, 1/m.</summary>
+    /// <summary>
+    /// The road's heading some way ahead less the car's, radians, and how it bends there, or the car's lane where its place is known, 1/m.
+    /// </summary>
     public (double Angle, double Curvature) At(double metresAhead)
     {
         (double angle, double curvature) = _memory.At(metresAhead);

@@ -14,10 +14,10 @@ public sealed class StanleyController : IController
 {
     private const int FramesToClear = 30;
 
-    /// <summary>A lane beside is worth moving to when it is free for so much further than one's own, metres.</summary>
+    /// <summary>How much further the neighbouring lane must be free than the car's own for a lane change, metres.</summary>
     private const double GainOfLane = 15;
 
-    /// <summary>Who stands in a queue stays in it: a change of lane would end across the marking, m/s.</summary>
+    /// <summary>Below this speed, m/s, the car stays in its lane: in a queue, a lane change would end across the marking.</summary>
     private const double SlowestToChange = 3;
 
     private const double BendStep = 2;
@@ -30,7 +30,7 @@ public sealed class StanleyController : IController
     private double? _centre;
     private double _acceleration;
 
-    /// <summary>Makes a controller.</summary>
+    /// <summary>Creates a controller with no memory of the road.</summary>
     public StanleyController(StanleyOptions options)
     {
         _options = options ?? throw new ArgumentNullException(nameof(options));

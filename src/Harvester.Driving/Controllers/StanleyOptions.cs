@@ -5,7 +5,7 @@ namespace Harvester.Driving.Controllers;
 /// <summary>The constants of <see cref="StanleyController"/>.</summary>
 public sealed record StanleyOptions
 {
-    /// <summary>The car.</summary>
+    /// <summary>Steering lock, wheelbase and other traits of the driven car.</summary>
     public CarTraits Car { get; init; } = new();
 
     /// <summary>Time between two frames, seconds.</summary>
@@ -20,37 +20,41 @@ public sealed record StanleyOptions
     /// <summary>Added to the speed in the lateral term, so that it stays gentle at a crawl, m/s.</summary>
     public double SofteningSpeed { get; init; } = 2;
 
-    /// <summary>A larger distance from the middle of the lane is steered against no more than this one, metres: a change of lane takes its time.</summary>
+    /// <summary>Limit of the lateral error that is steered against, metres, so that a lane change is not abrupt.</summary>
     public double LargestLateralError { get; init; } = 1.5;
 
-    /// <summary>The car is not turned against its lane by more than this to get to the middle of it, radians: at a crawl it would turn across.</summary>
+    /// <summary>
+    /// Limit of the heading against the lane when steering to its centre, radians; at low speed the car would turn across.
+    /// </summary>
     public double LargestLateralAngle { get; init; } = 0.4;
 
-    /// <summary>Weight of a new distance to the middle of the lane against the predicted one, 0 to 1; 1 trusts each frame.</summary>
+    /// <summary>Weight of a measured lateral error against the predicted one, 0 to 1; 1 uses the measured one only.</summary>
     public double LateralWeight { get; init; } = 0.35;
 
-    /// <summary>Time from a command to its effect, seconds: bends are steered for so much earlier.</summary>
+    /// <summary>Delay between a steering command and its effect, seconds; steering for bends starts this much earlier.</summary>
     public double SteeringLeadSeconds { get; init; } = 0.2;
 
     /// <summary>Speed on a free straight road, m/s.</summary>
     public double CruiseSpeed { get; init; } = 14;
 
-    /// <summary>Speed where the road does not run straight as far as is known, m/s.</summary>
+    /// <summary>Speed where the road is not known to be straight, m/s.</summary>
     public double CautiousSpeed { get; init; } = 10;
 
-    /// <summary>Sideways acceleration that a bend is taken with at most, m/s².</summary>
+    /// <summary>Maximum lateral acceleration in bends, m/s².</summary>
     public double LateralAcceleration { get; init; } = 2;
 
-    /// <summary>Time kept to the vehicle ahead, seconds.</summary>
+    /// <summary>Time gap to the vehicle ahead, seconds.</summary>
     public double TimeGap { get; init; } = 1.4;
 
-    /// <summary>Distance kept to the vehicle ahead when standing, centre to centre, metres: room for the halves of a bus and of the car.</summary>
+    /// <summary>
+    /// Distance kept to the vehicle ahead when standing, centre to centre, metres: room for the halves of a bus and of the car.
+    /// </summary>
     public double StandingDistance { get; init; } = 12;
 
-    /// <summary>Acceleration at most, m/s².</summary>
+    /// <summary>Maximum acceleration, m/s².</summary>
     public double Acceleration { get; init; } = 2;
 
-    /// <summary>Comfortable braking, m/s².</summary>
+    /// <summary>Comfortable deceleration, m/s², greater than 0.</summary>
     public double Braking { get; init; } = 2.5;
 
     /// <summary>Weight of a new acceleration against the one before, 0 to 1; 1 passes the noise of each frame to the pedals.</summary>

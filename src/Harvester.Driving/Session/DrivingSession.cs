@@ -8,9 +8,9 @@ namespace Harvester.Driving.Session;
 
 /// <summary>
 /// The game's side of a drive over a bridge: call <see cref="Tick"/> once in every tick of the game, from the game's own thread. It
-/// sends frames at their rate, drives the car by what the client says, and brakes when the client is silent. Where the client sends
-/// indicators, a controller here makes controls of them. Nothing waits, and nothing is thrown to the caller after construction: a fault of
-/// a port ends the drive with a sentence, and so does the player at the wheel. The bridge stays its maker's to dispose.
+/// sends frames at their rate, drives the car by the client's messages, and brakes when the client is silent. If the client sends
+/// indicators, a controller here turns them into controls. Nothing waits, and nothing is thrown to the caller after construction: a fault
+/// of a port ends the drive with a message, and so does the player at the wheel. The caller disposes the bridge.
 /// </summary>
 public sealed class DrivingSession : IDisposable
 {
@@ -28,11 +28,14 @@ public sealed class DrivingSession : IDisposable
     private double _nowSeconds;
     private string? _ending;
 
-    /// <summary>Makes a drive; nothing is asked of the game before the first tick.</summary>
-    /// <param name="options">How.</param>
-    /// <param name="game">The game, with a car that can be driven.</param>
-    /// <param name="bridge">To the client; made for pictures of the size in the options.</param>
-    /// <param name="newController">Makes what drives by the indicators that a client sends; asked again after each reset.</param>
+    /// <summary>Creates a drive. The game is not used before the first tick.</summary>
+    /// <param name="options">Frame rate, image size and the time that controls hold.</param>
+    /// <param name="game">The game; its car is driven.</param>
+    /// <param name="bridge">The bridge to the client, for images of the size in the options. The caller disposes it.</param>
+    /// <param name="newController">
+    /// Creates the controller that turns a client's indicators into controls; called again after each reset.
+    /// </param>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
     /// <exception cref="ArgumentException">The game has no car that can be driven.</exception>
     public DrivingSession(DrivingOptions options, GamePorts game, IDrivingBridge bridge, Func<IController> newController)
     {
@@ -53,19 +56,19 @@ public sealed class DrivingSession : IDisposable
         _frames = new FramePublisher(options, bridge, _view, _pace);
     }
 
-    /// <summary>The drive as it stands.</summary>
+    /// <summary>The current state of the drive.</summary>
     public DrivingStatus Status { get; private set; }
 
     /// <summary>The last thing that went wrong without ending the drive, as one line; null when nothing has.</summary>
     public string? Problem { get; private set; }
 
-    /// <summary>Whether a picture may be grabbed so soon that nothing may be drawn now that does not belong into it.</summary>
+    /// <summary>Whether an image may be grabbed in the next ticks, so that overlays must not be drawn now.</summary>
     public bool IsPictureNear => _ending is null && _frames.IsPictureNear;
 
-    /// <summary>Whether the world goes on only to the end of a step that a client asked for.</summary>
+    /// <summary>Whether the world is running only until the end of a step that the client requested.</summary>
     public bool IsStepping => _pace.IsStepping;
 
-    /// <summary>Does one tick's share of the drive. After the end it does nothing.</summary>
+    /// <summary>Does the work of one tick. After the end of the drive it does nothing.</summary>
     public DrivingStatus Tick()
     {
         if (_ending is null)
@@ -76,7 +79,10 @@ public sealed class DrivingSession : IDisposable
         return Status;
     }
 
-    /// <summary>Forgets the road, what the controller knew of it and the controls that hold: for a game that has itself put the car elsewhere.</summary>
+    /// <summary>
+    /// Discards what is known of the road, the controller's memory and the current controls. To be called when the game itself has moved
+    /// the car.
+    /// </summary>
     public void Forget()
     {
         _watch.Forget();
@@ -84,10 +90,12 @@ public sealed class DrivingSession : IDisposable
         _controller = _newController();
     }
 
-    /// <summary>Sends a frame as soon as there is one, as if the client had asked for it: for a world that stands until somebody drives.</summary>
+    /// <summary>
+    /// Sends a frame as soon as possible, as if the client had requested it: for a world that is paused until a client drives.
+    /// </summary>
     public void AskForFrame() => _frames.Ask();
 
-    /// <summary>Ends the drive and lets the world go on. Again is no harm.</summary>
+    /// <summary>Ends the drive and resumes the world. Further calls do nothing.</summary>
     public void Stop()
     {
         if (_ending is null)
@@ -96,7 +104,7 @@ public sealed class DrivingSession : IDisposable
         }
     }
 
-    /// <summary>Stops.</summary>
+    /// <summary>Ends the drive like <see cref="Stop"/>.</summary>
     public void Dispose() => Stop();
 
     private void Drive()
@@ -133,7 +141,7 @@ public sealed class DrivingSession : IDisposable
         Hear(_agenda.TakeNewest());
     }
 
-    /// <summary>As if the client had never been: what it asked for is void, the car brakes and the world goes on.</summary>
+    /// <summary>Discards everything the client requested; the car brakes and the world resumes.</summary>
     private void LoseClient()
     {
         _frames.Forget();

@@ -3,11 +3,13 @@ using Harvester.Driving.Bridge;
 
 namespace Harvester.Driving.Session;
 
-/// <summary>Publishes frames for the client: at their rate while the world goes on, and those that are asked for, once the picture shows what is.</summary>
-/// <param name="options">The rate, and how long a picture takes to settle.</param>
-/// <param name="bridge">To the client.</param>
-/// <param name="view">What is shown.</param>
-/// <param name="pace">Whether the world goes on.</param>
+/// <summary>
+/// Publishes frames to the client: at the frame rate while the world runs, and on request once the image shows the paused world.
+/// </summary>
+/// <param name="options">The frame rate and the ticks until an image has settled.</param>
+/// <param name="bridge">The bridge to the client.</param>
+/// <param name="view">Reads image, car and lanes of a frame.</param>
+/// <param name="pace">Tells whether the world is running, paused or stepping.</param>
 internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge bridge, DrivingView view, WorldPace pace)
 {
     private const double HalfATick = 0.5;
@@ -18,17 +20,17 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
     private double _tickSeconds;
     private int _quietTicks;
 
-    /// <summary>Frames published.</summary>
+    /// <summary>Number of frames published so far.</summary>
     public long Frames { get; private set; }
 
     /// <summary>Whether the frame at the end of a step is still to come.</summary>
     public bool IsStepOpen { get; private set; }
 
-    /// <summary>Whether a picture may be grabbed so soon that nothing may be drawn now that does not belong into it.</summary>
+    /// <summary>Whether an image may be grabbed in the next ticks, so that overlays must not be drawn now.</summary>
     public bool IsPictureNear =>
         pace.IsPaused || pace.IsStepping || _isAskedFor || _isMissed || _schedule.SecondsUntilDue(_nowSeconds) < (options.SettleTicks + HalfATick) * _tickSeconds;
 
-    /// <summary>Begins a tick.</summary>
+    /// <summary>Starts a tick; to be called before <see cref="PublishIfTime"/>.</summary>
     public void BeginTick(double nowSeconds)
     {
         _tickSeconds = nowSeconds - _nowSeconds;

@@ -2,9 +2,11 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Driving.Session;
 
-/// <summary>Stops the world and lets it go on as a client asks, for good or for a step. The world is left alone until it asks.</summary>
-/// <param name="pause">The game's.</param>
-/// <param name="settleTicks">Ticks that a stopped world must have stood.</param>
+/// <summary>
+/// Pauses and resumes the world, or runs it for one step, as the client requests. Without a request the world is left alone.
+/// </summary>
+/// <param name="pause">Freezes and resumes the game.</param>
+/// <param name="settleTicks">Ticks after a pause until the image shows the paused world.</param>
 internal sealed class WorldPace(IPause pause, int settleTicks)
 {
     /// <summary>A step may end so much early, seconds, for a world whose time is a sum of rounded ticks.</summary>

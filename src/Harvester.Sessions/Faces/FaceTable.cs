@@ -11,7 +11,7 @@ public sealed class FaceTable
     private static readonly IReadOnlyList<ModelFace> None = [];
     private readonly Dictionary<int, IReadOnlyList<ModelFace>> _byHash;
 
-    /// <summary>Makes a table.</summary>
+    /// <summary>Creates a table from its rows, in any order.</summary>
     /// <exception cref="ArgumentException">Two faces have the same model and face number.</exception>
     public FaceTable(IEnumerable<ModelFace> faces)
     {

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 namespace Harvester.Sessions.Faces;
 
 /// <summary>What was read of a table: the good rows, and why the others were refused.</summary>
-/// <param name="Table">The good rows.</param>
+/// <param name="Table">A table of the valid rows.</param>
 /// <param name="Problems">The refused rows, in the order of the file.</param>
 public sealed record FaceTableContent(FaceTable Table, IReadOnlyList<FaceTableProblem> Problems)
 {

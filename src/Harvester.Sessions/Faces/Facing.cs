@@ -6,12 +6,12 @@ public enum Facing
     /// <summary>Backward: where signs and traffic lights of the game look, as far as is known.</summary>
     Back,
 
-    /// <summary>Forward.</summary>
+    /// <summary>Towards +y of the model.</summary>
     Front,
 
-    /// <summary>To the left.</summary>
+    /// <summary>Towards -x of the model.</summary>
     Left,
 
-    /// <summary>To the right.</summary>
+    /// <summary>Towards +x of the model.</summary>
     Right,
 }

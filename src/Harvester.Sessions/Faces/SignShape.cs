@@ -3,7 +3,7 @@ namespace Harvester.Sessions.Faces;
 /// <summary>The outline of a sign's face within its rectangle.</summary>
 public enum SignShape
 {
-    /// <summary>The whole rectangle.</summary>
+    /// <summary>A rectangle: the face fills its cuboid.</summary>
     Rectangle,
 
     /// <summary>A regular octagon that stands on a side: STOP.</summary>

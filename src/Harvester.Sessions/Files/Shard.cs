@@ -6,8 +6,8 @@ namespace Harvester.Sessions.Files;
 /// <summary>One of several runs that do a job side by side: every frame belongs to exactly one.</summary>
 public readonly record struct Shard
 {
-    /// <summary>Takes a shard.</summary>
-    /// <param name="number">From 1.</param>
+    /// <summary>Creates a shard of a run.</summary>
+    /// <param name="number">Its number, from 1 to the number of shards.</param>
     /// <param name="count">How many there are.</param>
     /// <exception cref="ArgumentOutOfRangeException">The number is not 1 to the count.</exception>
     public Shard(int number, int count)
@@ -16,7 +16,7 @@ public readonly record struct Shard
         Number = OptionCheck.InRange(number, 1, count, nameof(number));
     }
 
-    /// <summary>The only run.</summary>
+    /// <summary>The only shard of a run that is not divided.</summary>
     public static Shard Whole { get; } = new(1, 1);
 
     /// <summary>Its number, from 1.</summary>

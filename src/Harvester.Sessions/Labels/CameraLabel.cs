@@ -15,7 +15,7 @@ namespace Harvester.Sessions.Labels;
 /// <param name="Fy">Vertical focal length of the saved image, focal scale included, pixels.</param>
 /// <param name="Cx">Principal point from the left edge, pixels.</param>
 /// <param name="Cy">Principal point from the upper edge, pixels.</param>
-/// <param name="Distortion">Radial distortion.</param>
+/// <param name="Distortion">Focal scale and coefficients of the radial distortion.</param>
 public sealed record CameraLabel(
     Pose Pose,
     double VerticalFovDegrees,

@@ -7,13 +7,15 @@ namespace Harvester.Sessions.Labels;
 /// <param name="Frame">Number of the frame in its session, from 0.</param>
 /// <param name="GameFrame">The game's own count of frames.</param>
 /// <param name="TimeSeconds">The game's time, seconds.</param>
-/// <param name="LagFrames">Game frames from the reading of the state to the grab of its picture, which is of the state's moment all the same; 0 when the game was frozen.</param>
+/// <param name="LagFrames">
+/// Game frames from reading the state to grabbing the image, which nevertheless shows the moment of the state; 0 if the game was frozen.
+/// </param>
 /// <param name="LagSeconds">The same in seconds of the game's time.</param>
 /// <param name="Image">Path of the picture within the session, with forward slashes.</param>
 /// <param name="Mask">Path of the instance mask within the session; null without pixel maps.</param>
 /// <param name="Camera">The camera of the saved image.</param>
 /// <param name="Ego">The vehicle that carries the camera.</param>
-/// <param name="Environment">Weather and hour.</param>
+/// <param name="Environment">Weather and time of day.</param>
 /// <param name="Objects">The objects in the image, in the order of their ids.</param>
 public sealed record FrameLabel(
     int Frame,

@@ -66,7 +66,7 @@ public sealed record LanesLabel
     public IReadOnlyList<LaneLineView> Lines => Markings ?? Boundaries;
 
     /// <summary>The label of an observation.</summary>
-    /// <param name="seen">The observation.</param>
+    /// <param name="seen">The road and its lanes at the car.</param>
     /// <param name="source">Where the roads are from.</param>
     /// <param name="boundaries">The boundaries of the lanes in the image; none where there is no image.</param>
     /// <param name="markings">The painted markings in the image; null where what is painted is not known.</param>

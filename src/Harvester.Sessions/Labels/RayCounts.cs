@@ -8,6 +8,6 @@ namespace Harvester.Sessions.Labels;
 /// <param name="Lanes">For points of lane markings.</param>
 public sealed record RayCounts(int Map, int Occlusion, int Faces, int IgnoreRegions, int Lanes)
 {
-    /// <summary>All of them.</summary>
+    /// <summary>Rays of all phases together.</summary>
     public int Total => Map + Occlusion + Faces + IgnoreRegions + Lanes;
 }

@@ -11,7 +11,7 @@ namespace Harvester.Sessions.Roads;
 /// <summary>Writes roads in the form of <see cref="RoadCsv"/>: the same network gives the same bytes in every runtime.</summary>
 public static class RoadCsvWriter
 {
-    /// <summary>Writes a network.</summary>
+    /// <summary>Writes a road network: nodes, then links.</summary>
     /// <exception cref="IOException">The file cannot be written.</exception>
     public static void Write(RoadNetwork network, TextWriter text)
     {

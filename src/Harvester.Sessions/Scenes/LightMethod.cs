@@ -3,7 +3,7 @@ namespace Harvester.Sessions.Scenes;
 /// <summary>How the state of a traffic light is known.</summary>
 public enum LightMethod
 {
-    /// <summary>It is not.</summary>
+    /// <summary>The state is not known.</summary>
     Unknown,
 
     /// <summary>Who drives the light told: the harvester itself in the real game, the simulation in a simulated one.</summary>

@@ -3,7 +3,7 @@ namespace Harvester.Sessions.Scenes;
 /// <summary>The lamp of a traffic light that burns.</summary>
 public enum LightState
 {
-    /// <summary>Not known.</summary>
+    /// <summary>The state could not be determined.</summary>
     Unknown,
 
     /// <summary>The upper one: stop.</summary>

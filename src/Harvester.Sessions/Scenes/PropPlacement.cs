@@ -5,5 +5,5 @@ namespace Harvester.Sessions.Scenes;
 /// <summary>A prop that stands somewhere in the game's world.</summary>
 /// <param name="Name">Name of its model.</param>
 /// <param name="Position">Metres, world.</param>
-/// <param name="Rotation">Its orientation.</param>
+/// <param name="Rotation">Its orientation in the world.</param>
 public sealed record PropPlacement(string Name, Vector3D Position, EulerAngles Rotation);

@@ -5,10 +5,10 @@ namespace Harvester.Sessions.Scenes;
 /// <summary>Everything that a frame's labels are made from, read once. Nothing after it asks the game anything but rays.</summary>
 /// <param name="GameFrame">The game's own count of frames at the moment of reading.</param>
 /// <param name="TimeSeconds">The game's time, seconds.</param>
-/// <param name="Camera">The rendered camera.</param>
+/// <param name="Camera">The camera that the game renders with.</param>
 /// <param name="Ego">The vehicle that carries the camera.</param>
 /// <param name="Entities">The entities within the labelling range, without the ego vehicle, in the order of their handles.</param>
-/// <param name="Environment">Weather and hour.</param>
+/// <param name="Environment">Weather and time of day.</param>
 public sealed record SceneSnapshot(
     long GameFrame,
     double TimeSeconds,

@@ -11,7 +11,7 @@ public static class WeatherNames
 
     private static readonly Dictionary<int, string> Known = Names.ToDictionary(ModelHash.Of);
 
-    /// <summary>All of them.</summary>
+    /// <summary>All names, as the game spells them.</summary>
     public static IReadOnlyList<string> All => Names;
 
     /// <summary>Whether a name is one of them.</summary>

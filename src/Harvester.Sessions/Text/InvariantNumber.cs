@@ -11,7 +11,7 @@ namespace Harvester.Sessions.Text;
 /// </summary>
 public static class InvariantNumber
 {
-    /// <summary>The most decimals.</summary>
+    /// <summary>Maximum number of decimals.</summary>
     public const int MaxDecimals = 12;
 
     /// <summary>Below this, doubles hold every whole number and every half.</summary>
@@ -19,11 +19,13 @@ public static class InvariantNumber
 
     private static readonly double[] PowersOfTen = [1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12];
 
-    /// <summary>Appends a number.</summary>
-    /// <param name="target">Where to.</param>
+    /// <summary>Appends a number, rounded half away from zero.</summary>
+    /// <param name="target">Receives the text.</param>
     /// <param name="value">The number; finite.</param>
     /// <param name="decimals">Digits after the point at most, 0 to 12.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The number is not finite, or has more than 15 digits before and after the point; or the decimals are out of range.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">
+    /// The number is not finite or has more than 15 digits in all, or the decimals are out of range.
+    /// </exception>
     public static void Append(StringBuilder target, double value, int decimals)
     {
         if (target is null)

@@ -45,7 +45,7 @@ public sealed class HandMarking(EntityState prop)
         }
     }
 
-    /// <summary>Marks a corner.</summary>
+    /// <summary>Marks a corner of the face. After two corners, the next mark starts a new face.</summary>
     /// <param name="world">Where the aiming ray meets the prop, metres, world.</param>
     /// <param name="eye">Where the camera is, metres, world: the face looks to the side of the model on which it is.</param>
     public void Mark(Vector3D world, Vector3D eye)

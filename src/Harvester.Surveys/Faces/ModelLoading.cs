@@ -1,14 +1,14 @@
 namespace Harvester.Surveys.Faces;
 
-/// <summary>How far the loading of a model is.</summary>
+/// <summary>The loading state of a model.</summary>
 public enum ModelLoading
 {
     /// <summary>The game does not have the model.</summary>
     Missing,
 
-    /// <summary>Not there yet.</summary>
+    /// <summary>The game is still loading the model.</summary>
     Loading,
 
-    /// <summary>It can be put up.</summary>
+    /// <summary>The model can be placed.</summary>
     Loaded,
 }

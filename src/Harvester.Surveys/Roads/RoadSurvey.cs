@@ -17,7 +17,9 @@ public sealed class RoadSurvey
     /// <summary>Distance around the car within which nodes are surveyed, metres.</summary>
     public const double Range = 150;
 
-    /// <summary>Points around a node, and their distance from it in metres: far enough for its links to be apart, nearer than the next node.</summary>
+    /// <summary>
+    /// Points around a node, and their distance from it in metres: far enough for its links to be apart, nearer than the next node.
+    /// </summary>
     private const int Probes = 8;
     private const double ProbeDistance = 3;
 
@@ -45,8 +47,8 @@ public sealed class RoadSurvey
     private int _nextProbe;
     private int _calls;
 
-    /// <summary>Starts a survey.</summary>
-    /// <param name="source">The game.</param>
+    /// <summary>Creates a survey. The game is not asked before the first step.</summary>
+    /// <param name="source">Answers the questions about nodes and links.</param>
     /// <param name="earlier">What an earlier survey found, to go on with; null for none.</param>
     /// <param name="callsPerStep">Questions to the game a tick at most; at least 16.</param>
     public RoadSurvey(IRoadSource source, RoadNetwork? earlier = null, int callsPerStep = 40)
@@ -95,7 +97,9 @@ public sealed class RoadSurvey
     /// <summary>What was found so far, together with what the earlier survey had found.</summary>
     public RoadNetwork ToNetwork() => _network.ToNetwork();
 
-    /// <summary>Meets the next of the nodes around; after the last, and when the car has moved on, it begins again with the closest.</summary>
+    /// <summary>
+    /// Meets the next of the nodes around; after the last, and when the car has moved on, it begins again with the closest.
+    /// </summary>
     private bool MeetNext(Vector3D place)
     {
         _calls++;

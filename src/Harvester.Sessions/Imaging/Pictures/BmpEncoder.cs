@@ -3,7 +3,10 @@ using System.IO;
 
 namespace Harvester.Sessions.Imaging.Pictures;
 
-/// <summary>Writes Windows bitmaps: 24 bits a pixel, blue first, rows from the bottom, each padded to a multiple of four bytes. One encoder serves one thread.</summary>
+/// <summary>
+/// Writes Windows bitmaps: 24 bits a pixel, blue first, rows from the bottom, each padded to a multiple of four bytes. One encoder serves
+/// one thread.
+/// </summary>
 public sealed class BmpEncoder
 {
     private const int FileHeaderBytes = 14;
@@ -12,7 +15,7 @@ public sealed class BmpEncoder
     private byte[] _file = [];
     private int _width;
 
-    /// <summary>Writes a picture.</summary>
+    /// <summary>Writes an image as a Windows bitmap.</summary>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     /// <exception cref="OverflowException">The file would be larger than 2 GiB.</exception>
     public void Write(PixelBuffer picture, Stream target)

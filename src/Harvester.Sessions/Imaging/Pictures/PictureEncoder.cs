@@ -9,7 +9,7 @@ public sealed class PictureEncoder
 {
     private readonly Action<PixelBuffer, Stream> _write;
 
-    /// <summary>Makes an encoder.</summary>
+    /// <summary>Creates an encoder for one format.</summary>
     /// <param name="format">The format of the files.</param>
     /// <param name="jpegQuality">The quality of JPEG files, 1 to 100; the other formats have none.</param>
     /// <exception cref="ArgumentOutOfRangeException">The quality is out of its range, or there is no such format.</exception>
@@ -24,7 +24,7 @@ public sealed class PictureEncoder
         };
     }
 
-    /// <summary>Writes a picture.</summary>
+    /// <summary>Writes an image in the format of the encoder.</summary>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     public void Write(PixelBuffer picture, Stream target) => _write(picture, target);
 }

@@ -29,7 +29,7 @@ public sealed class PngEncoder
     private readonly MemoryStream _compressed = new();
     private byte[] _filtered = [];
 
-    /// <summary>Makes an encoder.</summary>
+    /// <summary>Creates an encoder with buffers of its own.</summary>
     /// <param name="level">How hard to compress; fastest if not given, as a harvest is bound by the encoder's time.</param>
     public PngEncoder(CompressionLevel level = CompressionLevel.Fastest)
     {
