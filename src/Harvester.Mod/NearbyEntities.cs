@@ -86,6 +86,6 @@ internal sealed class NearbyEntities(GameBuild build, NativeLists natives, Readi
             reading.ListByNatives(kind);
         }
 
-        messages.Tell($"{why} The game's natives are asked instead; they know fewer, so distant objects may lack labels. Look for an update of ScriptHookVDotNet.");
+        messages.Tell($"{why} The game's natives are asked instead; they return fewer entities, so distant objects may lack labels. Look for an update of ScriptHookVDotNet.");
     }
 }

@@ -117,7 +117,7 @@ public sealed class CalibrationTests
         string ini = File.ReadAllText(Path.Combine(driver.Folder, "GtaDataHarvester.ini"));
         driver.Press(Keys.I);
         driver.Press(Keys.NumPad1);
-        driver.UntilTold("does not determine the lens");
+        driver.UntilTold("do not determine the lens");
 
         Assert.Equal(ini, File.ReadAllText(Path.Combine(driver.Folder, "GtaDataHarvester.ini")));
         Assert.False(driver.Game.IsPaused);
@@ -131,9 +131,7 @@ public sealed class CalibrationTests
         driver.Press(Keys.K);
         driver.UntilTold("The harvest ended: 1 frame");
 
-        Assert.Contains(
-            driver.Game.Notifications,
-            told => told.Contains("The camera model was not checked, as none of 20 markers was seen", StringComparison.Ordinal));
+        Assert.Contains(driver.Game.Notifications, told => told.Contains("The camera model was not checked: none of 20 markers was visible", StringComparison.Ordinal));
     }
 
     [Fact]

@@ -249,7 +249,7 @@ public sealed class SpaceSurveyTests
         driver.Press(Keys.J);
         driver.WaitForDisk();
         driver.Press(Keys.Multiply);
-        Assert.Contains("Give the camera back first", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Contains("Unmount the camera first", driver.Game.Notifications[^1], StringComparison.Ordinal);
         driver.Press(Keys.O);
         driver.Press(Keys.Multiply);
         Assert.Contains("is on", driver.Game.Notifications[^1], StringComparison.Ordinal);

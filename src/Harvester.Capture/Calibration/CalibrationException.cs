@@ -1,6 +1,15 @@
 using System;
+using Harvester.Capture.Faults;
 
 namespace Harvester.Capture.Calibration;
 
-/// <summary>Ends a calibration with a message for the user. It never leaves the session.</summary>
-internal sealed class CalibrationException(string message) : Exception(message);
+/// <summary>Ends a calibration with a fault for the user. It never leaves the session.</summary>
+internal sealed class CalibrationException(CaptureFault fault) : Exception(fault.Message)
+{
+    public CalibrationException(string message)
+        : this(new CaptureFault(FaultCode.CalibrationFailed, message))
+    {
+    }
+
+    public CaptureFault Fault { get; } = fault;
+}

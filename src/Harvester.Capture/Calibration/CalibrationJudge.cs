@@ -43,7 +43,7 @@ internal static class CalibrationJudge
         if (2 * others.Count < shown)
         {
             throw new CalibrationException(
-                $"Of {shown} markers that would check the fit {others.Count} were seen: give the camera a free view, or a smaller field of view, and calibrate again.");
+                $"Only {others.Count} of {shown} markers to check the lens were visible. Give the camera a free view or a smaller field of view, and calibrate again.");
         }
 
         double noise = Math.Max(MinNoise, fit.Error.RmsPixels / Math.Sqrt(2));
@@ -52,7 +52,7 @@ internal static class CalibrationJudge
         if (agreeing.Length < MinAgreeing * others.Count || elsewhere > MaxTeleported * others.Count)
         {
             throw new CalibrationException(
-                $"Of {others.Count} markers that the lens was not fitted to {Math.Max(others.Count - agreeing.Length, elsewhere)} are seen elsewhere than it puts them, as when markers are taken for one another: {CauseOf(camera, others)}");
+                $"Of {others.Count} markers that the lens was not fitted to {Math.Max(others.Count - agreeing.Length, elsewhere)} are not where it puts them, as if markers were confused with each other: {CauseOf(camera, others)}");
         }
 
         var error = ReprojectionError.Of(camera, agreeing);
@@ -67,9 +67,9 @@ internal static class CalibrationJudge
     private static string CauseOf(CameraIntrinsics camera, IReadOnlyList<Sighting> sightings) => MisfitFinder.Of(camera, sightings) switch
     {
         Misfit.Stretch => "the picture is stretched along one axis. Check that the game's window has the aspect ratio that the game reports.",
-        Misfit.CameraPosition => "the camera stands elsewhere than the game reports. Check that no other mod moves it.",
-        Misfit.CameraRoll => "the camera is rolled otherwise than the game reports. Check that no other mod moves it.",
-        Misfit.LensShape => "the lens bends the picture in a way that k1 and k2 cannot describe. Turn off lens effects of the game or of other mods.",
-        _ => "the markers are located with noise. Calibrate in clear weather with nothing moving in view, or in larger images.",
+        Misfit.CameraPosition => "the camera is not where the game reports it. Check that no other mod moves it.",
+        Misfit.CameraRoll => "the roll of the camera is not as the game reports it. Check that no other mod moves it.",
+        Misfit.LensShape => "the distortion cannot be described by k1 and k2. Turn off lens effects of the game or of other mods.",
+        _ => "the measured positions of the markers are noisy. Calibrate in clear weather with nothing moving in view, or in larger images.",
     };
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Harvester.Capture.Faults;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
@@ -47,8 +48,11 @@ public sealed class CalibrationSession : IDisposable
     /// <summary>What was found; null before the end and after a failure.</summary>
     public CalibrationResult? Result { get; private set; }
 
-    /// <summary>One line that says why there is no result; null without a failure.</summary>
-    public string? Fault { get; private set; }
+    /// <summary>Why there is no result; null without a failure.</summary>
+    public CaptureFault? Failure { get; private set; }
+
+    /// <summary>The message of <see cref="Failure"/>.</summary>
+    public string? Fault => Failure?.Message;
 
     /// <summary>Does one tick's share. After the end it does nothing.</summary>
     public CalibrationPhase Step()
@@ -69,7 +73,7 @@ public sealed class CalibrationSession : IDisposable
         catch (Exception exception)
 #pragma warning restore CA1031
         {
-            Fault = exception is CalibrationException ? exception.Message : $"The calibration stopped: {exception.Message}";
+            Failure = exception is CalibrationException calibration ? calibration.Fault : Stopped(exception);
             End(CalibrationPhase.Failed);
         }
 
@@ -81,10 +85,12 @@ public sealed class CalibrationSession : IDisposable
     {
         if (Phase == CalibrationPhase.Settling)
         {
-            Fault = "The calibration was stopped.";
+            Failure = new CaptureFault(FaultCode.CalibrationFailed, "The calibration was stopped.");
             End(CalibrationPhase.Failed);
         }
     }
+
+    private static CaptureFault Stopped(Exception exception) => new(FaultCode.Failed, $"The calibration stopped: {exception.Message}");
 
     private IEnumerable<CalibrationPhase> Run()
     {
@@ -137,11 +143,11 @@ public sealed class CalibrationSession : IDisposable
         return fit.Outcome == LensFitOutcome.Fitted
             ? fit
             : throw new CalibrationException(
-                $"Of {shown} markers {sightings.Count} were seen, which does not determine the lens: {CauseOf(sightings)} Calibrate again.");
+                $"The {sightings.Count} markers seen of {shown} do not determine the lens: {CauseOf(sightings)} Calibrate again.");
     }
 
     private string CauseOf(IReadOnlyList<Sighting> sightings) =>
-        _survey.UnknownSpots > sightings.Count ? "much else changes in the picture. Choose clear weather and a place where nothing moves."
+        _survey.UnknownSpots > sightings.Count ? "too much else changes in the picture. Choose clear weather and a place where nothing moves."
         : sightings.Count >= LensFitter.MinSightings ? "they disagree. Check that no other mod moves the camera."
         : "something hides them or the lens shows them outside the image. Give the camera a free view.";
 
@@ -158,7 +164,7 @@ public sealed class CalibrationSession : IDisposable
             catch (Exception exception)
 #pragma warning restore CA1031
             {
-                Fault ??= $"The calibration stopped: {exception.Message}";
+                Failure ??= Stopped(exception);
                 Phase = CalibrationPhase.Failed;
             }
         }

@@ -142,7 +142,7 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
     {
         if (!Stands(before, game.World.ReadCamera()))
         {
-            throw new CalibrationException("The camera moved while the markers were shown: stop the car and try again.");
+            throw new CalibrationException("The camera moved while the markers were shown. Stop the car and try again.");
         }
     }
 
@@ -192,7 +192,7 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
             }
         }
 
-        throw new CalibrationException($"No picture of the game can be grabbed ({refusal}).");
+        throw new CalibrationException($"The picture of the game cannot be grabbed ({refusal}).");
     }
 
     /// <summary>Waits until the camera has stood still for as many game frames as the picture may be late.</summary>
@@ -206,7 +206,7 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
         {
             if (ticks == options.MaxSettleTicks)
             {
-                throw new CalibrationException("The camera does not come to stand still: stop the car and try again.");
+                throw new CalibrationException("The camera does not stand still. Stop the car and try again.");
             }
 
             yield return CalibrationPhase.Settling;

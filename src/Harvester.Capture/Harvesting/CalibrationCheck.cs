@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Calibration;
+using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Calibration;
@@ -32,7 +33,7 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
     public double? ErrorPixels { get; private set; } = options.KnownCalibrationErrorPixels;
 
     /// <summary>Why the model was not checked though it should have been; null when all is well.</summary>
-    public string? Warning { get; private set; }
+    public CaptureFault? Warning { get; private set; }
 
     /// <summary>Runs the check over some ticks; the game is frozen meanwhile.</summary>
     /// <exception cref="HarvestFaultException">The model is off, or the picture late, by more than the options allow, or too few markers are seen to tell.</exception>
@@ -75,22 +76,28 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
     {
         if (sightings.Count == 0)
         {
-            Warning = $"The camera model was not checked, as none of {Columns * Rows} markers was seen in {PictureLag.MaxTicks} ticks: look whether the boxes sit on the things. {HarvestOptions.WayWithoutCameraCheck}";
+            Warning = new CaptureFault(
+                FaultCode.CameraUnchecked,
+                $"The camera model was not checked: none of {Columns * Rows} markers was visible in {PictureLag.MaxTicks} ticks. "
+                + "Check that the boxes align with the objects.");
             return;
         }
 
         if (2 * sightings.Count < Columns * Rows)
         {
-            throw new HarvestFaultException(
-                $"The camera model cannot be checked, as only {sightings.Count} of {Columns * Rows} markers are seen: give the camera a free view, or a smaller field of view. {HarvestOptions.WayWithoutCameraCheck}");
+            throw new HarvestFaultException(new CaptureFault(
+                FaultCode.MarkersHidden,
+                $"The camera model cannot be checked: only {sightings.Count} of {Columns * Rows} markers are visible. "
+                + "Give the camera a free view, or a smaller field of view."));
         }
 
         double[] errors = [.. sightings.Select(sighting => ReprojectionError.Of(camera, [sighting]).MaxPixels).OrderBy(error => error)];
         double error = errors[(int)Math.Ceiling(JudgedFraction * errors.Length) - 1];
         if (error > allowed)
         {
-            throw new HarvestFaultException(FormattableString.Invariant(
-                $"The camera model is off by {error:0.0} px, more than the {allowed:0.0} px allowed: calibrate the camera first. {HarvestOptions.WayWithoutCameraCheck}"));
+            throw new HarvestFaultException(new CaptureFault(
+                FaultCode.CameraModelOff,
+                FormattableString.Invariant($"The camera model is off by {error:0.0} px, more than the {allowed:0.0} px allowed. Calibrate the camera first.")));
         }
 
         ErrorPixels = error;

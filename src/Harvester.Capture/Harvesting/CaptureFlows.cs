@@ -1,3 +1,4 @@
+using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Imaging;
@@ -24,7 +25,10 @@ internal sealed class CaptureFlows(
     }
 
     private static HarvestFaultException LagUnknown() =>
-        new("The lag of the picture could not be measured: camera and traffic must move in view while a live harvest starts. Drive on and start again, or freeze the game for each frame.");
+        new(new CaptureFault(
+            FaultCode.LagUnknown,
+            "The picture lag could not be measured, because nothing moved in view while the live harvest started. "
+            + "Drive on and start again, or freeze the game for each frame."));
 
     private FrameLabeller LabellerFrom(int firstObjectId)
     {

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using Harvester.Capture.Faults;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Imaging;
 
@@ -15,8 +16,11 @@ internal sealed class FreezeProbe(HarvestOptions options, GamePorts game, SceneR
     public FreezeReport? Report { get; private set; } = options.FreezeBy is null ? options.KnownFreezing : null;
 
     /// <summary>What to tell when neither way stops the world; null otherwise.</summary>
-    public string? Warning => Report is { Used.HoldsWorld: false }
-        ? "The world stood still neither while the game was paused nor at a time scale of 0: most frames will be discarded. Other mods may keep it moving."
+    public CaptureFault? Warning => Report is { Used.HoldsWorld: false }
+        ? new CaptureFault(
+            FaultCode.NeverStill,
+            "The world stood still neither while the game was paused nor at a time scale of 0, so most frames will be discarded. "
+            + "Remove mods that move the camera or the traffic.")
         : null;
 
     /// <summary>Sets the pause to the way that the options name or, over some ticks, to the better one.</summary>

@@ -12,9 +12,6 @@ namespace Harvester.Capture.Harvesting;
 /// <exception cref="ArgumentOutOfRangeException">A value is out of its range.</exception>
 public sealed record HarvestOptions : LabellingOptions
 {
-    /// <summary>Ends messages about the check of the camera model: how to harvest without it, as the mod's ini file names it.</summary>
-    public const string WayWithoutCameraCheck = "MaxError = 0 in [Lens] of the ini harvests without this check.";
-
     /// <summary>File format of the saved images.</summary>
     public ImageFormat Format { get; init; } = ImageFormat.Png;
 

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Calibration;
+using Harvester.Capture.Faults;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Imaging;
@@ -15,8 +16,9 @@ namespace Harvester.Capture.Harvesting;
 /// </summary>
 public sealed class HarvestSession : IDisposable
 {
-    private const string LagNotChecked =
-        "How late the picture is was not checked, as neither markers nor movement showed it: look whether the boxes sit on what moves.";
+    private static readonly CaptureFault LagUnchecked = new(
+        FaultCode.LagUnchecked,
+        "The picture lag was not checked: neither markers nor movement showed it. Check that the boxes align with moving objects.");
 
     private readonly HarvestOptions _options;
     private readonly GamePorts _game;
@@ -60,11 +62,14 @@ public sealed class HarvestSession : IDisposable
     /// <summary>What each phase has asked of the game.</summary>
     public PhaseCalls Calls { get; }
 
-    /// <summary>One line that says why the harvest ended; null without a fault.</summary>
-    public string? Fault { get; private set; }
+    /// <summary>Why the harvest ended; null without a fault.</summary>
+    public CaptureFault? Failure { get; private set; }
 
-    /// <summary>One line about a check that could not be made; null if there is none.</summary>
-    public string? Warning { get; private set; }
+    /// <summary>The message of <see cref="Failure"/>.</summary>
+    public string? Fault => Failure?.Message;
+
+    /// <summary>What could not be checked; empty until the first frame.</summary>
+    public IReadOnlyList<CaptureFault> Warnings { get; private set; } = [];
 
     /// <summary>By how much the camera model was off, pixels; null when it was not checked, or not yet.</summary>
     public double? CalibrationErrorPixels { get; private set; }
@@ -93,7 +98,7 @@ public sealed class HarvestSession : IDisposable
         {
             if (_sink.Fault is { } sinkFault)
             {
-                throw new HarvestFaultException(sinkFault);
+                throw new HarvestFaultException(new CaptureFault(FaultCode.Failed, sinkFault));
             }
 
             _budget.BeginTick();
@@ -168,8 +173,7 @@ public sealed class HarvestSession : IDisposable
         }
 
         bool isLagOpen = Lag is null && check.ErrorPixels is null && (_options.ProbeLag || check.Warning is not null);
-        string[] warnings = [.. new[] { freeze.Warning, check.Warning, isLagOpen ? LagNotChecked : null }.OfType<string>()];
-        Warning = warnings.Length > 0 ? string.Join(" ", warnings) : null;
+        Warnings = [.. new[] { freeze.Warning, check.Warning, isLagOpen ? LagUnchecked : null }.OfType<CaptureFault>()];
         ICaptureFlow flow = new CaptureFlows(_options, _game, reader, pool, _budget, Counters, Calls).For(_sink, Lag);
         var frames = new FrameHarvester(_options, _sink, flow, pool, Counters);
         var schedule = new FrameSchedule(_options.RateHz);
@@ -229,12 +233,13 @@ public sealed class HarvestSession : IDisposable
 
     private void Fail(Exception exception)
     {
-        Fault = exception switch
+        CaptureFault failure = exception switch
         {
-            HarvestFaultException => exception.Message,
-            CalibrationException => $"{exception.Message} {HarvestOptions.WayWithoutCameraCheck}",
-            _ => $"The harvest stopped: {OneLine(exception.Message)}",
+            HarvestFaultException harvest => harvest.Fault,
+            CalibrationException calibration => calibration.Fault,
+            _ => new CaptureFault(FaultCode.Failed, $"The harvest stopped: {OneLine(exception.Message)}"),
         };
+        Failure = failure;
         try
         {
             End(HarvestPhase.Faulted);
@@ -244,7 +249,7 @@ public sealed class HarvestSession : IDisposable
 #pragma warning restore CA1031
         {
             _phase = HarvestPhase.Faulted;
-            Fault += $" Ending it failed too: {OneLine(second.Message)}";
+            Failure = failure with { Message = $"{failure.Message} Ending it failed too: {OneLine(second.Message)}" };
         }
     }
 

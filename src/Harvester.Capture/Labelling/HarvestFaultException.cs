@@ -1,6 +1,11 @@
 using System;
+using Harvester.Capture.Faults;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>Ends a harvest with a message for the user. It never leaves the session; a relabelling throws it to its caller.</summary>
-public sealed class HarvestFaultException(string message) : Exception(message);
+/// <summary>Ends a harvest with a fault for the user. It never leaves the session; a relabelling throws it to its caller.</summary>
+public sealed class HarvestFaultException(CaptureFault fault) : Exception(fault.Message)
+{
+    /// <summary>The fault.</summary>
+    public CaptureFault Fault { get; } = fault;
+}

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Harvester.Capture.Faults;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
@@ -35,7 +36,8 @@ internal sealed class ObjectRegistry(int firstId)
         {
             if (_nextId > MaxId)
             {
-                throw new HarvestFaultException("This session has used all 65,535 object numbers. Start a new session to go on.");
+                throw new HarvestFaultException(new CaptureFault(
+                    FaultCode.NumbersUsedUp, "This session has used all 65,535 object numbers. Start a new session."));
             }
 
             id = (ushort)_nextId++;

@@ -1,4 +1,5 @@
 using System;
+using Harvester.Capture.Faults;
 
 namespace Harvester.Capture.Ports;
 
@@ -13,7 +14,7 @@ public readonly record struct PictureLag(int CameraTicks, int EntityTicks)
     /// <summary>The greatest lag of a picture that is looked for and that a harvest may allow, ticks: a second at 60 frames a second.</summary>
     public const int MaxTicks = 60;
 
-    /// <summary>One line that says that the picture is too late, and what to do.</summary>
-    internal static string Refusal(string lag, string what, int allowedTicks) => FormattableString.Invariant(
-        $"The picture is {lag} behind the game, and the {what} allows for {allowedTicks}. Raise the limit (MaxPictureLagTicks) and start again.");
+    /// <summary>The fault of a picture that is later than the limit.</summary>
+    internal static CaptureFault Refusal(string lag, string what, int allowedTicks) => new(
+        FaultCode.PictureLate, FormattableString.Invariant($"The picture is {lag} behind the game; the {what} allows {allowedTicks}."));
 }

@@ -161,7 +161,7 @@ public sealed class SessionWriter : IFrameSink
         string header = SessionJson.Text(new SessionRecord(_origin, _start, null, _framesWritten));
         if (!_before.IsContinuedBy(header))
         {
-            throw new IOException("it was recorded with other options; resume it with the same ones, or name another directory");
+            throw new IOException("it was recorded with other options; resume it with the same ones, or name another directory.");
         }
 
         WriteHeader(null);

@@ -32,6 +32,6 @@ internal static class RecordedSessions
 
     /// <summary>What of a session is left aside; null for nothing.</summary>
     public static string? NoteOf(SessionReader session) => session.HasUnfinishedLine
-        ? $"the last line of {SessionReader.LabelsFile} has no line feed, as a harvest that was cut off leaves it; it is left aside."
+        ? $"the unfinished last line of {SessionReader.LabelsFile} is ignored; the recording was interrupted."
         : null;
 }

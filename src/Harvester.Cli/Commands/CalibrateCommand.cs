@@ -70,7 +70,7 @@ internal static class CalibrateCommand
 
         if (session.Result is not { } result)
         {
-            terminal.WriteError(session.Fault ?? "The calibration did not come to an end.");
+            terminal.WriteError(session.Fault ?? "The calibration did not finish.");
             return ExitCode.HarvestFault;
         }
 

@@ -161,15 +161,15 @@ internal static class HarvestCommand
         SimulatedHarvest harvest = SimulatedHarvest.Build(plan, terminal.WriteError);
         OutputFolder.Clear(plan.Folder);
         HarvestOutcome outcome = new JobProgress(terminal, plan.Frames).Run(report => harvest.Run(report, cancellation));
-        if (outcome.Warning is { } warning)
+        foreach (string warning in outcome.Warnings)
         {
-            terminal.WriteError(InOptions(warning));
+            terminal.WriteError(warning);
         }
 
         if (outcome.Fault is { } fault)
         {
             OutputFolder.DiscardUnopened(plan.Folder);
-            terminal.WriteError(InOptions(fault));
+            terminal.WriteError(fault);
             return outcome.ExitCode;
         }
 
@@ -188,12 +188,6 @@ internal static class HarvestCommand
 
         return outcome.ExitCode;
     }
-
-    /// <summary>A message of the harvest, which names its limits as the mod's ini file does, with the options of the command in their place.</summary>
-    private static string InOptions(string message) => message
-        .Replace(nameof(HarvestOptions.MaxPictureLagTicks), MaxPictureLag.Name, StringComparison.Ordinal)
-        .Replace(HarvestOptions.WayWithoutCameraCheck, $"{MaxCameraError.Name} 0 harvests without this check.", StringComparison.Ordinal)
-        .Replace("a smaller field of view.", $"a smaller field of view ({Fov.Name}).", StringComparison.Ordinal);
 
     private static HarvestPlan PlanOf(ParseResult parsed)
     {

@@ -44,7 +44,7 @@ internal static class ValidateCommand
             if (DatasetValidator.IsUnfinished(session))
             {
                 throw new DatasetFormatException(
-                    $"'{session}' is an unfinished export. Give the same export command again and it goes on; where shards were written, merge them.");
+                    $"'{session}' is an unfinished export. Run the same export command again to continue, or merge its shards.");
             }
 
             var reader = new SessionReader(session);

@@ -34,7 +34,7 @@ internal static class BridgeFolder
         if (found.Length > 0 && (isOther || !found.Any(IsSign)))
         {
             string foreign = found.FirstOrDefault(name => !IsSign(name) && !name.StartsWith(Picture, StringComparison.Ordinal)) ?? found[0];
-            throw new OccupiedFolderException($"'{folder}' holds something else than a bridge, '{foreign}' for one. Name another folder with --folder.");
+            throw new OccupiedFolderException($"'{folder}' holds other files than those of a bridge, e.g. '{foreign}'. Name another folder with --folder.");
         }
     }
 

@@ -26,12 +26,12 @@ internal static class DriveFolder
         string[] found = [.. Directory.EnumerateFileSystemEntries(folder).Select(entry => Path.GetFileName(entry))];
         if (found.Except([.. Files, BridgeFolder.DefaultName]).FirstOrDefault() is { } other)
         {
-            throw new OccupiedFolderException($"'{folder}' holds more than a drive, '{other}' for one. Name another folder with --out.");
+            throw new OccupiedFolderException($"'{folder}' holds other files besides a drive, e.g. '{other}'. Name another folder with --out.");
         }
 
         if (!overwrite && found.Intersect(Files).Any())
         {
-            throw new OccupiedFolderException($"'{folder}' holds a drive already. Name another folder with --out, or replace it with --overwrite.");
+            throw new OccupiedFolderException($"'{folder}' already holds a drive. Name another folder with --out, or replace it with --overwrite.");
         }
     }
 }

@@ -73,7 +73,7 @@ internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
     {
         if (plan.Role != DriveRole.Both)
         {
-            messages.WriteLine(FormattableString.Invariant($"Waiting for a client at {plan.Place}, {plan.Patience.TotalSeconds} s at most"));
+            messages.WriteLine(FormattableString.Invariant($"Waiting up to {plan.Patience.TotalSeconds} s for a client at {plan.Place}"));
             messages.Flush();
             drive.Run(metres, seconds, isRealTime: true, cancellation);
             return;
@@ -106,7 +106,7 @@ internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
             driver.Run(StepSeconds, double.PositiveInfinity, ending.Token);
             if (driver.IsEndedByGame)
             {
-                throw new IOException("The bridge was closed in the middle of the drive.");
+                throw new IOException("The client closed the bridge during the drive.");
             }
         }
         finally

@@ -17,7 +17,7 @@ internal static class SocketBridges
     {
         if (!IPAddress.IsLoopback(at.Address) && string.IsNullOrEmpty(token))
         {
-            throw new UsageException($"Others can reach {at.Address}: give a --token that clients must show.");
+            throw new UsageException($"{at.Address} is reachable from other machines; set a --token that clients must send.");
         }
 
         try
@@ -26,7 +26,7 @@ internal static class SocketBridges
         }
         catch (SocketException e)
         {
-            throw new IOException($"No bridge can be opened at {at}: {e.Message}", e);
+            throw new IOException($"Cannot listen on {at}: {e.Message}", e);
         }
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Harvester.Capture.Harvesting;
 
 namespace Harvester.Cli.Harvesting;
@@ -12,8 +13,8 @@ namespace Harvester.Cli.Harvesting;
 /// <param name="IsCancelled">Whether it was stopped by the user.</param>
 internal sealed record HarvestOutcome(int Frames, int Discarded, TimeSpan Elapsed, string? Fault, bool IsDiskFault, bool IsCancelled)
 {
-    /// <summary>What could not be made sure of; null when there is nothing.</summary>
-    public string? Warning { get; init; }
+    /// <summary>What could not be checked.</summary>
+    public IReadOnlyList<string> Warnings { get; init; } = [];
 
     /// <summary>The ways of freezing that were tried; null when the way was given.</summary>
     public FreezeReport? Freezing { get; init; }

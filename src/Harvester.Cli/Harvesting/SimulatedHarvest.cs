@@ -101,11 +101,11 @@ internal sealed class SimulatedHarvest
             writer.FramesWritten,
             session.Status.Discarded,
             clock.Elapsed,
-            session.Fault ?? writer.Fault,
+            session.Failure is { } failure ? HarvestAdvice.TextOf(failure) : writer.Fault,
             writer.Fault is not null,
             cancellation.IsCancellationRequested && session.Status.Captured < _plan.Frames)
         {
-            Warning = session.Warning,
+            Warnings = [.. session.Warnings.Select(HarvestAdvice.TextOf)],
             Freezing = session.Freezing,
         };
     }

@@ -24,12 +24,12 @@ internal static class LensFile
             string found = ini.Text(HarvestSettings.LensSection, value.Key, "");
             if (found.Length == 0)
             {
-                throw new DatasetFormatException($"{path}: {value.Key} is missing. A calibration has a line for each value of the lens, as harvester calibrate prints them.");
+                throw new DatasetFormatException($"{path}: {value.Key} is missing. Use a file with the output of harvester calibrate.");
             }
 
             if (!double.TryParse(found, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) || number != value.Value)
             {
-                throw new DatasetFormatException($"{path}: {value.Key} is '{found}', which no lens has.");
+                throw new DatasetFormatException($"{path}: {value.Key} is '{found}', which is not a valid value for a lens.");
             }
         }
 

@@ -6,47 +6,45 @@ using Harvester.Sessions.Files;
 namespace Harvester.Cli.Terminals;
 
 /// <summary>
-/// What went wrong with a file, for people: what, where, what to do. The runtime has sentences of its own for that, in English in every
-/// culture, and names a path nowhere but in them; what the project says itself is left as it is.
+/// Words the faults of the file system: what, where, what to do. The kind comes from the exception's type and result code; the path only
+/// from the quotation marks in the runtime's message, because the runtime keeps it nowhere else. Messages of this project stay as they are.
 /// </summary>
 internal static class FileFault
 {
-    // A full disk and a used up quota on Linux, macOS and Windows.
+    // A full disk and an exceeded quota: ENOSPC, EDQUOT on Linux and macOS, ERROR_DISK_FULL, ERROR_HANDLE_DISK_FULL.
     private static readonly int[] FullDisk = [28, 122, 69, unchecked((int)0x80070070), unchecked((int)0x80070027)];
 
-    private static readonly string[] SentencesOfRuntime = ["Could not find a part of the path '", "Access to the path '", "Is a directory : '", "Cannot create '", "The file '"];
+    private static readonly string? Runtime = typeof(File).Assembly.GetName().Name;
 
     /// <summary>One line.</summary>
     /// <param name="fault">What was thrown.</param>
-    /// <param name="output">Where the command writes to, for faults that do not name their file; null if nobody has said that.</param>
+    /// <param name="output">Where the command writes to, for faults that do not name their file; null if unknown.</param>
     public static string TextOf(Exception fault, string? output)
     {
-        string message = fault.Message;
         if (FullDisk.Contains(fault.HResult))
         {
-            string where = (QuotedIn(message) ?? output) is { } full ? $": '{full}' cannot be written" : "";
-            return $"The disk is full{where}. Free some space, or name a place on another disk, and give the command again.";
+            string where = (QuotedIn(fault.Message) ?? output) is { } full ? $": '{full}' cannot be written" : "";
+            return $"The disk is full{where}. Free some space, or write to another disk, and run the command again.";
         }
 
         if (fault is FileNotFoundException { FileName: { } name })
         {
-            return $"There is no file '{name}'. Name one that is there.";
+            return $"File not found: '{name}'.";
         }
 
-        return SentencesOfRuntime.Any(sentence => message.StartsWith(sentence, StringComparison.Ordinal)) && QuotedIn(message) is { } path
-            ? TextOf(path, fault)
-            : message;
+        return fault.Source == Runtime && QuotedIn(fault.Message) is { } path ? TextOf(path, fault) : fault.Message;
     }
 
     private static string TextOf(string path, Exception fault) =>
         Directory.Exists(path) ? FolderText(path, fault)
-        : fault is UnauthorizedAccessException ? $"'{path}' may not be read or written. Ask for the right to, or name another."
+        : fault is UnauthorizedAccessException ? $"Permission denied: '{path}'. Change its permissions, or name another."
         : OutputFolder.FileInTheWayOf(path) is { } file ? $"'{file}' is a file. Name a folder."
-        : $"There is no folder '{Path.GetDirectoryName(path)}'. Name one that is there.";
+        : fault is DirectoryNotFoundException ? $"Folder not found: '{Path.GetDirectoryName(path)}'."
+        : fault.Message;
 
-    // Where a file should be, the runtime refuses access to a folder just as it does without the right to it.
+    // The runtime denies access to a folder without permission and to a folder in the place of a file alike.
     private static string FolderText(string path, Exception fault) =>
-        fault is UnauthorizedAccessException ? $"'{path}' is a folder that may not be read or written, or stands where a file should be. Name another."
+        fault is UnauthorizedAccessException ? $"'{path}' is a folder where a file is expected, or access to it is denied. Name another."
         : $"'{path}' is a folder. Name a file.";
 
     /// <summary>The path in a message, which may have apostrophes itself.</summary>

@@ -35,12 +35,12 @@ internal static class OutputFolder
 
         if (!overwrite)
         {
-            throw new OccupiedFolderException($"'{folder}' holds a session already. Name another folder with --out, or replace it with --overwrite.");
+            throw new OccupiedFolderException($"'{folder}' already holds a session. Name another folder with --out, or replace it with --overwrite.");
         }
 
         if (Directory.EnumerateFileSystemEntries(folder).Select(Path.GetFileName).Except([.. Files, .. Folders]).FirstOrDefault() is { } other)
         {
-            throw new OccupiedFolderException($"'{folder}' holds more than a session, '{other}' for one. Name another folder with --out.");
+            throw new OccupiedFolderException($"'{folder}' holds other files besides a session, e.g. '{other}'. Name another folder with --out.");
         }
     }
 

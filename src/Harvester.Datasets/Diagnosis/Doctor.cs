@@ -32,7 +32,7 @@ public static class Doctor
         var search = new LogSearch(folder);
         if (!search.IsGame && search.Logs.Count == 0)
         {
-            throw new DatasetFormatException($"'{folder}' holds no log of the mod and is neither a game's folder nor a session.");
+            throw new DatasetFormatException($"'{folder}' has no log of the mod, and is neither the game's folder nor a session.");
         }
 
         // From the bottom up: what is wrong below is the cause of what is wrong above.

@@ -67,7 +67,7 @@ public sealed class LogFile
 
         return new LogFile(
             kind ?? (begun > 0 ? LogKind.Mod : throw new DatasetFormatException(
-                $"'{path}' is no log of the mod, of ScriptHookVDotNet or of ScriptHookV.")),
+                $"'{path}' is not a log of the mod, ScriptHookVDotNet or ScriptHookV.")),
             path,
             runs,
             Math.Max(0, begun - runs.Count));

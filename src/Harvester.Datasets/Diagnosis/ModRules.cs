@@ -33,7 +33,7 @@ internal static class ModRules
             "Set Folder under [Harvest] to a folder of yours, or allow the game in Windows' controlled folder access."),
         new(
             "the camera model is off by",
-            "The picture does not fit the camera model: the lens settings are from other graphics settings, or were never calibrated.",
+            "The image does not fit the camera model: the lens was calibrated with other graphics settings, or never.",
             "Stand still with a free view and calibrate."),
         new(
             "the camera model cannot be checked",
@@ -48,7 +48,7 @@ internal static class ModRules
             "The picture is later than the harvest allows.",
             "Raise MaxPictureLagTicks under [Harvest]; switch frame generation and other programs that delay the picture off."),
         new(
-            "the lag of the picture could not be measured",
+            "(the lag of the picture|the picture lag) could not be measured",
             "Nothing moved in view while the lag of the picture was measured.",
             "Drive on among traffic while a harvest starts, or harvest with Mode = Freeze."),
         new(
@@ -68,7 +68,7 @@ internal static class ModRules
             "A setting in GtaDataHarvester.ini is wrong; its default is used.",
             "Correct the line that the log line names, then reload the scripts."),
         new(
-            "the game did not make a camera",
+            "the game did not (make|create) a camera",
             "The game has no scripted camera left: other mods hold them.",
             "Restart the game, and remove mods with cameras."),
         new(

@@ -122,7 +122,7 @@ public sealed class ExportFrame
     public DatasetFormatException Problem(string message) => new($"{_session.Folder}, frame {Label.Frame}: {message}");
 
     private string PathOf(string name) =>
-        SessionReader.IsWithin(name) ? _session.PathOf(name) : throw Problem($"'{name}' points out of the session.");
+        SessionReader.IsWithin(name) ? _session.PathOf(name) : throw Problem($"'{name}' is outside the session.");
 
     private InstanceMap ReadMask(string path)
     {
@@ -131,7 +131,7 @@ public sealed class ExportFrame
             InstanceMap mask = PngDecoder.ReadInstanceMap(path);
             return mask.Image.Width == Label.Camera.Width && mask.Image.Height == Label.Camera.Height
                 ? mask
-                : throw new DatasetFormatException("it is of another size than the image.");
+                : throw new DatasetFormatException("its size is not that of the image.");
         }
         catch (DatasetFormatException e)
         {

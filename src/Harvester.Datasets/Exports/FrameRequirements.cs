@@ -12,17 +12,17 @@ internal static class FrameRequirements
     {
         if (format.NeedsMasks && frame.Label.Mask is null)
         {
-            throw frame.Problem($"it has no mask, and {format.Name} needs one. Harvest with masks, or choose another format.");
+            throw frame.Problem($"it has no mask, which {format.Name} needs. Harvest with masks, or choose another format.");
         }
 
         if (format.NeedsLanes && frame.Label.Lanes is null)
         {
-            throw frame.Problem($"it has no lanes, and {format.Name} is about nothing else. Harvest with roads, or choose another format.");
+            throw frame.Problem($"it has no lanes, which {format.Name} needs. Harvest with roads, or choose another format.");
         }
 
         if (format.KeepsSessions && IntrinsicsOf(frame.Label.Camera) != IntrinsicsOf(frame.SessionCamera))
         {
-            throw frame.Problem($"its camera has another calibration than the session's first frame, and {format.Name} has one a sequence. Choose another format.");
+            throw frame.Problem($"its camera calibration differs from the session's first frame, and {format.Name} has one per sequence. Choose another format.");
         }
 
         if (format.NeedsRectilinear && LensDistortion.PixelsOf(frame.Label.Camera) is var bend and > LensDistortion.MaxPixels)

@@ -26,12 +26,12 @@ public sealed class SplitPlan
         if (splits.Count == 0 || splits.Select(split => split.Name).Distinct(StringComparer.Ordinal).Count() != splits.Count
             || splits.Any(split => !IsName(split.Name) || !(split.ShareFraction > 0)))
         {
-            throw new ArgumentException("Splits need different names of letters, digits, - and _, and shares greater than 0.");
+            throw new ArgumentException("Splits need different names of letters, digits, - and _, and fractions greater than 0.");
         }
 
         if (Math.Abs(splits.Sum(split => split.ShareFraction) - 1) > ShareTolerance)
         {
-            throw new ArgumentException("The shares of the splits must add up to 1.");
+            throw new ArgumentException("The fractions of the splits must add up to 1.");
         }
 
         Splits = splits;

@@ -11,7 +11,7 @@ internal sealed class ByteAllowance(long bytes)
         _used += count;
         if (_used > bytes)
         {
-            throw new DatasetFormatException($"{file}: with the files before it larger than {bytes} bytes when unpacked; no road data is.");
+            throw new DatasetFormatException($"{file}: the unpacked files exceed the limit of {bytes} bytes.");
         }
     }
 }

@@ -38,7 +38,7 @@ internal sealed class DatasetFolder(string path)
 
     public string ReadPlan() =>
         IsBegun ? File.ReadAllText(PathOf(PlanFile))
-        : throw new DatasetFormatException(IsFinished ? $"'{path}' is a whole dataset, no shard of one." : $"'{path}' is not a shard of an export: it has no {PlanFile}.");
+        : throw new DatasetFormatException(IsFinished ? $"'{path}' is a complete dataset, not a shard." : $"'{path}' is not a shard of an export: it has no {PlanFile}.");
 
     /// <summary>Refuses a folder to which an export can write nothing, whatever its plan.</summary>
     /// <exception cref="OccupiedFolderException">The folder holds a finished dataset or something else.</exception>
@@ -57,7 +57,7 @@ internal sealed class DatasetFolder(string path)
     {
         if (IsFinished)
         {
-            throw new OccupiedFolderException($"'{path}' holds a finished dataset already. Name another folder.");
+            throw new OccupiedFolderException($"'{path}' already holds a finished dataset. Name another folder.");
         }
     }
 
@@ -73,7 +73,7 @@ internal sealed class DatasetFolder(string path)
 
         if (!string.Equals(ReadPlan(), plan, StringComparison.Ordinal))
         {
-            throw new OccupiedFolderException($"'{path}' holds an export that was begun with other sessions or options. Use the same ones, or name another folder.");
+            throw new OccupiedFolderException($"'{path}' holds an export with other sessions or options. Use the same ones, or name another folder.");
         }
     }
 
@@ -103,7 +103,7 @@ internal sealed class DatasetFolder(string path)
     {
         if (!IsEmpty && !IsBegun)
         {
-            throw new OccupiedFolderException($"'{path}' is not empty and holds no export that could be continued. Name another folder.");
+            throw new OccupiedFolderException($"'{path}' is not empty and holds no unfinished export. Name another folder.");
         }
     }
 

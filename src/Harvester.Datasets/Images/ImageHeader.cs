@@ -63,7 +63,7 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
 
         return length >= BmpHeaderLength && start.StartsWith("BM"u8)
             ? ReadBmp(start, file)
-            : throw new DatasetFormatException("it is no PNG, BMP or JPEG file, or cut off.");
+            : throw new DatasetFormatException("it is not a PNG, BMP or JPEG file, or is cut off.");
     }
 
     private static ImageHeader ReadPng(ReadOnlySpan<byte> start, Stream file)

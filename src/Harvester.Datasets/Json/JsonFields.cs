@@ -59,7 +59,7 @@ public readonly struct JsonFields
     public int Integer(string name)
     {
         long value = LongInteger(name);
-        return value is >= int.MinValue and <= int.MaxValue ? (int)value : throw Wrong(Path(name), "a whole number of 32 bits", Field(name));
+        return value is >= int.MinValue and <= int.MaxValue ? (int)value : throw Wrong(Path(name), "a 32-bit whole number", Field(name));
     }
 
     /// <summary>A text.</summary>
@@ -152,7 +152,7 @@ public readonly struct JsonFields
         JsonElement list = Field(name);
         return list.ValueKind == JsonValueKind.Array && list.EnumerateArray().All(item => item.ValueKind == JsonValueKind.String)
             ? [.. list.EnumerateArray().Select(item => item.GetString()!)]
-            : throw Wrong(Path(name), "a list of texts", list);
+            : throw Wrong(Path(name), "a list of strings", list);
     }
 
     /// <summary>An object within this one.</summary>
@@ -190,7 +190,7 @@ public readonly struct JsonFields
         string? other = _element.EnumerateObject().Select(property => property.Name).FirstOrDefault(name => !names.Contains(name, StringComparer.Ordinal));
         if (other is not null)
         {
-            throw new DatasetFormatException($"{Path(other)} is not a field here; the fields are {string.Join(", ", names)}.");
+            throw new DatasetFormatException($"{Path(other)} is an unknown field. Known fields: {string.Join(", ", names)}.");
         }
     }
 

@@ -21,7 +21,7 @@ internal sealed class ExternalMaps
         _folder = folder;
         if (!Directory.Exists(folder))
         {
-            throw new DirectoryNotFoundException($"There is no folder '{folder}'.");
+            throw new DirectoryNotFoundException($"Folder not found: '{folder}'.");
         }
 
         foreach (string file in Directory.EnumerateFiles(folder, "*.png"))
@@ -29,7 +29,7 @@ internal sealed class ExternalMaps
             if (int.TryParse(Path.GetFileNameWithoutExtension(file), NumberStyles.None, CultureInfo.InvariantCulture, out int frame)
                 && !_files.TryAdd(frame, file))
             {
-                throw new DatasetFormatException($"'{file}' and '{_files[frame]}' are both of frame {frame}; keep one.");
+                throw new DatasetFormatException($"'{file}' and '{_files[frame]}' are both masks of frame {frame}; remove one.");
             }
         }
     }
@@ -40,7 +40,7 @@ internal sealed class ExternalMaps
     {
         if (!_files.TryGetValue(frame, out string? file))
         {
-            throw new DatasetFormatException($"'{_folder}' has no map of frame {frame}; it would be named {frame:D8}.png.");
+            throw new DatasetFormatException($"'{_folder}' has no mask for frame {frame}, expected as {frame:D8}.png.");
         }
 
         try

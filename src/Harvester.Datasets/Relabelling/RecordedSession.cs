@@ -27,7 +27,7 @@ internal sealed class RecordedSession
         Options = options;
         string? lookAhead = settings.OptionalText("lookAhead");
         LookAhead = lookAhead is null ? LookAhead.Thesis : LookAhead.Parse(lookAhead)
-            ?? throw new DatasetFormatException($"{SessionInfo.FileName}: settings.lookAhead must be metres, or seconds as 1s, not '{lookAhead}'.");
+            ?? throw new DatasetFormatException($"{SessionInfo.FileName}: settings.lookAhead must be metres, or seconds such as 1s, not '{lookAhead}'.");
         LaneWidthMetres = Width(settings, "laneWidth", RoadGeometry.LaneWidth);
         NarrowLaneWidthMetres = Width(settings, "narrowLaneWidth", RoadGeometry.NarrowLaneWidth);
     }
@@ -54,12 +54,12 @@ internal sealed class RecordedSession
         if (!Directory.Exists(session.PathOf(FramePaths.Scenes)))
         {
             throw new DatasetFormatException(
-                $"'{session.Folder}' has no {FramePaths.Scenes}: it was harvested without them, or is itself relabelled. Relabel the session that was harvested.");
+                $"'{session.Folder}' has no {FramePaths.Scenes}: it was harvested without them, or relabelled. Relabel the original session.");
         }
 
         if (SessionHeader.Read(session).Shard is { } shard)
         {
-            throw new DatasetFormatException($"'{session.Folder}' is shard {shard} of a session. Merge it with the others, then relabel the whole.");
+            throw new DatasetFormatException($"'{session.Folder}' is shard {shard} of a session. Merge the shards first, then relabel the merged session.");
         }
 
         using JsonDocument document = JsonDocument.Parse(File.ReadAllBytes(session.PathOf(SessionInfo.FileName)));
@@ -122,7 +122,7 @@ internal sealed class RecordedSession
 
     private static ObjectClass ClassOf(string name) => JsonNames.TryRead(name, out ObjectClass kind)
         ? kind
-        : throw new DatasetFormatException($"{SessionInfo.FileName}: '{name}' is no class.");
+        : throw new DatasetFormatException($"{SessionInfo.FileName}: unknown class '{name}'.");
 
     /// <summary>What a file of the session holds; where it is malformed, the message names the file.</summary>
     private static T Named<T>(SessionReader session, string name, Func<SessionReader, T> read)

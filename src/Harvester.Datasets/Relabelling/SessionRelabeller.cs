@@ -40,7 +40,7 @@ public sealed class SessionRelabeller
         if (changes.RangeMetres > recorded.RangeMetres)
         {
             throw new DatasetFormatException(FormattableString.Invariant(
-                $"'{session.Folder}' was recorded up to {recorded.RangeMetres} m, and of what is farther nothing is known. Ask for a range of {recorded.RangeMetres} m at most, or harvest again with a greater one."));
+                $"'{session.Folder}' was recorded up to {recorded.RangeMetres} m, so nothing is known beyond. Use a range of {recorded.RangeMetres} m at most, or harvest again with a larger one."));
         }
 
         _options = recorded with
@@ -135,7 +135,7 @@ public sealed class SessionRelabeller
 
         return _changes.LookAhead is null && _changes.LaneWidthMetres is null && _changes.NarrowLaneWidthMetres is null
             ? null
-            : throw new DatasetFormatException($"'{_recorded.Session.Folder}' does not keep its roads: for other lanes name their file with --roads.");
+            : throw new DatasetFormatException($"'{_recorded.Session.Folder}' has no recorded roads. To measure other lanes, name a road network with --roads.");
     }
 
     private FixedRoads Fixed(RoadNetwork roads, string source) => new(
@@ -185,7 +185,7 @@ public sealed class SessionRelabeller
     {
         if (!SessionReader.IsWithin(name))
         {
-            throw new DatasetFormatException($"'{name}' points out of the session.");
+            throw new DatasetFormatException($"'{name}' is outside the session.");
         }
 
         FileTransfer.Place(Prepare(folder, name), _recorded.Session.PathOf(name), _changes.Images);

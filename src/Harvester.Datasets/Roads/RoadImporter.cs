@@ -39,7 +39,7 @@ public static class RoadImporter
         }
         catch (InvalidDataException e)
         {
-            throw new DatasetFormatException($"{path}: the packed data is corrupt: {e.Message}", e);
+            throw new DatasetFormatException($"{path}: the compressed data is corrupt: {e.Message}", e);
         }
     }
 
@@ -81,7 +81,7 @@ public static class RoadImporter
 
         return cells.Count > 0
             ? YndImporter.Import(cells)
-            : throw new DatasetFormatException($"{path}: no road data of a known format here; known are *.ynd.xml, paths.ipl, paths.xml, the JSON dump of nodes, and the project's own csv.");
+            : throw new DatasetFormatException($"{path}: unknown road format. Supported: *.ynd.xml, paths.ipl, paths.xml, the JSON dump of nodes, and this project's CSV.");
     }
 
     private static Func<RoadSource, RoadImport>? ImporterOf(string head, LanesIn lanesIn) =>

@@ -85,7 +85,7 @@ public static class FrameLabelParser
         string text = environment.Text("timeOfDay");
         return TimeSpan.TryParseExact(text, @"hh\:mm\:ss", CultureInfo.InvariantCulture, out TimeSpan timeOfDay)
             ? new EnvironmentState(environment.Text("weather"), timeOfDay)
-            : throw new DatasetFormatException($"environment.timeOfDay must be a time as 13:05:00, not \"{text}\".");
+            : throw new DatasetFormatException($"environment.timeOfDay must be a time such as 13:05:00, not \"{text}\".");
     }
 
     private static ObjectLabel ReadObject(JsonFields label)

@@ -49,7 +49,7 @@ internal static class LanesParser
         LaneLineView line = ReadLine(marking);
         bool?[] painted = marking.OptionalBooleans("painted");
         return painted.Length != line.Points.Count
-            ? throw new DatasetFormatException("painted and points of a marking must be of one length.")
+            ? throw new DatasetFormatException("painted and points of a marking must have the same length.")
             : line with
             {
                 Points = [.. line.Points.Select((point, i) => point with { IsPainted = painted[i] == true })],
@@ -66,7 +66,7 @@ internal static class LanesParser
         bool?[] hidden = line.OptionalBooleans("hidden");
         if (inCamera.Length != points.Length || pixels.Length != points.Length || hidden.Length != points.Length)
         {
-            throw new DatasetFormatException("points, inCamera, pixels and hidden of a boundary or marking must be of one length.");
+            throw new DatasetFormatException("points, inCamera, pixels and hidden of a boundary or marking must have the same length.");
         }
 
         return new LaneLineView(

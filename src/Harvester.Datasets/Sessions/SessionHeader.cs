@@ -31,7 +31,7 @@ internal sealed class SessionHeader
     public Shard? Shard
     {
         get => Json[Settings]?[ShardKey] is { } text
-            ? ShardText.Parse(text.ToString()) ?? throw new DatasetFormatException($"{SessionInfo.FileName}: settings.shard must be as 1/8, not '{text}'.")
+            ? ShardText.Parse(text.ToString()) ?? throw new DatasetFormatException($"{SessionInfo.FileName}: settings.shard must be a shard such as 1/8, not '{text}'.")
             : null;
         set
         {

@@ -72,7 +72,7 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
         int version = session.Integer("formatVersion");
         if (version != KnownFormatVersion)
         {
-            throw new DatasetFormatException($"formatVersion is {version}; this program knows version {KnownFormatVersion} only.");
+            throw new DatasetFormatException($"formatVersion is {version}; this program supports only version {KnownFormatVersion}.");
         }
 
         JsonFields image = session.Fields("image");

@@ -20,7 +20,7 @@ public sealed class SessionReader
     {
         if (!Directory.Exists(folder))
         {
-            throw new DirectoryNotFoundException(File.Exists(folder) ? $"'{folder}' is a file. Name the folder of a session." : $"There is no folder '{folder}'.");
+            throw new DirectoryNotFoundException(File.Exists(folder) ? $"'{folder}' is a file. Name the folder of a session." : $"Folder not found: '{folder}'.");
         }
 
         Folder = folder;

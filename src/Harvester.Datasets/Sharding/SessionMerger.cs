@@ -106,12 +106,12 @@ public static class SessionMerger
                 string line = lines[frame % lines.Count].Current;
                 yield return line.StartsWith(string.Create(CultureInfo.InvariantCulture, $"{{\"frame\":{frame},"), StringComparison.Ordinal)
                     ? (line, source)
-                    : throw new DatasetFormatException($"'{source.Folder}' has no frame {frame} where it should be; it is cut off or was changed.");
+                    : throw new DatasetFormatException($"'{source.Folder}' lacks frame {frame}; it is truncated or was changed.");
             }
 
             if (lines.FindIndex(each => each.MoveNext()) is var longer and >= 0)
             {
-                throw new DatasetFormatException($"'{shards[longer].Session.Folder}' has frames that follow on frame {frame}, which no shard has.");
+                throw new DatasetFormatException($"'{shards[longer].Session.Folder}' has frames after frame {frame}, which no shard has.");
             }
         }
         finally
@@ -125,7 +125,7 @@ public static class SessionMerger
         using JsonDocument label = JsonDocument.Parse(line);
         string?[] names = [label.RootElement.GetProperty("image").GetString(), label.RootElement.GetProperty("mask").GetString()];
         return names.OfType<string>().FirstOrDefault(name => !SessionReader.IsWithin(name)) is { } outside
-            ? throw new DatasetFormatException($"'{source.Folder}', frame {frame}: '{outside}' points out of the session.")
+            ? throw new DatasetFormatException($"'{source.Folder}', frame {frame}: '{outside}' is outside the session.")
             : names.OfType<string>();
     }
 }

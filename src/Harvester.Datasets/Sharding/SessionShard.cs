@@ -20,7 +20,7 @@ internal sealed record SessionShard(SessionReader Session, Shard Shard, string C
     {
         var session = new SessionReader(folder);
         SessionHeader header = SessionHeader.Read(session);
-        Shard shard = header.Shard ?? throw new DatasetFormatException($"'{folder}' is a whole session, no shard of one.");
+        Shard shard = header.Shard ?? throw new DatasetFormatException($"'{folder}' is a complete session, not a shard.");
         if (header.Json["state"]?.ToString() != Complete || session.HasUnfinishedLine)
         {
             throw new DatasetFormatException($"Shard {shard} in '{folder}' is not finished. Run it again.");

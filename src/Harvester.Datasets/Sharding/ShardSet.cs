@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Datasets.Files;
@@ -19,12 +20,12 @@ internal sealed class ShardSet<T>
         _count = _count == 0 ? shard.Count : _count;
         if (shard.Count != _count)
         {
-            throw new DatasetFormatException($"'{folder}' holds a shard of {shard.Count}, others are of {_count}.");
+            throw new DatasetFormatException($"'{folder}' is one of {shard.Count} shards, but others are of {_count}.");
         }
 
         if (!_found.TryAdd(shard.Number, value))
         {
-            throw new DatasetFormatException($"Shard {shard} is there twice, the second time in '{folder}'.");
+            throw new DatasetFormatException($"Shard {shard} occurs twice, the second time in '{folder}'.");
         }
     }
 
@@ -35,6 +36,10 @@ internal sealed class ShardSet<T>
         int[] missing = [.. Enumerable.Range(1, _count).Where(number => !_found.ContainsKey(number))];
         return missing.Length == 0
             ? [.. _found.Values]
-            : throw new DatasetFormatException($"Of {_count} shards, {string.Join(", ", missing)} is missing. Run it and name its folder too.");
+            : throw new DatasetFormatException(MissingText(missing));
     }
+
+    private static string MissingText(int[] missing) => missing.Length == 1
+        ? FormattableString.Invariant($"Shard {missing[0]} is missing; run it, and name its folder too.")
+        : FormattableString.Invariant($"Shards {string.Join(", ", missing[..^1])} and {missing[^1]} are missing; run them, and name their folders too.");
 }

@@ -41,7 +41,7 @@ internal sealed class BridgeClient : IDisposable
         BridgeClient client = Of(connection, reception);
         if (client._isPending)
         {
-            reception.Pending.Enter(client)?.CutOff("a connection was cut off that had not shown the token when too many others came.");
+            reception.Pending.Enter(client)?.CutOff("a connection without the token was closed because too many others were waiting.");
         }
         else
         {
@@ -68,7 +68,7 @@ internal sealed class BridgeClient : IDisposable
         catch (Exception e) when (e is not ThreadAbortException)
 #pragma warning restore CA1031
         {
-            CutOff($"the client did not take a frame: {e.Message}");
+            CutOff($"the client did not receive a frame: {e.Message}");
         }
     }
 
@@ -116,13 +116,13 @@ internal sealed class BridgeClient : IDisposable
         catch (BridgeException e)
         {
             Send(BridgeText.Error(e.Message), default);
-            CutOff($"the client was cut off: {e.Message}");
+            CutOff($"the client was disconnected: {e.Message}");
         }
 #pragma warning disable CA1031 // An exception that leaves a thread ends the game, whatever its type.
         catch (Exception e) when (e is not ThreadAbortException)
 #pragma warning restore CA1031
         {
-            CutOff($"the client went away: {e.Message}");
+            CutOff($"the client disconnected: {e.Message}");
         }
 
         _reception.Pending.TryLeave(this);
@@ -147,7 +147,7 @@ internal sealed class BridgeClient : IDisposable
         _reception.Outbox.Wake();
         if (!_reception.Inbox.TryPut(this, word))
         {
-            _reception.Report("the client sends commands faster than the game takes them; the newest are dropped.");
+            _reception.Report("the client sends commands faster than the game processes them; the newest are dropped.");
         }
     }
 
@@ -178,8 +178,8 @@ internal sealed class BridgeClient : IDisposable
     {
         if (_reception.Pending.TryLeave(this))
         {
-            Send(BridgeText.Error("the first message must be a hello with the right token, and come in time."), default);
-            CutOff("a connection was cut off that did not show the token in time.");
+            Send(BridgeText.Error("the first message must be a hello with the right token, sent in time."), default);
+            CutOff("a connection was closed because it did not send the token in time.");
         }
     }
 

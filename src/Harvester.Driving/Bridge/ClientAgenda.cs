@@ -72,7 +72,7 @@ internal sealed class ClientAgenda(IDrivingBridge bridge, Action<string> report)
     {
         if (_commands.Count >= MaxCommandsWaiting)
         {
-            report("the client sends commands faster than they can be obeyed; the newest are dropped.");
+            report("the client sends commands faster than they can be executed; the newest are dropped.");
             return;
         }
 

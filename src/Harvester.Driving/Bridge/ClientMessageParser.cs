@@ -31,7 +31,7 @@ public static class ClientMessageParser
             "pause" => new PauseMessage(fields.Boolean("paused")),
             "step" => new StepMessage(SecondsOf(fields)),
             "requestFrame" => new RequestFrameMessage(),
-            _ => throw new BridgeException($"type {ClientText.Quoted(type)} is none of controls, indicators, reset, environment, pause, step, requestFrame."),
+            _ => throw new BridgeException($"type {ClientText.Quoted(type)} is not one of controls, indicators, reset, environment, pause, step, requestFrame."),
         };
     }
 
@@ -52,7 +52,7 @@ public static class ClientMessageParser
         double[] position = fields.Numbers("position", 3);
         return Array.TrueForAll(position, coordinate => Math.Abs(coordinate) <= MaxCoordinate)
             ? new Vector3D(position[0], position[1], position[2])
-            : throw new BridgeException("field position lies outside any world.");
+            : throw new BridgeException("field position is out of range.");
     }
 
     private static double HeadingOf(JsonFields fields)
@@ -68,7 +68,7 @@ public static class ClientMessageParser
         string weather = fields.Text("weather");
         return WeatherNames.IsKnown(weather)
             ? weather
-            : throw new BridgeException($"field weather is {ClientText.Quoted(weather)}, which is none of {string.Join(", ", WeatherNames.All)}.");
+            : throw new BridgeException($"field weather is {ClientText.Quoted(weather)}, which is not one of {string.Join(", ", WeatherNames.All)}.");
     }
 
     private static TimeSpan TimeOf(JsonFields fields) =>

@@ -159,7 +159,7 @@ public sealed class FolderBridge : IDrivingBridge
     {
         if (!_inbox.TryPut(this, message))
         {
-            _problem = "the client sends commands faster than the game takes them; the newest are dropped.";
+            _problem = "the client sends commands faster than the game processes them; the newest are dropped.";
         }
     }
 
@@ -171,7 +171,7 @@ public sealed class FolderBridge : IDrivingBridge
         }
         else if (_clock.Milliseconds - _heardMilliseconds > _patienceSeconds * MillisecondsPerSecond && _inbox.Leave(this))
         {
-            _problem = FormattableString.Invariant($"the client has given no sign of life for {_patienceSeconds} s and counts as gone.");
+            _problem = FormattableString.Invariant($"no message from the client for {_patienceSeconds} s; it counts as disconnected.");
         }
     }
 

@@ -32,13 +32,13 @@ internal static class FolderMessages
     {
         if (!text.EndsWith("\n", StringComparison.Ordinal))
         {
-            throw new BridgeException($"{file} does not end with a line end, so it may be half-written.");
+            throw new BridgeException($"{file} has no final line feed, so it may be incomplete.");
         }
 
         string[] words = text.Split([' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries);
         if (words.Length != count && words.Length != count + 1)
         {
-            throw new BridgeException(FormattableString.Invariant($"{file} has {words.Length} numbers where {count} belong."));
+            throw new BridgeException(FormattableString.Invariant($"{file} has {words.Length} numbers; {count} are expected."));
         }
 
         return Array.ConvertAll(words, word =>

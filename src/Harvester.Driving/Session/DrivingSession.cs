@@ -194,7 +194,7 @@ public sealed class DrivingSession : IDisposable
                 _frames.Ask();
                 break;
             default:
-                Problem = $"{command.GetType().Name} is no command of a drive.";
+                Problem = $"{command.GetType().Name} is not a driving command.";
                 break;
         }
     }

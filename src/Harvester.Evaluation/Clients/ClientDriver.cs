@@ -63,7 +63,7 @@ public sealed class ClientDriver(IBridgeLink link, Func<IController> newControll
                 }
                 else if (clock.GetElapsedTime(_heard) > patience)
                 {
-                    throw new IOException(FormattableString.Invariant($"No frame of the game has come for {patience.TotalSeconds} s."));
+                    throw new IOException(FormattableString.Invariant($"No frame has arrived from the game for {patience.TotalSeconds} s."));
                 }
                 else if (frame is not null && _isAsking)
                 {

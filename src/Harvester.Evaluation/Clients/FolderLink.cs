@@ -32,7 +32,7 @@ public sealed class FolderLink : IBridgeLink
     /// <exception cref="IOException">It is not there, or nothing can be written there.</exception>
     public FolderLink(string folder)
     {
-        _folder = Directory.Exists(folder) ? folder : throw new IOException($"The shared folder {folder} is not there; the game's side makes it.");
+        _folder = Directory.Exists(folder) ? folder : throw new IOException($"Shared folder not found: '{folder}'. Start the game's side first; it creates the folder.");
         _seen = ReadState();
 
         AskForFrame();

@@ -72,7 +72,7 @@ public sealed class SocketLink : IBridgeLink
         }
         catch (Exception e) when (e is JsonException or KeyNotFoundException or InvalidOperationException or FormatException or ArgumentException)
         {
-            throw new IOException($"The game sent what is no frame: {e.Message}", e);
+            throw new IOException($"The game sent an invalid frame: {e.Message}", e);
         }
     }
 
@@ -120,12 +120,12 @@ public sealed class SocketLink : IBridgeLink
         {
             if (!_connection.ConnectAsync(host, port).Wait(patience))
             {
-                throw new IOException(FormattableString.Invariant($"No bridge is to be reached at {host}:{port}: no answer for {patience.TotalSeconds} s."));
+                throw new IOException(FormattableString.Invariant($"Cannot connect to {host}:{port}: no answer for {patience.TotalSeconds} s."));
             }
         }
         catch (AggregateException e) when (e.InnerException is SocketException fault)
         {
-            throw new IOException($"No bridge is to be reached at {host}:{port}: {fault.Message}", fault);
+            throw new IOException($"Cannot connect to {host}:{port}: {fault.Message}", fault);
         }
     }
 
@@ -182,7 +182,7 @@ public sealed class SocketLink : IBridgeLink
     {
         if (length is < 0 or > MaxMessageLength)
         {
-            throw new IOException($"The game announces a message of {length} bytes.");
+            throw new IOException($"The game announced a message of {length} bytes, over the limit.");
         }
 
         byte[] bytes = new byte[length];
@@ -198,7 +198,7 @@ public sealed class SocketLink : IBridgeLink
         }
         catch (IOException e)
         {
-            throw new IOException($"The bridge broke off in the middle of a message: {e.Message}", e);
+            throw new IOException($"The bridge closed in the middle of a message: {e.Message}", e);
         }
     }
 }

@@ -64,7 +64,7 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
         int camera = _cameras.Make(new Pose(Vector3D.Zero, Axes.Identity), _settings.VerticalFovDegrees);
         if (camera == 0)
         {
-            _messages.Tell("The game did not make a camera. Too many may be in use by other mods.");
+            _messages.Tell("The game did not create a camera. Other mods may use too many.");
             return;
         }
 

@@ -75,7 +75,7 @@ public sealed class FaceMarking : ILastingFeature
         var ray = new Ray(eye.Position, eye.Axes.Forward);
         if (_game.Rays.Cast(ray, ReachMetres, _props.PlayersBody) is not { } hit || hit.Entity == RayHit.World || _props.ReadProp(hit.Entity) is not { } prop)
         {
-            _messages.Tell("There is no prop in the middle of the screen. Go nearer, and point at the face itself.");
+            _messages.Tell("There is no prop in the middle of the screen. Go nearer and aim at the face itself.");
             return;
         }
 
@@ -102,7 +102,7 @@ public sealed class FaceMarking : ILastingFeature
 
         if (_measured.Open() is not { } folder)
         {
-            _messages.Tell("What was measured before is still being read. Try again in a moment.");
+            _messages.Tell("Earlier measurements are still being read. Try again in a moment.");
             return;
         }
 

@@ -80,7 +80,7 @@ public sealed class FaceSurveying : ILastingFeature
         {
             int done = _survey?.Done ?? 0;
             Stop();
-            _messages.Tell(FormattableString.Invariant($"The survey of signs was stopped: {done} of {_models.Count} models are done. It goes on where it was."));
+            _messages.Tell(FormattableString.Invariant($"The survey of signs was stopped: {done} of {_models.Count} models are done. The next survey continues there."));
         }
         else if (_harvest.IsOn)
         {
@@ -88,7 +88,7 @@ public sealed class FaceSurveying : ILastingFeature
         }
         else if (_mount.IsMounted)
         {
-            _messages.Tell("Give the camera back first, then survey the signs: it takes photographs.");
+            _messages.Tell("Unmount the camera first, then survey the signs: the survey takes photographs.");
         }
         else
         {
@@ -109,7 +109,7 @@ public sealed class FaceSurveying : ILastingFeature
         if (_mount.IsMounted)
         {
             Stop();
-            _messages.Tell("The survey of signs ended, because the camera was mounted. It goes on where it was.");
+            _messages.Tell("The survey of signs ended, because the camera was mounted. The next survey continues there.");
             return;
         }
 

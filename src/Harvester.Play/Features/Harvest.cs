@@ -2,6 +2,7 @@ using System;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using Harvester.Capture.Faults;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
@@ -242,12 +243,12 @@ public sealed class Harvest : ILastingFeature, IDisposable
             _messages.Log($"The harvest asked of the game: {session.Calls}");
         }
 
-        if (session.Warning is { } warning)
+        foreach (CaptureFault warning in session.Warnings)
         {
-            _messages.Tell(warning);
+            _messages.Tell(HarvestAdvice.TextOf(warning));
         }
 
-        _messages.Tell(status.Fault is { } fault ? $"{fault} ({counts})" : $"The harvest ended: {counts}, in {_folder}.");
+        _messages.Tell(session.Failure is { } fault ? $"{HarvestAdvice.TextOf(fault)} ({counts})" : $"The harvest ended: {counts}, in {_folder}.");
     }
 
     /// <summary>The last frames are written when the harvest is over: what the disk refuses then is told when that is known.</summary>

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using Harvester.Capture.Calibration;
+using Harvester.Capture.Faults;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Play.Settings;
@@ -120,7 +121,7 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
     {
         if (session.Result is not { } result)
         {
-            _messages.Tell(session.Fault ?? "The calibration has no result.");
+            _messages.Tell(session.Failure is { } failure ? TextOf(failure) : "The calibration has no result.");
             return;
         }
 
@@ -130,6 +131,10 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
         _messages.Tell(FormattableString.Invariant(
             $"Calibrated: the error was {result.Before.RmsPixels:0.00} px and is {result.Validation.RmsPixels:0.00} px. The lens is in {Path.GetFileName(_iniPath)}."));
     }
+
+    /// <summary>A failed calibration is no failed check, which could be skipped; only the limit of the lag helps both.</summary>
+    private static string TextOf(CaptureFault failure) =>
+        failure.Code == FaultCode.PictureLate ? HarvestAdvice.TextOf(failure) : failure.Message;
 
     private void ThrowIfNotWritten()
     {

@@ -83,7 +83,7 @@ public sealed class RoadSurveying : ILastingFeature
         else
         {
             Start();
-            _messages.Tell("The road survey is on: drive along the roads that you want in it.");
+            _messages.Tell("The road survey is on: drive along the roads that you want to record.");
         }
     }
 

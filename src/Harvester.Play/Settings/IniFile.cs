@@ -146,7 +146,7 @@ public sealed class IniFile
         string key = KeyOf(section, content.Substring(0, equals).Trim());
         if (_values.TryGetValue(key, out (int Line, string Text) first))
         {
-            _complaints.Add((line, FormattableString.Invariant($"{NameOf(key)} stands in line {first.Line} already; that one is used.")));
+            _complaints.Add((line, FormattableString.Invariant($"{NameOf(key)} is already set in line {first.Line}; that value is used.")));
             return;
         }
 

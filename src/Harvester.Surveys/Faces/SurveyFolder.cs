@@ -46,7 +46,7 @@ public sealed class SurveyFolder
             FaceTableContent content = FaceTableReader.Read(text);
             Table = content.Problems.Count == 0
                 ? content.Table
-                : throw new IOException($"{table}: {content.Problems[0]} Mend or remove the row, then survey again.");
+                : throw new IOException($"{table}: {content.Problems[0]} Correct or remove the row, then survey again.");
         }
 
         foreach (SurveyPhoto photo in SurveyPhoto.ReadAll(path))

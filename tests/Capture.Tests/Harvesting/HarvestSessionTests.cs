@@ -192,7 +192,7 @@ public sealed class HarvestSessionTests
         game.Run(session);
 
         Assert.Equal([65_534, 65_535], sink.Frames.Select(frame => Assert.Single(frame.Label.Objects).Id));
-        Assert.Equal("This session has used all 65,535 object numbers. Start a new session to go on.", session.Fault);
+        Assert.Equal("This session has used all 65,535 object numbers. Start a new session.", session.Fault);
     }
 
     [Fact]

@@ -93,7 +93,7 @@ public sealed class LiveHarvestTests
         game.Run(session);
 
         Assert.Equal(HarvestPhase.Faulted, session.Status.Phase);
-        Assert.StartsWith("The lag of the picture could not be measured", session.Fault, StringComparison.Ordinal);
+        Assert.StartsWith("The picture lag could not be measured", session.Fault, StringComparison.Ordinal);
         Assert.False(game.WantsFrozen);
     }
 

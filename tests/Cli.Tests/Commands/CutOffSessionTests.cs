@@ -34,8 +34,7 @@ public sealed class CutOffSessionTests : IDisposable
         CliRun run = Run(arguments);
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.Equal($"harvester: {Session}: the last line of labels.jsonl has no line feed, as a harvest that was cut off leaves it; it "
-            + $"is left aside.\n", run.Error);
+        Assert.Equal($"harvester: {Session}: the unfinished last line of labels.jsonl is ignored; the recording was interrupted.\n", run.Error);
     }
 
     [Fact]
@@ -46,7 +45,7 @@ public sealed class CutOffSessionTests : IDisposable
         CliRun run = CliRun.Of("validate", Session);
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.StartsWith("Note: the last line of labels.jsonl has no line feed", run.Out, StringComparison.Ordinal);
+        Assert.StartsWith("Note: the unfinished last line of labels.jsonl is ignored", run.Out, StringComparison.Ordinal);
         Assert.EndsWith("good\n", run.Out, StringComparison.Ordinal);
     }
 
@@ -67,7 +66,7 @@ public sealed class CutOffSessionTests : IDisposable
         string export = _folder.PathOf("out");
         Assert.Equal(ExitCode.Done, Run(["export", "SESSION", "--format", "csv", "--out", "OUT", "--shard", "1/2"]).ExitCode);
 
-        CliRun.Of("validate", export).AssertFailed(ExitCode.BadData, "is an unfinished export. Give the same export command again");
+        CliRun.Of("validate", export).AssertFailed(ExitCode.BadData, "is an unfinished export. Run the same export command again");
     }
 
     private CliRun Run(string[] arguments) =>

@@ -52,7 +52,7 @@ public sealed class DriveCommandTests
         Short(drive);
         File.WriteAllText(Path.Combine(drive, "drive.json"), "the first");
 
-        Short(drive).AssertFailed(2, "holds a drive already. Name another folder with --out, or replace it with --overwrite.");
+        Short(drive).AssertFailed(2, "already holds a drive. Name another folder with --out, or replace it with --overwrite.");
         Assert.Equal("the first", File.ReadAllText(Path.Combine(drive, "drive.json")));
         Assert.Equal(0, Short(drive, "--overwrite").ExitCode);
         Assert.NotEqual("the first", File.ReadAllText(Path.Combine(drive, "drive.json")));
@@ -66,7 +66,7 @@ public sealed class DriveCommandTests
         using TemporaryFolder folder = new();
         File.WriteAllText(folder.PathOf(file), "mine");
 
-        Short(folder.PathOf(""), "--overwrite").AssertFailed(2, $"holds more than a drive, '{file}' for one");
+        Short(folder.PathOf(""), "--overwrite").AssertFailed(2, $"holds other files besides a drive, e.g. '{file}'");
         Assert.Equal("mine", File.ReadAllText(folder.PathOf(file)));
         Assert.Single(Directory.GetFiles(folder.PathOf("")));
     }

@@ -42,7 +42,7 @@ public sealed class DriveOverBridgeTests : IDisposable
         Assert.Matches(@"^\d+ frames answered, \d+ m driven in \d+ s; the game has closed the bridge\n$", client.Out);
         CliRun run = await game;
         Assert.Equal((0, ""), (run.ExitCode, run.Error));
-        Assert.StartsWith($"Waiting for a client at {at}, 60 s at most\n", run.Out, StringComparison.Ordinal);
+        Assert.StartsWith($"Waiting up to 60 s for a client at {at}\n", run.Out, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -120,12 +120,12 @@ public sealed class DriveOverBridgeTests : IDisposable
     {
         CliRun run = CliRun.Of("drive", "--bridge", "folder", "--role", "client", "--folder", _folder.Path, "--patience", "0.2");
 
-        run.AssertFailed(ExitCode.InputOutput, "No frame of the game has come for 0.2 s.");
+        run.AssertFailed(ExitCode.InputOutput, "No frame has arrived from the game for 0.2 s.");
     }
 
     [Fact]
     public void Client_without_a_game_fails() => CliRun.Of("drive", "--bridge", "socket", "--role", "client", "--at", "127.0.0.1:9")
-        .AssertFailed(ExitCode.InputOutput, "No bridge is to be reached at 127.0.0.1:9");
+        .AssertFailed(ExitCode.InputOutput, "Cannot connect to 127.0.0.1:9");
 
     [Fact]
     public void Client_of_a_missing_folder_fails() =>
@@ -139,7 +139,7 @@ public sealed class DriveOverBridgeTests : IDisposable
         other.Start();
 
         CliRun.Of("drive", "--out", _folder.PathOf("out"), "--bridge", "socket", "--at", other.LocalEndpoint.ToString()!)
-            .AssertFailed(ExitCode.InputOutput, $"No bridge can be opened at {other.LocalEndpoint}");
+            .AssertFailed(ExitCode.InputOutput, $"Cannot listen on {other.LocalEndpoint}");
     }
 
     [Fact]
@@ -156,7 +156,7 @@ public sealed class DriveOverBridgeTests : IDisposable
     [InlineData("--bridge", "--bridge takes direct, folder or socket, not 'usb'", "--bridge", "usb")]
     [InlineData("--role", "--role takes both, game or client, not 'none'", "--role", "none")]
     [InlineData("--at", "--at takes an IP address and a port, e.g. 127.0.0.1:4567, not 'here'", "--bridge", "socket", "--at", "here")]
-    [InlineData("no token", "Others can reach 0.0.0.0: give a --token", "--bridge", "socket", "--role", "game", "--at", "0.0.0.0:4567")]
+    [InlineData("no token", "0.0.0.0 is reachable from other machines; set a --token", "--bridge", "socket", "--role", "game", "--at", "0.0.0.0:4567")]
     [InlineData("no bridge", "--token needs a bridge", "--token", "sesame")]
     [InlineData("--patience", "--patience takes a number greater than 0", "--bridge", "socket", "--patience", "0")]
     public void Impossible_options_are_refused(string what, string message, params string[] options)
@@ -181,7 +181,7 @@ public sealed class DriveOverBridgeTests : IDisposable
         {
             run = await Start(["drive", "--bridge", "socket", "--role", "client", "--at", at, .. more]);
         }
-        while (run.Error.Contains("No bridge is to be reached", StringComparison.Ordinal) && DateTime.UtcNow < deadline);
+        while (run.Error.Contains("Cannot connect to", StringComparison.Ordinal) && DateTime.UtcNow < deadline);
         return run;
     }
 

@@ -208,12 +208,10 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     {
         CliRun.Of("export", session.Folder, "--format", "csv", "--out", _folder.PathOf("whole"));
 
-        CliRun.Of("merge", _folder.PathOf("whole"), "--out", _folder.PathOf("out"))
-            .AssertFailed(ExitCode.BadData, "is a whole dataset, no shard of one.");
+        CliRun.Of("merge", _folder.PathOf("whole"), "--out", _folder.PathOf("out")).AssertFailed(ExitCode.BadData, "is a complete dataset, not a shard.");
     }
 
     [Fact]
     public void Merge_of_a_folder_without_shards_is_a_data_error() =>
-        CliRun.Of("merge", session.Folder, "--out", _folder.PathOf("out"))
-            .AssertFailed(ExitCode.BadData, "is a whole session, no shard of one");
+        CliRun.Of("merge", session.Folder, "--out", _folder.PathOf("out")).AssertFailed(ExitCode.BadData, "is a complete session, not a shard");
 }

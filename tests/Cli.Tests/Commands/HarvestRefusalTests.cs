@@ -31,9 +31,7 @@ public sealed class HarvestRefusalTests : IDisposable
     public void Harvest_with_excessive_picture_lag_fails_without_a_folder(int lag)
     {
         Harvest(Session, "--frames", "2", "--seed", "3", "--hz", "2", "--quirks", $"lag={lag}").AssertFailed(
-            ExitCode.HarvestFault,
-            $"The picture is {lag} ticks behind the game, and the harvest allows for 4. Raise the limit (--max-picture-lag) and start "
-                + $"again.");
+            ExitCode.HarvestFault, $"The picture is {lag} ticks behind the game; the harvest allows 4. To allow more, raise --max-picture-lag.");
 
         Assert.False(Directory.Exists(Session));
     }
@@ -109,8 +107,7 @@ public sealed class HarvestRefusalTests : IDisposable
             "harvest", "--out", Session, "--frames", "1", "--size", "320x240", "--seed", "4", "--fov", "170", "--no-report");
 
         Assert.Equal(ExitCode.HarvestFault, run.ExitCode);
-        Assert.Contains(
-            "a smaller field of view (--fov). --max-camera-error 0 harvests without this check.", run.Error, StringComparison.Ordinal);
+        Assert.Contains("The field of view is set by --fov. To skip this check, add --max-camera-error 0.", run.Error, StringComparison.Ordinal);
         Assert.DoesNotContain("ini", run.Error, StringComparison.Ordinal);
         Assert.Equal(
             ExitCode.Done,

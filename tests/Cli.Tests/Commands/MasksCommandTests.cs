@@ -88,7 +88,7 @@ public sealed class MasksCommandTests
         using var folder = new TemporaryFolder();
         folder.File("session.json", """{ "formatVersion": 1, "game": "simulation", "image": { "width": 80, "height": 60 } }""");
 
-        CliRun.Of("masks", "import", folder.Path, folder.PathOf("none")).AssertFailed(ExitCode.InputOutput, "There is no folder");
+        CliRun.Of("masks", "import", folder.Path, folder.PathOf("none")).AssertFailed(ExitCode.InputOutput, "Folder not found");
     }
 
     private static List<double> VisibleFaces(string session) =>

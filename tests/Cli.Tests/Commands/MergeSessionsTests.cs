@@ -35,10 +35,10 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
     }
 
     [Theory]
-    [InlineData("part-2 part-3", "Of 3 shards, 1 is missing. Run it and name its folder too.")]
+    [InlineData("part-2 part-3", "Shard 1 is missing; run it, and name its folder too.")]
     [InlineData("part-1 part-2 other-3", "are shards of different sessions")]
-    [InlineData("part-1 part-2 part-1", "Shard 1/3 is there twice")]
-    [InlineData("part-1 whole/session", "is a whole session, no shard of one")]
+    [InlineData("part-1 part-2 part-1", "Shard 1/3 occurs twice")]
+    [InlineData("part-1 whole/session", "is a complete session, not a shard")]
     public void Merge_of_folders_that_are_not_shards_of_one_session_fails(string parts, string message)
     {
         Merge("merged", parts.Split(' ')).AssertFailed(ExitCode.BadData, message);
@@ -62,7 +62,7 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
     {
         string part = Changed("part-1", "labels.jsonl", text => string.Concat(text.Split('\n').Take(2).Select(line => line + "\n")));
 
-        Merge("merged", part, "part-2", "part-3").AssertFailed(ExitCode.BadData, "has frames that follow on frame 6");
+        Merge("merged", part, "part-2", "part-3").AssertFailed(ExitCode.BadData, "has frames after frame 6");
     }
 
     [Fact]

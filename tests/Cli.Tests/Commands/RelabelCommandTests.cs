@@ -72,8 +72,8 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
 
     [Theory]
     [InlineData("K1 = -0.03\n", "", "K1 is missing")]
-    [InlineData("FocalScale = 1.02", "FocalScale = 12", "FocalScale is '12', which no lens has")]
-    [InlineData("FocalScale = 1.02", "FocalScale = wide", "FocalScale is 'wide', which no lens has")]
+    [InlineData("FocalScale = 1.02", "FocalScale = 12", "FocalScale is '12', which is not a valid value for a lens")]
+    [InlineData("FocalScale = 1.02", "FocalScale = wide", "FocalScale is 'wide', which is not a valid value for a lens")]
     public void Relabel_by_a_calibration_without_a_lens_is_a_data_error(string good, string bad, string message) =>
         Relabel("--calibration", _folder.File("lens.txt", Lens.Replace(good, bad, StringComparison.Ordinal)))
             .AssertFailed(ExitCode.BadData, message);
@@ -149,8 +149,7 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
 
     [Fact]
     public void Relabel_of_a_shard_asks_to_merge_first() =>
-        CliRun.Of("relabel", harvested.PathOf("part-1"), "--out", Made)
-            .AssertFailed(ExitCode.BadData, "is shard 1/3 of a session. Merge it");
+        CliRun.Of("relabel", harvested.PathOf("part-1"), "--out", Made).AssertFailed(ExitCode.BadData, "is shard 1/3 of a session. Merge the shards first");
 
     [Theory]
     [InlineData("--range", "0", "--range takes a number greater than 0")]

@@ -29,7 +29,7 @@ public sealed class ServeCommandTests
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.Contains($"\nConnected: 127.0.0.1:{client}\nDisconnected: 127.0.0.1:{client}\n", run.Out, StringComparison.Ordinal);
-        Assert.Contains("'hail', which is none of clear, ", run.Error, StringComparison.Ordinal);
+        Assert.Contains("'hail', which is not one of clear, ", run.Error, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -63,12 +63,9 @@ public sealed class ServeCommandTests
         CliRun serve = CliRun.Of("serve", "--folder", folder.Path, "--duration", "0.1");
         CliRun drive = CliRun.Of("drive", "--out", folder.PathOf("out"), "--bridge", "folder", "--folder", folder.Path, "--distance", "1");
 
-        serve.AssertFailed(
-            ExitCode.Usage, $"'{folder.Path}' holds something else than a bridge, '{foreign}' for one. Name another folder with --folder.");
-        drive.AssertFailed(ExitCode.Usage, "holds something else than a bridge");
-        Assert.Equal(
-            files.Order(StringComparer.Ordinal),
-            Directory.EnumerateFileSystemEntries(folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+        serve.AssertFailed(ExitCode.Usage, $"'{folder.Path}' holds other files than those of a bridge, e.g. '{foreign}'. Name another folder with --folder.");
+        drive.AssertFailed(ExitCode.Usage, "holds other files than those of a bridge");
+        Assert.Equal(files.Order(StringComparer.Ordinal), Directory.EnumerateFileSystemEntries(folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
     }
 
     [Theory]

@@ -20,17 +20,15 @@ public sealed class FileFaultTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Theory]
-    [InlineData(
-        "boxes {folder}", "'{folder}' is a folder that may not be read or written, or stands where a file should be. Name another.")]
-    [InlineData("boxes {none}", "There is no file '{none}'. Name one that is there.")]
-    [InlineData(
-        Point + " {folder}", "'{folder}' is a folder that may not be read or written, or stands where a file should be. Name another.")]
-    [InlineData(Point + " {none}/points.csv", "There is no folder '{none}'. Name one that is there.")]
-    [InlineData(Point + " {none}/o'brien/points.csv", "There is no folder '{none}/o'brien'. Name one that is there.")]
-    [InlineData("lanes --position 0,0,0 --heading 0 --roads {none}", "There is no file '{none}'. Name one that is there.")]
-    [InlineData("roads info {none}", "There is no file '{none}'. Name one that is there.")]
-    [InlineData("spaces check {none}", "There is no file '{none}'. Name one that is there.")]
-    [InlineData("report {.} --out {none}/page.html", "There is no folder '{none}'. Name one that is there.")]
+    [InlineData("boxes {folder}", "'{folder}' is a folder where a file is expected, or access to it is denied. Name another.")]
+    [InlineData("boxes {none}", "File not found: '{none}'.")]
+    [InlineData(Point + " {folder}", "'{folder}' is a folder where a file is expected, or access to it is denied. Name another.")]
+    [InlineData(Point + " {none}/points.csv", "Folder not found: '{none}'.")]
+    [InlineData(Point + " {none}/o'brien/points.csv", "Folder not found: '{none}/o'brien'.")]
+    [InlineData("lanes --position 0,0,0 --heading 0 --roads {none}", "File not found: '{none}'.")]
+    [InlineData("roads info {none}", "File not found: '{none}'.")]
+    [InlineData("spaces check {none}", "File not found: '{none}'.")]
+    [InlineData("report {.} --out {none}/page.html", "Folder not found: '{none}'.")]
     [InlineData("report {file}", "'{file}' is a file. Name the folder of a session.")]
     [InlineData("export {.} --format csv --out {file}", "'{file}' is a file. Name a folder.")]
     [InlineData("export {.} --format csv --out {file}/below", "'{file}' is a file. Name a folder.")]
@@ -50,7 +48,7 @@ public sealed class FileFaultTests : IDisposable
         "There is not enough space on the disk. : 'D:\\out\\p.html.0123456789abcdef.partial'",
         unchecked((int)0x80070070), "'D:\\out\\p.html'")]
     public void Full_disk_is_reported_with_the_path_and_advice(string message, int code, string place) => Assert.Equal(
-        $"The disk is full: {place} cannot be written. Free some space, or name a place on another disk, and give the command again.",
+        $"The disk is full: {place} cannot be written. Free some space, or write to another disk, and run the command again.",
         FileFault.TextOf(new IOException(message, code), "kitti"));
 
     [Fact]
@@ -62,17 +60,19 @@ public sealed class FileFaultTests : IDisposable
 
     [Fact]
     public void File_without_read_permission_is_reported_as_such() => Assert.Equal(
-        $"'{_folder.PathOf("file")}' may not be read or written. Ask for the right to, or name another.",
-        FileFault.TextOf(new UnauthorizedAccessException($"Access to the path '{_folder.PathOf("file")}' is denied."), output: null));
+        $"Permission denied: '{_folder.PathOf("file")}'. Change its permissions, or name another.",
+        FileFault.TextOf(new UnauthorizedAccessException($"Access to the path '{_folder.PathOf("file")}' is denied.") { Source = Runtime }, output: null));
 
     [Fact]
     public void Folder_in_place_of_a_file_is_reported_as_such() => Assert.Equal(
         $"'{_folder.PathOf("folder")}' is a folder. Name a file.",
-        FileFault.TextOf(new IOException($"Is a directory : '{_folder.PathOf("folder")}'"), output: null));
+        FileFault.TextOf(new IOException($"Is a directory : '{_folder.PathOf("folder")}'") { Source = Runtime }, output: null));
 
     [Fact]
     public void Messages_of_the_project_are_left_unchanged() =>
         Assert.Equal("'out' is no drive.", FileFault.TextOf(new FileNotFoundException("'out' is no drive."), "x"));
+
+    private static string? Runtime => typeof(File).Assembly.GetName().Name;
 
     private string InFolder(string text) => text
         .Replace("{folder}", _folder.PathOf("folder"), StringComparison.Ordinal)

@@ -99,7 +99,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         DatasetFormatException refused = Assert.Throws<DatasetFormatException>(
             () => DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("out"), ImageTransfer.Link));
 
-        Assert.Equal("Of 3 shards, 2 is missing. Run it and name its folder too.", refused.Message);
+        Assert.Equal("Shard 2 is missing; run it, and name its folder too.", refused.Message);
     }
 
     [Fact]
@@ -177,10 +177,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     {
         Session.Lines[1]["image"] = "../secret.png";
 
-        Assert.Contains(
-            "points out of the session",
-            Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", Session.Open())).Message,
-            StringComparison.Ordinal);
+        Assert.Contains("is outside the session", Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", Session.Open())).Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -211,10 +208,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     {
         Session.Lines[0]["mask"] = null;
 
-        Assert.Contains(
-            "needs one",
-            Assert.Throws<DatasetFormatException>(() => Folder.Export("yolo-segment", Session.Open())).Message,
-            StringComparison.Ordinal);
+        Assert.Contains("it has no mask", Assert.Throws<DatasetFormatException>(() => Folder.Export("yolo-segment", Session.Open())).Message, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -54,8 +54,8 @@ public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportT
         DatasetFormatException refused = Assert.Throws<DatasetFormatException>(
             () => Folder.Export("csv", simulated.Open(), TwoSplits, "killed"));
 
-        Assert.StartsWith($"'{journal}' has a line", refused.Message, StringComparison.Ordinal);
-        Assert.EndsWith("begin the export anew.", refused.Message, StringComparison.Ordinal);
+        Assert.StartsWith($"'{journal}' has a damaged line", refused.Message, StringComparison.Ordinal);
+        Assert.EndsWith("export again.", refused.Message, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -84,13 +84,13 @@ public sealed class MaskImporterTests : MapsOfAnotherTool
     /// <summary>The pixels of a sign are its own, whatever of it they show; its face is seen where they are.</summary>
 
     [Theory]
-    [InlineData("missing", "no map of frame 2")]
+    [InlineData("missing", "no mask for frame 2")]
     [InlineData("size", "is 40 x 60, but the image of frame 2 is 80 x 60")]
     [InlineData("number", "the number 3, which is no object's id")]
     [InlineData("truncated", "cut off")]
     [InlineData("damaged", "damaged")]
     [InlineData("colour", "16-bit grey")]
-    [InlineData("twice", "both of frame 2")]
+    [InlineData("twice", "both masks of frame 2")]
     public void Import_of_bad_maps_names_them_and_changes_nothing(string fault, string message)
     {
         string map = Path.Combine(Maps, "2.png");

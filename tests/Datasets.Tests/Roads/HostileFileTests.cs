@@ -123,8 +123,7 @@ public sealed class HostileFileTests : IDisposable
             }
         }
 
-        Assert.Contains(
-            "larger than", Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
+        Assert.Contains("limit of", Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -153,9 +152,7 @@ public sealed class HostileFileTests : IDisposable
         // Each file is read several times over and counts once.
         Assert.NotEmpty(RoadImporter.Import(from, LanesIn.Forward, all).Network.Nodes);
         string refusal = Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(from, LanesIn.Forward, all - 1)).Message;
-        Assert.Equal(
-            $"nodes{texts.Length - 1}.ynd.xml: with the files before it larger than {all - 1} bytes when unpacked; no road data is.",
-            refusal);
+        Assert.Equal($"nodes{texts.Length - 1}.ynd.xml: the unpacked files exceed the limit of {all - 1} bytes.", refusal);
         Directory.Delete(folder, recursive: true);
     }
 

@@ -111,7 +111,6 @@ public sealed class RoadImporterTests : IDisposable
     {
         File.WriteAllText(_file, "no road data at all");
 
-        Assert.Contains(
-            "known format", Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
+        Assert.Contains("unknown road format", Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
     }
 }

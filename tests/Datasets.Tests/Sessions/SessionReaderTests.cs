@@ -77,7 +77,7 @@ public sealed class SessionReaderTests : IDisposable
     [Theory]
     [InlineData("frame", "\"one\"", "frame must be a whole number, not \"one\".")]
     [InlineData("frame", "1.5", "frame must be a whole number, not 1.5.")]
-    [InlineData("frame", "3000000000", "frame must be a whole number of 32 bits")]
+    [InlineData("frame", "3000000000", "frame must be a 32-bit whole number")]
     [InlineData("timeSeconds", "1e999", "timeSeconds must be a finite number")]
     [InlineData("image", "7", "image must be a text, not 7.")]
     [InlineData("camera", "[]", "camera must be an object, not [].")]
@@ -121,10 +121,7 @@ public sealed class SessionReaderTests : IDisposable
 
     [Fact]
     public void SessionReader_reports_a_missing_folder() =>
-        Assert.Contains(
-            "no folder",
-            Assert.Throws<DirectoryNotFoundException>(() => new SessionReader("no-such-folder")).Message,
-            StringComparison.Ordinal);
+        Assert.Contains("Folder not found", Assert.Throws<DirectoryNotFoundException>(() => new SessionReader("no-such-folder")).Message, StringComparison.Ordinal);
 
     [Fact]
     public void SessionReader_of_another_folder_names_the_missing_file() =>

@@ -60,7 +60,7 @@ public sealed class FileCheckTests : IDisposable
     {
         File.WriteAllText(_session.PathOf("frames/00000000.png"), "not an image");
 
-        _session.AssertProblem(1, "no PNG, BMP or JPEG");
+        _session.AssertProblem(1, "not a PNG, BMP or JPEG");
     }
 
     [Theory]

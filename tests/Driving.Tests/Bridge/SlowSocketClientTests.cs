@@ -103,7 +103,7 @@ public sealed class SlowSocketClientTests : IDisposable
             },
             "the sleeper to be cut off");
 
-        Assert.Contains("did not take a frame", bridge.Problem, StringComparison.Ordinal);
+        Assert.Contains("did not receive a frame", bridge.Problem, StringComparison.Ordinal);
         using SocketClient next = Connected(bridge);
 
         // The network keeps a black picture, and the bridge need not wait for this client to read it.

@@ -122,7 +122,7 @@ public sealed class IniFileTests
             [
                 "Line 2: 'nonsense' is not of the form Name = value.",
                 "Line 4: there is no setting [S] Typo.",
-                "Line 5: [S] A stands in line 3 already; that one is used.",
+                "Line 5: [S] A is already set in line 3; that value is used.",
             ],
             ini.Complaints);
     }

@@ -1,3 +1,4 @@
+using Harvester.Capture.Faults;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Tests.Doubles;
@@ -70,7 +71,7 @@ public sealed class FreezeChoiceTests
             game.Tick(1 / 60.0);
         }
 
-        Assert.Contains("stood still neither", session.Warning, StringComparison.Ordinal);
+        Assert.Contains(session.Warnings, warning => warning.Code == FaultCode.NeverStill);
         Assert.Equal(["neverStill"], session.Counters.Discards.Keys);
         session.Stop();
         game.Tick(1 / 60.0);

@@ -86,7 +86,7 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
         JsonElement root = document.RootElement;
         var fields = new JsonFields(root);
         string name = fields.Text("format");
-        DatasetFormat format = DatasetFormats.Find(name) ?? throw new DatasetFormatException($"The format '{name}' is not known here.");
+        DatasetFormat format = DatasetFormats.Find(name) ?? throw new DatasetFormatException($"Unknown format '{name}'.");
         DatasetSplit[] splits = [.. root.GetProperty("splits").EnumerateObject().Select(split => new DatasetSplit(split.Name, split.Value.GetDouble()))];
         return (format, new ExportOptions
         {
@@ -118,5 +118,5 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
     }
 
     private static ObjectClass ClassOf(string name) =>
-        JsonNames.TryRead(name, out ObjectClass kind) ? kind : throw new DatasetFormatException($"The class '{name}' is not known here.");
+        JsonNames.TryRead(name, out ObjectClass kind) ? kind : throw new DatasetFormatException($"Unknown class '{name}'.");
 }

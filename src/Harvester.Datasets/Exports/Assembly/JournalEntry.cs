@@ -55,7 +55,7 @@ internal sealed record JournalEntry(
         }
         catch (Exception e) when (e is JsonException or KeyNotFoundException or InvalidOperationException or FormatException)
         {
-            throw new DatasetFormatException($"'{path}' has a line that is damaged or of another version. Delete the dataset's folder, or name another, and begin the export anew.", e);
+            throw new DatasetFormatException($"'{path}' has a damaged line or one of another version. Delete the folder of the dataset, or name another, and export again.", e);
         }
     }
 

@@ -84,7 +84,7 @@ internal sealed class SessionSurvey
         CheckMasks();
         if (_written.Count == 0)
         {
-            throw new DatasetFormatException($"Lanes are known in none of the {_frames.Sum()} frames, and {Format.Name} leaves out frames without them.");
+            throw new DatasetFormatException($"None of the {_frames.Sum()} frames has lanes, which {Format.Name} needs. Harvest with roads, or choose another format.");
         }
 
         SplitPlan splits = _plan.Options.Splits;

@@ -38,7 +38,7 @@ internal static class JsonDumpImporter
         {
             if (!areas.Add(area.AreaId))
             {
-                throw new DatasetFormatException($"{source.Name}: cell {area.AreaId} is there twice.");
+                throw new DatasetFormatException($"{source.Name}: cell {area.AreaId} occurs twice.");
             }
 
             foreach (DumpNode node in area.Nodes)
@@ -85,7 +85,7 @@ internal static class JsonDumpImporter
         assembly.Add(roadNode);
         if (!indices.TryAdd((node.Id, node.Position), index))
         {
-            throw new DatasetFormatException($"{file}: {Name(roadNode)} is there twice.");
+            throw new DatasetFormatException($"{file}: {Name(roadNode)} occurs twice.");
         }
 
         foreach (DumpConnection connection in node.ConnectedNodes ?? [])

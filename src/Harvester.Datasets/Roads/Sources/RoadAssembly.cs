@@ -33,12 +33,12 @@ internal sealed class RoadAssembly
     {
         if (_nodes.Count >= MaxCount)
         {
-            throw new DatasetFormatException($"more than {MaxCount} nodes; no road network of the game has so many.");
+            throw new DatasetFormatException($"more than {MaxCount} nodes, the limit.");
         }
 
         if (!node.Position.IsFinite)
         {
-            throw new DatasetFormatException("the position of a node must be of finite numbers.");
+            throw new DatasetFormatException("the position of a node must be finite.");
         }
 
         _nodes.Add(node);
@@ -62,7 +62,7 @@ internal sealed class RoadAssembly
 
         if (_links.Count >= MaxCount)
         {
-            throw new DatasetFormatException($"more than {MaxCount} links; no road network of the game has so many.");
+            throw new DatasetFormatException($"more than {MaxCount} links, the limit.");
         }
 
         _linkOfEnds.Add(ends, _links.Count);

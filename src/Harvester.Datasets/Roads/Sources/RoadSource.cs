@@ -39,7 +39,7 @@ internal sealed class RoadSource(string name, ByteAllowance allowance, Func<Stre
     {
         if (position > MaxFileBytes)
         {
-            throw new DatasetFormatException($"{name}: larger than {MaxFileBytes} bytes when unpacked; no road file is.");
+            throw new DatasetFormatException($"{name}: exceeds the unpacked-size limit of {MaxFileBytes} bytes.");
         }
 
         if (position > _farthest)

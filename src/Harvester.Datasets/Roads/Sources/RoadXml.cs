@@ -87,7 +87,7 @@ internal static class RoadXml
         {
             if (reader.Depth > MaxNesting)
             {
-                throw new DatasetFormatException($"{source.Name}, line {((IXmlLineInfo)reader).LineNumber}: elements nest more than {MaxNesting} deep.");
+                throw new DatasetFormatException($"{source.Name}, line {((IXmlLineInfo)reader).LineNumber}: elements are nested more than {MaxNesting} levels deep.");
             }
         }
     }

@@ -54,9 +54,6 @@ public sealed class KittiTrackingWriterTests : ExportTests
     {
         Session.Lines[1]["camera"]!["fx"] = 31;
 
-        Assert.Contains(
-            "another calibration",
-            Assert.Throws<DatasetFormatException>(() => Folder.Export("kitti-tracking", Session.Open())).Message,
-            StringComparison.Ordinal);
+        Assert.Contains("camera calibration differs", Assert.Throws<DatasetFormatException>(() => Folder.Export("kitti-tracking", Session.Open())).Message, StringComparison.Ordinal);
     }
 }

@@ -1,0 +1,20 @@
+using Harvester.Capture.Faults;
+
+namespace Harvester.Cli.Harvesting;
+
+/// <summary>Words the faults of a harvest for the command line: the message of the core and the option that changes the limit.</summary>
+internal static class HarvestAdvice
+{
+    private const string SkipCheck = "To skip this check, add --max-camera-error 0.";
+
+    /// <summary>One line.</summary>
+    public static string TextOf(CaptureFault fault) => OptionFor(fault.Code) is { } option ? $"{fault.Message} {option}" : fault.Message;
+
+    private static string? OptionFor(FaultCode code) => code switch
+    {
+        FaultCode.PictureLate => "To allow more, raise --max-picture-lag.",
+        FaultCode.MarkersHidden => $"The field of view is set by --fov. {SkipCheck}",
+        FaultCode.CameraModelOff or FaultCode.CameraUnchecked or FaultCode.CalibrationFailed => SkipCheck,
+        _ => null,
+    };
+}
