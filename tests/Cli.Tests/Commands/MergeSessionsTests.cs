@@ -53,7 +53,7 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
             "labels.jsonl",
             text => string.Concat(text.Split('\n').Where((_, line) => line != 1).Select(line => line + "\n")).TrimEnd() + "\n");
 
-        Merge("merged", "part-1", part, "part-3").AssertFailed(ExitCode.BadData, "has no frame 4 where it should be");
+        Merge("merged", "part-1", part, "part-3").AssertFailed(ExitCode.BadData, "lacks frame 4");
         Assert.False(File.Exists(_folder.PathOf("merged/session.json")));
     }
 
