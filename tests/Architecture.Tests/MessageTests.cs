@@ -9,7 +9,8 @@ public sealed class MessageTests
 {
     // The last string of a statement that throws, tells or reports; shorter texts than a sentence are names.
     private const string Statement =
-        """(?:throw new \w+Exception|new CaptureFault|Tell|WriteError)\((?:[^;"]|"(?:[^"\\]|\\.)*")*?"(?<text>(?:[^"\\]|\\.)* (?:[^"\\]|\\.)*)"(?:, \w+)?\)+;""";
+        """(?:throw new \w+Exception|new CaptureFault|Tell|WriteError)\((?:[^;"]|"(?:[^"\\]|\\.)*")*?"""
+        + """\"(?<text>(?:[^"\\]|\\.)* (?:[^"\\]|\\.)*)"(?:, \w+)?\)+;""";
 
     [Theory]
     [InlineData("Harvester.Sessions")]
@@ -28,7 +29,8 @@ public sealed class MessageTests
 
         Assert.NotEmpty(messages);
         // A message may end with the text of another fault.
-        string[] unfinished = [.. messages.Where(message => message.Contains("\\n", StringComparison.Ordinal) || !".!?})".Contains(message[^1], StringComparison.Ordinal))];
+        string[] unfinished = [.. messages.Where(message =>
+            message.Contains("\\n", StringComparison.Ordinal) || !".!?})".Contains(message[^1], StringComparison.Ordinal))];
         Assert.Empty(unfinished);
     }
 
@@ -55,7 +57,8 @@ public sealed class MessageTests
     private static string[] SettingNames()
     {
         string ini = File.ReadAllText(Path.Combine(Repository.Root, "src", "Harvester.Mod", "GtaDataHarvester.ini"));
-        string[] names = [.. Regex.Matches(ini, @"^;?\s*(?<name>[A-Z][a-z0-9]+([A-Z][a-z0-9]*)+) =", RegexOptions.Multiline).Select(match => match.Groups["name"].Value)];
+        const string key = @"^;?\s*(?<name>[A-Z][a-z0-9]+([A-Z][a-z0-9]*)+) =";
+        string[] names = [.. Regex.Matches(ini, key, RegexOptions.Multiline).Select(match => match.Groups["name"].Value)];
         Assert.Contains("MaxPictureLagTicks", names);
         return names;
     }

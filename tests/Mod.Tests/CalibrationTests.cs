@@ -131,7 +131,9 @@ public sealed class CalibrationTests
         driver.Press(Keys.K);
         driver.UntilTold("The harvest ended: 1 frame");
 
-        Assert.Contains(driver.Game.Notifications, told => told.Contains("The camera model was not checked: none of 20 markers was visible", StringComparison.Ordinal));
+        Assert.Contains(
+            driver.Game.Notifications,
+            told => told.Contains("The camera model was not checked: none of 20 markers was visible", StringComparison.Ordinal));
     }
 
     [Fact]

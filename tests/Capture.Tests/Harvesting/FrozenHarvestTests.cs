@@ -93,7 +93,8 @@ public sealed class FrozenHarvestTests
         using var session = new HarvestSession(Small, game.Ports, sink);
         game.Run(session);
 
-        Assert.StartsWith($"The picture is {lag} ticks or more behind the game; the harvest allows 4.", session.Fault, StringComparison.Ordinal);
+        Assert.StartsWith(
+            $"The picture is {lag} ticks or more behind the game; the harvest allows 4.", session.Fault, StringComparison.Ordinal);
         Assert.Empty(sink.Frames);
         Assert.False(game.WantsFrozen);
     }

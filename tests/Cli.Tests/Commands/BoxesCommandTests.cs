@@ -74,10 +74,21 @@ public sealed class BoxesCommandTests
     [InlineData("""{ "camera": 1, "cuboids": [] }""", "camera must be an object, not 1")]
     [InlineData("""{ "cuboids": [] }""", "camera is missing")]
     [InlineData("""{ "camera": {}, "cuboids": [], "cubes": [] }""", "cubes is an unknown field")]
-    [InlineData("""{ "camera": { "position": [0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 50, "width": 8, "height": 6 }, "cuboids": [] }""", "camera.position must be a list of 3 numbers")]
-    [InlineData("""{ "camera": { "position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 200, "width": 8, "height": 6 }, "cuboids": [] }""", "camera: verticalFovDegrees")]
-    [InlineData("""{ "camera": { "position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 50, "width": 8.5, "height": 6 }, "cuboids": [] }""", "camera.width must be a whole number")]
-    [InlineData("""{ "camera": { "position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 90, "width": 8, "height": 6, "fy": 4 }, "cuboids": [] }""", "camera.fy is 4")]
+    [InlineData(
+        """{ "camera": { "position": [0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 50, "width": 8, "height": 6 }, "cuboids": [] }""",
+        "camera.position must be a list of 3 numbers")]
+    [InlineData(
+        """{ "camera": { "position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 200"""
+            + """, "width": 8, "height": 6 }, "cuboids": [] }""",
+        "camera: verticalFovDegrees")]
+    [InlineData(
+        """{ "camera": { "position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 50"""
+            + """, "width": 8.5, "height": 6 }, "cuboids": [] }""",
+        "camera.width must be a whole number")]
+    [InlineData(
+        """{ "camera": { "position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 90"""
+            + """, "width": 8, "height": 6, "fy": 4 }, "cuboids": [] }""",
+        "camera.fy is 4")]
     [InlineData("{ camera", "line 1: not JSON")]
     [InlineData("[]", "must be an object")]
     public void Boxes_of_a_malformed_scene_names_file_and_field(string scene, string message)

@@ -34,7 +34,8 @@ public sealed class CutOffSessionTests : IDisposable
         CliRun run = Run(arguments);
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
-        Assert.Equal($"harvester: {Session}: the unfinished last line of labels.jsonl is ignored; the recording was interrupted.\n", run.Error);
+        Assert.Equal(
+            $"harvester: {Session}: the unfinished last line of labels.jsonl is ignored; the recording was interrupted.\n", run.Error);
     }
 
     [Fact]

@@ -61,7 +61,8 @@ public sealed class DoctorCommandTests : IDisposable
     public void What_cannot_be_read_is_refused_in_one_line()
     {
         CliRun.Of("doctor", Path.Combine(_folder.Path, "missing.log")).AssertFailed(ExitCode.InputOutput, "missing.log");
-        CliRun.Of("doctor", _folder.Path).AssertFailed(ExitCode.BadData, "has no log of the mod, and is neither the game's folder nor a session");
+        CliRun.Of("doctor", _folder.Path)
+            .AssertFailed(ExitCode.BadData, "has no log of the mod, and is neither the game's folder nor a session");
         string notes = Path.Combine(_folder.Path, "notes.txt");
         File.WriteAllText(notes, "milk\n");
         CliRun.Of("doctor", notes).AssertFailed(ExitCode.BadData, "is not a log of the mod, ScriptHookVDotNet or ScriptHookV");

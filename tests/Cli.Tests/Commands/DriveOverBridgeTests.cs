@@ -156,7 +156,9 @@ public sealed class DriveOverBridgeTests : IDisposable
     [InlineData("--bridge", "--bridge takes direct, folder or socket, not 'usb'", "--bridge", "usb")]
     [InlineData("--role", "--role takes both, game or client, not 'none'", "--role", "none")]
     [InlineData("--at", "--at takes an IP address and a port, e.g. 127.0.0.1:4567, not 'here'", "--bridge", "socket", "--at", "here")]
-    [InlineData("no token", "0.0.0.0 is reachable from other machines; set a --token", "--bridge", "socket", "--role", "game", "--at", "0.0.0.0:4567")]
+    [InlineData(
+        "no token", "0.0.0.0 is reachable from other machines; set a --token", "--bridge", "socket", "--role", "game", "--at",
+        "0.0.0.0:4567")]
     [InlineData("no bridge", "--token needs a bridge", "--token", "sesame")]
     [InlineData("--patience", "--patience takes a number greater than 0", "--bridge", "socket", "--patience", "0")]
     public void Impossible_options_are_refused(string what, string message, params string[] options)

@@ -208,10 +208,12 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     {
         CliRun.Of("export", session.Folder, "--format", "csv", "--out", _folder.PathOf("whole"));
 
-        CliRun.Of("merge", _folder.PathOf("whole"), "--out", _folder.PathOf("out")).AssertFailed(ExitCode.BadData, "is a complete dataset, not a shard.");
+        CliRun.Of("merge", _folder.PathOf("whole"), "--out", _folder.PathOf("out"))
+            .AssertFailed(ExitCode.BadData, "is a complete dataset, not a shard.");
     }
 
     [Fact]
     public void Merge_of_a_folder_without_shards_is_a_data_error() =>
-        CliRun.Of("merge", session.Folder, "--out", _folder.PathOf("out")).AssertFailed(ExitCode.BadData, "is a complete session, not a shard");
+        CliRun.Of("merge", session.Folder, "--out", _folder.PathOf("out"))
+            .AssertFailed(ExitCode.BadData, "is a complete session, not a shard");
 }

@@ -31,7 +31,8 @@ public sealed class HarvestRefusalTests : IDisposable
     public void Harvest_with_excessive_picture_lag_fails_without_a_folder(int lag)
     {
         Harvest(Session, "--frames", "2", "--seed", "3", "--hz", "2", "--quirks", $"lag={lag}").AssertFailed(
-            ExitCode.HarvestFault, $"The picture is {lag} ticks behind the game; the harvest allows 4. To allow more, raise --max-picture-lag.");
+            ExitCode.HarvestFault,
+            $"The picture is {lag} ticks behind the game; the harvest allows 4. To allow more, raise --max-picture-lag.");
 
         Assert.False(Directory.Exists(Session));
     }
@@ -107,7 +108,8 @@ public sealed class HarvestRefusalTests : IDisposable
             "harvest", "--out", Session, "--frames", "1", "--size", "320x240", "--seed", "4", "--fov", "170", "--no-report");
 
         Assert.Equal(ExitCode.HarvestFault, run.ExitCode);
-        Assert.Contains("The field of view is set by --fov. To skip this check, add --max-camera-error 0.", run.Error, StringComparison.Ordinal);
+        Assert.Contains(
+            "The field of view is set by --fov. To skip this check, add --max-camera-error 0.", run.Error, StringComparison.Ordinal);
         Assert.DoesNotContain("ini", run.Error, StringComparison.Ordinal);
         Assert.Equal(
             ExitCode.Done,

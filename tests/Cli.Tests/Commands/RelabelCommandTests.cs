@@ -149,7 +149,8 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
 
     [Fact]
     public void Relabel_of_a_shard_asks_to_merge_first() =>
-        CliRun.Of("relabel", harvested.PathOf("part-1"), "--out", Made).AssertFailed(ExitCode.BadData, "is shard 1/3 of a session. Merge the shards first");
+        CliRun.Of("relabel", harvested.PathOf("part-1"), "--out", Made)
+            .AssertFailed(ExitCode.BadData, "is shard 1/3 of a session. Merge the shards first");
 
     [Theory]
     [InlineData("--range", "0", "--range takes a number greater than 0")]

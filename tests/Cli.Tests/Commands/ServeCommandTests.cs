@@ -63,9 +63,14 @@ public sealed class ServeCommandTests
         CliRun serve = CliRun.Of("serve", "--folder", folder.Path, "--duration", "0.1");
         CliRun drive = CliRun.Of("drive", "--out", folder.PathOf("out"), "--bridge", "folder", "--folder", folder.Path, "--distance", "1");
 
-        serve.AssertFailed(ExitCode.Usage, $"'{folder.Path}' holds other files than those of a bridge, e.g. '{foreign}'. Name another folder with --folder.");
+        serve
+            .AssertFailed(
+                ExitCode.Usage,
+                $"'{folder.Path}' holds other files than those of a bridge, e.g. '{foreign}'. Name another folder with --folder.");
         drive.AssertFailed(ExitCode.Usage, "holds other files than those of a bridge");
-        Assert.Equal(files.Order(StringComparer.Ordinal), Directory.EnumerateFileSystemEntries(folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
+        Assert.Equal(
+            files.Order(StringComparer.Ordinal),
+            Directory.EnumerateFileSystemEntries(folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
     }
 
     [Theory]

@@ -61,7 +61,8 @@ public sealed class FileFaultTests : IDisposable
     [Fact]
     public void File_without_read_permission_is_reported_as_such() => Assert.Equal(
         $"Permission denied: '{_folder.PathOf("file")}'. Change its permissions, or name another.",
-        FileFault.TextOf(new UnauthorizedAccessException($"Access to the path '{_folder.PathOf("file")}' is denied.") { Source = Runtime }, output: null));
+        FileFault.TextOf(new UnauthorizedAccessException($"Access to the path '{_folder.PathOf("file")}' is denied.") { Source = Runtime },
+            output: null));
 
     [Fact]
     public void Folder_in_place_of_a_file_is_reported_as_such() => Assert.Equal(

@@ -41,8 +41,14 @@ public sealed class DoctorTests : IDisposable
         { "The harvest ended: 1 frame, discarded: 9 neverStill, in C:\\out.", "went on moving" },
         { "The harvest ended: 0 frames, discarded: 5 strange, in C:\\out.", "for the reason strange" },
         { "The camera model is off by 3.1 px, more than the 1.0 px allowed. Calibrate the camera first.", "does not fit the camera model" },
-        { "The camera model cannot be checked, as only 3 of 12 markers are seen: give the camera a free view.", "Too few calibration markers" },
-        { "The picture is 7 ticks behind the game, and the harvest allows for 4. Raise the limit (MaxPictureLagTicks) and start again.", "later than the harvest allows" },
+        {
+            "The camera model cannot be checked, as only 3 of 12 markers are seen: give the camera a free view.",
+            "Too few calibration markers"
+        },
+        {
+            "The picture is 7 ticks behind the game, and the harvest allows for 4. Raise the limit (MaxPictureLagTicks) and start again.",
+            "later than the harvest allows"
+        },
         { "The harvest failed: The fwScriptGuid pool is full. More in GtaDataHarvester.log.", "script handles is full" },
         { "The drive failed: Address already in use More in GtaDataHarvester.log.", "port of the bridge" },
         { "The harvest stopped: There is not enough space on the disk.", "disk is full" },
@@ -266,8 +272,11 @@ public sealed class DoctorTests : IDisposable
         string path = Path.Combine(_game, "notes.txt");
         File.WriteAllText(path, "milk\n");
 
-        Assert.Contains("is not a log", Assert.Throws<DatasetFormatException>(() => Doctor.Examine(path)).Message, StringComparison.Ordinal);
-        Assert.Contains("neither the game's folder", Assert.Throws<DatasetFormatException>(() => Doctor.Examine(_game)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "is not a log", Assert.Throws<DatasetFormatException>(() => Doctor.Examine(path)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "neither the game's folder",
+            Assert.Throws<DatasetFormatException>(() => Doctor.Examine(_game)).Message, StringComparison.Ordinal);
         Assert.Throws<FileNotFoundException>(() => Doctor.Examine(Path.Combine(_game, "nothing")));
     }
 

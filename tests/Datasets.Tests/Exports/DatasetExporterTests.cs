@@ -177,7 +177,9 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     {
         Session.Lines[1]["image"] = "../secret.png";
 
-        Assert.Contains("is outside the session", Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", Session.Open())).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "is outside the session",
+            Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", Session.Open())).Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -208,7 +210,9 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     {
         Session.Lines[0]["mask"] = null;
 
-        Assert.Contains("it has no mask", Assert.Throws<DatasetFormatException>(() => Folder.Export("yolo-segment", Session.Open())).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "it has no mask",
+            Assert.Throws<DatasetFormatException>(() => Folder.Export("yolo-segment", Session.Open())).Message, StringComparison.Ordinal);
     }
 
     [Fact]

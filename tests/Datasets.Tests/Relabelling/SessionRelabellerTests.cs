@@ -209,7 +209,9 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
 
     [Fact]
     public void Relabel_without_roads_refuses_other_lanes() =>
-        Assert.Contains("name a road network with --roads", Refused(drive.Session, new RelabelOptions { LaneWidthMetres = 3 }), StringComparison.Ordinal);
+        Assert.Contains(
+            "name a road network with --roads", Refused(drive.Session, new RelabelOptions { LaneWidthMetres = 3 }),
+            StringComparison.Ordinal);
 
     [Fact]
     public void Relabel_refuses_a_range_that_was_not_recorded() =>

@@ -123,7 +123,8 @@ public sealed class HostileFileTests : IDisposable
             }
         }
 
-        Assert.Contains("limit of", Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "limit of", Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
     }
 
     [Theory]

@@ -111,6 +111,8 @@ public sealed class RoadImporterTests : IDisposable
     {
         File.WriteAllText(_file, "no road data at all");
 
-        Assert.Contains("unknown road format", Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "unknown road format",
+            Assert.Throws<DatasetFormatException>(() => RoadImporter.Import(_file)).Message, StringComparison.Ordinal);
     }
 }

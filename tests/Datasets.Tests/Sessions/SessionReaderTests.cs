@@ -121,7 +121,9 @@ public sealed class SessionReaderTests : IDisposable
 
     [Fact]
     public void SessionReader_reports_a_missing_folder() =>
-        Assert.Contains("Folder not found", Assert.Throws<DirectoryNotFoundException>(() => new SessionReader("no-such-folder")).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "Folder not found",
+            Assert.Throws<DirectoryNotFoundException>(() => new SessionReader("no-such-folder")).Message, StringComparison.Ordinal);
 
     [Fact]
     public void SessionReader_of_another_folder_names_the_missing_file() =>

@@ -30,7 +30,8 @@ public sealed class ClientDriverTests
         using FakeLink link = new([]);
         ClientDriver driver = new(link, static () => new StandingController(), TimeSpan.FromSeconds(0.05), TimeProvider.System);
 
-        Assert.Equal("No frame has arrived from the game for 0.05 s.", Assert.Throws<IOException>(() => driver.Run(null, 2, default)).Message);
+        Assert.Equal(
+            "No frame has arrived from the game for 0.05 s.", Assert.Throws<IOException>(() => driver.Run(null, 2, default)).Message);
     }
 
     [Fact]

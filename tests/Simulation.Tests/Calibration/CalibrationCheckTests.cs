@@ -108,7 +108,8 @@ public sealed class CalibrationCheckTests
             game.Tick();
         }
 
-        return new HarvestOutcome(sink.Start is not null, sink.Frames, session.Fault, session.Warnings.Count > 0 ? string.Join(" ", session.Warnings.Select(warning => warning.Message)) : null, sink.Start?.CameraErrorPixels);
+        string? warning = session.Warnings.Count > 0 ? string.Join(" ", session.Warnings.Select(fault => fault.Message)) : null;
+        return new HarvestOutcome(sink.Start is not null, sink.Frames, session.Fault, warning, sink.Start?.CameraErrorPixels);
     }
 
     private static void AssertRecorded(HarvestOutcome outcome, bool isChecked)

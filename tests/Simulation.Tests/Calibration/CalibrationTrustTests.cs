@@ -75,7 +75,10 @@ public sealed class CalibrationTrustTests(ITestOutputHelper output)
         CalibrationSession session = Run(game, new ImageSize(400, 300));
 
         Assert.Null(session.Result);
-        Assert.Matches("^Of [0-9]+ markers that the lens was not fitted to [0-9]+ are not where it puts them.*is not where the game reports it", session.Fault);
+        Assert.Matches(
+            "^Of [0-9]+ markers that the lens was not fitted to [0-9]+ are not where it puts them.*is not where "
+                + "the game reports it",
+            session.Fault);
     }
 
     [Fact]

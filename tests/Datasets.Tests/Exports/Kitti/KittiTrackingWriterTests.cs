@@ -54,6 +54,8 @@ public sealed class KittiTrackingWriterTests : ExportTests
     {
         Session.Lines[1]["camera"]!["fx"] = 31;
 
-        Assert.Contains("camera calibration differs", Assert.Throws<DatasetFormatException>(() => Folder.Export("kitti-tracking", Session.Open())).Message, StringComparison.Ordinal);
+        Assert.Contains(
+            "camera calibration differs",
+            Assert.Throws<DatasetFormatException>(() => Folder.Export("kitti-tracking", Session.Open())).Message, StringComparison.Ordinal);
     }
 }
