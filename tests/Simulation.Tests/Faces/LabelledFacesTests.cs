@@ -31,7 +31,7 @@ public sealed class LabelledFacesTests
 
     [Fact]
     public void Labelled_faces_are_the_visible_ones_and_lights_are_read() =>
-        Judge(StreetOfFaces.Harvest(60, firstSeed: 1), fewestFaces: 300, fewestHeads: 30);
+        Judge(StreetOfFaces.Harvest(20, firstSeed: 1), fewestFaces: 100, fewestHeads: 10);
 
     [Fact]
     [Trait("Category", "Heavy")]
@@ -46,7 +46,7 @@ public sealed class LabelledFacesTests
         {
             foreach (ObjectLabel head in label.Objects.Where(label => label.Face?.Light is not null))
             {
-                Assert.Equal(new LightLabel(BooleanOf(head, faces).State!.Value, LightMethod.Set, null), head.Face!.Light);
+                Assert.Equal(new LightLabel(TruthOf(head, faces).State!.Value, LightMethod.Set, null), head.Face!.Light);
                 heads++;
             }
         }
@@ -65,7 +65,7 @@ public sealed class LabelledFacesTests
                 in label.Objects.Where(item => item.Face is { Light: not null, FacingAngleDegrees: <= ReadUpToDegrees }
                 && item.Box2D.Height >= MinHeadPixels && item.TruncatedFraction == 0))
             {
-                TrueFace truth = BooleanOf(head, faces);
+                TrueFace truth = TruthOf(head, faces);
                 if (truth.VisiblePixels == truth.PixelsAlone.Value)
                 {
                     heads++;
@@ -86,14 +86,14 @@ public sealed class LabelledFacesTests
         foreach ((FrameLabel label, IReadOnlyList<TrueFace> faces) in frames)
         {
             fromBehind += label.Objects.Count(
-                item => item is { Class: ObjectClass.Sign, Face: not null } && !BooleanOf(item, faces).FacesCamera);
+                item => item is { Class: ObjectClass.Sign, Face: not null } && !TruthOf(item, faces).FacesCamera);
             ObjectLabel[] labelled =
             [
                 .. label.Objects.Where(item => item.Face is not null && (item.Class == ObjectClass.Sign || item.Face.FacesCamera))
             ];
             foreach (ObjectLabel item in labelled)
             {
-                TrueFace truth = BooleanOf(item, faces);
+                TrueFace truth = TruthOf(item, faces);
                 right += truth.FacesCamera && truth.VisiblePixels > 0 ? 1 : 0;
                 wrong += truth.FacesCamera && truth.VisiblePixels > 0 ? 0 : 1;
                 if (item.Class == ObjectClass.TrafficLight && IsClear(item))
@@ -118,7 +118,7 @@ public sealed class LabelledFacesTests
         Assert.True(statesRight >= LeastRight * (statesRight + statesWrong), figures);
     }
 
-    private static TrueFace BooleanOf(ObjectLabel label, IReadOnlyList<TrueFace> faces) =>
+    private static TrueFace TruthOf(ObjectLabel label, IReadOnlyList<TrueFace> faces) =>
         Assert.Single(faces, face => (face.Centre - label.Box3D.Centre).Length < SamePlaceMetres);
 
     // Heads of at least 12 pixels that hardly anything hides, up to the 60 degrees of turn of the project's other figures.

@@ -33,6 +33,7 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
             Judge(new SimulationOptions { Seed = seed, IsTimeOfDayFixed = true }, frames: 8, everySeconds: 7), 150, int.MaxValue);
 
     [Fact]
+    [Trait("Category", "Heavy")]
     public void Labelled_markings_lie_on_the_paint_of_a_winding_road()
     {
         var road = new SimulationOptions
