@@ -63,8 +63,6 @@ public sealed class SocketLinkTests
     [InlineData("nonsense")]
     [InlineData("[1]")]
     [InlineData("""{"type":"frame"}""")]
-    [InlineData(
-        
     [InlineData("""{"type":"frame","frame":1,"timeSeconds":0,"speedMetresPerSecond":5,"position":[0],"headingDegrees":0,"fast":true"""
         + ""","indicators":[1],"torcsEquivalent":[1]}""")]
     public void Receive_of_something_else_than_a_frame_fails(string header) => AssertFails(FakeGame.Message(header), "an invalid frame");
