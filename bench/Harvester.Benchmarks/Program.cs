@@ -1,6 +1,7 @@
 using System.Globalization;
 using BenchmarkDotNet.Running;
 using Harvester.Benchmarks;
+using Harvester.Benchmarks.Figures;
 using Harvester.Benchmarks.PixelMaps;
 using Harvester.Geometry.Cameras;
 
@@ -25,6 +26,13 @@ if (args is ["pixel-maps" or "pixel-map-sweep", var width, var height, var seed,
 if (args is ["bridge-latency", var frames])
 {
     BridgeLatency.Run(int.Parse(frames, CultureInfo.InvariantCulture));
+    return;
+}
+
+// figures are those that bench/run puts beside the ones of other programs.
+if (args is ["figures", var folder])
+{
+    FigureRun.Run(folder);
     return;
 }
 

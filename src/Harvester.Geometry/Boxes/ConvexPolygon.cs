@@ -56,6 +56,11 @@ public static class ConvexPolygon
     public static IReadOnlyList<Vector2D> Clip(IReadOnlyList<Vector2D> polygon, Box2D box)
     {
         IReadOnlyList<Vector2D> clipped = Guard.NotNull(polygon, nameof(polygon));
+        if (IsWithin(polygon, box))
+        {
+            return polygon;
+        }
+
         clipped = ClipSide(clipped, p => p.X - box.XMin);
         clipped = ClipSide(clipped, p => box.XMax - p.X);
         clipped = ClipSide(clipped, p => p.Y - box.YMin);
@@ -84,13 +89,27 @@ public static class ConvexPolygon
     {
         Guard.NotNull(points, nameof(points));
         Box2D? bounds = null;
-        foreach (Vector2D point in points)
+        for (int i = 0; i < points.Count; i++)
         {
-            var own = new Box2D(point.X, point.Y, point.X, point.Y);
+            var own = new Box2D(points[i].X, points[i].Y, points[i].X, points[i].Y);
             bounds = bounds?.Union(own) ?? own;
         }
 
         return bounds;
+    }
+
+    private static bool IsWithin(IReadOnlyList<Vector2D> polygon, Box2D box)
+    {
+        for (int i = 0; i < polygon.Count; i++)
+        {
+            Vector2D corner = polygon[i];
+            if (!(corner.X >= box.XMin && corner.X <= box.XMax && corner.Y >= box.YMin && corner.Y <= box.YMax))
+            {
+                return false;
+            }
+        }
+
+        return true;
     }
 
     private static void AddChain(List<Vector2D> hull, List<Vector2D> sorted, int start)

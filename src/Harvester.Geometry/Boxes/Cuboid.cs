@@ -9,6 +9,9 @@ public sealed record Cuboid
     private static readonly int[] EdgeStarts = [0, 0, 0, 1, 1, 2, 2, 3, 4, 4, 5, 6];
     private static readonly int[] EdgeEnds = [1, 2, 4, 3, 5, 3, 6, 7, 5, 6, 7, 7];
 
+    /// <summary>How many corners a cuboid has.</summary>
+    internal const int CornerCount = 8;
+
     /// <summary>Makes a cuboid.</summary>
     /// <param name="centre">Its centre in the world, metres.</param>
     /// <param name="halfExtents">Half of its size along right, forward and up, metres; each 0 or more (a plate has one 0).</param>

@@ -15,8 +15,11 @@ public static class CuboidProjector
     /// Projects a cuboid. One that contains the camera's position covers the whole image; one behind the near plane gives nothing;
     /// one that touches the image only in a line or a point is outside it.
     /// </summary>
-    public static CuboidProjection Project(Camera camera, Cuboid cuboid) =>
-        Project(camera, cuboid, Guard.NotNull(cuboid, nameof(cuboid)).EdgesInWorld);
+    public static CuboidProjection Project(Camera camera, Cuboid cuboid)
+    {
+        Guard.NotNull(camera, nameof(camera));
+        return Project(camera, cuboid, VisibleEdgeEnds(camera, Guard.NotNull(cuboid, nameof(cuboid))));
+    }
 
     /// <summary>Projects a convex body within a cuboid in the same way.</summary>
     /// <param name="camera">The camera.</param>
@@ -26,9 +29,12 @@ public static class CuboidProjector
     {
         Guard.NotNull(camera, nameof(camera));
         Guard.NotNull(cuboid, nameof(cuboid));
-        Guard.NotNull(edges, nameof(edges));
+        return Project(camera, cuboid, VisibleEdgeEnds(camera, Guard.NotNull(edges, nameof(edges))));
+    }
+
+    private static CuboidProjection Project(Camera camera, Cuboid cuboid, List<Vector3D> ends)
+    {
         Box2D image = camera.Image.Bounds;
-        List<Vector3D> ends = VisibleEdgeEnds(camera, edges);
         bool isAround = cuboid.Contains(camera.Pose.Position);
         if (ends.Count == 0 && !isAround)
         {
@@ -64,7 +70,24 @@ public static class CuboidProjector
             : new CuboidProjection(BoxOutcome.InImage, box, amodal?.Union(box.Value), truncated, silhouette);
     }
 
-    /// <summary>The ends of what the near plane leaves of the edges, in the camera's frame.</summary>
+    /// <summary>The ends of what the near plane leaves of a cuboid's edges, in the camera's frame, each point once.</summary>
+    private static List<Vector3D> VisibleEdgeEnds(Camera camera, Cuboid cuboid)
+    {
+        double near = camera.Intrinsics.NearClip;
+        var ends = new List<Vector3D>(Cuboid.CornerCount);
+        bool isCut = false;
+        for (int number = 0; number < Cuboid.CornerCount; number++)
+        {
+            Vector3D corner = camera.Pose.ToLocal(cuboid.Corner(number));
+            isCut |= corner.Y < near;
+            ends.Add(corner);
+        }
+
+        // Hardly any cuboid reaches through the near plane.
+        return isCut ? VisibleEdgeEnds(camera, cuboid.EdgesInWorld) : ends;
+    }
+
+    /// <summary>The ends of what the near plane leaves of edges, in the camera's frame.</summary>
     private static List<Vector3D> VisibleEdgeEnds(Camera camera, IEnumerable<(Vector3D Start, Vector3D End)> edges)
     {
         double near = camera.Intrinsics.NearClip;

@@ -43,6 +43,25 @@ public sealed record Camera
         return new Projection(pixel.X, pixel.Y, point.Y, inImage ? ProjectionOutcome.InImage : ProjectionOutcome.OutsideImage);
     }
 
+    /// <summary>Where many points of the world appear; nothing is allocated.</summary>
+    /// <param name="world">The points, metres.</param>
+    /// <param name="projections">Takes the projection of each point at the point's place; at least as long.</param>
+    /// <exception cref="System.ArgumentException">The array for the results is shorter than that of the points.</exception>
+    /// <exception cref="System.ArgumentOutOfRangeException">A point is not finite.</exception>
+    public void ProjectAll(Vector3D[] world, Projection[] projections)
+    {
+        Guard.NotNull(world, nameof(world));
+        if (Guard.NotNull(projections, nameof(projections)).Length < world.Length)
+        {
+            throw new System.ArgumentException($"There are {world.Length} points, but room for {projections.Length} projections.", nameof(projections));
+        }
+
+        for (int i = 0; i < world.Length; i++)
+        {
+            projections[i] = Project(world[i]);
+        }
+    }
+
     /// <summary>The ray from the camera's position through a pixel (continuous coordinates; it may lie outside the image).</summary>
     /// <exception cref="System.ArgumentOutOfRangeException">A coordinate is not finite.</exception>
     public Ray RayThrough(double u, double v)

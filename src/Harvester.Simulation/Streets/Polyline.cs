@@ -10,6 +10,7 @@ internal sealed class Polyline
     private readonly Vector3D[] _points;
     private readonly Vector3D[] _tangents;
     private readonly double[] _distances;
+    private readonly double[] _bends;
 
     /// <param name="points">At least two, no two neighbours in one place.</param>
     /// <param name="tangents">The unit direction of the smooth way at each point.</param>
@@ -21,6 +22,12 @@ internal sealed class Polyline
         for (int i = 1; i < _points.Length; i++)
         {
             _distances[i] = _distances[i - 1] + (_points[i] - _points[i - 1]).Length;
+        }
+
+        _bends = new double[_points.Length - 1];
+        for (int i = 0; i < _bends.Length; i++)
+        {
+            _bends[i] = Math.Abs(Horizontal.Turn(_tangents[i], _tangents[i + 1])) / (_distances[i + 1] - _distances[i]);
         }
     }
 
@@ -42,11 +49,7 @@ internal sealed class Polyline
     }
 
     /// <summary>How sharply the way turns at a place, 1/m.</summary>
-    public double BendAt(double distance)
-    {
-        (int index, _) = Find(distance);
-        return Math.Abs(Horizontal.Turn(_tangents[index], _tangents[index + 1])) / (_distances[index + 1] - _distances[index]);
-    }
+    public double BendAt(double distance) => _bends[Find(distance).Index];
 
     private (int Index, double Fraction) Find(double distance)
     {

@@ -13,6 +13,8 @@ internal sealed class BodyIndex<T>
 
     private readonly Dictionary<(int X, int Y), List<T>> _cells = [];
 
+    public bool IsEmpty => _cells.Count == 0;
+
     public void Add(T body, Vector3D place)
     {
         (int X, int Y) cell = CellOf(place);
@@ -41,15 +43,42 @@ internal sealed class BodyIndex<T>
         {
             for (int j = y - 1; j <= y + 1; j++)
             {
-                if (_cells.TryGetValue((i, j), out List<T>? list))
+                if (_cells.TryGetValue((i, j), out List<T>? cell))
                 {
-                    foreach (T body in list)
+                    foreach (T body in cell)
                     {
                         yield return body;
                     }
                 }
             }
         }
+    }
+
+    /// <summary>Whether a condition holds for one of these bodies. Asked for every vehicle in every tick, so nothing is allocated for it.</summary>
+    /// <param name="place">The place.</param>
+    /// <param name="asked">What the condition is about.</param>
+    /// <param name="condition">A condition on a body and what it is about.</param>
+    public bool AnyNear<TAsked>(Vector3D place, in TAsked asked, Func<T, TAsked, bool> condition)
+    {
+        (int x, int y) = CellOf(place);
+        for (int i = x - 1; i <= x + 1; i++)
+        {
+            for (int j = y - 1; j <= y + 1; j++)
+            {
+                if (_cells.TryGetValue((i, j), out List<T>? cell))
+                {
+                    foreach (T body in cell)
+                    {
+                        if (condition(body, asked))
+                        {
+                            return true;
+                        }
+                    }
+                }
+            }
+        }
+
+        return false;
     }
 
     private static (int X, int Y) CellOf(Vector3D place) => ((int)Math.Floor(place.X / CellSize), (int)Math.Floor(place.Y / CellSize));

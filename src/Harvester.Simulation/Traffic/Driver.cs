@@ -60,9 +60,13 @@ internal static class Driver
         double toStart = -vehicle.Distance;
         foreach (LanePath path in vehicle.Route)
         {
-            Vehicle? leader = occupation.On(path)
-                .Where(other => other != vehicle && toStart + other.DistanceOn(path) > 0)
-                .MinBy(other => other.DistanceOn(path));
+            Vehicle? leader = null;
+            foreach (Vehicle other in occupation.On(path))
+            {
+                double distance = other.DistanceOn(path);
+                leader = other != vehicle && toStart + distance > 0 && (leader is null || distance < leader.DistanceOn(path)) ? other : leader;
+            }
+
             if (leader is not null)
             {
                 return (toStart + leader.DistanceOn(path) - leader.RearOverhang - vehicle.FrontOverhang, leader.SpeedOn(path));
@@ -83,6 +87,11 @@ internal static class Driver
         const double halfLane = 2.2;
         const double step = 1.5;
         double range = vehicle.FrontOverhang + 4 + (vehicle.Speed * vehicle.Speed / (2 * ComfortableBraking));
+        if (walkersOnRoad.IsEmpty)
+        {
+            return double.PositiveInfinity;
+        }
+
         Walker[] near = [.. walkersOnRoad.Near(vehicle.PoseAhead(range / 2).Position)];
         for (double ahead = vehicle.FrontOverhang; near.Length > 0 && ahead < range; ahead += step)
         {

@@ -9,6 +9,9 @@ internal sealed class LaneOccupation(LaneGraph lanes)
     private readonly List<Vehicle>?[] _vehicles = new List<Vehicle>?[lanes.Paths.Count];
     private readonly List<int> _used = [];
 
+    /// <summary>Stays empty.</summary>
+    private static readonly List<Vehicle> Nobody = [];
+
     public void Refresh(IReadOnlyList<Vehicle> vehicles)
     {
         foreach (int path in _used)
@@ -32,5 +35,5 @@ internal sealed class LaneOccupation(LaneGraph lanes)
         }
     }
 
-    public IReadOnlyList<Vehicle> On(LanePath path) => _vehicles[path.Index] ?? (IReadOnlyList<Vehicle>)[];
+    public List<Vehicle> On(LanePath path) => _vehicles[path.Index] ?? Nobody;
 }

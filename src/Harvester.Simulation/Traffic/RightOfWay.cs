@@ -112,7 +112,7 @@ internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupatio
 
     private bool HasRoom(Vehicle vehicle, LanePath exit)
     {
-        IReadOnlyList<Vehicle> ahead = occupation.On(exit);
+        List<Vehicle> ahead = occupation.On(exit);
         if (ahead.Count == 0)
         {
             return true;

@@ -137,14 +137,12 @@ internal sealed class TrafficFlow
 
     private bool IsFree(Vehicle vehicle, double metres, BodyIndex<Walker> walkersOnRoad)
     {
-        Footprint next = vehicle.FootprintAhead(metres).Grown(Clearance);
-        Footprint further = vehicle.FootprintAhead(metres + LookAhead).Grown(Clearance);
         Footprint now = vehicle.Footprint;
-        return !_index.Near(now.Centre).Any(other => other != vehicle && Blocks(other.Footprint))
-            && !_obstacles.Near(now.Centre).Any(Blocks)
-            && !walkersOnRoad.Near(now.Centre).Any(walker => Blocks(walker.Footprint));
-
-        bool Blocks(Footprint other) => next.Overlaps(other) || (further.Overlaps(other) && (other.Centre - now.Centre).Dot(now.Forward) > 0);
+        var way = new WayAhead(
+            vehicle, now, vehicle.FootprintAhead(metres).Grown(Clearance), vehicle.FootprintAhead(metres + LookAhead).Grown(Clearance));
+        return !_index.AnyNear(now.Centre, way, static (other, way) => other != way.Vehicle && way.IsBlockedBy(other.Footprint))
+            && !_obstacles.AnyNear(now.Centre, way, static (other, way) => way.IsBlockedBy(other))
+            && !walkersOnRoad.AnyNear(now.Centre, way, static (walker, way) => way.IsBlockedBy(walker.Footprint));
     }
 
     private bool IsTaken(Vehicle vehicle, Footprint place) =>

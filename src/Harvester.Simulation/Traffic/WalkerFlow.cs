@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Geometry;
@@ -35,9 +36,11 @@ internal sealed class WalkerFlow
 
     public void Tick(double seconds, TrafficFlow traffic)
     {
+        Func<Walkway, double, Walkway?> opposite = Opposite;
+        Func<Vector3D, bool> isSafe = place => IsSafe(place, traffic);
         foreach (Walker walker in _walkers)
         {
-            walker.Tick(seconds, Opposite, place => IsSafe(place, traffic));
+            walker.Tick(seconds, opposite, isSafe);
         }
     }
 

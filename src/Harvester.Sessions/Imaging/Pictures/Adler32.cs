@@ -1,3 +1,4 @@
+#if !NET
 using System;
 
 namespace Harvester.Sessions.Imaging.Pictures;
@@ -36,3 +37,4 @@ internal sealed class Adler32
         _b = b;
     }
 }
+#endif

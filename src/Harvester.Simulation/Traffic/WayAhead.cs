@@ -1,0 +1,21 @@
+namespace Harvester.Simulation.Traffic;
+
+/// <summary>Where a vehicle is, and the ground that it is about to cover.</summary>
+/// <param name="Vehicle">The vehicle.</param>
+/// <param name="Now">Its place.</param>
+/// <param name="Next">Its place after the tick.</param>
+/// <param name="Further">A place a little further on, where nothing in front may be.</param>
+internal readonly record struct WayAhead(Vehicle Vehicle, Footprint Now, Footprint Next, Footprint Further)
+{
+    private readonly double _reach = Next.HalfLength + Next.HalfWidth;
+
+    public bool IsBlockedBy(in Footprint other)
+    {
+        // Most bodies are nowhere near: no further apart than this can two rectangles overlap.
+        double reach = _reach + other.HalfLength + other.HalfWidth;
+        bool mayOverlap = Streets.Horizontal.SquaredDistance(Next.Centre, other.Centre) <= reach * reach
+            || Streets.Horizontal.SquaredDistance(Further.Centre, other.Centre) <= reach * reach;
+        return mayOverlap
+            && (Next.Overlaps(other) || (Further.Overlaps(other) && (other.Centre - Now.Centre).Dot(Now.Forward) > 0));
+    }
+}
