@@ -15,7 +15,7 @@ public class SimulationCostTests
     private const long MaxBytesOfPicture = 205_000;
 
     private const int Ticks = 100;
-    private const long MaxBytesPerTick = 260_000;
+    private const long MaxBytesPerTick = 160_000;
 
     [Fact]
     public void Picture_of_a_street_has_no_more_bytes_than_opencv_makes_of_it()

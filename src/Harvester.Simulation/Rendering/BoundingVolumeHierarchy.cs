@@ -1,5 +1,7 @@
 using System;
 using System.Collections.Generic;
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
@@ -9,8 +11,13 @@ internal sealed class BoundingVolumeHierarchy
 {
     private const int MaxTreeDepth = 128;
     private readonly HierarchyNode[] _nodes;
+    private readonly Slabs[] _slabs;
 
-    public BoundingVolumeHierarchy(IReadOnlyList<Bounds> items) => (_nodes, Order) = new HierarchyBuilder(items).Build();
+    public BoundingVolumeHierarchy(IReadOnlyList<Bounds> items)
+    {
+        (_nodes, Order) = new HierarchyBuilder(items).Build();
+        _slabs = Array.ConvertAll(_nodes, node => new Slabs(node.Bounds));
+    }
 
     /// <summary>The items' numbers in the order of the leaves.</summary>
     public int[] Order { get; }
@@ -19,14 +26,16 @@ internal sealed class BoundingVolumeHierarchy
     public Bounds Bounds => _nodes[0].Bounds;
 
     /// <summary>Visits the leaves that a ray passes through before the limit, nearer children first.</summary>
+    [SkipLocalsInit]
     public void Visit<TVisitor>(Vector3D origin, Vector3D direction, ref double limit, ref TVisitor visitor)
         where TVisitor : struct, ILeafVisitor
     {
-        var inverse = new Vector3D(Inverse(direction.X), Inverse(direction.Y), Inverse(direction.Z));
+        Vector256<double> start = Slabs.Origin(origin);
+        Vector256<double> inverse = Slabs.Inverse(direction);
         Span<int> stack = stackalloc int[MaxTreeDepth];
         Span<double> entries = stackalloc double[MaxTreeDepth];
         int depth = 0;
-        double rootEntry = Entry(_nodes[0].Bounds, origin, inverse, limit);
+        double rootEntry = _slabs[0].Entry(start, inverse, limit);
         if (Order.Length > 0 && rootEntry <= limit)
         {
             (stack[0], entries[0], depth) = (0, rootEntry, 1);
@@ -47,8 +56,8 @@ internal sealed class BoundingVolumeHierarchy
                 continue;
             }
 
-            double left = Entry(_nodes[node.Child].Bounds, origin, inverse, limit);
-            double right = Entry(_nodes[node.Child + 1].Bounds, origin, inverse, limit);
+            double left = _slabs[node.Child].Entry(start, inverse, limit);
+            double right = _slabs[node.Child + 1].Entry(start, inverse, limit);
             int nearer = left <= right ? node.Child : node.Child + 1;
             int farther = left <= right ? node.Child + 1 : node.Child;
             double far = Math.Max(left, right);
@@ -114,30 +123,5 @@ internal sealed class BoundingVolumeHierarchy
         {
             ranges.Add((first, count));
         }
-    }
-
-    /// <summary>A finite stand-in for 1 / 0, so that a ray along a face gives 0 and not a missing number.</summary>
-    private static double Inverse(double component) => component == 0 ? 1e300 : 1 / component;
-
-    /// <summary>Where a ray enters a box; infinity when it misses.</summary>
-    private static double Entry(in Bounds box, Vector3D origin, Vector3D inverse, double limit)
-    {
-        double entry = 0;
-        double exit = limit;
-        Narrow((box.Min.X - origin.X) * inverse.X, (box.Max.X - origin.X) * inverse.X, ref entry, ref exit);
-        Narrow((box.Min.Y - origin.Y) * inverse.Y, (box.Max.Y - origin.Y) * inverse.Y, ref entry, ref exit);
-        Narrow((box.Min.Z - origin.Z) * inverse.Z, (box.Max.Z - origin.Z) * inverse.Z, ref entry, ref exit);
-
-        // Rounding of the slabs must not lose a hit on a box's very edge.
-        const double room = 1 + 1e-12;
-        return entry <= exit * room ? entry : double.PositiveInfinity;
-    }
-
-    private static void Narrow(double a, double b, ref double entry, ref double exit)
-    {
-        double near = a < b ? a : b;
-        double far = a < b ? b : a;
-        entry = near > entry ? near : entry;
-        exit = far < exit ? far : exit;
     }
 }

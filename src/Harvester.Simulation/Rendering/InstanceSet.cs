@@ -89,10 +89,15 @@ internal sealed class InstanceSet
 
                 Vector3D fromA = origin - triangle.A;
                 double u = fromA.Dot(p) / determinant;
+                if (!(u >= 0 && u <= 1))
+                {
+                    continue;
+                }
+
                 Vector3D q = fromA.Cross(ab);
                 double v = direction.Dot(q) / determinant;
                 double distance = ac.Dot(q) / determinant;
-                if (u >= 0 && v >= 0 && u + v <= 1 && distance >= 0 && distance < limit)
+                if (v >= 0 && u + v <= 1 && distance >= 0 && distance < limit)
                 {
                     limit = distance;
                     Hit = true;

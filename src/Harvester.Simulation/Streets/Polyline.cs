@@ -53,8 +53,19 @@ internal sealed class Polyline
 
     private (int Index, double Fraction) Find(double distance)
     {
-        int index = Array.BinarySearch(_distances, distance);
-        index = Math.Clamp(index >= 0 ? index : ~index - 1, 0, _points.Length - 2);
+        // Points lie nearly evenly, so the right piece is next to the one that an even way would have there.
+        int last = _points.Length - 2;
+        int index = (int)Math.Clamp(distance / Length * (last + 1), 0, last);
+        while (index > 0 && _distances[index] > distance)
+        {
+            index--;
+        }
+
+        while (index < last && _distances[index + 1] <= distance)
+        {
+            index++;
+        }
+
         double fraction = (distance - _distances[index]) / (_distances[index + 1] - _distances[index]);
         return (index, Math.Clamp(fraction, 0, 1));
     }

@@ -11,13 +11,13 @@ internal sealed class BodyIndex<T>
 {
     private const double CellSize = 20;
 
-    private readonly Dictionary<(int X, int Y), List<T>> _cells = [];
+    private readonly Dictionary<long, List<T>> _cells = [];
 
     public bool IsEmpty => _cells.Count == 0;
 
     public void Add(T body, Vector3D place)
     {
-        (int X, int Y) cell = CellOf(place);
+        long cell = Key(CellOf(place));
         if (!_cells.TryGetValue(cell, out List<T>? list))
         {
             _cells[cell] = list = [];
@@ -30,7 +30,7 @@ internal sealed class BodyIndex<T>
     {
         if (CellOf(from) != CellOf(to))
         {
-            _cells[CellOf(from)].Remove(body);
+            _cells[Key(CellOf(from))].Remove(body);
             Add(body, to);
         }
     }
@@ -43,7 +43,7 @@ internal sealed class BodyIndex<T>
         {
             for (int j = y - 1; j <= y + 1; j++)
             {
-                if (_cells.TryGetValue((i, j), out List<T>? cell))
+                if (_cells.TryGetValue(Key((i, j)), out List<T>? cell))
                 {
                     foreach (T body in cell)
                     {
@@ -65,7 +65,7 @@ internal sealed class BodyIndex<T>
         {
             for (int j = y - 1; j <= y + 1; j++)
             {
-                if (_cells.TryGetValue((i, j), out List<T>? cell))
+                if (_cells.TryGetValue(Key((i, j)), out List<T>? cell))
                 {
                     foreach (T body in cell)
                     {
@@ -82,4 +82,7 @@ internal sealed class BodyIndex<T>
     }
 
     private static (int X, int Y) CellOf(Vector3D place) => ((int)Math.Floor(place.X / CellSize), (int)Math.Floor(place.Y / CellSize));
+
+    /// <summary>A cell as one number, which is hashed faster than a pair.</summary>
+    private static long Key((int X, int Y) cell) => ((long)cell.X << 32) | (uint)cell.Y;
 }

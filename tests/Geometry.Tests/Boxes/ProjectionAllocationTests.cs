@@ -9,7 +9,7 @@ public class ProjectionAllocationTests
     private const int Times = 1000;
 
     /// <summary>The corners, the points of the image, the hull, and the result.</summary>
-    private const long MaxBytesPerBox = 1600;
+    private const long MaxBytesPerBox = 1400;
 
     private static readonly Camera Camera = new(
         new Pose(Vector3D.Zero, Axes.Identity), new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.15, Lens.Ideal));
