@@ -18,7 +18,7 @@ public class SimulationCostTests
     private const long MaxBytesPerTick = 160_000;
 
     [Fact]
-    public void Picture_of_a_street_has_no_more_bytes_than_opencv_makes_of_it()
+    public void Picture_of_a_street_has_few_bytes()
     {
         SimulatedGame game = Warm();
         var picture = new PixelBuffer(new ImageSize(800, 600));

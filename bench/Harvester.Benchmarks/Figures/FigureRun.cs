@@ -12,8 +12,8 @@ using Harvester.Simulation.Settings;
 namespace Harvester.Benchmarks.Figures;
 
 /// <summary>
-/// The figures of docs/performance.md that need no command, one "name value" a line. It leaves a rendered frame and its instance map behind as
-/// PNG files, so that bench/run can measure OpenCV on the same pictures.
+/// The figures of docs/performance.md that need no command, one "name value" a line. It leaves a rendered frame and its instance map behind
+/// as PNG files, so that bench/run can measure OpenCV on the same pictures.
 /// </summary>
 internal static class FigureRun
 {
@@ -82,10 +82,11 @@ internal static class FigureRun
             }
         }
 
-        Say(string.Create(CultureInfo.InvariantCulture, $"boxes{count}.milliseconds"), 1000 * Stopclock.BestSeconds(Project));
+        string name = "boxes" + count.ToString(CultureInfo.InvariantCulture);
+        Say($"{name}.milliseconds", 1000 * Stopclock.BestSeconds(Project));
         long before = GC.GetAllocatedBytesForCurrentThread();
         Project();
-        Say(string.Create(CultureInfo.InvariantCulture, $"boxes{count}.bytes_per_box"), (GC.GetAllocatedBytesForCurrentThread() - before) / (double)count);
+        Say($"{name}.bytes_per_box", (GC.GetAllocatedBytesForCurrentThread() - before) / (double)count);
     }
 
     private static void Rays(SimulatedGame game)
@@ -125,5 +126,6 @@ internal static class FigureRun
     private static Camera Camera() =>
         new(new Pose(Vector3D.Zero, Axes.Identity), new CameraIntrinsics(50, Size, Size.Aspect, 0.15, Lens.Ideal));
 
-    private static void Say(string name, double value) => Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{name} {value:R}"));
+    private static void Say(string name, double value) =>
+        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{name} {value:R}"));
 }

@@ -13,8 +13,11 @@ internal sealed class ZlibWriter : IDisposable
 #if NET
     private readonly ZLibStream _zlib;
 
+    private static readonly ZLibCompressionOptions Runs =
+        new() { CompressionLevel = 1, CompressionStrategy = ZLibCompressionStrategy.RunLengthEncoding };
+
     public ZlibWriter(Stream target, CompressionLevel level) => _zlib = level == CompressionLevel.Fastest
-        ? new ZLibStream(target, new ZLibCompressionOptions { CompressionLevel = 1, CompressionStrategy = ZLibCompressionStrategy.RunLengthEncoding }, leaveOpen: true)
+        ? new ZLibStream(target, Runs, leaveOpen: true)
         : new ZLibStream(target, level, leaveOpen: true);
 
     public void Write(byte[] bytes, int count) => _zlib.Write(bytes, 0, count);
