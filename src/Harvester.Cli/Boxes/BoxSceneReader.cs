@@ -22,10 +22,9 @@ internal static class BoxSceneReader
     /// <exception cref="DatasetFormatException">The file is not such a scene.</exception>
     public static BoxScene Read(FileInfo file)
     {
-        using FileStream stream = file.OpenRead();
         try
         {
-            using JsonDocument document = JsonDocument.Parse(stream);
+            using JsonDocument document = JsonInput.Read(file.FullName);
             return Read(new JsonFields(document.RootElement));
         }
         catch (JsonException e)

@@ -31,6 +31,7 @@ internal static class Application
         + "  2    error on the command line, including an occupied output folder\n"
         + "  3    a file cannot be read or written, or a bridge to another program failed\n"
         + "  4    the simulated game failed, or a calibration or harvest refused its result\n"
+        + "  70   a fault of this program, to be reported; the message names a file with the details\n"
         + "  130  stopped by Ctrl+C (SIGINT); what was written is valid\n"
         + "  143  stopped by SIGTERM; what was written is valid\n\n"
         + "Tab completion for bash, zsh and PowerShell: docs/command-line.md";
@@ -99,6 +100,11 @@ internal static class Application
         catch (OperationCanceledException)
         {
             return Fail(terminal, ExitCode.Cancelled, "Stopped.");
+        }
+        catch (Exception e)
+        {
+            // What nobody thought of is a fault of the program, whatever it is.
+            return Fail(terminal, ExitCode.ProgramFault, FaultReport.Write(e));
         }
     }
 

@@ -71,6 +71,7 @@ internal static class LanesCommand
 
     private static TrafficVehicle[] ReadVehicles(FileInfo? file)
     {
+        const int maxLineCharacters = 1 << 16;
         const double usualLength = 4.5;
         if (file is null)
         {
@@ -78,7 +79,7 @@ internal static class LanesCommand
         }
 
         var vehicles = new List<TrafficVehicle>();
-        foreach ((string line, int index) in File.ReadLines(file.FullName).Select((line, index) => (line, index)))
+        foreach ((string line, int index) in InputFile.ReadLines(file.FullName, maxLineCharacters).Select((line, index) => (line, index)))
         {
             if (line.Trim().Length == 0)
             {

@@ -23,6 +23,9 @@ internal static class ProjectCommand
         + "Example:\n"
         + "  echo 0,10,0 | harvester project --position 0,0,0 --rotation 0,0,0 --fov 50 --size 800x600";
 
+    /// <summary>Three numbers with all their digits have less than a thousandth.</summary>
+    private const int MaxLineCharacters = 1 << 16;
+
     public static Command Create(Terminal terminal)
     {
         Option<Vector3D> position = Required(ValueParsers.Vector("--position", "X,Y,Z", "Position of the camera in the world, metres"));
@@ -53,8 +56,9 @@ internal static class ProjectCommand
                 parsed.GetValue(fov), image, parsed.GetValue(aspect) ?? image.Aspect, parsed.GetValue(near), lens.Parse(parsed)));
 
             FileInfo? file = parsed.GetValue(points);
-            using StreamReader? reader = file?.OpenText();
-            WriteProjections(camera, ReadPoints(reader ?? terminal.In, file?.Name ?? "standard input"), terminal.Out);
+            string source = file?.Name ?? "standard input";
+            using TextReader reader = InputFile.Limited(file is null ? terminal.In : InputFile.OpenText(file.FullName), source, MaxLineCharacters);
+            WriteProjections(camera, ReadPoints(reader, source), terminal.Out);
             return ExitCode.Done;
         });
         return command;

@@ -52,6 +52,11 @@ internal static class ReportCommand
 
                 string picture = parsed.GetValue(output) ?? $"frame-{frame}.png";
                 CheckExtension(picture, ".png");
+                if (reader.Holds(picture))
+                {
+                    throw new UsageException($"--out '{picture}' is a file of the session, and would be replaced. Name another file.");
+                }
+
                 StillWriter.Write(reader, frame, picture);
                 terminal.Out.WriteLine(picture);
                 return ExitCode.Done;
@@ -59,6 +64,11 @@ internal static class ReportCommand
 
             string page = parsed.GetValue(output) ?? Path.Combine(session, ReportWriter.FileName);
             CheckExtension(page, ".html", ".htm");
+            if (reader.Holds(page))
+            {
+                throw new UsageException($"--out '{page}' is a file of the session, and would be replaced. Name another file.");
+            }
+
             var limits = new ReportLimits(parsed.GetValue(frames)) { LinksImages = parsed.GetValue(link) };
             int shown = new ReportWriter(reader, limits).Write(page);
             terminal.Out.WriteLine($"{page}: {Counted.Of(shown, "frame")} shown");

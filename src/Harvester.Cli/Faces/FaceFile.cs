@@ -24,7 +24,7 @@ internal static class FaceFile
     public static FaceTableContent Read(string path)
     {
         string table = TableOf(path);
-        using StreamReader text = File.OpenText(table);
+        using TextReader text = InputFile.OpenText(table);
         FaceTableContent content = FaceTableReader.Read(text);
         return content.Table.Faces.Any() || IsTable(content, table)
             ? content
@@ -66,7 +66,7 @@ internal static class FaceFile
     /// <summary>Whether a file without a good row is a table all the same: one with the header or bad rows, or with remarks alone.</summary>
     private static bool IsTable(FaceTableContent content, string table) => content.Problems switch
     {
-        [] => File.ReadLines(table).Any(line => line.Trim().Length > 0),
+        [] => InputFile.ReadLines(table).Any(line => line.Trim().Length > 0),
         [{ Column: not WholeRow }, ..] => true,
         _ => content.HasHeader,
     };

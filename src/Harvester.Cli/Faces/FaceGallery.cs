@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using Harvester.Datasets.Files;
 using Harvester.Geometry;
 using Harvester.Pages;
 using Harvester.Sessions.Faces;
@@ -32,6 +33,7 @@ internal sealed class FaceGallery
 
         """;
 
+    private readonly EmbeddedPictures _pictures = new();
     private readonly FaceTable _table;
     private readonly string _folder;
     private readonly PhotoFigures _photos;
@@ -45,7 +47,7 @@ internal sealed class FaceGallery
     {
         _table = table;
         _folder = folder;
-        _photos = new PhotoFigures(folder);
+        _photos = new PhotoFigures(folder, _pictures);
         _withFaces = [.. table.Faces.GroupBy(face => face.Hash)];
         _withoutFaces = [.. _photos.Photos.Select(photo => photo.Model).Distinct().Where(model => _table.Of(model).Count == 0)];
     }
@@ -88,10 +90,10 @@ internal sealed class FaceGallery
         StartModel(page, name);
         WriteDrawing(page, faces);
         _photos.Write(page, name, faces);
-        string picture = Path.Combine(_folder, name + ".png");
-        if (File.Exists(picture))
+        string picture = name + ".png";
+        if (InnerPath.IsWithin(_folder, picture) && File.Exists(InnerPath.Of(_folder, picture)))
         {
-            page.Start("img").With("alt", name).WithData("src", "image/png", File.ReadAllBytes(picture)).End();
+            page.Start("img").With("alt", name).WithData("src", "image/png", _pictures.Read(_folder, picture)).End();
         }
 
         page.Start("table");

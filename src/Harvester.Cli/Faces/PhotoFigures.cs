@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Harvester.Datasets.Files;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
@@ -18,13 +19,18 @@ internal sealed class PhotoFigures
     private const double NearClip = 0.05;
     private static readonly ImageSize Shown = new(320, 320);
     private readonly string _folder;
+    private readonly EmbeddedPictures _pictures;
 
     /// <summary>Looks for photographs.</summary>
     /// <param name="folder">The folder of the table.</param>
-    public PhotoFigures(string folder)
+    /// <param name="pictures">Reads them.</param>
+    public PhotoFigures(string folder, EmbeddedPictures pictures)
     {
         _folder = Path.Combine(folder, SurveyPhoto.FolderName);
-        Photos = [.. SurveyPhoto.ReadAll(folder).Where(photo => File.Exists(Path.Combine(_folder, photo.File)))];
+        _pictures = pictures;
+        string table = Path.Combine(folder, SurveyPhoto.TableName);
+        using TextReader text = File.Exists(table) ? InputFile.OpenText(table) : TextReader.Null;
+        Photos = [.. SurveyPhoto.ReadAll(text).Where(photo => InnerPath.IsWithin(_folder, photo.File) && File.Exists(InnerPath.Of(_folder, photo.File)))];
     }
 
     /// <summary>The photographs that are there.</summary>
@@ -37,7 +43,7 @@ internal sealed class PhotoFigures
         {
             page.Start("svg").With("class", "photo").With("width", Shown.Width).With("height", Shown.Height).Element("title", photo.File);
             page.Start("image").With("width", Shown.Width).With("height", Shown.Height);
-            page.WithData("href", "image/png", File.ReadAllBytes(Path.Combine(_folder, photo.File))).End();
+            page.WithData("href", "image/png", _pictures.Read(_folder, photo.File)).End();
             foreach (ModelFace face in faces)
             {
                 WriteEdges(page, photo, face);

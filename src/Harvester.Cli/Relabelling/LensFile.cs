@@ -16,7 +16,7 @@ internal static class LensFile
     /// <exception cref="DatasetFormatException">A value is missing, or none that a lens can have.</exception>
     public static Lens Read(string path)
     {
-        string text = File.ReadAllText(path);
+        string text = InputFile.ReadAllText(path);
         IniFile ini = IniFile.Read(new StringReader(text.Contains(Section, System.StringComparison.OrdinalIgnoreCase) ? text : $"{Section}\n{text}"));
         Lens lens = HarvestSettings.LensOf(ini);
         foreach (KeyValuePair<string, double> value in HarvestSettings.ValuesOf(lens))

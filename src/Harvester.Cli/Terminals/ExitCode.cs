@@ -18,6 +18,9 @@ internal static class ExitCode
     /// <summary>The simulated game failed, or a calibration or harvest refused its result.</summary>
     public const int HarvestFault = 4;
 
+    /// <summary>A fault of this program, to be reported; EX_SOFTWARE of sysexits.h.</summary>
+    public const int ProgramFault = 70;
+
     /// <summary>Stopped by Ctrl+C (SIGINT: 128 + 2); what was written is valid.</summary>
     public const int Cancelled = 130;
 

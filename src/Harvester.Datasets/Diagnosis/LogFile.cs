@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Text.RegularExpressions;
 using Harvester.Datasets.Files;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Diagnosis;
 
@@ -39,6 +40,11 @@ public sealed class LogFile
         _ => "GtaDataHarvester.log",
     };
 
+    /// <summary>The largest log, bytes; a harvest of a day writes less than a tenth.</summary>
+    private const long MaxBytes = 64 << 20;
+
+    private const int MaxLines = 1_000_000;
+
     /// <summary>Reads a log, also while the game still writes it. Its kind shows in its name, which may have additions, else in what it says.</summary>
     /// <param name="path">The file.</param>
     /// <param name="allRuns">Whether earlier runs are kept.</param>
@@ -51,10 +57,14 @@ public sealed class LogFile
         var runs = new List<List<LogLine>> { new() };
         int begun = 0;
         int number = 0;
-        using var file = new StreamReader(new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete));
+        using TextReader file = new LimitedTextReader(new StreamReader(OpenShort(path)), name);
         while (file.ReadLine() is { } text)
         {
-            number++;
+            if (++number > MaxLines)
+            {
+                throw TooLong(path);
+            }
+
             if (RunBegins.IsMatch(text))
             {
                 BeginRun(runs, keepEarlier: allRuns && begun > 0);
@@ -94,6 +104,21 @@ public sealed class LogFile
 
         bool Has(string part) => name.Contains(part, StringComparison.OrdinalIgnoreCase);
     }
+
+    private static FileStream OpenShort(string path)
+    {
+        FileStream file = RegularFile.OpenRead(path, FileShare.ReadWrite | FileShare.Delete);
+        if (file.Length <= MaxBytes)
+        {
+            return file;
+        }
+
+        file.Dispose();
+        throw TooLong(path);
+    }
+
+    private static DatasetFormatException TooLong(string path) =>
+        new(FormattableString.Invariant($"'{path}' is larger than {MaxBytes} bytes or {MaxLines} lines. Keep its last part only."));
 
     private static LogKind? KindByText(string text) =>
         text.Contains("GTA V SCRIPT HOOK", StringComparison.Ordinal) ? LogKind.ScriptHook

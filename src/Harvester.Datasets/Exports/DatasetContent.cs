@@ -26,9 +26,10 @@ internal sealed class DatasetContent(string folder, ExportOptions options)
     /// <summary>The check found frames of a split.</summary>
     public void Found(string split, int frames = 1) => _frames[split] = _frames.GetValueOrDefault(split) + frames;
 
-    public string PathOf(string name) => Path.Combine(folder, name.Replace('/', Path.DirectorySeparatorChar));
+    /// <exception cref="DatasetFormatException">The name leads out of the dataset, or to a pipe or a device.</exception>
+    public string PathOf(string name) => InnerPath.Of(folder, name);
 
-    public bool Has(string name) => File.Exists(PathOf(name));
+    public bool Has(string name) => InnerPath.IsWithin(folder, name) && File.Exists(PathOf(name));
 
     /// <summary>Names of the files right in a folder, in ordinal order; none when there is no such folder.</summary>
     public IReadOnlyList<string> Files(string within) => Sorted(within, Directory.EnumerateFiles);
@@ -51,7 +52,7 @@ internal sealed class DatasetContent(string folder, ExportOptions options)
 
     /// <summary>The lines of a text file with their numbers from 1; none when it is missing.</summary>
     public IEnumerable<(int Number, string Text)> Lines(string name) =>
-        Has(name) ? File.ReadLines(PathOf(name)).Select((text, index) => (index + 1, text)) : [];
+        Has(name) ? InputFile.ReadLines(PathOf(name)).Select((text, index) => (index + 1, text)) : [];
 
     private IReadOnlyList<string> Sorted(string within, Func<string, IEnumerable<string>> list)
     {

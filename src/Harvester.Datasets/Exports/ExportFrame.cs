@@ -122,7 +122,7 @@ public sealed class ExportFrame
     public DatasetFormatException Problem(string message) => new($"{_session.Folder}, frame {Label.Frame}: {message}");
 
     private string PathOf(string name) =>
-        SessionReader.IsWithin(name) ? _session.PathOf(name) : throw Problem($"'{name}' is outside the session.");
+        _session.IsWithin(name) ? _session.PathOf(name) : throw Problem($"'{name}' is outside the session.");
 
     private InstanceMap ReadMask(string path)
     {

@@ -51,7 +51,7 @@ public sealed class FrameOutput
     {
         if (!frame.IsImageConverted)
         {
-            return System.IO.File.ReadAllBytes(frame.ImagePath);
+            return InputFile.ReadAllBytes(frame.ImagePath, InputFile.MaxPictureBytes);
         }
 
         using var bytes = new MemoryStream();

@@ -6,7 +6,10 @@ using System.Threading.Tasks;
 namespace Harvester.Datasets.Files;
 
 /// <summary>A stream that tells how many bytes it has given after each read, so that too many can be refused: against compressed bombs.</summary>
-internal sealed class CountedStream(Stream inner, Action<long> passed) : Stream
+/// <param name="inner">The stream.</param>
+/// <param name="passed">Is told the number of bytes so far.</param>
+/// <param name="limit">Looks at the bytes; null for nobody.</param>
+internal sealed class CountedStream(Stream inner, Action<long> passed, IByteLimit? limit = null) : Stream
 {
     private long _position;
 
@@ -24,9 +27,14 @@ internal sealed class CountedStream(Stream inner, Action<long> passed) : Stream
         set => throw new NotSupportedException();
     }
 
-    public override int Read(byte[] buffer, int offset, int count) => Counted(inner.Read(buffer, offset, count));
+    public override int Read(byte[] buffer, int offset, int count) => Read(buffer.AsSpan(offset, count));
 
-    public override int Read(Span<byte> buffer) => Counted(inner.Read(buffer));
+    public override int Read(Span<byte> buffer)
+    {
+        int read = Counted(inner.Read(buffer));
+        limit?.Pass(buffer[..read]);
+        return read;
+    }
 
     // What is read is a file: waiting for it costs less than handing the read to another thread.
     public override ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellationToken = default) =>

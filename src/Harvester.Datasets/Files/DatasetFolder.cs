@@ -34,10 +34,11 @@ internal sealed class DatasetFolder(string path)
 
     public bool IsBegun => File.Exists(PathOf(PlanFile));
 
-    public string PathOf(string name) => System.IO.Path.Combine(path, name.Replace('/', System.IO.Path.DirectorySeparatorChar));
+    /// <exception cref="DatasetFormatException">The name leads out of the dataset.</exception>
+    public string PathOf(string name) => InnerPath.Of(path, name);
 
     public string ReadPlan() =>
-        IsBegun ? File.ReadAllText(PathOf(PlanFile))
+        IsBegun ? InputFile.ReadAllText(PathOf(PlanFile))
         : throw new DatasetFormatException(IsFinished ? $"'{path}' is a complete dataset, not a shard." : $"'{path}' is not a shard of an export: it has no {PlanFile}.");
 
     /// <summary>Refuses a folder to which an export can write nothing, whatever its plan.</summary>

@@ -6,13 +6,17 @@ namespace Harvester.Datasets.Files;
 /// <summary>The size of a picture as its header declares it.</summary>
 internal static class DeclaredSize
 {
-    /// <summary>More than any screen has, and few enough for one array.</summary>
-    private const long MaxPixelCount = 1 << 29;
+    /// <summary>As many as the largest harvest has, 8192 x 8192: a picture in colour takes 200 MB.</summary>
+    private const long MaxPixelCount = 1 << 26;
 
     /// <summary>Checks a size, pixels.</summary>
     /// <exception cref="DatasetFormatException">A side or the number of pixels is out of range.</exception>
     public static ImageSize Of(long width, long height) =>
+        Problem(width, height) is { } problem ? throw new DatasetFormatException($"its header gives {problem}.") : new ImageSize((int)width, (int)height);
+
+    /// <summary>Why a size, pixels, is none of a picture; null when it is one.</summary>
+    public static string? Problem(long width, long height) =>
         width is >= 1 and <= ushort.MaxValue && height is >= 1 and <= ushort.MaxValue && width * height <= MaxPixelCount
-            ? new ImageSize((int)width, (int)height)
-            : throw new DatasetFormatException(FormattableString.Invariant($"its header gives the impossible size {width} x {height}."));
+            ? null
+            : FormattableString.Invariant($"the impossible size {width} x {height}");
 }

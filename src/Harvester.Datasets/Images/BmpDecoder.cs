@@ -21,7 +21,7 @@ public static class BmpDecoder
     public static PixelBuffer ReadRgb(string path)
     {
         var picture = new PixelBuffer(ImageHeader.Read(path).Size);
-        byte[] file = File.ReadAllBytes(path);
+        byte[] file = InputFile.ReadAllBytes(path, InputFile.MaxPictureBytes);
         if (file.Length < HeaderLength
             || BinaryPrimitives.ReadUInt16LittleEndian(file.AsSpan(BitsAt)) != 24
             || BinaryPrimitives.ReadInt32LittleEndian(file.AsSpan(CompressionAt)) != 0)

@@ -39,7 +39,7 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
     /// <exception cref="IOException">It cannot be read.</exception>
     public static ImageHeader Read(string path)
     {
-        using FileStream file = File.OpenRead(path);
+        using FileStream file = InputFile.OpenRead(path);
         return Read(file);
     }
 

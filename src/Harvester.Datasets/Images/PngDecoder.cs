@@ -13,7 +13,8 @@ namespace Harvester.Datasets.Images;
 public static class PngDecoder
 {
     private const int SignatureLength = 8;
-    private const int ChunkFrameLength = 12;
+    private const int HeaderLength = 33;
+    private const int BitDepthAt = 24;
     private const byte ColourTypeGrey = 0;
     private const byte ColourTypeRgb = 2;
     private const int BytesPerGreyPixel = 2;
@@ -65,40 +66,24 @@ public static class PngDecoder
 
     private static void Read(string path, byte bitDepth, byte colourType, string kind, ImageSize size, int bytesPerPixel, byte[] pixels)
     {
-        byte[] file = File.ReadAllBytes(path);
-        const int bitDepthAt = 24;
-        if (file[bitDepthAt] != bitDepth || file[bitDepthAt + 1] != colourType || file[bitDepthAt + 4] != 0)
+        using FileStream file = InputFile.OpenRead(path);
+        Span<byte> header = stackalloc byte[HeaderLength];
+        file.ReadExactly(header);
+        if (header[BitDepthAt] != bitDepth || header[BitDepthAt + 1] != colourType || header[BitDepthAt + 4] != 0)
         {
             throw new DatasetFormatException($"it is not {kind} PNG without interlace.");
         }
 
+        file.Position = SignatureLength;
         try
         {
-            using var rows = new ZLibStream(CompressedData(file), CompressionMode.Decompress);
+            using var rows = new ZLibStream(new PngData(file), CompressionMode.Decompress);
             ReadRows(rows, pixels, size, bytesPerPixel);
         }
-        catch (Exception e) when (e is InvalidDataException or EndOfStreamException or ArgumentOutOfRangeException)
+        catch (Exception e) when (e is InvalidDataException or EndOfStreamException)
         {
             throw new DatasetFormatException("its pixels are damaged.", e);
         }
-    }
-
-    private static MemoryStream CompressedData(byte[] file)
-    {
-        var data = new MemoryStream();
-        for (int at = SignatureLength; at + ChunkFrameLength <= file.Length;)
-        {
-            int length = BinaryPrimitives.ReadInt32BigEndian(file.AsSpan(at));
-            if (file.AsSpan(at + 4, 4).SequenceEqual("IDAT"u8))
-            {
-                data.Write(file.AsSpan(at + 8, length));
-            }
-
-            at = checked(at + length + ChunkFrameLength);
-        }
-
-        data.Position = 0;
-        return data;
     }
 
     private static void ReadRows(ZLibStream rows, byte[] pixels, ImageSize size, int bytesPerPixel)

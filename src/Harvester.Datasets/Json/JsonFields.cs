@@ -10,6 +10,9 @@ namespace Harvester.Datasets.Json;
 /// <summary>An object of a JSON text whose fields are read by name. Every error names the field by its path, as camera.position.</summary>
 public readonly struct JsonFields
 {
+    /// <summary>No length, time or angle of a session is as large, and sums and products of smaller ones stay numbers.</summary>
+    private const double MaxMagnitude = 1e12;
+
     private readonly JsonElement _element;
     private readonly string _path;
 
@@ -36,11 +39,11 @@ public readonly struct JsonFields
     /// <summary>The names of all fields, in their order.</summary>
     public IEnumerable<string> Names => _element.EnumerateObject().Select(static member => member.Name);
 
-    /// <summary>A finite number.</summary>
+    /// <summary>A number of at most 1e12, above or below zero.</summary>
     public double Number(string name)
     {
         JsonElement field = Field(name);
-        return IsFinite(field, out double value) ? value : throw Wrong(Path(name), "a finite number", field);
+        return IsFinite(field, out double value) ? value : throw Wrong(Path(name), "a finite number, 1e12 at most", field);
     }
 
     /// <summary>A finite number, or null when the field is absent or null.</summary>
@@ -227,7 +230,7 @@ public readonly struct JsonFields
         {
             if (!IsFinite(item, out numbers[index]))
             {
-                throw Wrong(Place(name, [.. places, index]), "a finite number", item);
+                throw Wrong(Place(name, [.. places, index]), "a finite number, 1e12 at most", item);
             }
 
             index++;
@@ -239,7 +242,7 @@ public readonly struct JsonFields
     private static bool IsFinite(JsonElement field, out double value)
     {
         value = 0;
-        return field.ValueKind == JsonValueKind.Number && field.TryGetDouble(out value) && double.IsFinite(value);
+        return field.ValueKind == JsonValueKind.Number && field.TryGetDouble(out value) && Math.Abs(value) <= MaxMagnitude;
     }
 
     private bool BooleanOf(JsonElement field, string name, params ReadOnlySpan<int> places) =>

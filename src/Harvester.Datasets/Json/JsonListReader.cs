@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Text.Json;
+using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Json;
 
@@ -22,7 +23,7 @@ internal sealed class JsonListReader : IDisposable
     private int _line = 1;
     private JsonReaderState _state;
 
-    public JsonListReader(string path) => _file = File.OpenRead(path);
+    public JsonListReader(string path) => _file = InputFile.OpenRead(path);
 
     /// <summary>Name of the list that the element is in.</summary>
     public string List { get; private set; } = "";
@@ -79,7 +80,7 @@ internal sealed class JsonListReader : IDisposable
                 int begin = (int)before.BytesConsumed;
                 ReadOnlyMemory<byte> text = _buffer.AsMemory(_start + begin, (int)reader.BytesConsumed - begin);
                 Line = _line + text.Span[..LeadingBytes(text.Span)].Count((byte)'\n') + _buffer.AsSpan(_start, begin).Count((byte)'\n');
-                using JsonDocument document = JsonDocument.Parse(text[LeadingBytes(text.Span)..]);
+                using JsonDocument document = JsonInput.Parse(text[LeadingBytes(text.Span)..]);
                 Element = document.RootElement.Clone();
                 Advance(reader);
                 return true;
@@ -111,6 +112,11 @@ internal sealed class JsonListReader : IDisposable
         _start = 0;
         if (_end == _buffer.Length)
         {
+            if (_buffer.Length >= InputFile.MaxDocumentBytes)
+            {
+                throw new DatasetFormatException(FormattableString.Invariant($"an element or a text of it has more than {InputFile.MaxDocumentBytes} bytes; none has."));
+            }
+
             Array.Resize(ref _buffer, _buffer.Length * 2);
         }
 

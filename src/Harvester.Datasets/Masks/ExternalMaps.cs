@@ -27,7 +27,7 @@ internal sealed class ExternalMaps
         foreach (string file in Directory.EnumerateFiles(folder, "*.png"))
         {
             if (int.TryParse(Path.GetFileNameWithoutExtension(file), NumberStyles.None, CultureInfo.InvariantCulture, out int frame)
-                && !_files.TryAdd(frame, file))
+                && !_files.TryAdd(frame, InnerPath.Of(folder, Path.GetFileName(file))))
             {
                 throw new DatasetFormatException($"'{file}' and '{_files[frame]}' are both masks of frame {frame}; remove one.");
             }

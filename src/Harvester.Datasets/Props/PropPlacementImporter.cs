@@ -11,16 +11,18 @@ namespace Harvester.Datasets.Props;
 /// <summary>Reads lists of props as the public dumps have them: objects with Name, Position and Rotation (X, Y, Z in degrees).</summary>
 public static class PropPlacementImporter
 {
+    /// <summary>The largest list, bytes; the public dump of all props of one kind has less than a tenth.</summary>
+    private const int MaxBytes = 32 << 20;
+
     /// <summary>Reads a list of props.</summary>
     /// <exception cref="DatasetFormatException">The file is no such list; the message names the place.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
     public static IReadOnlyList<PropPlacement> Import(string path)
     {
-        using FileStream stream = File.OpenRead(path);
         string file = Path.GetFileName(path);
         try
         {
-            using JsonDocument document = JsonDocument.Parse(stream);
+            using JsonDocument document = JsonInput.Parse(InputFile.ReadAllBytes(path, MaxBytes));
             return Read(document.RootElement, file);
         }
         catch (JsonException e)

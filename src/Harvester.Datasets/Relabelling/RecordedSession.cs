@@ -62,10 +62,10 @@ internal sealed class RecordedSession
             throw new DatasetFormatException($"'{session.Folder}' is shard {shard} of a session. Merge the shards first, then relabel the merged session.");
         }
 
-        using JsonDocument document = JsonDocument.Parse(File.ReadAllBytes(session.PathOf(SessionInfo.FileName)));
+        using JsonDocument document = JsonInput.Read(session.PathOf(SessionInfo.FileName));
         var header = new JsonFields(document.RootElement);
         JsonFields options = header.Fields("options");
-        string[] classes = [.. document.RootElement.GetProperty("classes").EnumerateArray().Select(name => name.ToString())];
+        string[] classes = header.Texts("classes");
         return new RecordedSession(
             session,
             options.Checked(() => new HarvestOptions

@@ -183,17 +183,12 @@ public sealed class SessionRelabeller
 
     private void Place(string folder, string name)
     {
-        if (!SessionReader.IsWithin(name))
-        {
-            throw new DatasetFormatException($"'{name}' is outside the session.");
-        }
-
         FileTransfer.Place(Prepare(folder, name), _recorded.Session.PathOf(name), _changes.Images);
     }
 
     private static string Prepare(string folder, string name)
     {
-        string target = Path.Combine(folder, name.Replace('/', Path.DirectorySeparatorChar));
+        string target = InnerPath.Of(folder, name);
         Directory.CreateDirectory(Path.GetDirectoryName(target)!);
         return target;
     }

@@ -101,7 +101,7 @@ public sealed class ReportWriter
         }
         else
         {
-            page.With("data-type", ImageHeader.Read(path).MediaType).Base64(File.ReadAllBytes(path));
+            page.With("data-type", ImageHeader.Read(path).MediaType).Base64(InputFile.ReadAllBytes(path, InputFile.MaxPictureBytes));
         }
 
         page.End().NewLine();

@@ -1,6 +1,5 @@
 using System;
 using System.IO;
-using System.Text;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads.Sources;
 using Harvester.Sessions.Roads;
@@ -12,7 +11,7 @@ internal static class CsvImporter
 {
     public static RoadImport Import(RoadSource source)
     {
-        using var reader = new StreamReader(source.Open(), Encoding.UTF8);
+        using TextReader reader = source.OpenText();
         try
         {
             return new RoadImport(RoadCsvReader.Read(reader), "csv of the harvester", []);

@@ -47,7 +47,7 @@ public static class RoadImporter
     {
         if (Directory.Exists(path))
         {
-            return Import(path, lanesIn, [.. Directory.EnumerateFiles(path).Order(StringComparer.Ordinal).Select(FileSource)]);
+            return Import(path, lanesIn, [.. Directory.EnumerateFiles(path).Order(StringComparer.Ordinal).Select(file => InnerPath.Of(path, Path.GetFileName(file))).Select(FileSource)]);
         }
 
         if (!IsZip(path))
@@ -55,10 +55,10 @@ public static class RoadImporter
             return Import(path, lanesIn, [FileSource(path)]);
         }
 
-        using ZipArchive archive = ZipFile.OpenRead(path);
+        using var archive = new ZipArchive(InputFile.OpenRead(path));
         return Import(path, lanesIn, [.. archive.Entries.Where(entry => entry.Length > 0).OrderBy(entry => entry.FullName, StringComparer.Ordinal).Select(EntrySource)]);
 
-        RoadSource FileSource(string file) => new(Path.GetFileName(file), allowance, () => File.OpenRead(file));
+        RoadSource FileSource(string file) => new(Path.GetFileName(file), allowance, () => InputFile.OpenRead(file));
 
         RoadSource EntrySource(ZipArchiveEntry entry) => new(entry.FullName, allowance, entry.Open);
     }
@@ -94,7 +94,7 @@ public static class RoadImporter
     private static bool IsZip(string path)
     {
         byte[] magic = new byte[4];
-        using FileStream stream = File.OpenRead(path);
+        using FileStream stream = InputFile.OpenRead(path);
         return stream.ReadAtLeast(magic, magic.Length, throwOnEndOfStream: false) == magic.Length && magic is [(byte)'P', (byte)'K', 3, 4];
     }
 }

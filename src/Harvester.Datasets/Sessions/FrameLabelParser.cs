@@ -6,6 +6,7 @@ using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Geometry.Boxes;
+using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Labels;
@@ -21,7 +22,7 @@ public static class FrameLabelParser
     {
         try
         {
-            using JsonDocument document = JsonDocument.Parse(line);
+            using JsonDocument document = JsonInput.Parse(line);
             return ReadFrame(new JsonFields(document.RootElement));
         }
         catch (JsonException e)
@@ -59,11 +60,12 @@ public static class FrameLabelParser
     private static CameraLabel ReadCamera(JsonFields camera)
     {
         JsonFields lens = camera.Fields("distortion");
+        ImageSize size = SizeOf(camera);
         return new CameraLabel(
             new Pose(camera.Vector("position"), camera.Axes()),
             camera.Number("verticalFovDegrees"),
-            camera.Integer("width"),
-            camera.Integer("height"),
+            size.Width,
+            size.Height,
             camera.Number("windowAspect"),
             camera.Number("nearClip"),
             camera.Number("fx"),
@@ -71,6 +73,13 @@ public static class FrameLabelParser
             camera.Number("cx"),
             camera.Number("cy"),
             new DistortionLabel(lens.Number("focalScale"), lens.Number("k1"), lens.Number("k2")));
+    }
+
+    private static ImageSize SizeOf(JsonFields camera)
+    {
+        int width = camera.Integer("width");
+        int height = camera.Integer("height");
+        return DeclaredSize.Problem(width, height) is { } problem ? throw new DatasetFormatException($"camera has {problem}.") : new ImageSize(width, height);
     }
 
     private static EgoLabel ReadEgo(JsonFields ego) =>

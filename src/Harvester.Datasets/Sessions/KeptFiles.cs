@@ -23,7 +23,7 @@ internal static class KeptFiles
 
         try
         {
-            using StreamReader text = File.OpenText(path);
+            using TextReader text = InputFile.OpenText(path);
             return RoadCsvReader.Read(text);
         }
         catch (FormatException e)
@@ -42,7 +42,7 @@ internal static class KeptFiles
             return null;
         }
 
-        using StreamReader text = File.OpenText(path);
+        using TextReader text = InputFile.OpenText(path);
         FaceTableContent content = FaceTableReader.Read(text);
         return content.Problems.Count == 0 ? content.Table : throw new DatasetFormatException(content.Problems[0].ToString());
     }

@@ -21,7 +21,7 @@ internal static class SceneParser
     {
         try
         {
-            using JsonDocument document = JsonDocument.Parse(File.ReadAllBytes(path));
+            using JsonDocument document = JsonInput.Read(path);
             return Parse(new JsonFields(document.RootElement), label);
         }
         catch (JsonException e)
@@ -48,8 +48,7 @@ internal static class SceneParser
             },
             [.. entities.Select(EntityOf)],
             label.Environment);
-        Dictionary<int, int> ids = entities.Where(entity => entity.Has("id"))
-            .ToDictionary(entity => entity.Integer("handle"), entity => entity.Integer("id"));
+        Dictionary<int, int> ids = IdsOf(entities);
         RecordedOcclusion[] occlusions = [.. scene.List("occlusions").Select(OcclusionOf)];
         HashSet<int> handles = [.. snapshot.Entities.Select(entity => entity.Handle)];
         return occlusions.FirstOrDefault(found => !handles.Contains(found.Handle)) is { } stray
@@ -64,6 +63,27 @@ internal static class SceneParser
                 // Scenes of earlier versions have none.
                 Distant = scene.Has("distant") ? [.. scene.List("distant").Select(DistantOf)] : [],
             };
+    }
+
+    private static Dictionary<int, int> IdsOf(IReadOnlyList<JsonFields> entities)
+    {
+        var handles = new HashSet<int>();
+        var ids = new Dictionary<int, int>();
+        foreach (JsonFields entity in entities)
+        {
+            int handle = entity.Integer("handle");
+            if (!handles.Add(handle))
+            {
+                throw new DatasetFormatException($"entities: two have the handle {handle}.");
+            }
+
+            if (entity.Has("id"))
+            {
+                ids.Add(handle, entity.Integer("id"));
+            }
+        }
+
+        return ids;
     }
 
     private static EntityState EntityOf(JsonFields entity) => new(

@@ -30,7 +30,7 @@ internal sealed class SessionHeader
     /// <exception cref="DatasetFormatException">The text is no shard.</exception>
     public Shard? Shard
     {
-        get => Json[Settings]?[ShardKey] is { } text
+        get => (Json[Settings] as JsonObject)?[ShardKey] is { } text
             ? ShardText.Parse(text.ToString()) ?? throw new DatasetFormatException($"{SessionInfo.FileName}: settings.shard must be a shard such as 1/8, not '{text}'.")
             : null;
         set
@@ -49,7 +49,7 @@ internal sealed class SessionHeader
     public static SessionHeader Read(SessionReader session)
     {
         session.ReadInfo();
-        return new SessionHeader(JsonNode.Parse(File.ReadAllBytes(session.PathOf(SessionInfo.FileName)))!.AsObject());
+        return new SessionHeader(JsonNode.Parse(InputFile.ReadAllBytes(session.PathOf(SessionInfo.FileName)))!.AsObject());
     }
 
     /// <summary>Writes it into a folder.</summary>

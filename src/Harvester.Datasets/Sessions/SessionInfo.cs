@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using System.IO;
 using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Files;
@@ -40,7 +39,7 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
     {
         try
         {
-            using JsonDocument document = JsonDocument.Parse(File.ReadAllBytes(path));
+            using JsonDocument document = JsonInput.Read(path);
             return Read(new JsonFields(document.RootElement));
         }
         catch (JsonException e)
@@ -67,6 +66,13 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
     private static KeyValuePair<string, int>[] DiscardsOf(JsonFields discards) =>
         [.. discards.Names.Select(reason => KeyValuePair.Create(reason, discards.Integer(reason)))];
 
+    private static ImageSize SizeOf(JsonFields image)
+    {
+        int width = image.Integer("width");
+        int height = image.Integer("height");
+        return DeclaredSize.Problem(width, height) is { } problem ? throw new DatasetFormatException($"image has {problem}.") : new ImageSize(width, height);
+    }
+
     private static SessionInfo Read(JsonFields session)
     {
         int version = session.Integer("formatVersion");
@@ -79,7 +85,7 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
         return new SessionInfo(
             session.Text("game"),
             session.Has("seed") ? session.LongInteger("seed") : null,
-            image.Checked(() => new ImageSize(image.Integer("width"), image.Integer("height"))),
+            SizeOf(image),
             session.Has("counters") ? session.Fields("counters").Integer("captured") : null,
             session.OptionalText("fault"))
         {

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Harvester.Datasets.Files;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Sessions;
@@ -44,7 +45,7 @@ public sealed class SessionReader
                 return false;
             }
 
-            using FileStream file = File.OpenRead(path);
+            using FileStream file = InputFile.OpenRead(path);
             if (file.Length == 0)
             {
                 return false;
@@ -55,12 +56,23 @@ public sealed class SessionReader
         }
     }
 
-    /// <summary>Whether a name that a label gives for a file stays within the session.</summary>
-    public static bool IsWithin(string name) => !Path.IsPathRooted(name) && !name.Split('/', '\\').Contains("..", StringComparer.Ordinal);
+    /// <summary>Whether a name that a label gives for a file stays within the session, with all links resolved.</summary>
+    public bool IsWithin(string name) => InnerPath.IsWithin(Folder, name);
 
     /// <summary>Where a file of the session lies.</summary>
     /// <param name="name">Its path within the session, with forward slashes.</param>
-    public string PathOf(string name) => Path.Combine(Folder, name.Replace('/', Path.DirectorySeparatorChar));
+    /// <exception cref="DatasetFormatException">The name leads out of the session, or to a pipe or a device.</exception>
+    public string PathOf(string name) => InnerPath.Of(Folder, name);
+
+    /// <summary>Whether a path is that of a file of the session: one with a name of its own, one in its folders, or one that a label names.</summary>
+    /// <param name="path">The path; links are resolved.</param>
+    public bool Holds(string path)
+    {
+        string name = Path.GetRelativePath(InnerPath.Resolve(Folder), InnerPath.Resolve(path)).Replace('\\', '/');
+        return name is SessionInfo.FileName or LabelsFile
+            || ((string[])[FramePaths.Frames, FramePaths.Masks, FramePaths.Scenes]).Contains(name.Split('/')[0], StringComparer.OrdinalIgnoreCase)
+            || (InnerPath.IsWithin(Folder, name) && ReadLines().Any(line => line.Label is { } label && (label.Image == name || label.Mask == name)));
+    }
 
     /// <summary>Reads session.json.</summary>
     /// <exception cref="DatasetFormatException">It is not what its format asks for; the message names file and field.</exception>
@@ -83,7 +95,9 @@ public sealed class SessionReader
     /// <summary>The labels with the text that they were read from, in the order of the file.</summary>
     /// <exception cref="DatasetFormatException">A line cannot be read; the message names file, line and field.</exception>
     public IEnumerable<LabelLine> ReadGoodLines() => ReadLines().Select(line =>
-        line.Label is not null ? line : throw new DatasetFormatException($"{PathOf(LabelsFile)}, line {line.Number}: {line.Problem}"));
+        (line.Problem ?? IdProblem(line.Label!)) is { } problem
+            ? throw new DatasetFormatException($"{PathOf(LabelsFile)}, line {line.Number}: {problem}")
+            : line);
 
     /// <summary>The lines of labels, those that cannot be read included; none when not one frame was written.</summary>
     public IEnumerable<LabelLine> ReadLines() => ReadTexts().Select((line, index) => ReadLine(index + 1, line));
@@ -95,7 +109,16 @@ public sealed class SessionReader
     internal IEnumerable<string> ReadTexts()
     {
         string path = PathOf(LabelsFile);
-        return !File.Exists(path) ? [] : HasUnfinishedLine ? File.ReadLines(path).SkipLast(1) : File.ReadLines(path);
+        return !File.Exists(path) ? [] : HasUnfinishedLine ? InputFile.ReadLines(path).SkipLast(1) : InputFile.ReadLines(path);
+    }
+
+    /// <summary>Objects are looked up by their ids, which are the numbers in masks.</summary>
+    private static string? IdProblem(FrameLabel label)
+    {
+        var seen = new HashSet<int>();
+        return label.Objects.FirstOrDefault(item => item.Id is < 1 or > ushort.MaxValue || !seen.Add(item.Id)) is not { } item ? null
+            : seen.Contains(item.Id) ? $"two objects have the id {item.Id}."
+            : $"an object has the id {item.Id}; ids are 1 to {ushort.MaxValue}.";
     }
 
     private static LabelLine ReadLine(int number, string line)

@@ -6,6 +6,7 @@ using System.Linq;
 using System.Text;
 using System.Text.Json;
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
 
@@ -69,7 +70,7 @@ public static class SessionMerger
 
     private static void Place(string folder, string name, SessionReader source, ImageTransfer transfer)
     {
-        string target = Path.Combine(folder, name);
+        string target = InnerPath.Of(folder, name);
         Directory.CreateDirectory(Path.GetDirectoryName(target)!);
         FileTransfer.Place(target, source.PathOf(name), transfer);
     }
@@ -122,9 +123,19 @@ public static class SessionMerger
 
     private static IEnumerable<string> FilesOf(string line, int frame, SessionReader source)
     {
-        using JsonDocument label = JsonDocument.Parse(line);
-        string?[] names = [label.RootElement.GetProperty("image").GetString(), label.RootElement.GetProperty("mask").GetString()];
-        return names.OfType<string>().FirstOrDefault(name => !SessionReader.IsWithin(name)) is { } outside
+        string?[] names;
+        try
+        {
+            using JsonDocument label = JsonInput.Parse(line);
+            var fields = new JsonFields(label.RootElement);
+            names = [fields.Text("image"), fields.OptionalText("mask")];
+        }
+        catch (Exception e) when (e is JsonException or DatasetFormatException)
+        {
+            throw new DatasetFormatException($"'{source.Folder}', frame {frame}: the label is damaged. Run 'harvester validate'.", e);
+        }
+
+        return names.OfType<string>().FirstOrDefault(name => !source.IsWithin(name)) is { } outside
             ? throw new DatasetFormatException($"'{source.Folder}', frame {frame}: '{outside}' is outside the session.")
             : names.OfType<string>();
     }

@@ -10,6 +10,8 @@ namespace Harvester.Datasets.Sharding;
 /// <typeparam name="T">What is known of a shard.</typeparam>
 internal sealed class ShardSet<T>
 {
+    private const int MaxNamedShards = 100;
+
     private readonly SortedDictionary<int, T> _found = [];
     private int _count;
 
@@ -33,13 +35,16 @@ internal sealed class ShardSet<T>
     /// <exception cref="DatasetFormatException">Some are missing.</exception>
     public IReadOnlyList<T> Complete()
     {
-        int[] missing = [.. Enumerable.Range(1, _count).Where(number => !_found.ContainsKey(number))];
-        return missing.Length == 0
-            ? [.. _found.Values]
-            : throw new DatasetFormatException(MissingText(missing));
+        int[] missing = [.. Enumerable.Range(1, _count).Where(number => !_found.ContainsKey(number)).Take(MaxNamedShards + 1)];
+        return missing.Length == 0 ? [.. _found.Values] : throw new DatasetFormatException(MissingText(missing));
     }
 
-    private static string MissingText(int[] missing) => missing.Length == 1
-        ? FormattableString.Invariant($"Shard {missing[0]} is missing; run it, and name its folder too.")
-        : FormattableString.Invariant($"Shards {string.Join(", ", missing[..^1])} and {missing[^1]} are missing; run them, and name their folders too.");
+    private static string MissingText(int[] missing) => missing.Length switch
+    {
+        1 => FormattableString.Invariant($"Shard {missing[0]} is missing; run it, and name its folder too."),
+        > MaxNamedShards => FormattableString.Invariant(
+            $"Shards {string.Join(", ", missing[..^1])} and others are missing; run them, and name their folders too."),
+        _ => FormattableString.Invariant(
+            $"Shards {string.Join(", ", missing[..^1])} and {missing[^1]} are missing; run them, and name their folders too."),
+    };
 }

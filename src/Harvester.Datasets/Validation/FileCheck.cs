@@ -47,7 +47,7 @@ internal sealed class FileCheck
 
     private string? Problem(string field, string name, CameraLabel camera, int? bitsPerPixel)
     {
-        if (!SessionReader.IsWithin(name))
+        if (!_session.IsWithin(name))
         {
             return $"{field} '{name}' points out of the session.";
         }

@@ -3,6 +3,7 @@ using System.Diagnostics;
 using System.Diagnostics.CodeAnalysis;
 using System.IO;
 using System.Text;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Driving.Bridge;
 
@@ -78,7 +79,7 @@ internal sealed class WatchedFile(string path)
         fault = null;
         try
         {
-            using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
+            using FileStream file = RegularFile.OpenRead(path, FileShare.ReadWrite | FileShare.Delete);
             byte[] bytes = new byte[MaxBytes + 1];
             int length = 0;
             for (int read = -1; read != 0; length += read)

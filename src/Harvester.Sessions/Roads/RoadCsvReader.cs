@@ -14,6 +14,9 @@ public sealed class RoadCsvReader
     private const int MaxLanes = 7;
     private const int MaxDensity = 15;
 
+    /// <summary>The game has less than a tenth as many nodes and links, and edges of roads.</summary>
+    private const int MaxRows = 1_000_000;
+
     /// <summary>No coordinate of the game's world is as large, metres; larger ones would not survive being written again.</summary>
     private const double MaxCoordinate = 100_000;
 
@@ -52,6 +55,7 @@ public sealed class RoadCsvReader
             else if (line.Length > 0 && line[0] != '#')
             {
                 Require(!_ended, "nothing may follow the line that begins with end.");
+                Require(Math.Max(_nodes.Count, Math.Max(_links.Count, _edges.Count / 4)) < MaxRows, FormattableString.Invariant($"more than {MaxRows} nodes or links; no road network of the game has so many."));
                 ReadRow(CsvFields.Split(line) ?? throw Wrong(CsvFields.Problem));
             }
         }

@@ -4,6 +4,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using Harvester.Geometry;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Surveys.Faces;
@@ -31,7 +32,28 @@ public sealed record SurveyPhoto(string File, string Model, Pose Camera, double 
     public static IReadOnlyList<SurveyPhoto> ReadAll(string folder)
     {
         string table = Path.Combine(folder, TableName);
-        return System.IO.File.Exists(table) ? [.. System.IO.File.ReadAllLines(table).Select(Parse).OfType<SurveyPhoto>()] : [];
+        if (!System.IO.File.Exists(table))
+        {
+            return [];
+        }
+
+        using var text = new StreamReader(RegularFile.OpenRead(table));
+        return ReadAll(text);
+    }
+
+    /// <summary>The same, of an open table.</summary>
+    public static IReadOnlyList<SurveyPhoto> ReadAll(TextReader table)
+    {
+        var photos = new List<SurveyPhoto>();
+        while (table.ReadLine() is { } line)
+        {
+            if (Parse(line) is { } photo)
+            {
+                photos.Add(photo);
+            }
+        }
+
+        return photos;
     }
 
     /// <summary>Writes the table of photographs, ordered by their files.</summary>

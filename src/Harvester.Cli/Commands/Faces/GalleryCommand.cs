@@ -1,8 +1,12 @@
+using System;
 using System.CommandLine;
 using System.IO;
+using System.Linq;
 using Harvester.Cli.Faces;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
+using Harvester.Surveys.Faces;
 
 namespace Harvester.Cli.Commands.Faces;
 
@@ -22,11 +26,27 @@ internal static class GalleryCommand
             string table = FaceFile.TableOf(given);
             string folder = Path.GetDirectoryName(Path.GetFullPath(table))!;
             string page = parsed.GetValue(output) ?? (Directory.Exists(given) ? Path.Combine(folder, FileName) : FileName);
+            if (IsInput(page, table))
+            {
+                throw new UsageException($"--out '{page}' is the table or one of its pictures, and would be replaced. Name another file.");
+            }
+
             var gallery = new FaceGallery(FaceFile.ReadGood(table, terminal.WriteError), folder);
             AtomicFile.Write(page, gallery.Write);
             terminal.Out.WriteLine($"{page}: {Counted.Of(gallery.Models, "model")} shown");
             return ExitCode.Done;
         });
         return command;
+    }
+
+    /// <summary>Whether a file is the table, or lies where its photographs do.</summary>
+    private static bool IsInput(string page, string table)
+    {
+        string folder = InnerPath.Resolve(Path.GetDirectoryName(Path.GetFullPath(table))!);
+        string target = InnerPath.Resolve(page);
+        string[] inputs = [InnerPath.Resolve(table), Path.Combine(folder, SurveyPhoto.TableName)];
+        return inputs.Contains(target, StringComparer.OrdinalIgnoreCase)
+            || Path.GetDirectoryName(target) == InnerPath.Resolve(Path.Combine(folder, SurveyPhoto.FolderName))
+            || (Path.GetDirectoryName(target) == folder && Path.GetExtension(target).Equals(".png", StringComparison.OrdinalIgnoreCase));
     }
 }

@@ -30,7 +30,9 @@ internal static class DatasetAssembly
             }
             else
             {
-                splits[entry.Split]++;
+                splits[entry.Split] = splits.TryGetValue(entry.Split, out int frames)
+                    ? frames + 1
+                    : throw new DatasetFormatException($"'{folder.Path}': frame {entry.Frame} is in the split '{entry.Split}', which the export does not have. Begin the export anew.");
             }
 
             labels += entry.Labels;
@@ -57,27 +59,43 @@ internal static class DatasetAssembly
     /// <summary>The plan of a finished dataset.</summary>
     public static string PlanOf(DatasetFolder folder)
     {
-        using JsonDocument manifest = JsonDocument.Parse(File.ReadAllBytes(folder.PathOf(DatasetFolder.Manifest)));
-        return manifest.RootElement.GetProperty("plan").GetRawText();
+        using JsonDocument manifest = ReadManifest(folder);
+        return PlanIn(manifest);
     }
 
     /// <summary>What a finished dataset says of itself.</summary>
     public static ExportResult ResultOf(DatasetFolder folder)
     {
-        using JsonDocument manifest = JsonDocument.Parse(File.ReadAllBytes(folder.PathOf(DatasetFolder.Manifest)));
+        using JsonDocument manifest = ReadManifest(folder);
         var fields = new JsonFields(manifest.RootElement);
-        (DatasetFormat format, _) = ExportPlan.Parse(manifest.RootElement.GetProperty("plan").GetRawText());
-        IEnumerable<KeyValuePair<string, int>> splits =
-            manifest.RootElement.GetProperty("framesOfSplits").EnumerateObject().Select(split => KeyValuePair.Create(split.Name, split.Value.GetInt32()));
+        (DatasetFormat format, _) = ExportPlan.Parse(PlanIn(manifest));
+        JsonFields splits = fields.Fields("framesOfSplits");
         return new ExportResult(format, fields.Integer("frames"), IsFinished: true)
         {
             FramesLeftOut = fields.Integer("framesLeftOut"),
             Labels = fields.Integer("labels"),
             Objects = fields.Integer("objects"),
             Ignored = fields.Integer("ignored"),
-            FramesOfSplits = new Dictionary<string, int>(splits),
+            FramesOfSplits = splits.Names.ToDictionary(split => split, splits.Integer),
         };
     }
+
+    private static JsonDocument ReadManifest(DatasetFolder folder)
+    {
+        try
+        {
+            return JsonInput.Read(folder.PathOf(DatasetFolder.Manifest));
+        }
+        catch (JsonException e)
+        {
+            throw new DatasetFormatException($"'{folder.Path}': {DatasetFolder.Manifest} is not JSON, line {e.LineNumber + 1}.", e);
+        }
+    }
+
+    internal static string PlanIn(JsonDocument manifest) =>
+        manifest.RootElement.ValueKind == JsonValueKind.Object && manifest.RootElement.TryGetProperty("plan", out JsonElement plan)
+            ? plan.GetRawText()
+            : throw new DatasetFormatException($"{DatasetFolder.Manifest} has no plan.");
 
     /// <summary>The entries of all journals by rising number; each journal is in order already.</summary>
     private static IEnumerable<JournalEntry> InOrder(IReadOnlyList<string> journals)
@@ -122,7 +140,7 @@ internal static class DatasetAssembly
                 if (section.AreFiles)
                 {
                     writer.Flush();
-                    using FileStream staged = File.OpenRead(folder.PathOf(part));
+                    using FileStream staged = InputFile.OpenRead(folder.PathOf(part));
                     staged.CopyTo(stream);
                 }
                 else

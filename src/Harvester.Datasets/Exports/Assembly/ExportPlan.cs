@@ -37,7 +37,7 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
         json.WriteStartArray("sessionDigests");
         foreach (SessionReader session in Sessions)
         {
-            json.WriteStringValue(Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(session.PathOf(SessionInfo.FileName)))));
+            json.WriteStringValue(Convert.ToHexStringLower(SHA256.HashData(InputFile.ReadAllBytes(session.PathOf(SessionInfo.FileName)))));
         }
 
         json.WriteEndArray();
@@ -80,27 +80,40 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
     });
 
     /// <summary>Reads from a plan's identity what assembling needs: format, splits and classes.</summary>
+    /// <exception cref="DatasetFormatException">It is damaged, or of another version.</exception>
     internal static (DatasetFormat Format, ExportOptions Options) Parse(string identity)
     {
-        using JsonDocument document = JsonDocument.Parse(identity);
-        JsonElement root = document.RootElement;
-        var fields = new JsonFields(root);
-        string name = fields.Text("format");
+        try
+        {
+            using JsonDocument document = JsonInput.Parse(identity);
+            return Parse(new JsonFields(document.RootElement));
+        }
+        catch (JsonException e)
+        {
+            throw new DatasetFormatException($"The plan of the export is not JSON, from character {e.BytePositionInLine + 1} on. Begin the export anew.", e);
+        }
+    }
+
+    private static (DatasetFormat Format, ExportOptions Options) Parse(JsonFields plan)
+    {
+        string name = plan.Text("format");
         DatasetFormat format = DatasetFormats.Find(name) ?? throw new DatasetFormatException($"Unknown format '{name}'.");
-        DatasetSplit[] splits = [.. root.GetProperty("splits").EnumerateObject().Select(split => new DatasetSplit(split.Name, split.Value.GetDouble()))];
+        JsonFields splits = plan.Fields("splits");
+        JsonFields names = plan.Fields("names");
         return (format, new ExportOptions
         {
-            Splits = new SplitPlan(splits, fields.Integer("splitSeed"), fields.Integer("splitBlockFrames")),
-            Classes = [.. fields.Text("classes").Split(',', StringSplitOptions.RemoveEmptyEntries).Select(ClassOf)],
-            MinVisibleFraction = fields.Number("minVisibleFraction"),
-            Names = root.GetProperty("names").EnumerateObject().ToDictionary(name => ClassOf(name.Name), name => name.Value.GetString()!),
-            Subclasses = (Subclasses)fields.Integer("subclasses"),
-            MutcdCodes = [.. root.GetProperty("mutcdCodes").EnumerateArray().Select(code => code.GetString()!)],
-            Parts = fields.Has("parts") ? fields.Name<PartSelection>("parts") : null,
-            Boxes = fields.Has("boxes") ? fields.Name<BoxKind>("boxes") : null,
-            Segmentation = fields.Name<SegmentationKind>("segmentation"),
-            ImageFormat = fields.Has("imageFormat") ? fields.Name<ImageFormat>("imageFormat") : null,
-            JpegQuality = fields.Has("imageFormat") ? fields.Integer("quality") : JpegEncoder.DefaultQuality,
+            Splits = plan.Checked(() => new SplitPlan(
+                [.. splits.Names.Select(split => new DatasetSplit(split, splits.Number(split)))], plan.Integer("splitSeed"), plan.Integer("splitBlockFrames"))),
+            Classes = [.. plan.Text("classes").Split(',', StringSplitOptions.RemoveEmptyEntries).Select(ClassOf)],
+            MinVisibleFraction = plan.Number("minVisibleFraction"),
+            Names = names.Names.ToDictionary(ClassOf, names.Text),
+            Subclasses = (Subclasses)plan.Integer("subclasses"),
+            MutcdCodes = plan.Texts("mutcdCodes"),
+            Parts = plan.Has("parts") ? plan.Name<PartSelection>("parts") : null,
+            Boxes = plan.Has("boxes") ? plan.Name<BoxKind>("boxes") : null,
+            Segmentation = plan.Name<SegmentationKind>("segmentation"),
+            ImageFormat = plan.Has("imageFormat") ? plan.Name<ImageFormat>("imageFormat") : null,
+            JpegQuality = plan.Has("imageFormat") ? plan.Integer("quality") : JpegEncoder.DefaultQuality,
         });
     }
 

@@ -5,6 +5,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Exports.Assembly;
@@ -64,16 +65,17 @@ internal sealed class Journal : IDisposable
         foreach (string name in Directory.EnumerateFiles(folder.PathOf(DatasetFolder.Working), "journal-*-of-*.jsonl").Select(Path.GetFileNameWithoutExtension).OfType<string>())
         {
             string[] words = name.Split('-');
-            yield return new Shard(int.Parse(words[1], CultureInfo.InvariantCulture), int.Parse(words[3], CultureInfo.InvariantCulture));
+            yield return (words is [_, var number, _, var count] ? ShardText.Parse($"{number}/{count}") : null)
+                ?? throw new DatasetFormatException($"'{folder.Path}' has a journal '{name}' of no shard. Delete it, or begin the export anew.");
         }
     }
 
     /// <summary>Whether a shard's journal says that the shard is done.</summary>
-    public static bool IsComplete(string path) => File.ReadLines(path).LastOrDefault()?.StartsWith(EndMark, StringComparison.Ordinal) == true;
+    public static bool IsComplete(string path) => InputFile.ReadLines(path).LastOrDefault()?.StartsWith(EndMark, StringComparison.Ordinal) == true;
 
     /// <summary>The frames of a finished shard.</summary>
     public static IEnumerable<JournalEntry> Read(string path) =>
-        File.ReadLines(path).Where(line => !line.StartsWith(EndMark, StringComparison.Ordinal)).Select(line => JournalEntry.Parse(line, path));
+        InputFile.ReadLines(path).Where(line => !line.StartsWith(EndMark, StringComparison.Ordinal)).Select(line => JournalEntry.Parse(line, path));
 
     public void Append(JournalEntry entry)
     {

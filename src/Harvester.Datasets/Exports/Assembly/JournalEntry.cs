@@ -53,7 +53,7 @@ internal sealed record JournalEntry(
         {
             return Parse(line);
         }
-        catch (Exception e) when (e is JsonException or KeyNotFoundException or InvalidOperationException or FormatException)
+        catch (Exception e) when (e is JsonException or DatasetFormatException)
         {
             throw new DatasetFormatException($"'{path}' has a damaged line or one of another version. Delete the folder of the dataset, or name another, and export again.", e);
         }
@@ -61,17 +61,17 @@ internal sealed record JournalEntry(
 
     private static JournalEntry Parse(string line)
     {
-        using JsonDocument document = JsonDocument.Parse(line);
-        JsonElement root = document.RootElement;
-        string[] parts = Texts(root.GetProperty("parts"));
+        using JsonDocument document = JsonInput.Parse(line);
+        var entry = new JsonFields(document.RootElement);
+        string[] parts = entry.Texts("parts");
         return new JournalEntry(
-            root.GetProperty("frame").GetInt32(),
-            root.GetProperty("split").GetString()!,
-            root.GetProperty("labels").GetInt32(),
-            new WrittenObjects(root.GetProperty("objects").GetInt32(), root.GetProperty("ignored").GetInt32()),
-            Texts(root.GetProperty("files")),
-            [.. parts.Chunk(2).Select(pair => KeyValuePair.Create(pair[0], pair[1]))]);
+            entry.Integer("frame"),
+            entry.Text("split"),
+            entry.Integer("labels"),
+            new WrittenObjects(entry.Integer("objects"), entry.Integer("ignored")),
+            entry.Texts("files"),
+            parts.Length % 2 == 0
+                ? [.. parts.Chunk(2).Select(pair => KeyValuePair.Create(pair[0], pair[1]))]
+                : throw new DatasetFormatException("parts must be pairs of a name and a line."));
     }
-
-    private static string[] Texts(JsonElement list) => [.. list.EnumerateArray().Select(item => item.GetString()!)];
 }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Text;
+using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Exports.Assembly;
 
@@ -66,5 +67,5 @@ internal sealed class PartStore
     }
 
     /// <summary>The parts of a name, in the order in which they came; none for a name without parts.</summary>
-    public IEnumerable<string> Read(string name) => _files.TryGetValue(name, out string? file) ? File.ReadLines(file) : [];
+    public IEnumerable<string> Read(string name) => _files.TryGetValue(name, out string? file) ? InputFile.ReadLines(file) : [];
 }

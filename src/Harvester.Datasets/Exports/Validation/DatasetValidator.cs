@@ -78,14 +78,14 @@ public static class DatasetValidator
     {
         try
         {
-            using JsonDocument manifest = JsonDocument.Parse(File.ReadAllBytes(path));
-            (DatasetFormat format, ExportOptions options) = ExportPlan.Parse(manifest.RootElement.GetProperty("plan").GetRawText());
+            using JsonDocument manifest = JsonInput.Read(path);
+            (DatasetFormat format, ExportOptions options) = ExportPlan.Parse(DatasetAssembly.PlanIn(manifest));
             JsonFields frames = new JsonFields(manifest.RootElement).Fields("framesOfSplits");
             return (format, options, options.Splits.Splits.ToDictionary(split => split.Name, split => frames.Integer(split.Name), StringComparer.Ordinal));
         }
-        catch (Exception e) when (e is JsonException or KeyNotFoundException)
+        catch (Exception e) when (e is JsonException or DatasetFormatException)
         {
-            throw new DatasetFormatException($"{DatasetFolder.Manifest} is malformed.", e);
+            throw new DatasetFormatException($"{DatasetFolder.Manifest} is malformed: {e.Message}", e);
         }
     }
 }

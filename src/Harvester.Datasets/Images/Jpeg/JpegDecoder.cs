@@ -19,7 +19,7 @@ public static class JpegDecoder
     /// <exception cref="IOException">It cannot be read.</exception>
     public static PixelBuffer ReadRgb(string path)
     {
-        byte[] file = File.ReadAllBytes(path);
+        byte[] file = InputFile.ReadAllBytes(path, InputFile.MaxPictureBytes);
         using var stream = new MemoryStream(file);
         try
         {

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
-using System.Text;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry;
@@ -51,7 +50,7 @@ internal static class IplImporter
     {
         var assembly = new RoadAssembly();
         var links = new List<(int Line, RoadLink Link)>();
-        using var reader = new StreamReader(source.Open(), Encoding.UTF8);
+        using TextReader reader = source.OpenText();
         var sections = new HashSet<string>(StringComparer.Ordinal);
         string? section = null;
         int number = 0;
@@ -67,7 +66,10 @@ internal static class IplImporter
             if (section is null)
             {
                 section = line;
-                sections.Add(line);
+                if (line is "vnod" or "link")
+                {
+                    sections.Add(line);
+                }
             }
             else if (line == "end")
             {
@@ -79,6 +81,7 @@ internal static class IplImporter
             }
             else if (section == "link")
             {
+                RoadAssembly.RequireRoom(links.Count);
                 links.Add((number, Link(new IplRow(source.Name, number, line, LinkValues), lanesIn)));
             }
         }

@@ -4,6 +4,7 @@ using System.IO;
 using System.Text.Json;
 using System.Threading.Tasks;
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Json;
 using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
@@ -22,6 +23,9 @@ internal static class JsonDumpImporter
     private const int MaxNesting = 16;
 
     private const int MaxLanes = 7;
+
+    /// <summary>The largest cell, bytes; those of the game have about 150,000 on average.</summary>
+    private const int MaxAreaBytes = 16 << 20;
 
     private static readonly JsonSerializerOptions Options = new() { MaxDepth = MaxNesting, RespectNullableAnnotations = true };
 
@@ -95,13 +99,14 @@ internal static class JsonDumpImporter
                 throw new DatasetFormatException($"{file}: {Name(roadNode)} has a link without a number of lanes from 0 to {MaxLanes} each way.");
             }
 
+            RoadAssembly.RequireRoom(neighbours.Count / 2);
             neighbours.Add((index, connection));
         }
     }
 
     private static IEnumerable<DumpArea> Areas(RoadSource source)
     {
-        using Stream stream = source.Open();
+        using Stream stream = source.Open(new JsonElementLimit(source.Name, MaxAreaBytes));
         IAsyncEnumerable<DumpArea?> areas = JsonSerializer.DeserializeAsyncEnumerable<DumpArea>(stream, Options);
         IAsyncEnumerator<DumpArea?> enumerator = areas.GetAsyncEnumerator();
         while (Next(source, enumerator))

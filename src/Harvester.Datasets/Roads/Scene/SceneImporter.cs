@@ -15,6 +15,9 @@ namespace Harvester.Datasets.Roads.Scene;
 /// </summary>
 internal static class SceneImporter
 {
+    /// <summary>Of names and values; those of the whole game have about 40 million.</summary>
+    private const long MaxHeldCharacters = 64 << 20;
+
     private const int DefaultLanes = 1;
     private const int DefaultSpeed = 1;
 
@@ -37,6 +40,7 @@ internal static class SceneImporter
         var assembly = new RoadAssembly();
         var indices = new Dictionary<string, int>(StringComparer.Ordinal);
         var links = new List<SceneObject>();
+        long held = 0;
         foreach (XElement element in RoadXml.Elements(source, "object"))
         {
             switch (element.Attribute("class")?.Value)
@@ -51,7 +55,9 @@ internal static class SceneImporter
                     assembly.Add(Node(source, element, assembly.NodeCount));
                     break;
                 case "vehiclelink":
-                    links.Add(new SceneObject(source, element));
+                    held += CharactersOf(element);
+                    links.Add(held <= MaxHeldCharacters ? new SceneObject(source, element)
+                        : throw RoadXml.Wrong(source, element, FormattableString.Invariant($"the links up to here have more than {MaxHeldCharacters} characters; those of no road network have.")));
                     break;
             }
         }
@@ -71,6 +77,9 @@ internal static class SceneImporter
             ? assembly.Finish("paths.xml")
             : throw new DatasetFormatException($"{source.Name}: the XML is neither a NodeDictionary nor a scene with objects of the class vehiclenode.");
     }
+
+    private static long CharactersOf(XElement element) =>
+        element.DescendantsAndSelf().Sum(part => part.Name.LocalName.Length + part.Attributes().Sum(attribute => (long)attribute.Name.LocalName.Length + attribute.Value.Length));
 
     private static int Index(SceneObject link, Dictionary<string, int> indices, string guid) =>
         indices.TryGetValue(guid, out int index) ? index : throw link.Wrong($"the link refers to {guid}, which is no node of the file.");

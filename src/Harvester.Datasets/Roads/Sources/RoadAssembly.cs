@@ -12,7 +12,7 @@ namespace Harvester.Datasets.Roads.Sources;
 internal sealed class RoadAssembly
 {
     /// <summary>Far more nodes or links than the game's format can number, so that a hostile file ends early.</summary>
-    private const int MaxCount = 4_000_000;
+    private const int MaxCount = 1_000_000;
 
     private readonly List<RoadNode> _nodes = [];
     private readonly List<RoadLink> _links = [];
@@ -60,13 +60,19 @@ internal sealed class RoadAssembly
             return;
         }
 
-        if (_links.Count >= MaxCount)
+        RequireRoom(_links.Count);
+        _linkOfEnds.Add(ends, _links.Count);
+        _links.Add(link);
+    }
+
+    /// <summary>Refuses one more link than a network can have.</summary>
+    /// <param name="count">How many there are.</param>
+    public static void RequireRoom(int count)
+    {
+        if (count >= MaxCount)
         {
             throw new DatasetFormatException($"more than {MaxCount} links, the limit.");
         }
-
-        _linkOfEnds.Add(ends, _links.Count);
-        _links.Add(link);
     }
 
     /// <summary>Counts a link that leads to a cell that is not among the files.</summary>

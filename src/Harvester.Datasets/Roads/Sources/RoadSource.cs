@@ -21,7 +21,8 @@ internal sealed class RoadSource(string name, ByteAllowance allowance, Func<Stre
     public string Name => name;
 
     /// <summary>Opens the unpacked bytes, which end in an error beyond <see cref="MaxFileBytes"/> and where the allowance is used up.</summary>
-    public Stream Open()
+    /// <param name="limit">Looks at the bytes; null for nobody.</param>
+    public Stream Open(IByteLimit? limit = null)
     {
         byte[] magic = new byte[2];
         using (Stream probe = open())
@@ -31,8 +32,11 @@ internal sealed class RoadSource(string name, ByteAllowance allowance, Func<Stre
 
         Stream stored = open();
         Stream unpacked = magic is [0x1F, 0x8B] ? new GZipStream(stored, CompressionMode.Decompress) : stored;
-        return new CountedStream(unpacked, Passed);
+        return new CountedStream(unpacked, Passed, limit);
     }
+
+    /// <summary>Opens the unpacked bytes as a text whose lines are not too long.</summary>
+    public TextReader OpenText() => new LimitedTextReader(new StreamReader(Open(), System.Text.Encoding.UTF8), name);
 
     /// <summary>A file is read more than once, and counts once.</summary>
     private void Passed(long position)

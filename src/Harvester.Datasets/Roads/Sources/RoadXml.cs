@@ -12,7 +12,7 @@ namespace Harvester.Datasets.Roads.Sources;
 internal static class RoadXml
 {
     /// <summary>Far above the size of a cell of the game's, which has about 1.5 million characters at most.</summary>
-    private const long MaxWholeFile = 64 << 20;
+    private const long MaxWholeFile = XmlPartLimit.MaxElementBytes;
 
     /// <summary>The formats nest 6 deep.</summary>
     private const int MaxNesting = 32;
@@ -25,7 +25,7 @@ internal static class RoadXml
     public static XElement Root(RoadSource source)
     {
         RequireShallow(source, WholeSettings);
-        using Stream stream = source.Open();
+        using Stream stream = source.Open(new XmlPartLimit(source.Name));
         using XmlReader reader = XmlReader.Create(stream, WholeSettings);
         return Guarded(source, () => XElement.Load(reader, LoadOptions.SetLineInfo));
     }
@@ -34,11 +34,15 @@ internal static class RoadXml
     public static IEnumerable<XElement> Elements(RoadSource source, string name)
     {
         RequireShallow(source, Settings);
-        using Stream stream = source.Open();
+        var limit = new XmlPartLimit(source.Name);
+        using Stream stream = source.Open(limit);
         using XmlReader reader = XmlReader.Create(stream, Settings);
         while (Guarded(source, () => reader.ReadToFollowing(name)))
         {
-            yield return Guarded(source, () => Take(reader));
+            limit.IsTaking = true;
+            XElement element = Guarded(source, () => Take(reader));
+            limit.IsTaking = false;
+            yield return element;
         }
     }
 
@@ -81,7 +85,7 @@ internal static class RoadXml
     /// <summary>The reader itself has no limit of depth, and takes a time quadratic in it to word its error about elements left open.</summary>
     private static void RequireShallow(RoadSource source, XmlReaderSettings settings)
     {
-        using Stream stream = source.Open();
+        using Stream stream = source.Open(new XmlPartLimit(source.Name));
         using XmlReader reader = XmlReader.Create(stream, settings);
         while (Guarded(source, reader.Read))
         {

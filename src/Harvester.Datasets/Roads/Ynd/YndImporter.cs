@@ -48,6 +48,7 @@ internal static class YndImporter
                 }
 
                 links.AddRange((item.Element("Links")?.Elements("Item") ?? []).Select(link => Link(cell, link, assembly.NodeCount)));
+                RoadAssembly.RequireRoom(links.Count / 2);
                 assembly.Add(node);
             }
         }

@@ -121,7 +121,7 @@ internal static class CityscapesCheck
 
         try
         {
-            using JsonDocument document = JsonDocument.Parse(File.ReadAllBytes(dataset.PathOf(name)));
+            using JsonDocument document = JsonInput.Read(dataset.PathOf(name));
             var fields = new JsonFields(document.RootElement);
             var image = new Box2D(0, 0, fields.Integer("imgWidth") - 1, fields.Integer("imgHeight") - 1);
             return fields.List("objects").Select((item, index) => ObjectProblem(item, image) is { } problem ? $"objects[{index}]: {problem}" : null)

@@ -49,6 +49,11 @@ internal static class CocoElements
             damage = new SessionProblem(name, (int?)(e.LineNumber + 1), "it is not JSON from here on.");
             return false;
         }
+        catch (DatasetFormatException e)
+        {
+            damage = new SessionProblem(name, null, e.Message);
+            return false;
+        }
     }
 
     private static string? ProblemOf(JsonListReader reader, Func<string, JsonFields, string?> problemOf)

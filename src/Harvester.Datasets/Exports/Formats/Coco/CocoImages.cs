@@ -51,7 +51,7 @@ internal sealed class CocoImages(DatasetContent dataset)
     {
         long id = image.LongInteger("id");
         string file = image.Text("file_name");
-        var size = new ImageSize(image.Integer("width"), image.Integer("height"));
+        ImageSize size = image.Checked(() => new ImageSize(image.Integer("width"), image.Integer("height")));
         _sizes[id] = size;
         dataset.Found(split);
         listed.Add($"images/{split}/{file}");

@@ -4,6 +4,8 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using CsvHelper;
+using CsvHelper.Configuration;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
@@ -21,6 +23,9 @@ internal sealed class CsvDatasetCheck
     /// <summary>Pixels have three decimals.</summary>
     private const double RoundingPixels = 0.002;
 
+    /// <summary>Names of models and paths have less than a hundredth.</summary>
+    private const int MaxFieldCharacters = 1 << 16;
+
     private static readonly string[] Texts =
         ["split", "image", "weather", "time_of_day", "class", "model", "name", "mutcd", "light_state", "has_rider", "reason"];
 
@@ -32,7 +37,7 @@ internal sealed class CsvDatasetCheck
     private CsvDatasetCheck(DatasetContent dataset)
     {
         _dataset = dataset;
-        _classes = [.. new ClassCatalogue(dataset.Options).All.Select(kind => kind.Name)];
+        _classes = [.. new ClassCatalogue(dataset.Options).All.Select(kind => CsvText.Of(kind.Name))];
     }
 
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset)
@@ -51,9 +56,10 @@ internal sealed class CsvDatasetCheck
             yield break;
         }
 
-        using var file = new StreamReader(_dataset.PathOf(name));
-        using var csv = new CsvParser(file, CultureInfo.InvariantCulture);
-        while (csv.Read())
+        using TextReader file = InputFile.OpenText(_dataset.PathOf(name));
+        using var csv = new CsvParser(file, new CsvConfiguration(CultureInfo.InvariantCulture) { MaxFieldSize = MaxFieldCharacters, BadDataFound = null });
+        string? damage;
+        while (TryRead(csv, out damage))
         {
             string[] fields = csv.Record!;
             string? problem = csv.Row == 1 ? fields.SequenceEqual(columns) ? null : "its columns are not those of the format."
@@ -65,22 +71,46 @@ internal sealed class CsvDatasetCheck
                 yield return new SessionProblem(name, csv.RawRow, problem);
             }
         }
+
+        if (damage is not null)
+        {
+            yield return new SessionProblem(name, csv.RawRow, damage);
+        }
+    }
+
+    private static bool TryRead(CsvParser csv, out string? damage)
+    {
+        damage = null;
+        try
+        {
+            return csv.Read();
+        }
+        catch (CsvHelperException e)
+        {
+            damage = e is MaxFieldSizeException ? $"a field has more than {MaxFieldCharacters} characters." : "it cannot be read from here on.";
+            return false;
+        }
     }
 
     private string? FrameProblem(Dictionary<string, string> row)
     {
+        if (!(Number(row["width"]) is >= 1 and <= ushort.MaxValue) || !(Number(row["height"]) is >= 1 and <= ushort.MaxValue))
+        {
+            return "width and height must be 1 to 65535.";
+        }
+
         var size = new ImageSize((int)Number(row["width"]), (int)Number(row["height"]));
         if (!_sizes.TryAdd(row["frame"], size))
         {
             return $"frame {row["frame"]} is there twice.";
         }
 
-        if (!_dataset.Splits.Contains(row["split"]))
+        if (!_dataset.Splits.Select(CsvText.Of).Contains(row["split"]))
         {
             return $"'{row["split"]}' is not a split of the export.";
         }
 
-        _dataset.Found(row["split"]);
+        _dataset.Found(CsvText.Read(row["split"]));
         ImageHeader? header = _dataset.Header(row["image"]);
         return !_dataset.Has(row["image"]) ? $"its image '{row["image"]}' is missing."
             : header is not null && header.Size != size ? $"its image is {header.Size.Width} x {header.Size.Height}, not {size.Width} x {size.Height}."

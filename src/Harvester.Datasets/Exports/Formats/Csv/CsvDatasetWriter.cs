@@ -59,7 +59,7 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
         {
             output.Part("regions", Line(
             [
-                Numbers.Text(frame.Index), JsonName.Of(region.Reason), _classes.Of(region.Class)!.Name, .. Of(region.Box2D), .. Of(Metres, region.DistanceMetres),
+                Numbers.Text(frame.Index), JsonName.Of(region.Reason), CsvText.Of(_classes.Of(region.Class)!.Name), .. Of(region.Box2D), .. Of(Metres, region.DistanceMetres),
             ]));
         }
 
@@ -83,8 +83,8 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
         CameraLabel camera = label.Camera;
         return
         [
-            Numbers.Text(frame.Index), frame.Split, Numbers.Text(frame.SessionIndex), Numbers.Text(label.Frame), image,
-            .. Of(Seconds, label.TimeSeconds), label.Environment.Weather, label.Environment.TimeOfDay.ToString(@"hh\:mm\:ss", CultureInfo.InvariantCulture),
+            Numbers.Text(frame.Index), CsvText.Of(frame.Split), Numbers.Text(frame.SessionIndex), Numbers.Text(label.Frame), image,
+            .. Of(Seconds, label.TimeSeconds), CsvText.Of(label.Environment.Weather), label.Environment.TimeOfDay.ToString(@"hh\:mm\:ss", CultureInfo.InvariantCulture),
             Numbers.Text(camera.Width), Numbers.Text(camera.Height),
             .. Of(Intrinsics, camera.Fx, camera.Fy, camera.Cx, camera.Cy), .. Of(Axis, camera.Distortion.K1, camera.Distortion.K2),
             .. Of(camera.Pose.Position, Metres), .. Of(camera.Pose.Axes),
@@ -97,12 +97,12 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
         ObjectLabel label = item.Label;
         return
         [
-            Numbers.Text(label.Id), item.Class.Name, label.Model, label.Name ?? "",
+            Numbers.Text(label.Id), CsvText.Of(item.Class.Name), CsvText.Of(label.Model), CsvText.Of(label.Name),
             .. Of(label.Box2D), .. Of(label.Box2DAmodal), .. Of(label.Box2DVisible),
             .. Of(Fraction, label.TruncatedFraction, label.OccludedFraction, visibleFraction),
             .. Of(label.Box3D.Centre, Metres), .. Of(label.Box3D.HalfExtents, Metres), .. Of(label.Box3D.Axes),
             .. Of(Metres, label.DistanceMetres), .. Of(label.Velocity, Metres), .. Of(0, label.Parent),
-            label.Face?.MutcdCode ?? "", label.Face?.Light is { } light ? JsonName.Of(light.State) : "", Of(label.HasRider),
+            CsvText.Of(label.Face?.MutcdCode), label.Face?.Light is { } light ? JsonName.Of(light.State) : "", Of(label.HasRider),
         ];
     }
 

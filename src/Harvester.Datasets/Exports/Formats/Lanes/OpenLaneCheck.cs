@@ -40,7 +40,7 @@ internal static class OpenLaneCheck
 
         try
         {
-            using JsonDocument document = JsonDocument.Parse(File.ReadAllBytes(dataset.PathOf(name)));
+            using JsonDocument document = JsonInput.Read(dataset.PathOf(name));
             return Problem(new JsonFields(document.RootElement), image, dataset.Header("images/" + image)?.Size);
         }
         catch (JsonException)

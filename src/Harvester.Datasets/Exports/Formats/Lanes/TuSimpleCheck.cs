@@ -43,7 +43,7 @@ internal static class TuSimpleCheck
     {
         try
         {
-            using JsonDocument document = JsonDocument.Parse(text);
+            using JsonDocument document = JsonInput.Parse(text);
             return Problem(dataset, new JsonFields(document.RootElement), named);
         }
         catch (JsonException)

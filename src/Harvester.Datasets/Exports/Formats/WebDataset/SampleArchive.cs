@@ -25,7 +25,7 @@ internal sealed class SampleArchive(DatasetContent dataset, string name, string 
 
     public IEnumerable<SessionProblem> Problems()
     {
-        using FileStream file = File.OpenRead(dataset.PathOf(name));
+        using FileStream file = InputFile.OpenRead(dataset.PathOf(name));
         if (EndProblem(file) is { } endProblem)
         {
             yield return new SessionProblem(name, null, endProblem);

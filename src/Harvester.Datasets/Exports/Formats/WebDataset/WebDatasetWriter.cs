@@ -5,6 +5,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using System.Text.Json.Nodes;
+using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Exports.Formats.WebDataset;
 
@@ -31,7 +32,7 @@ internal sealed class WebDatasetWriter : IDatasetWriter
                 Add(tar, frame.Name + ".json", Encoding.UTF8.GetBytes(LabelOf(frame)));
                 if (frame.MaskPath is { } mask)
                 {
-                    Add(tar, frame.Name + ".mask.png", File.ReadAllBytes(mask));
+                    Add(tar, frame.Name + ".mask.png", InputFile.ReadAllBytes(mask, InputFile.MaxPictureBytes));
                 }
             }
 
@@ -41,9 +42,13 @@ internal sealed class WebDatasetWriter : IDatasetWriter
     }
 
     /// <summary>Archives of a split are numbered without gaps, as patterns like {000000..000009} need it.</summary>
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => parts.Keys.GroupBy(part => part[..part.LastIndexOf('-')]).SelectMany(split =>
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => parts.Keys.GroupBy(SplitOf).SelectMany(split =>
         split.Select((part, number) => new AggregateFile(
             $"{split.Key}-{number:D6}.tar", [AggregateSection.Files(part), AggregateSection.Literal(new string('\0', EndLength))])));
+
+    private static string SplitOf(string archive) => archive.LastIndexOf('-') is var end and > 0
+        ? archive[..end]
+        : throw new DatasetFormatException($"A journal of the export has '{archive}', which is no archive. Begin the export anew.");
 
     /// <summary>The session's own line, to the last decimal, less the objects that are not exported.</summary>
     private static string LabelOf(ExportFrame frame)

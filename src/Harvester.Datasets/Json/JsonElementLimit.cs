@@ -1,0 +1,41 @@
+using System;
+using Harvester.Datasets.Files;
+
+namespace Harvester.Datasets.Json;
+
+/// <summary>Refuses an element of the outermost list of a JSON file that is too long to be held whole.</summary>
+/// <param name="name">What messages call the file.</param>
+/// <param name="maxBytes">The longest element, bytes.</param>
+internal sealed class JsonElementLimit(string name, int maxBytes) : IByteLimit
+{
+    private bool _isInText;
+    private bool _isEscaped;
+    private int _depth;
+    private long _length;
+
+    public void Pass(ReadOnlySpan<byte> bytes)
+    {
+        foreach (byte value in bytes)
+        {
+            Pass(value);
+            if (++_length > maxBytes)
+            {
+                throw new DatasetFormatException(FormattableString.Invariant($"{name}: an element of the list has more than {maxBytes} bytes; none has."));
+            }
+        }
+    }
+
+    private void Pass(byte value)
+    {
+        if (_isInText)
+        {
+            _isInText = _isEscaped || value != '"';
+            _isEscaped = !_isEscaped && value == '\\';
+            return;
+        }
+
+        _isInText = value == '"';
+        _depth += value switch { (byte)'[' or (byte)'{' => 1, (byte)']' or (byte)'}' => -1, _ => 0 };
+        _length = value == ',' && _depth <= 1 ? 0 : _length;
+    }
+}
