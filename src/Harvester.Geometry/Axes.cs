@@ -8,7 +8,10 @@ namespace Harvester.Geometry;
 /// </summary>
 public readonly record struct Axes
 {
-    /// <summary>How far a given vector's length, or the cosine between two, may be off before it is refused: single precision from the game, with room.</summary>
+    /// <summary>
+    /// How far a given vector's length, or the cosine between two, may be off before it is refused: single precision from the game, with
+    /// room.
+    /// </summary>
     private const double OrthonormalTolerance = 1e-3;
 
     /// <summary>What the rounding of doubles leaves of orthonormality.</summary>
@@ -38,10 +41,12 @@ public readonly record struct Axes
 
     /// <summary>
     /// Takes three nearly orthonormal vectors, as single-precision sources give them, and makes them exactly so:
-    /// forward keeps its direction, right is made square to it, up follows. Vectors that are orthonormal but for the rounding of doubles are
+    /// forward keeps its direction, right is made square to it, up follows. Vectors that are orthonormal but for the rounding of doubles
+    /// are
     /// taken as they are, so that an orientation that was written in full is read as it was.
     /// </summary>
-    /// <exception cref="ArgumentException">The vectors are not unit, not square to each other or left-handed, by more than 0.001.</exception>
+    /// <exception cref="ArgumentException">The vectors are not unit, not square to each other or left-handed, by more than
+    /// 0.001.</exception>
     public static Axes FromVectors(Vector3D right, Vector3D forward, Vector3D up)
     {
         Guard.Finite(right, nameof(right));

@@ -34,7 +34,8 @@ internal static class Guard
     {
         if (!(Finite(value, name) > low && value < high))
         {
-            throw new ArgumentOutOfRangeException(name, value, FormattableString.Invariant($"{name} must lie between {low} and {high}, both excluded."));
+            throw new ArgumentOutOfRangeException(
+                name, value, FormattableString.Invariant($"{name} must lie between {low} and {high}, both excluded."));
         }
 
         return value;
@@ -51,7 +52,8 @@ internal static class Guard
     }
 
     public static Axes Orientation(Axes value, string name) =>
-        value.IsOrientation ? value : throw new ArgumentException($"{name} must be an orientation, not the default value of the type.", name);
+        value.IsOrientation ? value
+            : throw new ArgumentException($"{name} must be an orientation, not the default value of the type.", name);
 
     public static T NotNull<T>(T? value, string name)
         where T : class =>

@@ -1,6 +1,8 @@
 namespace Harvester.Geometry;
 
-/// <summary>Where something is and how it is turned: the rigid motion from its own frame (x right, y forward, z up) to the world's.</summary>
+/// <summary>
+/// Where something is and how it is turned: the rigid motion from its own frame (x right, y forward, z up) to the world's.
+/// </summary>
 /// <param name="Position">Origin of the frame in the world, metres.</param>
 /// <param name="Axes">Orientation of the frame.</param>
 public readonly record struct Pose(Vector3D Position, Axes Axes)

@@ -1,6 +1,8 @@
 namespace Harvester.Geometry;
 
-/// <summary>A pose with a scale along each axis of its own frame: what a game's matrix holds that makes its model larger or smaller.</summary>
+/// <summary>
+/// A pose with a scale along each axis of its own frame: what a game's matrix holds that makes its model larger or smaller.
+/// </summary>
 /// <param name="Pose">The rigid part.</param>
 /// <param name="Scale">Factors along right, forward and up; 1 leaves a length as it is.</param>
 public readonly record struct ScaledPose(Pose Pose, Vector3D Scale)
@@ -12,7 +14,8 @@ public readonly record struct ScaledPose(Pose Pose, Vector3D Scale)
     private const double MinScale = 1e-3;
 
     /// <summary>
-    /// Splits a matrix into a rotation and a scale along the axes of its own frame. Lengths within 0.001 of 1 are taken for 1, so that a rigid
+    /// Splits a matrix into a rotation and a scale along the axes of its own frame. Lengths within 0.001 of 1 are taken for 1, so that a
+    /// rigid
     /// matrix gives the pose that it always gave.
     /// </summary>
     /// <param name="right">The matrix' vector for x, in the world.</param>

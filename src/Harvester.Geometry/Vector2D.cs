@@ -2,7 +2,9 @@ using System;
 
 namespace Harvester.Geometry;
 
-/// <summary>A point or displacement in a plane, such as the image (pixels, x right, y down) or the ground (metres, x east, y north).</summary>
+/// <summary>
+/// A point or displacement in a plane, such as the image (pixels, x right, y down) or the ground (metres, x east, y north).
+/// </summary>
 /// <param name="X">First component, in the unit of the plane.</param>
 /// <param name="Y">Second component, in the unit of the plane.</param>
 public readonly record struct Vector2D(double X, double Y)
@@ -22,6 +24,9 @@ public readonly record struct Vector2D(double X, double Y)
     /// <summary>Inner product.</summary>
     public double Dot(Vector2D other) => (X * other.X) + (Y * other.Y);
 
-    /// <summary>The z component of the cross product: positive when <paramref name="other"/> lies counter-clockwise of this in an x-right, y-up plane.</summary>
+    /// <summary>
+    /// The z component of the cross product: positive when <paramref name="other"/> lies counter-clockwise of this in an x-right, y-up
+    /// plane.
+    /// </summary>
     public double Cross(Vector2D other) => (X * other.Y) - (Y * other.X);
 }

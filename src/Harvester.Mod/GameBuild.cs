@@ -42,8 +42,12 @@ internal sealed class GameBuild(string program, Version? fileVersion)
         ? "This build of the game is older than 1.0.2189 and cannot attach a camera rigidly. Update the game."
         : null;
 
-    /// <summary>Why nearby entities cannot be listed; null when they can. The API reads them from memory, and in a build that it does not know that may crash the game.</summary>
-    public string? ListProblem => !IsEnhanced && fileVersion is not null && fileVersion >= FirstUnknownToRelease && Api < FirstApiForNewerBuilds
+    /// <summary>
+    /// Why nearby entities cannot be listed; null when they can. The API reads them from memory, and in a build that it does not know that
+    /// may crash the game.
+    /// </summary>
+    public string? ListProblem =>
+        !IsEnhanced && fileVersion is not null && fileVersion >= FirstUnknownToRelease && Api < FirstApiForNewerBuilds
         ? "This build of the game is newer than ScriptHookVDotNet 3.6.0 knows."
         : null;
 
@@ -66,7 +70,8 @@ internal sealed class GameBuild(string program, Version? fileVersion)
             ProcessModule module = process.MainModule!;
             FileVersionInfo version = module.FileVersionInfo;
             return new GameBuild(
-                module.ModuleName!, new Version(version.FileMajorPart, version.FileMinorPart, version.FileBuildPart, version.FilePrivatePart));
+                module.ModuleName!,
+                    new Version(version.FileMajorPart, version.FileMinorPart, version.FileBuildPart, version.FilePrivatePart));
         }
         catch (Exception exception) when (exception is Win32Exception or InvalidOperationException or NotSupportedException)
         {

@@ -18,7 +18,8 @@ internal sealed class GameCameras(GameBuild build) : ICameras
         EulerAngles angles = pose.Axes.ToEuler();
         int camera = Natives.Call<int>(
             Hash.CREATE_CAM_WITH_PARAMS, "DEFAULT_SCRIPTED_CAMERA", (float)place.X, (float)place.Y, (float)place.Z,
-            (float)angles.PitchDegrees, (float)angles.RollDegrees, (float)angles.YawDegrees, (float)verticalFovDegrees, true, Natives.RotationOrder);
+            (float)angles.PitchDegrees, (float)angles.RollDegrees, (float)angles.YawDegrees, (float)verticalFovDegrees, true,
+                Natives.RotationOrder);
 
         // Not asked whether it exists: where that failed, nobody would know of the camera and take it away. There is none at -1.
         return Math.Max(camera, 0);

@@ -43,7 +43,8 @@ internal sealed class GameCarControls : ICarControls
     /// <inheritdoc/>
     public void Place(int vehicle, Vector3D position, double headingDegrees)
     {
-        Natives.Call(Hash.SET_ENTITY_COORDS_NO_OFFSET, vehicle, (float)position.X, (float)position.Y, (float)position.Z, false, false, false);
+        Natives.Call(Hash.SET_ENTITY_COORDS_NO_OFFSET, vehicle, (float)position.X, (float)position.Y, (float)position.Z, false, false,
+            false);
         Natives.Call(Hash.SET_ENTITY_HEADING, vehicle, (float)headingDegrees);
         Natives.Call(Hash.SET_ENTITY_VELOCITY, vehicle, 0f, 0f, 0f);
         Natives.PlaceOnGround(vehicle);
@@ -63,7 +64,8 @@ internal sealed class GameCarControls : ICarControls
     }
 
     /// <inheritdoc/>
-    public void SetTimeOfDay(TimeSpan timeOfDay) => Natives.Call(Hash.SET_CLOCK_TIME, timeOfDay.Hours, timeOfDay.Minutes, timeOfDay.Seconds);
+    public void SetTimeOfDay(TimeSpan timeOfDay) =>
+        Natives.Call(Hash.SET_CLOCK_TIME, timeOfDay.Hours, timeOfDay.Minutes, timeOfDay.Seconds);
 
     private static bool IsHeld(int control) => Natives.Call<bool>(Hash.IS_CONTROL_PRESSED, Player, control);
 

@@ -24,7 +24,9 @@ internal sealed class GameRays : IRayCaster
     /// <summary>Tells which handles are entities of the scene, so that the game need not be asked for each hit.</summary>
     public void Know(int entity) => _entities.Add(entity);
 
-    /// <summary>What a line meets. The synchronous probe answers in the same frame; its arguments go as ints, because enums are slow.</summary>
+    /// <summary>
+    /// What a line meets. The synchronous probe answers in the same frame; its arguments go as ints, because enums are slow.
+    /// </summary>
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
     {
         Casts++;
@@ -32,7 +34,8 @@ internal sealed class GameRays : IRayCaster
         Vector3D end = ray.At(maxDistance);
         int test = Natives.Call<int>(
             Hash.START_EXPENSIVE_SYNCHRONOUS_SHAPE_TEST_LOS_PROBE,
-            (float)start.X, (float)start.Y, (float)start.Z, (float)end.X, (float)end.Y, (float)end.Z, WhatHides, ignoredEntity, PassThrough);
+            (float)start.X, (float)start.Y, (float)start.Z, (float)end.X, (float)end.Y, (float)end.Z, WhatHides, ignoredEntity,
+                PassThrough);
         using var hit = new NativeOutput();
         using var point = new NativeOutput();
         using var normal = new NativeOutput();

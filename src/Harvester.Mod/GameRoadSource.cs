@@ -10,7 +10,8 @@ internal sealed class GameRoadSource : IRoadSource
     /// <inheritdoc/>
     public bool RequestNodes(Vector3D centre, double range)
     {
-        float west = (float)(centre.X - range), south = (float)(centre.Y - range), east = (float)(centre.X + range), north = (float)(centre.Y + range);
+        float west = (float)(centre.X - range), south = (float)(centre.Y - range), east = (float)(centre.X + range),
+            north = (float)(centre.Y + range);
         Natives.Call(Hash.REQUEST_PATH_NODES_IN_AREA_THIS_FRAME, west, south, east, north);
         return Natives.Call<bool>(Hash.ARE_NODES_LOADED_FOR_AREA, west, south, east, north);
     }
@@ -59,7 +60,8 @@ internal sealed class GameRoadSource : IRoadSource
         using var median = new NativeOutput();
         return Natives.Call<bool>(
             Hash.GET_CLOSEST_ROAD,
-            (float)place.X, (float)place.Y, (float)place.Z, shortestMetres, fewestLanes, first, second, toFirst, toSecond, median, ignoreSwitchedOff)
+            (float)place.X, (float)place.Y, (float)place.Z, shortestMetres, fewestLanes, first, second, toFirst, toSecond, median,
+                ignoreSwitchedOff)
             ? new SurveyedRoad(first.Vector, second.Vector, toFirst.Integer, toSecond.Integer, median.Single)
             : null;
     }
@@ -68,7 +70,8 @@ internal sealed class GameRoadSource : IRoadSource
     public Vector3D? RoadEdge(Vector3D node, double headingDegrees)
     {
         using var edge = new NativeOutput();
-        return Natives.Call<bool>(Hash.GET_ROAD_BOUNDARY_USING_HEADING, (float)node.X, (float)node.Y, (float)node.Z, (float)headingDegrees, edge)
+        return Natives.Call<bool>(
+            Hash.GET_ROAD_BOUNDARY_USING_HEADING, (float)node.X, (float)node.Y, (float)node.Z, (float)headingDegrees, edge)
             ? edge.Vector
             : null;
     }

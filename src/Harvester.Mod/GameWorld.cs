@@ -32,7 +32,8 @@ internal sealed class GameWorld : IWorld, IProps
     /// <param name="faces">Gives the models of signs and traffic lights that are in use: the only props that are read.</param>
     /// <param name="nearby">Lists the entities.</param>
     /// <param name="reading">Told of entities that are left out.</param>
-    public GameWorld(CameraMount mount, GameTime time, GameRays rays, IModels models, Func<FaceTable> faces, NearbyEntities nearby, ReadingRecord reading)
+    public GameWorld(CameraMount mount, GameTime time, GameRays rays, IModels models, Func<FaceTable> faces, NearbyEntities nearby,
+        ReadingRecord reading)
     {
         _nearby = nearby;
         _reading = reading;
@@ -81,7 +82,8 @@ internal sealed class GameWorld : IWorld, IProps
             entities.AddRange(handles.Select(handle => Read(handle, kind)).OfType<EntityState>().Select(WithRider));
 
         EntityState WithRider(EntityState entity) =>
-            entity.Class is ObjectClass.Motorcycle or ObjectClass.Bicycle ? entity with { HasRider = occupied.Contains(entity.Handle) } : entity;
+            entity.Class is ObjectClass.Motorcycle or ObjectClass.Bicycle ? entity with { HasRider = occupied.Contains(entity.Handle) }
+                : entity;
     }
 
     /// <inheritdoc/>
@@ -102,9 +104,12 @@ internal sealed class GameWorld : IWorld, IProps
     /// <inheritdoc/>
     public EnvironmentState ReadEnvironment() => new(
         WeatherNames.Of(Natives.Call<int>(Hash.GET_PREV_WEATHER_TYPE_HASH_NAME)),
-        new TimeSpan(Natives.Call<int>(Hash.GET_CLOCK_HOURS), Natives.Call<int>(Hash.GET_CLOCK_MINUTES), Natives.Call<int>(Hash.GET_CLOCK_SECONDS)));
+        new TimeSpan(Natives.Call<int>(Hash.GET_CLOCK_HOURS), Natives.Call<int>(Hash.GET_CLOCK_MINUTES),
+            Natives.Call<int>(Hash.GET_CLOCK_SECONDS)));
 
-    /// <summary>The handles of what is near and may be labelled: without the vehicle that carries the camera, and of props those with faces.</summary>
+    /// <summary>
+    /// The handles of what is near and may be labelled: without the vehicle that carries the camera, and of props those with faces.
+    /// </summary>
     public IReadOnlyList<int> Near(EntityKind kind, Vector3D centre, double range)
     {
         TakeTable();
@@ -162,7 +167,8 @@ internal sealed class GameWorld : IWorld, IProps
             }
 
             var state = new EntityState(
-                handle, model.Class, model.Name, matrix.Pose, matrix.Stretch(model.Min), matrix.Stretch(model.Max), Natives.EntityVelocity(handle));
+                handle, model.Class, model.Name, matrix.Pose, matrix.Stretch(model.Min), matrix.Stretch(model.Max),
+                    Natives.EntityVelocity(handle));
             _rays.Know(handle);
             return state;
         }

@@ -53,7 +53,9 @@ public sealed class HarvesterScript : Script
         PlayerSettings player = PlayerSettings.Read(_folder.Settings, BaseDirectory);
         var measured = new MeasuredFaces(player.FacesFolder, _folder.ShippedFaces, _folder.FacesWith(player.FacesFolder));
         var display = new GameDisplay();
-        var time = new GameTime(GameFreeze.Set, () => Natives.Call<int>(Hash.GET_GAME_TIMER)) { Method = player.Options.FreezeBy ?? FreezeMethod.Paused };
+        var time = new GameTime(
+            GameFreeze.Set, () => Natives.Call<int>(Hash.GET_GAME_TIMER))
+        { Method = player.Options.FreezeBy ?? FreezeMethod.Paused };
         var rays = new GameRays();
         var reading = new ReadingRecord();
         var calls = new GameCalls(rays);
@@ -71,12 +73,23 @@ public sealed class HarvesterScript : Script
         {
             IsWanted = () => player.DrivesLights && _harvest!.IsOn,
         };
-        var game = new GamePorts(world, rays, screen, time, clock, markers) { Roads = roads, Lights = lights, MountedCamera = mount, Calls = calls, Reading = reading };
+        var game = new GamePorts(world, rays, screen, time, clock, markers)
+        {
+            Roads = roads,
+            Lights = lights,
+            MountedCamera = mount,
+            Calls = calls,
+            Reading = reading
+        };
         var driven = new PlayerCar(new GameCarControls(), vehicles, mount, world);
         _drive = new BridgeDriving(player.Bridge, game, driven, mount, display, _messages) { Obstacle = DriveObstacle };
-        _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, display, () => Origin(player)) { Problem = Problem, FacesInUse = () => measured.InUse };
+        _harvest = new Harvest(player.Options, player.Folder, _messages, mount, game, display, () =>
+            Origin(player))
+        { Problem = Problem, FacesInUse = () => measured.InUse };
         _calibration = new LensCalibration(_harvest, game, mount, display, _messages, _folder.SettingsPath);
-        var overlay = new Overlay(_harvest, game, _messages, new Sight(new GameSight(mount, world)), display) { IsPictureNear = IsPictureNear };
+        var overlay = new Overlay(
+            _harvest, game, _messages, new Sight(new GameSight(mount, world)), display)
+        { IsPictureNear = IsPictureNear };
         var survey = new RoadSurveying(
             new GameRoadSource(), () => Natives.EntityPosition(Natives.PlayerPed()), player.SurveyFile, roads, _messages, clock)
         {
@@ -88,11 +101,18 @@ public sealed class HarvesterScript : Script
             player.TakesPhotographs ? new SurveyCamera(cameras, screen, () => world.ReadCamera().WindowAspect) : null,
             SignModels.ToMeasure(_folder.ShippedFaces, player.FurtherModels),
             measured, _harvest, mount, display, _messages, clock, player.SurveyBudgetMilliseconds);
-        var marking = new FaceMarking(game, world, SignName.Choices(player.SignNames, _folder.ShippedFaces), _folder.ShippedFaces, measured, display, _messages) { IsPictureNear = IsPictureNear, IsHarvesting = () => _harvest.IsOn };
+        var marking = new FaceMarking(game, world, SignName.Choices(player.SignNames, _folder.ShippedFaces), _folder.ShippedFaces,
+            measured, display, _messages)
+        { IsPictureNear = IsPictureNear, IsHarvesting = () => _harvest.IsOn };
         var unknown = new UnknownModelsList(world, world, () => measured.InUse, player.FacesFolder, _messages) { Problem = Problem };
-        var line = new HarvestLine(_harvest, player.Folder, clock, display) { IsPictureNear = IsPictureNear, SurveyLines = [() => survey.Line, () => _signs.Line, () => marking.Line] };
+        var line = new HarvestLine(_harvest, player.Folder, clock, display)
+        {
+            IsPictureNear = IsPictureNear,
+            SurveyLines = [() => survey.Line, () => _signs.Line, () => marking.Line]
+        };
         var frozen = new FrozenWorld(time, () => _harvest.IsOn || _calibration.IsOn || _drive.IsOn);
-        _features = new FeatureSet(_messages, calls, clock, frozen, car, mount, _harvest, lights, _calibration, markers, survey, _signs, marking, unknown, _drive, line, overlay);
+        _features = new FeatureSet(_messages, calls, clock, frozen, car, mount, _harvest, lights, _calibration, markers, survey, _signs,
+            marking, unknown, _drive, line, overlay);
         if (player.RoadFile is { } file)
         {
             roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");

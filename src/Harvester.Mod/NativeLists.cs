@@ -68,7 +68,9 @@ internal sealed class NativeLists(GameTime time, GameRays rays)
         return [.. _found.Where(entity => entity.Value == kind && IsNear(entity.Key, centre, radius)).Select(entity => entity.Key)];
     }
 
-    /// <summary>Whether the player knows of a vehicle or person near a point, or a prop of a model is there: enough to doubt an empty list.</summary>
+    /// <summary>
+    /// Whether the player knows of a vehicle or person near a point, or a prop of a model is there: enough to doubt an empty list.
+    /// </summary>
     public static bool HasAny(EntityKind kind, Vector3D centre, double radius, int model)
     {
         int[] named = kind switch
@@ -128,7 +130,8 @@ internal sealed class NativeLists(GameTime time, GameRays rays)
             for (int column = 0; column < RayColumns; column++)
             {
                 var local = new Vector3D(right * Middle(column, RayColumns), 1, -up * Middle(row, RayRows));
-                if (rays.Cast(new Ray(camera.Pose.Position, camera.Pose.Axes.ToWorld(local)), reach, RayHit.World) is { Entity: not RayHit.World } hit
+                if (rays.Cast(new Ray(camera.Pose.Position, camera.Pose.Axes.ToWorld(local)), reach,
+                    RayHit.World) is { Entity: not RayHit.World } hit
                     && KindOf(hit.Entity) is { } kind)
                 {
                     _found[hit.Entity] = kind;

@@ -34,7 +34,9 @@ internal static class Natives
     public static Pose EntityPose(int entity) => EntityMatrix(entity)?.Pose
         ?? throw new InvalidOperationException("The game gave a matrix that is sheared or mirrored, perhaps by another mod. Use another vehicle.");
 
-    /// <summary>The four vectors of an entity's matrix in one call, so that they belong together; null when no rotation and scale make it.</summary>
+    /// <summary>
+    /// The four vectors of an entity's matrix in one call, so that they belong together; null when no rotation and scale make it.
+    /// </summary>
     public static ScaledPose? EntityMatrix(int entity)
     {
         using var forward = new NativeOutput();

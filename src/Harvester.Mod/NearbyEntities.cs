@@ -58,7 +58,8 @@ internal sealed class NearbyEntities(GameBuild build, NativeLists natives, Readi
             string failure = $"ScriptHookVDotNet lists no {kind}s though there are some.";
             try
             {
-                int[] listed = [.. byApi(new Vector3((float)centre.X, (float)centre.Y, (float)centre.Z), (float)radius).Select(entity => entity.Handle)];
+                int[] listed = [.. byApi(new Vector3((float)centre.X, (float)centre.Y, (float)centre.Z), (float)radius)
+                    .Select(entity => entity.Handle)];
                 if (listed.Length > 0 || !NativeLists.HasAny(kind, centre, radius, NextModel()))
                 {
                     return listed;

@@ -19,7 +19,8 @@ public sealed class MarkupWriter : IDisposable
     private const int PixelDecimals = 1;
 
     /// <summary>HTML elements that have no end tag. SVG elements may always close themselves.</summary>
-    private static readonly FrozenSet<string> VoidElements = FrozenSet.Create(StringComparer.Ordinal, "br", "hr", "img", "input", "link", "meta");
+    private static readonly FrozenSet<string> VoidElements = FrozenSet.Create(
+        StringComparer.Ordinal, "br", "hr", "img", "input", "link", "meta");
 
     private static readonly XmlWriterSettings Settings = new()
     {

@@ -18,7 +18,8 @@ public static class SvgImage
     {
         ArgumentNullException.ThrowIfNull(writeContent);
         using var svg = new MarkupWriter(stream, Namespace);
-        svg.Start("svg").With("viewBox", FormattableString.Invariant($"0 0 {width} {height}")).With("width", width).With("height", height).NewLine();
+        svg.Start("svg").With("viewBox", FormattableString.Invariant($"0 0 {width} {height}")).With("width", width).With("height", height)
+            .NewLine();
         svg.Start("rect").With("width", "100%").With("height", "100%").With("fill", "#ffffff").End().NewLine();
         writeContent(svg);
         svg.End().NewLine();

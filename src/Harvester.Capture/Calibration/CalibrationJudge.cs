@@ -30,7 +30,8 @@ internal static class CalibrationJudge
     /// <param name="options">The largest error allowed, and how large markers are.</param>
     /// <exception cref="CalibrationException">The lens is not to be trusted.</exception>
     public static ReprojectionError Validate(
-        LensFit fit, CameraIntrinsics camera, IReadOnlyList<Sighting> fitted, IReadOnlyList<Sighting> others, int shown, CalibrationOptions options)
+        LensFit fit, CameraIntrinsics camera, IReadOnlyList<Sighting> fitted, IReadOnlyList<Sighting> others, int shown,
+            CalibrationOptions options)
     {
         double thresholdPixels = options.ThresholdPixels;
         double worst = Math.Max(fit.Error.RmsPixels, fit.UncertaintyPixels);

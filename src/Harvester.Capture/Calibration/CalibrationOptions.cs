@@ -12,11 +12,17 @@ public sealed record CalibrationOptions
     /// <summary>Size of the pictures to calibrate for, pixels. The lens itself does not depend on it.</summary>
     public ImageSize Image { get; init; } = new(800, 600);
 
-    /// <summary>The largest error that a camera model may have, pixels, greater than 0: over the markers, and as uncertainty in the image's corners.</summary>
+    /// <summary>
+    /// The largest error that a camera model may have, pixels, greater than 0: over the markers, and as uncertainty in the image's corners.
+    /// </summary>
     public double ThresholdPixels { get; init => field = OptionCheck.Positive(value, nameof(ThresholdPixels)); } = 1;
 
     /// <summary>By how many ticks the picture may at most be behind the state, 0 to 60; as long is waited before each picture.</summary>
-    public int MaxPictureLagTicks { get; init => field = OptionCheck.InRange(value, 0, PictureLag.MaxTicks, nameof(MaxPictureLagTicks)); } = 4;
+    public int MaxPictureLagTicks
+    {
+        get;
+        init => field = OptionCheck.InRange(value, 0, PictureLag.MaxTicks, nameof(MaxPictureLagTicks));
+    } = 4;
 
     /// <summary>Ticks in which the camera must have come to stand still, 1 to 10,000; otherwise the calibration fails.</summary>
     public int MaxSettleTicks { get; init => field = OptionCheck.InRange(value, 1, 10_000, nameof(MaxSettleTicks)); } = 300;

@@ -10,7 +10,8 @@ namespace Harvester.Capture.Calibration;
 /// <summary>
 /// Calibrates the game's camera: call <see cref="Step"/> once in every tick, from the game's own thread, until it is over. A coarse
 /// grid of markers first, each known by the pictures that show it, as a lens may show them far from where a pinhole would; then a fine one
-/// that reaches into the corners of the picture as the coarse result has it; then another that the result is checked by. Nothing is thrown to the caller after construction; the game is left running and no
+/// that reaches into the corners of the picture as the coarse result has it; then another that the result is checked by. Nothing is thrown
+/// to the caller after construction; the game is left running and no
 /// marker is left standing, whatever happens.
 /// </summary>
 public sealed class CalibrationSession : IDisposable
@@ -133,7 +134,8 @@ public sealed class CalibrationSession : IDisposable
     {
         if (_survey.ExcessiveLagTicks is { } lag)
         {
-            throw new CalibrationException(PictureLag.Refusal(FormattableString.Invariant($"{lag} ticks"), "calibration", _options.MaxPictureLagTicks));
+            throw new CalibrationException(
+                PictureLag.Refusal(FormattableString.Invariant($"{lag} ticks"), "calibration", _options.MaxPictureLagTicks));
         }
     }
 
@@ -147,7 +149,8 @@ public sealed class CalibrationSession : IDisposable
     }
 
     private string CauseOf(IReadOnlyList<Sighting> sightings) =>
-        _survey.UnknownSpots > sightings.Count ? "too much else changes in the picture. Choose clear weather and a place where nothing moves."
+        _survey.UnknownSpots > sightings.Count
+            ? "too much else changes in the picture. Choose clear weather and a place where nothing moves."
         : sightings.Count >= LensFitter.MinSightings ? "they disagree. Check that no other mod moves the camera."
         : "something hides them or the lens shows them outside the image. Give the camera a free view.";
 

@@ -31,7 +31,10 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
     /// <summary>Markers shown in the last survey.</summary>
     public int Shown { get; private set; }
 
-    /// <summary>By how many ticks the picture is behind the state when that is more than the options allow, as the markers that came late show; null otherwise.</summary>
+    /// <summary>
+    /// By how many ticks the picture is behind the state when that is more than the options allow, as the markers that came late show; null
+    /// otherwise.
+    /// </summary>
     public int? ExcessiveLagTicks { get; private set; }
 
     /// <summary>Spots of the last identification that are no marker.</summary>
@@ -84,7 +87,8 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
     }
 
     /// <summary>
-    /// Takes a survey that tells by their pictures which marker is which, so that they may be seen anywhere; the world must be frozen, and stays so.
+    /// Takes a survey that tells by their pictures which marker is which, so that they may be seen anywhere; the world must be frozen, and
+    /// stays so.
     /// </summary>
     /// <param name="columns">Markers in a row.</param>
     /// <param name="rows">Rows.</param>

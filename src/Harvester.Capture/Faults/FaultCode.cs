@@ -1,6 +1,8 @@
 namespace Harvester.Capture.Faults;
 
-/// <summary>What went wrong, or could not be checked; each front end adds its own advice, in the words of its options or settings.</summary>
+/// <summary>
+/// What went wrong, or could not be checked; each front end adds its own advice, in the words of its options or settings.
+/// </summary>
 public enum FaultCode
 {
     /// <summary>The game, the screen or the disk failed.</summary>

@@ -36,7 +36,8 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
     public CaptureFault? Warning { get; private set; }
 
     /// <summary>Runs the check over some ticks; the game is frozen meanwhile.</summary>
-    /// <exception cref="HarvestFaultException">The model is off, or the picture late, by more than the options allow, or too few markers are seen to tell.</exception>
+    /// <exception cref="HarvestFaultException">The model is off, or the picture late, by more than the options allow, or too few markers
+    /// are seen to tell.</exception>
     public IEnumerable<HarvestPhase> Run()
     {
         if (options.MaxCalibrationErrorPixels is not { } allowed || game.Markers is not { } markers)
@@ -66,7 +67,8 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
 
         if (survey.ExcessiveLagTicks is { } lag)
         {
-            throw new HarvestFaultException(PictureLag.Refusal(FormattableString.Invariant($"{lag} ticks"), "harvest", options.MaxPictureLagTicks));
+            throw new HarvestFaultException(
+                PictureLag.Refusal(FormattableString.Invariant($"{lag} ticks"), "harvest", options.MaxPictureLagTicks));
         }
 
         Judge(survey.CameraWith(options.Lens), survey.Sightings, allowed);

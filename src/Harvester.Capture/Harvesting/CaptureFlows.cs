@@ -7,7 +7,8 @@ namespace Harvester.Capture.Harvesting;
 
 /// <summary>Makes the flow by which a harvest takes its frames: of a frozen game or of a live one.</summary>
 internal sealed class CaptureFlows(
-    HarvestOptions options, GamePorts game, SceneReader reader, PixelBufferPool pool, TickBudget budget, HarvestCounters counters, PhaseCalls calls)
+    HarvestOptions options, GamePorts game, SceneReader reader, PixelBufferPool pool, TickBudget budget, HarvestCounters counters,
+        PhaseCalls calls)
 {
     /// <summary>The flow for a sink.</summary>
     /// <param name="sink">Where the frames go; it says which frames and objects come first.</param>

@@ -6,7 +6,8 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>Harvests one frame after the other: takes it, labels what only the picture tells, and hands it to the sink.</summary>
-internal sealed class FrameHarvester(HarvestOptions options, IFrameSink sink, ICaptureFlow flow, PixelBufferPool pool, HarvestCounters counters)
+internal sealed class FrameHarvester(
+    HarvestOptions options, IFrameSink sink, ICaptureFlow flow, PixelBufferPool pool, HarvestCounters counters)
 {
     /// <summary>Harvests one frame, or comes to discard it. Disposing the sequence leaves the game running.</summary>
     public IEnumerable<HarvestPhase> HarvestOne()

@@ -2,7 +2,9 @@ using System;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>Says when a frame is due: at most one in each period of the game's time, counted from the first reading, so that no error adds up.</summary>
+/// <summary>
+/// Says when a frame is due: at most one in each period of the game's time, counted from the first reading, so that no error adds up.
+/// </summary>
 internal sealed class FrameSchedule(double rateHz)
 {
     /// <summary>Share of a period by which a tick may come early, for a game whose time is a sum of rounded ticks.</summary>

@@ -5,14 +5,18 @@ namespace Harvester.Capture.Harvesting;
 
 /// <summary>What one way of freezing did to the world when it was tried.</summary>
 /// <param name="Method">The way that was tried.</param>
-/// <param name="SawMovement">Whether camera or entities moved just before the freeze; where they did not, a world that stands still shows little.</param>
-/// <param name="SettleTicks">Game frames from the request until camera, ego vehicle and entities stood still; null when they never did.</param>
+/// <param name="SawMovement">Whether camera or entities moved just before the freeze; where they did not, a world that stands still shows
+/// little.</param>
+/// <param name="SettleTicks">Game frames from the request until camera, ego vehicle and entities stood still; null when they never
+/// did.</param>
 public sealed record FreezeFinding(FreezeMethod Method, bool SawMovement, int? SettleTicks)
 {
     /// <summary>Whether weather and hour stood still too; null when the world did not.</summary>
     public bool? HoldsEnvironment { get; init; }
 
-    /// <summary>Whether the camera, moved on its mount, moved in the frozen world, as reported and in the picture; null when that was not tried.</summary>
+    /// <summary>
+    /// Whether the camera, moved on its mount, moved in the frozen world, as reported and in the picture; null when that was not tried.
+    /// </summary>
     public bool? MovesCamera { get; init; }
 
     /// <summary>
@@ -32,8 +36,15 @@ public sealed record FreezeFinding(FreezeMethod Method, bool SawMovement, int? S
             ? FormattableString.Invariant($"the world stood still after {ticks} ticks")
             : "the world never stood still";
         string environment = HoldsEnvironment == false ? ", weather or time of day changed" : string.Empty;
-        string camera = MovesCamera switch { true => ", the camera could be moved", false => ", the camera could not be moved", null => string.Empty };
-        string picture = PictureChange is { } change ? FormattableString.Invariant($", the image changed by {change:0.00} of 255") : string.Empty;
+        string camera = MovesCamera switch
+        {
+            true => ", the camera could be moved",
+            false => ", the camera could not be moved",
+            null =>
+            string.Empty
+        };
+        string picture = PictureChange is { } change ? FormattableString.Invariant($", the image changed by {change:0.00} of 255")
+            : string.Empty;
         return $"{Method}: {world}{movement}{environment}{camera}{picture}";
     }
 }

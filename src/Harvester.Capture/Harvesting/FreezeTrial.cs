@@ -7,13 +7,17 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>Freezes a game once, in the way that its pause is set to, and watches what stands still and whether the camera can be moved.</summary>
+/// <summary>
+/// Freezes a game once, in the way that its pause is set to, and watches what stands still and whether the camera can be moved.
+/// </summary>
 internal sealed class FreezeTrial(HarvestOptions options, GamePorts game, SceneReader reader, PixelBufferPool pool)
 {
     /// <summary>Ticks of the running game before the freeze, in which movement is looked for.</summary>
     private const int RunningTicks = 3;
 
-    /// <summary>Ticks that the world must stand still beyond the lag of the picture: long enough for a slow creep to add up to the tolerance.</summary>
+    /// <summary>
+    /// Ticks that the world must stand still beyond the lag of the picture: long enough for a slow creep to add up to the tolerance.
+    /// </summary>
     private const int StillTicks = 20;
 
     /// <summary>The last ticks of the still world, in which the change of the picture is measured.</summary>
@@ -22,7 +26,9 @@ internal sealed class FreezeTrial(HarvestOptions options, GamePorts game, SceneR
     /// <summary>Ticks beyond the lag of the picture in which a moved camera must have arrived.</summary>
     private const int CameraTicks = 5;
 
-    /// <summary>How far the camera is moved: clearly more than a suspension moves a car that stands, and far less than a car's width.</summary>
+    /// <summary>
+    /// How far the camera is moved: clearly more than a suspension moves a car that stands, and far less than a car's width.
+    /// </summary>
     private const double ShiftMetres = 0.25;
 
     private readonly SceneComparison _comparison = new(options.StillToleranceMetres);

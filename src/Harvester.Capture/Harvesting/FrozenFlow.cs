@@ -29,7 +29,9 @@ internal sealed class FrozenFlow(
 
     public bool IsPassed { get; private set; }
 
-    /// <summary>Whether the next frame is this shard's; one of another is read and settled all the same, and neither grabbed nor labelled.</summary>
+    /// <summary>
+    /// Whether the next frame is this shard's; one of another is read and settled all the same, and neither grabbed nor labelled.
+    /// </summary>
     public required Func<bool> TakesNext { get; init; }
 
     public IEnumerable<HarvestPhase> TakeFrame()

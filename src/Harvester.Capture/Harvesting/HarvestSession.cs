@@ -202,7 +202,9 @@ public sealed class HarvestSession : IDisposable
     {
         ReadTime();
         _startMilliseconds = _game.Clock.Milliseconds;
-        _sink.Open(new SessionStart(_options, _gameFrame, _timeSeconds, _game.World.ReadCamera()) { CameraErrorPixels = CalibrationErrorPixels, Freezing = Freezing });
+        _sink.Open(new SessionStart(_options, _gameFrame, _timeSeconds,
+            _game.World.ReadCamera())
+        { CameraErrorPixels = CalibrationErrorPixels, Freezing = Freezing });
         _game.Reading?.Begin();
         _opened = true;
     }

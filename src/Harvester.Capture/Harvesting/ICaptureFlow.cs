@@ -12,6 +12,8 @@ internal interface ICaptureFlow
     /// <summary>Whether the last flow passed over a frame that another shard takes.</summary>
     bool IsPassed { get; }
 
-    /// <summary>Takes one frame. Each element is a tick that ends in the given phase; disposing the sequence leaves the game running.</summary>
+    /// <summary>
+    /// Takes one frame. Each element is a tick that ends in the given phase; disposing the sequence leaves the game running.
+    /// </summary>
     IEnumerable<HarvestPhase> TakeFrame();
 }

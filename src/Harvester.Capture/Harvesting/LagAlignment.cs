@@ -61,7 +61,8 @@ internal sealed class LagAlignment
         int full = (int)MotionPace.Full;
         bool isOrdered = counts[full] > 0 && counts[still] > 0 && means[full] > means[still]
             && (counts[creep] == 0 || (means[creep] >= means[still] && means[creep] <= means[full]));
-        return isOrdered ? Enumerable.Range(0, 3).Sum(pace => Math.Max(0, squares[pace] - (sums[pace] * means[pace]))) : double.PositiveInfinity;
+        return isOrdered ? Enumerable.Range(0, 3).Sum(pace => Math.Max(0, squares[pace] - (sums[pace] * means[pace])))
+            : double.PositiveInfinity;
     }
 
     private static MotionPace PaceOf(double fraction) =>

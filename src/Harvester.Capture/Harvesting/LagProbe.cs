@@ -8,7 +8,8 @@ namespace Harvester.Capture.Harvesting;
 
 /// <summary>
 /// Measures by how many ticks the picture is behind the state: it freezes a moving game, watches both, and finds the shift by which the
-/// changes of the picture follow the movement (<see cref="LagRecord"/>). What a single freeze shows may deceive, as where the world creeps on
+/// changes of the picture follow the movement (<see cref="LagRecord"/>). What a single freeze shows may deceive, as where the world creeps
+/// on
 /// by less than a picture shows, so the same lag must be found several times, and more often than all others.
 /// </summary>
 internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneReader reader, PixelBufferPool pool)
@@ -24,7 +25,9 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
 
     private readonly SceneComparison _comparison = new(options.StillToleranceMetres);
 
-    /// <summary>Whether it is known already that the picture is not later than the options allow; otherwise greater lags are looked for too.</summary>
+    /// <summary>
+    /// Whether it is known already that the picture is not later than the options allow; otherwise greater lags are looked for too.
+    /// </summary>
     public bool IsLagWithinLimit { get; init; }
 
     private int GreatestTicks => IsLagWithinLimit ? options.MaxPictureLagTicks : PictureLag.MaxTicks;
@@ -81,7 +84,8 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
 
     private IEnumerable<HarvestPhase> Watch(LagRecord record)
     {
-        // The first pictures of the record may show any of these states; only since a tick or two does the game run again after the last freeze.
+        // The first pictures of the record may show any of these states; only since a tick or two does the game run again after the last
+        // freeze.
         for (int tick = 0; tick < GreatestTicks + RunningTicks; tick++)
         {
             record.Add(reader.Read());
@@ -93,7 +97,8 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
         var gate = new StillnessGate(_comparison);
         try
         {
-            for (int tick = 0; tick < RunningTicks + options.MaxSettleTicks + StillTicksToWatch && gate.StillTicks < StillTicksToWatch; tick++)
+            for (int tick = 0; tick < RunningTicks + options.MaxSettleTicks + StillTicksToWatch
+                && gate.StillTicks < StillTicksToWatch; tick++)
             {
                 if (tick == RunningTicks)
                 {

@@ -7,7 +7,8 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// States and changes of the picture, tick by tick, of a game that came to stand. The lag is the shift by which the changes fit the movement
+/// States and changes of the picture, tick by tick, of a game that came to stand. The lag is the shift by which the changes fit the
+/// movement
 /// best (<see cref="LagAlignment"/>), of camera and entities together: a world that creeps on after the freeze, seen or not, moves both
 /// alike, while the last change alone would tell the end of the creep from a lag by the smallest movement that can be seen.
 /// </summary>
@@ -54,7 +55,8 @@ internal sealed class LagRecord
     {
         int last = _states.Count - 1;
         int firstChange = _states.Count - _changes.Count + 1;
-        if (_changes.Count <= runningTicks + NoiseTicks || firstChange <= greatestTicks || _changes.Any(double.IsNaN) || _states[last].GameFrame - _states[0].GameFrame != last)
+        if (_changes.Count <= runningTicks + NoiseTicks || firstChange <= greatestTicks || _changes.Any(double.IsNaN)
+            || _states[last].GameFrame - _states[0].GameFrame != last)
         {
             return null;
         }
@@ -74,7 +76,8 @@ internal sealed class LagRecord
         // What changes more than usual, as at the cut of a flickering lamp, says no more than that all moves.
         changes = [.. changes.Select(change => Math.Min(1, change / running))];
         return Best(
-            new LagAlignment(camera, fullCamera, changes, firstChange), new LagAlignment(entities, fullEntities, changes, firstChange), greatestTicks, Spread(changes));
+            new LagAlignment(camera, fullCamera, changes, firstChange), new LagAlignment(entities, fullEntities, changes, firstChange),
+                greatestTicks, Spread(changes));
     }
 
     private static PictureLag? Best(LagAlignment camera, LagAlignment entities, int greatestTicks, double spread)

@@ -13,7 +13,8 @@ namespace Harvester.Capture.Harvesting;
 /// objects that the budget does not reach keep their boxes and have no occlusion.
 /// </summary>
 internal sealed class LiveFlow(
-    GamePorts game, SceneReader reader, FrameLabeller labeller, PixelBufferPool pool, TickBudget budget, HarvestCounters counters, PictureLag lag)
+    GamePorts game, SceneReader reader, FrameLabeller labeller, PixelBufferPool pool, TickBudget budget, HarvestCounters counters,
+        PictureLag lag)
     : ICaptureFlow
 {
     // The picture of tick g shows the entities of g - EntityTicks and the camera of g - CameraTicks; the earlier of the two is tick 0.

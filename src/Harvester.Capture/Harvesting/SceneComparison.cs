@@ -21,7 +21,10 @@ internal sealed class SceneComparison(double positionTolerance)
     /// </summary>
     private const double TimeTolerance = 0.005;
 
-    /// <summary>Names the first difference for the counters: timeMoved, cameraMoved, egoMoved, objectsChanged or objectMoved; null when there is none.</summary>
+    /// <summary>
+    /// Names the first difference for the counters: timeMoved, cameraMoved, egoMoved, objectsChanged or objectMoved; null when there is
+    /// none.
+    /// </summary>
     public string? FirstDifference(SceneSnapshot a, SceneSnapshot b)
     {
         if (Math.Abs(a.TimeSeconds - b.TimeSeconds) > TimeTolerance)

@@ -9,10 +9,14 @@ namespace Harvester.Capture.Harvesting;
 /// <summary>How much camera and entities move between two readings, in numbers that grow with what a picture shows of it.</summary>
 internal static class SceneMotion
 {
-    /// <summary>Distance at which a rotation of the camera shows as much as a movement, metres: that of most of what a street scene shows.</summary>
+    /// <summary>
+    /// Distance at which a rotation of the camera shows as much as a movement, metres: that of most of what a street scene shows.
+    /// </summary>
     private const double RotationArmMetres = 10;
 
-    /// <summary>Entities nearer than this count as if they were as far, metres, so that one beside the camera does not drown all others.</summary>
+    /// <summary>
+    /// Entities nearer than this count as if they were as far, metres, so that one beside the camera does not drown all others.
+    /// </summary>
     private const double MinMetres = 5;
 
     /// <summary>Movement and rotation of the camera, metres.</summary>

@@ -8,7 +8,8 @@ namespace Harvester.Capture.Harvesting;
 /// <param name="TimeSeconds">The game's time when it was last read, seconds.</param>
 /// <param name="Captured">Frames handed to the sink, or left to other shards.</param>
 /// <param name="Discards">Frames thrown away, by reason, in the order of the reasons' letters.</param>
-/// <param name="SettleTicks">How many frames needed how many ticks until everything stood still, by rising ticks; empty in live mode.</param>
+/// <param name="SettleTicks">How many frames needed how many ticks until everything stood still, by rising ticks; empty in live
+/// mode.</param>
 /// <param name="Lag">The lag of the picture as it was measured; null when it was not.</param>
 /// <param name="Fault">Why the harvest ended; null for a good end.</param>
 public sealed record SessionEnd(

@@ -12,10 +12,14 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>Makes the labels of the parts of objects that matter: faces of signs, heads of traffic lights. Algorithm 3 of the thesis.</summary>
+/// <summary>
+/// Makes the labels of the parts of objects that matter: faces of signs, heads of traffic lights. Algorithm 3 of the thesis.
+/// </summary>
 internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, FrameRays? rays, ILights? lights, ObjectRegistry registry)
 {
-    /// <summary>A face's own surface lies in its cuboid up to the rounding of its corners; less than the thickness of a sign's plate.</summary>
+    /// <summary>
+    /// A face's own surface lies in its cuboid up to the rounding of its corners; less than the thickness of a sign's plate.
+    /// </summary>
     private const double MeasuredMarginMetres = 0.005;
 
     /// <summary>
@@ -23,7 +27,9 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
     /// </summary>
     private const double EstimatedMarginMetres = 0.15;
 
-    /// <summary>The plate behind the head of a light reaches beyond it by so much: 5 inches is the usual size, and a corner may be rounded.</summary>
+    /// <summary>
+    /// The plate behind the head of a light reaches beyond it by so much: 5 inches is the usual size, and a corner may be rounded.
+    /// </summary>
     private const double BackplateMetres = 0.15;
 
     private readonly OcclusionEstimator _occlusion = new(options.OcclusionSamples);
@@ -94,7 +100,8 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
 
         CuboidProjection projection = CuboidProjector.Project(camera, cuboid, FaceOutline.EdgesOf(face, entity.Pose));
         return projection is { Box: { } box, AmodalBox: not null } && options.IsLargeEnough(box)
-            ? new FaceCandidate(face, new LabelCandidate(entity, registry.IdOf(entity, face.Number), cuboid, projection), registry.IdOf(entity))
+            ? new FaceCandidate(
+                face, new LabelCandidate(entity, registry.IdOf(entity, face.Number), cuboid, projection), registry.IdOf(entity))
             : null;
     }
 

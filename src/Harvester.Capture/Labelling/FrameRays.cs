@@ -5,7 +5,9 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>The rays of one frame: counted by what they are cast for, and bounded. Who casts asks before whether the rays are to be had.</summary>
+/// <summary>
+/// The rays of one frame: counted by what they are cast for, and bounded. Who casts asks before whether the rays are to be had.
+/// </summary>
 /// <param name="rays">What rays meet.</param>
 /// <param name="budget">Rays that a frame may take.</param>
 internal sealed class FrameRays(IRayCaster rays, int budget) : IRayCaster

@@ -136,12 +136,17 @@ public sealed class FrameRelabeller
         _registry.Remember(scene);
         _lights.Show(scene);
         camera = _options.CameraOf(scene.Snapshot.Camera);
-        return scene.Snapshot with { Entities = [.. scene.Snapshot.Entities.Where(entity => _options.IsInRange(scene.Snapshot.Camera, entity))] };
+        return scene.Snapshot with
+        {
+            Entities =
+            [.. scene.Snapshot.Entities.Where(entity => _options.IsInRange(scene.Snapshot.Camera, entity))]
+        };
     }
 
     private IEnumerable<DistantEntity> DistantIn(RecordedScene scene)
     {
-        Dictionary<int, Sight> sights = scene.Occlusions.Where(found => found.Face is null).ToDictionary(found => found.Handle, found => found.Sight);
+        Dictionary<int, Sight> sights = scene.Occlusions.Where(found => found.Face is null)
+            .ToDictionary(found => found.Handle, found => found.Sight);
         return scene.Snapshot.Entities
             .Where(entity => !_options.IsInRange(scene.Snapshot.Camera, entity))
             .Select(entity => new DistantEntity(entity, sights.TryGetValue(entity.Handle, out Sight sight) ? sight : Sight.NotAsked))

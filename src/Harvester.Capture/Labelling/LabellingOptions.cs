@@ -32,20 +32,24 @@ public record LabellingOptions
     /// <summary>The classes to label; null for all.</summary>
     public IReadOnlyCollection<ObjectClass>? Classes { get; init; }
 
-    /// <summary>The parts of models that are labelled as objects of their own: faces of signs, heads of traffic lights; null for none.</summary>
+    /// <summary>
+    /// The parts of models that are labelled as objects of their own: faces of signs, heads of traffic lights; null for none.
+    /// </summary>
     public FaceTable? Faces { get; init; }
 
     /// <summary>Whether instance masks are made.</summary>
     public bool Masks { get; init; }
 
     /// <summary>
-    /// Rays that a frame may take in all, 0 to 10,000,000: for the mask first, then for objects, faces, ignore regions and lanes. When they are
+    /// Rays that a frame may take in all, 0 to 10,000,000: for the mask first, then for objects, faces, ignore regions and lanes. When they
+    /// are
     /// used up the mask is finished from what is known, and what is left is not determined.
     /// </summary>
     public int RayBudget { get; init => field = OptionCheck.InRange(value, 0, MaxRays, nameof(RayBudget)); } = 50_000;
 
     /// <summary>
-    /// Distance beyond which the game's rays are known not to meet entities, metres; greater than 0. Whether those are seen is not determined:
+    /// Distance beyond which the game's rays are known not to meet entities, metres; greater than 0. Whether those are seen is not
+    /// determined:
     /// they are marked by ignore regions.
     /// </summary>
     public double RayReachMetres { get; init => field = OptionCheck.Positive(value, nameof(RayReachMetres)); } = 1_000;
@@ -65,7 +69,9 @@ public record LabellingOptions
     /// <summary>Rays through an object's silhouette for its occlusion, 1 to 10,000.</summary>
     public int OcclusionSamples { get; init => field = OptionCheck.InRange(value, 1, 10_000, nameof(OcclusionSamples)); } = 64;
 
-    /// <summary>Time that labelling may take of one tick, milliseconds of the player's time; greater than 0. One object is always done.</summary>
+    /// <summary>
+    /// Time that labelling may take of one tick, milliseconds of the player's time; greater than 0. One object is always done.
+    /// </summary>
     public double TickBudgetMilliseconds { get; init => field = OptionCheck.Positive(value, nameof(TickBudgetMilliseconds)); } = 4;
 
     /// <summary>How far entities are read, metres.</summary>

@@ -28,7 +28,8 @@ internal static class LampColour
         }
 
         double sixth = 60.0 / (brightest - darkest);
-        double hue = brightest == red ? (green - blue) * sixth : brightest == green ? 120 + ((blue - red) * sixth) : 240 + ((red - green) * sixth);
+        double hue = brightest == red ? (green - blue) * sixth : brightest == green ? 120 + ((blue - red) * sixth)
+            : 240 + ((red - green) * sixth);
         return hue switch
         {
             >= -20 and < 22 => LightState.Red,

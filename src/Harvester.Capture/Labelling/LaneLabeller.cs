@@ -16,7 +16,9 @@ internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? r
 
     private readonly LaneTracker _tracker = new(roads, entity => registry.IdOf(entity));
 
-    /// <summary>Labels the lanes a slice at a time; each element is null until the last, which is the label. No element: no roads are known.</summary>
+    /// <summary>
+    /// Labels the lanes a slice at a time; each element is null until the last, which is the label. No element: no roads are known.
+    /// </summary>
     public IEnumerable<LanesLabel?> Label(SceneSnapshot snapshot, Camera camera, Func<bool> mayCastRays)
     {
         if (_tracker.Observe(snapshot.Ego, snapshot.Entities) is not { } known)

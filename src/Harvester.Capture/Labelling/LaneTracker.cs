@@ -46,7 +46,8 @@ public sealed class LaneTracker(IRoads roads, Func<EntityState, int> idOf)
 
     /// <summary>Whether an entity is a vehicle of the road.</summary>
     public static bool IsVehicle(EntityState entity) =>
-        entity?.Class is ObjectClass.Car or ObjectClass.Truck or ObjectClass.Bus or ObjectClass.Motorcycle or ObjectClass.Bicycle or ObjectClass.Trailer;
+        entity?.Class is ObjectClass.Car or ObjectClass.Truck or ObjectClass.Bus or ObjectClass.Motorcycle or ObjectClass.Bicycle
+            or ObjectClass.Trailer;
 
     /// <summary>Forgets the road, as when the car has been put elsewhere.</summary>
     public void Forget() => _previous = null;

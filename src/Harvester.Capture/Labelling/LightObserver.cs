@@ -72,7 +72,10 @@ internal static class LightObserver
             };
     }
 
-    /// <summary>Whether a height, 0 at the upper edge and 1 at the lower, lies in a lamp's third of the box; a box seen from below reaches over the head a little.</summary>
+    /// <summary>
+    /// Whether a height, 0 at the upper edge and 1 at the lower, lies in a lamp's third of the box; a box seen from below reaches over the
+    /// head a little.
+    /// </summary>
     private static bool IsInItsThird(LightState colour, double height)
     {
         const double overlap = 0.1;

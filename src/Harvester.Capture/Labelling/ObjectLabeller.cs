@@ -9,7 +9,8 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Labelling;
 
 /// <summary>
-/// The geometry of object labels: which entities are in the image, their boxes, and whether an object is listed once its occlusion is known.
+/// The geometry of object labels: which entities are in the image, their boxes, and whether an object is listed once its occlusion is
+/// known.
 /// </summary>
 internal sealed class ObjectLabeller(LabellingOptions options, ObjectRegistry registry)
 {

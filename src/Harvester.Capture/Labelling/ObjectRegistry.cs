@@ -68,7 +68,8 @@ internal sealed class ObjectRegistry(int firstId)
         }
     }
 
-    private void Remember(EntityState entity, int? face, int id) => _objects[(entity.Handle, face)] = (entity.Model, entity.Class, (ushort)id);
+    private void Remember(EntityState entity, int? face, int id) =>
+        _objects[(entity.Handle, face)] = (entity.Model, entity.Class, (ushort)id);
 
     private ushort? Known(EntityState entity, int? face) =>
         _objects.TryGetValue((entity.Handle, face), out (string Model, ObjectClass Class, ushort Id) known)

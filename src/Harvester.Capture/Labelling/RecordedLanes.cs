@@ -27,7 +27,8 @@ internal static class RecordedLanes
         {
             Boundaries = [.. lanes.Boundaries.Select(line => line with
             {
-                Points = [.. line.Points.Select(point => point with { IsHidden = known.TryGetValue(PlaceOf(point), out bool? hidden) ? hidden : null })],
+                Points = [.. line.Points.Select(
+                    point => point with { IsHidden = known.TryGetValue(PlaceOf(point), out bool? hidden) ? hidden : null })],
             })],
             Markings = lanes.Status != LaneStatus.Known || recorded?.Status == LaneStatus.Known ? recorded?.Markings : null,
         };

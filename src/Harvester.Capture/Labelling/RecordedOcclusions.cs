@@ -54,7 +54,8 @@ internal sealed class RecordedOcclusions(RecordedScene scene, FrameLabel recorde
         }
 
         bool isWhole = candidate.Projection.TruncatedFraction == 0 && label?.TruncatedFraction == 0;
-        bool holds = isLensSame || isWhole || found.Sight == Sight.Undetermined || found.OccludedFraction > recordedOptions.MaxOccludedFraction;
+        bool holds = isLensSame || isWhole || found.Sight == Sight.Undetermined
+            || found.OccludedFraction > recordedOptions.MaxOccludedFraction;
         return holds ? found.Estimate
             : found.Sight == Sight.Seen ? new OcclusionEstimate { Sight = Sight.Seen }
             : default;

@@ -9,7 +9,8 @@ namespace Harvester.Capture.Ports;
 public interface ILights
 {
     /// <summary>
-    /// The state that a light was set to and that it shows in the picture of a frame; null for a light that the real game drives, and around
+    /// The state that a light was set to and that it shows in the picture of a frame; null for a light that the real game drives, and
+    /// around
     /// a change, when the picture may show either state.
     /// </summary>
     /// <param name="entity">Handle of the light's entity.</param>

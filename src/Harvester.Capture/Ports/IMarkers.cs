@@ -3,7 +3,10 @@ using Harvester.Geometry.Calibration;
 
 namespace Harvester.Capture.Ports;
 
-/// <summary>Draws balls into the game's world, by which the camera is calibrated. They are of one bright colour that the world hardly has, magenta say, and no lamp changes it.</summary>
+/// <summary>
+/// Draws balls into the game's world, by which the camera is calibrated. They are of one bright colour that the world hardly has, magenta
+/// say, and no lamp changes it.
+/// </summary>
 public interface IMarkers
 {
     /// <summary>Shows these balls and no others, in every picture from the next tick on.</summary>

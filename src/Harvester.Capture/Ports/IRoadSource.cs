@@ -25,7 +25,9 @@ public interface IRoadSource
     /// <param name="place">Metres, world.</param>
     SurveyedProperties? ReadProperties(Vector3D place);
 
-    /// <summary>The link closest to a place, of any length and number of lanes, those without traffic included; null when there is none.</summary>
+    /// <summary>
+    /// The link closest to a place, of any length and number of lanes, those without traffic included; null when there is none.
+    /// </summary>
     /// <param name="place">Metres, world.</param>
     SurveyedRoad? ClosestRoad(Vector3D place);
 

@@ -2,7 +2,9 @@ using System.Collections.Generic;
 
 namespace Harvester.Capture.Storage;
 
-/// <summary>Where a session comes from, as its maker knows it. With the same origin and the same game, a session is the same to the byte.</summary>
+/// <summary>
+/// Where a session comes from, as its maker knows it. With the same origin and the same game, a session is the same to the byte.
+/// </summary>
 public sealed record SessionOrigin
 {
     /// <summary>The game: "simulation", or "GTA V" with its version.</summary>
@@ -14,7 +16,10 @@ public sealed record SessionOrigin
     /// <summary>What everything random of the game was drawn from; null in a game without a seed.</summary>
     public long? Seed { get; init; }
 
-    /// <summary>When the recording began, in the player's time, as the maker wants it written; null (as in the simulation) where the same seed must give the same bytes.</summary>
+    /// <summary>
+    /// When the recording began, in the player's time, as the maker wants it written; null (as in the simulation) where the same seed must
+    /// give the same bytes.
+    /// </summary>
     public string? RecordedUtc { get; init; }
 
     /// <summary>Further settings of the game worth keeping, in the order in which they are to be written.</summary>

@@ -35,7 +35,8 @@ public sealed class SessionWriter : IFrameSink
     /// <summary>Makes a writer for a new session.</summary>
     /// <param name="directory">Where to; made if it is not there, and must otherwise be empty.</param>
     /// <param name="origin">Where the session comes from.</param>
-    /// <param name="resume">Whether to go on with a session that the directory holds; its frames stay, and the new ones follow them.</param>
+    /// <param name="resume">Whether to go on with a session that the directory holds; its frames stay, and the new ones follow
+    /// them.</param>
     /// <exception cref="IOException">The directory is not empty, or cannot be made or read.</exception>
     /// <exception cref="UnauthorizedAccessException">The directory may not be written.</exception>
     public SessionWriter(string directory, SessionOrigin origin, bool resume = false)
@@ -97,7 +98,9 @@ public sealed class SessionWriter : IFrameSink
             ? _fault is null && queue.TryAdd(frame)
             : throw new InvalidOperationException("The session is not open.");
 
-    /// <summary>Waits until the queue has room or the sink has failed: for drivers of a simulated game, whose time need not go on meanwhile.</summary>
+    /// <summary>
+    /// Waits until the queue has room or the sink has failed: for drivers of a simulated game, whose time need not go on meanwhile.
+    /// </summary>
     public void WaitForRoom()
     {
         while (_fault is null && _queue is { IsAddingCompleted: false } queue && queue.Count >= queue.BoundedCapacity)

@@ -11,7 +11,8 @@ namespace Harvester.Cli.Arguments;
 /// <summary>The options that say over what a client drives, the same wherever a command has them.</summary>
 internal sealed class BridgeOptions
 {
-    private readonly Option<string?> _folder = new("--folder") { Description = "Exchange files in this folder instead of listening on a socket", HelpName = "DIR" };
+    private readonly Option<string?> _folder =
+        new("--folder") { Description = "Exchange files in this folder instead of listening on a socket", HelpName = "DIR" };
     private readonly Option<string> _address = new("--address")
     {
         Description = "IP address to listen on; any but loopback requires --token",
@@ -19,7 +20,8 @@ internal sealed class BridgeOptions
         DefaultValueFactory = _ => IPAddress.Loopback.ToString(),
     };
 
-    private readonly Option<int> _port = ValueParsers.Integer("--port", "N", "Port to listen on; 0 for any free port", 0, IPEndPoint.MaxPort);
+    private readonly Option<int> _port =
+        ValueParsers.Integer("--port", "N", "Port to listen on; 0 for any free port", 0, IPEndPoint.MaxPort);
     private readonly Option<string?> _token = new("--token") { Description = "Secret that a client must send", HelpName = "WORD" };
 
     public BridgeOptions()
@@ -58,7 +60,8 @@ internal sealed class BridgeOptions
             throw new UsageException($"--address takes an IP address, e.g. 127.0.0.1, not '{address}'.");
         }
 
-        SocketBridge bridge = SocketBridges.Open(new IPEndPoint(parsedAddress, parsed.GetValue(_port)), parsed.GetValue(_token), driving.Picture);
+        SocketBridge bridge = SocketBridges.Open(
+            new IPEndPoint(parsedAddress, parsed.GetValue(_port)), parsed.GetValue(_token), driving.Picture);
         place = bridge.EndPoint.ToString();
         return bridge;
     }

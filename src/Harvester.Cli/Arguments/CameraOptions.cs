@@ -15,8 +15,10 @@ internal static class CameraOptions
         "--fov", "F", "Vertical field of view, degrees", value => value is >= 1 and <= 170, "degrees from 1 to 170");
 
     /// <summary>Size of the image.</summary>
-    public static Option<ImageSize> Size() => ValueParsers.Size("--size", "Width and height of the image, pixels", new ImageSize(1, 1), ushort.MaxValue);
+    public static Option<ImageSize> Size() =>
+        ValueParsers.Size("--size", "Width and height of the image, pixels", new ImageSize(1, 1), ushort.MaxValue);
 
     /// <summary>Size of the images of a simulated game.</summary>
-    public static Option<ImageSize> SizeOfHarvest() => ValueParsers.Size("--size", "Width and height of the images, pixels", new ImageSize(32, 32), 8192);
+    public static Option<ImageSize> SizeOfHarvest() =>
+        ValueParsers.Size("--size", "Width and height of the images, pixels", new ImageSize(32, 32), 8192);
 }

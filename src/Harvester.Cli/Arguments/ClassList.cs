@@ -22,8 +22,10 @@ internal static class ClassList
 
     /// <summary>The classes that a text names; null for none given.</summary>
     /// <exception cref="UsageException">A name is not a class's.</exception>
-    public static IReadOnlyList<ObjectClass>? Parse(string? text) => text is null ? null : [.. text.Split(',').Select(name => ParseOne(name.Trim()))];
+    public static IReadOnlyList<ObjectClass>? Parse(string? text) =>
+        text is null ? null : [.. text.Split(',').Select(name => ParseOne(name.Trim()))];
 
     private static ObjectClass ParseOne(string name) =>
-        JsonNames.TryRead(name, out ObjectClass kind) ? kind : throw new UsageException($"--classes takes a comma-separated list of {Names}, not '{name}'.");
+        JsonNames.TryRead(name, out ObjectClass kind) ? kind
+            : throw new UsageException($"--classes takes a comma-separated list of {Names}, not '{name}'.");
 }

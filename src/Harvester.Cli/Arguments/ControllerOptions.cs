@@ -19,7 +19,12 @@ internal sealed class ControllerOptions
     /// <param name="usual">Its name when none is given.</param>
     public ControllerOptions(string purpose, string usual)
     {
-        _controller = new Option<string>("--controller") { Description = $"{purpose}: stanley or deepdriving", HelpName = "NAME", DefaultValueFactory = _ => usual };
+        _controller = new Option<string>("--controller")
+        {
+            Description = $"{purpose}: stanley or deepdriving",
+            HelpName = "NAME",
+            DefaultValueFactory = _ => usual
+        };
     }
 
     public IEnumerable<Option> All => [_controller, _emergencyBrake];

@@ -12,11 +12,15 @@ namespace Harvester.Cli.Arguments;
 /// <summary>The options that say over what bridge a drive goes, and from which side.</summary>
 internal static class DriveBridgeOptions
 {
-    private static readonly Option<string> Bridge = Word("--bridge", "B", "Connection between game and controller: direct, folder or socket", "direct");
-    private static readonly Option<string> Role = Word("--role", "R", "Side of the bridge that this process runs: game, client or both", "both");
-    private static readonly Option<DirectoryInfo?> Folder = new("--folder") { Description = "Shared folder of a folder bridge [default: bridge in the folder of --out]", HelpName = "DIR" };
+    private static readonly Option<string> Bridge =
+        Word("--bridge", "B", "Connection between game and controller: direct, folder or socket", "direct");
+    private static readonly Option<string> Role =
+        Word("--role", "R", "Side of the bridge that this process runs: game, client or both", "both");
+    private static readonly Option<DirectoryInfo?> Folder =
+        new("--folder") { Description = "Shared folder of a folder bridge [default: bridge in the folder of --out]", HelpName = "DIR" };
     private static readonly Option<string?> At = new("--at") { Description = "Address of a socket bridge: the game listens there, the client connects to it [default: 127.0.0.1:4567]", HelpName = "ADDRESS:PORT" };
-    private static readonly Option<string?> Token = new("--token") { Description = "Secret that a client on another machine must send", HelpName = "WORD" };
+    private static readonly Option<string?> Token =
+        new("--token") { Description = "Secret that a client on another machine must send", HelpName = "WORD" };
 
     private static readonly Option<double> Patience = Patient();
 
@@ -52,7 +56,8 @@ internal static class DriveBridgeOptions
             throw new UsageException($"{stray.Name} needs --bridge folder or --bridge socket.");
         }
 
-        string? folder = parsed.GetValue(Folder)?.FullName ?? (outFolder is null ? null : Path.Combine(outFolder, BridgeFolder.DefaultName));
+        string? folder = parsed.GetValue(Folder)?.FullName
+            ?? (outFolder is null ? null : Path.Combine(outFolder, BridgeFolder.DefaultName));
         if (kind == BridgeName.Folder && folder is null)
         {
             throw new UsageException("--bridge folder needs --folder.");
@@ -64,7 +69,8 @@ internal static class DriveBridgeOptions
         }
 
         return new BridgePlan(
-            kind, role, folder ?? "", parsed.GetValue(At) is { } at ? ParsePlace(at) : null, parsed.GetValue(Token), TimeSpan.FromSeconds(parsed.GetValue(Patience)));
+            kind, role, folder ?? "", parsed.GetValue(At) is { } at ? ParsePlace(at)
+                : null, parsed.GetValue(Token), TimeSpan.FromSeconds(parsed.GetValue(Patience)));
     }
 
     private static IPEndPoint ParsePlace(string text) => IPEndPoint.TryParse(text, out IPEndPoint? place) && place.Port > 0
@@ -74,7 +80,8 @@ internal static class DriveBridgeOptions
     private static Option<double> Patient()
     {
         Option<double> patience = ValueParsers.Number(
-            "--patience", "S", "Time to wait for the other side, seconds of real time", value => value is > 0 and <= 86_400, "a number greater than 0 and at most 86400");
+            "--patience", "S", "Time to wait for the other side, seconds of real time", value =>
+                value is > 0 and <= 86_400, "a number greater than 0 and at most 86400");
         patience.DefaultValueFactory = _ => 60;
         return patience;
     }

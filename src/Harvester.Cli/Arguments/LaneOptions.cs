@@ -23,10 +23,12 @@ internal static class LaneOptions
 
     /// <summary>Where the indicators are measured.</summary>
     public static Option<LookAhead> LookAhead() =>
-        WithDefault(ValueParsers.Parsed(LookAheadName, LookAheadForm, LookAheadPurpose, Parse, LookAheadRange), Geometry.Lanes.LookAhead.Thesis);
+        WithDefault(ValueParsers.Parsed(LookAheadName, LookAheadForm, LookAheadPurpose, Parse, LookAheadRange),
+            Geometry.Lanes.LookAhead.Thesis);
 
     /// <summary>The same where it may be left out.</summary>
-    public static Option<LookAhead?> OtherLookAhead() => ValueParsers.Optional(LookAheadName, LookAheadForm, LookAheadPurpose, Parse, LookAheadRange);
+    public static Option<LookAhead?> OtherLookAhead() =>
+        ValueParsers.Optional(LookAheadName, LookAheadForm, LookAheadPurpose, Parse, LookAheadRange);
 
     /// <summary>Width of ordinary lanes.</summary>
     public static Option<double> LaneWidth() => Width(LaneWidthName, LaneWidthPurpose, RoadGeometry.LaneWidth);
@@ -43,7 +45,8 @@ internal static class LaneOptions
     private static Option<double> Width(string name, string purpose, double metres) =>
         WithDefault(ValueParsers.Parsed(name, WidthForm, purpose, ParseWidth, WidthRange), metres);
 
-    private static Option<double?> OtherWidth(string name, string purpose) => ValueParsers.Optional(name, WidthForm, purpose, ParseWidth, WidthRange);
+    private static Option<double?> OtherWidth(string name, string purpose) =>
+        ValueParsers.Optional(name, WidthForm, purpose, ParseWidth, WidthRange);
 
     private static double? ParseWidth(string text) => ValueParsers.Number(text) is >= 2 and <= 10 and var width ? width : null;
 
@@ -51,7 +54,8 @@ internal static class LaneOptions
     {
         // At one metre a second a time is as many metres as seconds.
         const double speed = 1;
-        return Geometry.Lanes.LookAhead.Parse(text) is { } asked && asked.DistanceAt(speed) <= (text.EndsWith('s') ? MaxSeconds : MaxMetres) ? asked : null;
+        return Geometry.Lanes.LookAhead.Parse(text) is { } asked
+            && asked.DistanceAt(speed) <= (text.EndsWith('s') ? MaxSeconds : MaxMetres) ? asked : null;
     }
 
     private static Option<T> WithDefault<T>(Option<T> option, T value)

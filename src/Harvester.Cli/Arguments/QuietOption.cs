@@ -9,7 +9,8 @@ namespace Harvester.Cli.Arguments;
 internal static class QuietOption
 {
     // What these print is their result.
-    private static readonly string[] PrintingCommands = ["validate", "doctor", "calibrate", "stats", "project", "boxes", "lanes", "info", "compare", "check", "list"];
+    private static readonly string[] PrintingCommands =
+        ["validate", "doctor", "calibrate", "stats", "project", "boxes", "lanes", "info", "compare", "check", "list"];
 
     public static Option<bool> Create() => new("--quiet", "-q")
     {

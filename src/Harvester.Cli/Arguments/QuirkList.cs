@@ -25,7 +25,8 @@ internal static class QuirkList
         GameQuirks quirks = new();
         foreach (string part in list?.Split(',') ?? [])
         {
-            quirks = With(quirks, part.Trim()) ?? throw new UsageException($"--quirks takes a comma-separated list of {Form}, not '{part.Trim()}'.");
+            quirks = With(quirks, part.Trim())
+                ?? throw new UsageException($"--quirks takes a comma-separated list of {Form}, not '{part.Trim()}'.");
         }
 
         return quirks;
@@ -75,5 +76,6 @@ internal static class QuirkList
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int ticks) && ticks <= MaxTicks ? ticks : null;
 
     private static double? Fraction(string text) =>
-        double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double fraction) && fraction <= 1 ? fraction : null;
+        double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double fraction) && fraction <= 1
+            ? fraction : null;
 }

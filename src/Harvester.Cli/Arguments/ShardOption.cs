@@ -9,7 +9,8 @@ internal static class ShardOption
 {
     public static Option<Shard> Create()
     {
-        Option<Shard> option = ValueParsers.Parsed("--shard", "I/N", "Process only every N-th frame, as run I of N parallel runs", ShardText.Parse, "a shard, e.g. 1/8");
+        Option<Shard> option = ValueParsers.Parsed("--shard", "I/N", "Process only every N-th frame, as run I of N parallel runs",
+            ShardText.Parse, "a shard, e.g. 1/8");
         option.DefaultValueFactory = _ => Shard.Whole;
         return option;
     }

@@ -13,11 +13,13 @@ internal static class ValueParsers
 {
     /// <summary>An option of three numbers, as -75.3,-820.1,26.</summary>
     public static Option<Vector3D> Vector(string name, string form, string description) =>
-        Parsed<Vector3D>(name, form, description, text => Numbers(text, 3) is { } n ? new Vector3D(n[0], n[1], n[2]) : null, "three numbers, e.g. 10,-20.5,3");
+        Parsed<Vector3D>(name, form, description, text =>
+            Numbers(text, 3) is { } n ? new Vector3D(n[0], n[1], n[2]) : null, "three numbers, e.g. 10,-20.5,3");
 
     /// <summary>An option of two numbers, as 0,-1000.</summary>
     public static Option<Vector2D?> Point(string name, string form, string description) =>
-        Optional<Vector2D>(name, form, description, text => Numbers(text, 2) is { } n ? new Vector2D(n[0], n[1]) : null, "two numbers, e.g. 0,-1000");
+        Optional<Vector2D>(name, form, description, text =>
+            Numbers(text, 2) is { } n ? new Vector2D(n[0], n[1]) : null, "two numbers, e.g. 0,-1000");
 
     /// <summary>An option of an image's size, as 800x600.</summary>
     /// <param name="name">The option.</param>
@@ -32,7 +34,8 @@ internal static class ValueParsers
         return Parsed(name, "WxH", description, Parse, allowed);
 
         ImageSize? Parse(string text) =>
-            ParseSize(text) is { } size && size.Width >= least.Width && size.Height >= least.Height && Math.Max(size.Width, size.Height) <= most ? size : null;
+            ParseSize(text) is { } size && size.Width >= least.Width && size.Height >= least.Height
+                && Math.Max(size.Width, size.Height) <= most ? size : null;
     }
 
     /// <summary>An option of a number within a range.</summary>
@@ -46,7 +49,8 @@ internal static class ValueParsers
         return Parsed(name, form, description, Parse, allowed);
 
         int? Parse(string text) =>
-            int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= least && value <= most
+            int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= least
+                && value <= most
                 ? value
                 : null;
     }
@@ -106,5 +110,6 @@ internal static class ValueParsers
     }
 
     private static int? Side(string text) =>
-        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int side) && side is >= 1 and <= ushort.MaxValue ? side : null;
+        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int side) && side is >= 1 and <= ushort.MaxValue ? side
+            : null;
 }

@@ -18,7 +18,9 @@ namespace Harvester.Cli.Commands;
 /// <summary>The harvester command: parses a command line, runs it, and turns every failure into one line and an exit code.</summary>
 internal static class Application
 {
-    /// <summary>What the runtime puts in the place of bytes in an argument that are no UTF-8; which file they name can no longer be told.</summary>
+    /// <summary>
+    /// What the runtime puts in the place of bytes in an argument that are no UTF-8; which file they name can no longer be told.
+    /// </summary>
     private const string ReplacementCharacter = "\uFFFD";
 
     private const string Description =
@@ -28,7 +30,7 @@ internal static class Application
         "Exit codes:\n"
         + "  0    success\n"
         + "  1    bad data: a session or log with problems, a malformed file\n"
-        + "  2    error on the command line, including an occupied output folder\n"
+        + "  2    error on the command line, including an output folder that is occupied or being written by another process\n"
         + "  3    a file cannot be read or written, or a bridge to another program failed\n"
         + "  4    the simulated game failed, or a calibration or harvest refused its result\n"
         + "  70   a fault of this program, to be reported; the message names a file with the details\n"
@@ -61,7 +63,8 @@ internal static class Application
         }
 
         Terminal told = QuietOption.TerminalFor(parsed, quiet, terminal);
-        return await RunAsync(told == terminal ? parsed : CreateRoot(told, quiet).Parse(arguments), told, cancellation).ConfigureAwait(false);
+        return await RunAsync(told == terminal ? parsed : CreateRoot(told, quiet).Parse(arguments), told, cancellation)
+            .ConfigureAwait(false);
     }
 
     private static async Task<int> RunAsync(ParseResult parsed, Terminal terminal, CancellationToken cancellation)
@@ -134,7 +137,8 @@ internal static class Application
     }
 
     /// <summary>Whether the command line asks how another one goes on.</summary>
-    private static bool IsCompletion(ParseResult parsed) => parsed.RootCommandResult.Children.OfType<DirectiveResult>().Any(directive => directive.Directive is SuggestDirective);
+    private static bool IsCompletion(ParseResult parsed) =>
+        parsed.RootCommandResult.Children.OfType<DirectiveResult>().Any(directive => directive.Directive is SuggestDirective);
 
     private static string MessageOf(ParseResult parsed)
     {
@@ -166,7 +170,8 @@ internal static class Application
 
     /// <summary>Where the command's output goes; null where that was not said.</summary>
     private static string? OutputOf(ParseResult parsed) =>
-        parsed.CommandResult.Children.OfType<OptionResult>().FirstOrDefault(option => option.Option.Name == "--out") is { Tokens: [{ Value: var place }, ..] } ? place : null;
+        parsed.CommandResult.Children.OfType<OptionResult>()
+            .FirstOrDefault(option => option.Option.Name == "--out") is { Tokens: [{ Value: var place }, ..] } ? place : null;
 
     private static string HelpOf(CommandResult command) => $"harvester {PathOf(command)}--help";
 

@@ -33,10 +33,12 @@ internal static class CalibrateCommand
         Option<int> seed = ValueParsers.Integer("--seed", "N", "Random seed of the simulated town [default: 0]", 0, int.MaxValue);
         Option<double> fov = CameraOptions.Fov();
         fov.DefaultValueFactory = _ => new SimulationOptions().VerticalFovDegrees;
-        Option<ImageSize> size = ValueParsers.Size("--size", "Width and height of the images, pixels", new ImageSize(MinWidth, MinHeight), MaxSide);
+        Option<ImageSize> size =
+            ValueParsers.Size("--size", "Width and height of the images, pixels", new ImageSize(MinWidth, MinHeight), MaxSide);
         size.DefaultValueFactory = _ => new CalibrationOptions().Image;
         var lens = new LensOptions();
-        Option<double> threshold = ValueParsers.Number("--threshold", "PX", "Largest allowed error, pixels", value => value > 0, "a number greater than 0");
+        Option<double> threshold =
+            ValueParsers.Number("--threshold", "PX", "Largest allowed error, pixels", value => value > 0, "a number greater than 0");
         threshold.DefaultValueFactory = _ => new CalibrationOptions().ThresholdPixels;
         var command = new Command("calibrate", "Measure the lens of the simulated game from markers in its images, as the mod does in GTA V.")
         {

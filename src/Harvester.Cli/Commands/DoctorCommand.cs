@@ -17,12 +17,15 @@ internal static class DoctorCommand
         + "  harvester doctor \"C:\\Games\\Grand Theft Auto V\"\n"
         + "  harvester doctor GtaDataHarvester.log --all-runs";
 
-    private static readonly Argument<string> Place = new("LOG|FOLDER") { Description = "A log, the folder of the game or its scripts folder, or a session" };
-    private static readonly Option<bool> AllRuns = new("--all-runs") { Description = "Read all runs in the mod's log, not only the last one" };
+    private static readonly Argument<string> Place =
+        new("LOG|FOLDER") { Description = "A log, the folder of the game or its scripts folder, or a session" };
+    private static readonly Option<bool> AllRuns =
+        new("--all-runs") { Description = "Read all runs in the mod's log, not only the last one" };
 
     public static Command Create(Terminal terminal)
     {
-        var command = new Command("doctor", "Read the logs of the mod, or a session, and name the likely cause of a problem.") { Place, AllRuns };
+        var command = new Command("doctor", "Read the logs of the mod, or a session, and name the likely cause of a problem.") { Place,
+            AllRuns };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, _) => Task.FromResult(Run(terminal, parsed.GetRequiredValue(Place), parsed.GetValue(AllRuns))));
         return command;

@@ -22,7 +22,9 @@ using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester drive: a controller drives by the lane indicators and is evaluated against the true state of the simulation.</summary>
+/// <summary>
+/// harvester drive: a controller drives by the lane indicators and is evaluated against the true state of the simulation.
+/// </summary>
 internal static class DriveCommand
 {
     private const string Notes =
@@ -34,7 +36,8 @@ internal static class DriveCommand
         + "  harvester drive --bridge socket --role game --out drive        and elsewhere: harvester drive --bridge socket --role client\n"
         + "  harvester drive --roads nodes.zip --near=-500,1000 --near=0,2700 --out drive";
 
-    private static readonly Option<string?> Out = new("--out") { Description = "Folder to write drive.json and report.html to", HelpName = "DIR" };
+    private static readonly Option<string?> Out =
+        new("--out") { Description = "Folder to write drive.json and report.html to", HelpName = "DIR" };
     private static readonly Option<bool> Overwrite = new("--overwrite") { Description = "Replace an existing drive in the folder" };
     private static readonly ControllerOptions Controller = new("The controller that drives", "stanley");
 
@@ -54,12 +57,14 @@ internal static class DriveCommand
         DefaultValueFactory = _ => [],
     };
 
-    private static readonly Option<double> Distance = WithDefault(Positive("--distance", "M", "Distance to drive from each start, metres"), 1000);
+    private static readonly Option<double> Distance = WithDefault(
+        Positive("--distance", "M", "Distance to drive from each start, metres"), 1000);
     private static readonly Option<double> Duration = WithDefault(
         Positive("--duration", "S", "Time limit for each start, seconds of game time"), 3600);
 
     private static readonly Option<double> Traffic = WithDefault(
-        ValueParsers.Number("--traffic", "F", "Factor on the number of vehicles", value => value is >= 0 and <= 4, "a number from 0 to 4"), 1);
+        ValueParsers.Number("--traffic", "F", "Factor on the number of vehicles", value => value is >= 0 and <= 4, "a number from 0 to 4"),
+            1);
 
     private static readonly Option<double?> Speed = ValueParsers.Optional<double>(
         "--speed",
@@ -74,7 +79,8 @@ internal static class DriveCommand
     };
 
     private static readonly Option<double> LookAhead = WithDefault(
-        ValueParsers.Number("--look-ahead", "M", "Look-ahead distance for the angle, metres", value => value is > 0 and <= 40, "a number greater than 0 and at most 40"),
+        ValueParsers.Number("--look-ahead", "M", "Look-ahead distance for the angle, metres", value =>
+            value is > 0 and <= 40, "a number greater than 0 and at most 40"),
         new ControllerPlan { Kind = ControllerKind.Stanley }.LookAheadMetres);
 
     public static Command Create(Terminal terminal)
@@ -113,7 +119,8 @@ internal static class DriveCommand
         int metres = (int)Math.Ceiling(plan.Metres * Math.Max(1, plan.Starts.Count));
         var drives = new SimulatedDrives(plan, terminal.Out);
         ExceptionDispatchInfo? fault = new JobProgress(terminal, metres, "m").Run(report => FaultOf(drives, report, cancellation));
-        DriveRecord record = DriveRecord.Of(SettingsOf(parsed, plan), drives.Samples, isWhole: fault is null && !cancellation.IsCancellationRequested);
+        DriveRecord record = DriveRecord.Of(
+            SettingsOf(parsed, plan), drives.Samples, isWhole: fault is null && !cancellation.IsCancellationRequested);
         string report = Path.Combine(folder, DriveReport.FileName);
         AtomicFile.Write(Path.Combine(folder, DriveRecord.FileName), record.Write);
         AtomicFile.Write(report, stream => DriveReport.Write(stream, record, drives.Samples));
@@ -154,7 +161,8 @@ internal static class DriveCommand
 
     private static int RunClient(Terminal terminal, DrivePlan plan, BridgePlan bridge, CancellationToken cancellation)
     {
-        ClientDriver driver = new RemoteDrives(bridge, terminal.Out).RunClient(() => new SimulatedDrives(plan, terminal.Out).ControllerOf(plan.Seed), plan.Seconds, cancellation);
+        ClientDriver driver = new RemoteDrives(bridge, terminal.Out)
+            .RunClient(() => new SimulatedDrives(plan, terminal.Out).ControllerOf(plan.Seed), plan.Seconds, cancellation);
         string ending = driver.IsEndedByGame ? "; the game has closed the bridge" : "";
         terminal.Out.WriteLine(FormattableString.Invariant($"{Counted.Of(driver.Frames, "frame")} answered, {driver.Metres:0} m driven in {driver.Seconds:0} s{ending}"));
         return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;

@@ -48,7 +48,8 @@ internal static class ExportCommand
         Required = true,
     };
 
-    private static readonly Option<string> Out = new("--out") { Description = "Folder to write the dataset to", HelpName = "DIR", Required = true };
+    private static readonly Option<string> Out =
+        new("--out") { Description = "Folder to write the dataset to", HelpName = "DIR", Required = true };
     private static readonly Option<string> Splits = new("--split")
     {
         Description = "Splits and their fractions, e.g. train:0.8,val:0.2",
@@ -56,13 +57,15 @@ internal static class ExportCommand
         DefaultValueFactory = _ => "train:1",
     };
 
-    private static readonly Option<int> Seed = ValueParsers.Integer("--seed", "N", "Random seed of the assignment of frames to splits [default: 0]", 0, int.MaxValue);
+    private static readonly Option<int> Seed =
+        ValueParsers.Integer("--seed", "N", "Random seed of the assignment of frames to splits [default: 0]", 0, int.MaxValue);
     private static readonly Option<int> Block = ValueParsers.Integer(
         "--split-block", "N", "Number of consecutive frames that stay in one split, because neighbours look alike", 1, int.MaxValue);
 
     private static readonly Option<string?> Classes = ClassList.Option("Export");
     private static readonly Option<double> MinVisible = ValueParsers.Number(
-        "--min-visible", "S", "Export objects with at least this fraction visible, 0 to 1 [default: 0]", value => value is >= 0 and <= 1, "a number from 0 to 1");
+        "--min-visible", "S", "Export objects with at least this fraction visible, 0 to 1 [default: 0]", value =>
+            value is >= 0 and <= 1, "a number from 0 to 1");
 
     private static readonly Option<PartSelection?> Parts = new("--parts")
     {
@@ -86,10 +89,13 @@ internal static class ExportCommand
         HelpName = "mutcd,light",
     };
 
-    private static readonly Option<SegmentationKind> Segmentation = new("--segmentation") { Description = "How coco encodes masks [default: Rle]" };
-    private static readonly Option<ImageTransfer> Images = new("--images") { Description = "Link images (hard links, where possible) or copy them [default: Link]" };
+    private static readonly Option<SegmentationKind> Segmentation =
+        new("--segmentation") { Description = "How coco encodes masks [default: Rle]" };
+    private static readonly Option<ImageTransfer> Images =
+        new("--images") { Description = "Link images (hard links, where possible) or copy them [default: Link]" };
 
-    private static readonly Option<ImageFormat?> ImageFormat = ImageFormatOption.Format("Convert the images to png, bmp or jpg [default: keep the format]");
+    private static readonly Option<ImageFormat?> ImageFormat =
+        ImageFormatOption.Format("Convert the images to png, bmp or jpg [default: keep the format]");
     private static readonly Option<int?> Quality = ImageFormatOption.Quality();
 
     /// <summary>The options that only some formats have a use for; with another they would do nothing.</summary>
@@ -113,7 +119,8 @@ internal static class ExportCommand
         Block.DefaultValueFactory = _ => 1;
         var command = new Command("export", "Export sessions to a dataset format.")
         {
-            Sessions, Format, Out, Splits, Seed, Block, Classes, Map, SubclassesOf, MinVisible, Parts, Boxes, Segmentation, Images, ImageFormat, Quality, ShardOf,
+            Sessions, Format, Out, Splits, Seed, Block, Classes, Map, SubclassesOf, MinVisible, Parts, Boxes, Segmentation, Images,
+                ImageFormat, Quality, ShardOf,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
@@ -148,7 +155,8 @@ internal static class ExportCommand
             $"--format takes one of {string.Join(", ", DatasetFormats.All.Select(each => each.Name))}, not '{name}'.");
         CheckOptions(parsed, format);
         string[] sessions = parsed.GetRequiredValue(Sessions);
-        if (sessions.GroupBy(folder => Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder))).FirstOrDefault(same => same.Count() > 1) is { } twice)
+        if (sessions.GroupBy(folder => Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder)))
+            .FirstOrDefault(same => same.Count() > 1) is { } twice)
         {
             throw new UsageException($"'{twice.First()}' is given twice. Name each session once.");
         }

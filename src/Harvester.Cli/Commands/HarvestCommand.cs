@@ -43,7 +43,8 @@ internal static class HarvestCommand
         + "  harvester harvest --out streets --roads nodes.zip --near 0,-1000\n"
         + "  harvester harvest --out part-2 --frames 5000 --shard 2/8";
 
-    private static readonly Option<string> Out = new("--out") { Description = "Folder to write the session to", HelpName = "DIR", Required = true };
+    private static readonly Option<string> Out =
+        new("--out") { Description = "Folder to write the session to", HelpName = "DIR", Required = true };
     private static readonly Option<bool> Overwrite = new("--overwrite") { Description = "Replace an existing session in the folder" };
     private static readonly Option<int> Frames = WithDefault(ValueParsers.Integer("--frames", "N", "Number of frames", 1, MaxFrames), 100);
     private static readonly Option<int> Seed = WithDefault(
@@ -77,7 +78,8 @@ internal static class HarvestCommand
 
     private static readonly Option<FileSystemInfo?> Faces = SpacesOption.Create("the built-in table");
 
-    private static readonly Option<Vector2D?> Near = ValueParsers.Point("--near", "X,Y", "Start position, metres [default: the middle of the road network]");
+    private static readonly Option<Vector2D?> Near =
+        ValueParsers.Point("--near", "X,Y", "Start position, metres [default: the middle of the road network]");
     private static readonly Option<string> WeatherName = new("--weather")
     {
         Description = "Weather: " + string.Join(", ", WeatherNames.All),
@@ -90,14 +92,16 @@ internal static class HarvestCommand
 
     private static readonly Option<bool> Masks = new("--masks") { Description = "Also write instance masks" };
     private static readonly Option<int> Rays = WithDefault(
-        ValueParsers.Integer("--rays", "N", "Rays per frame, spent on masks first, then on objects, faces and lanes", 0, LabellingOptions.MaxRays),
+        ValueParsers.Integer("--rays", "N", "Rays per frame, spent on masks first, then on objects, faces and lanes", 0,
+            LabellingOptions.MaxRays),
         new HarvestOptions().RayBudget);
 
     private static readonly Option<double> RayReach = WithDefault(
         ValueParsers.Number("--ray-reach", "M", "Objects beyond this distance become regions to ignore, because rays may miss them there, metres", IsDistance, DistanceForm),
         new HarvestOptions().RayReachMetres);
 
-    private static readonly Option<bool> NoScenes = new("--no-scenes") { Description = "Write no scenes; the session then cannot be relabelled" };
+    private static readonly Option<bool> NoScenes =
+        new("--no-scenes") { Description = "Write no scenes; the session then cannot be relabelled" };
     private static readonly Option<double> Range = WithDefault(
         ValueParsers.Number("--range", "M", "Label objects up to this distance, metres", IsDistance, DistanceForm), 150);
 
@@ -143,7 +147,9 @@ internal static class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, WeatherName, Time, Masks, Rays, RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, Quirks, FreezeBy, MaxPictureLag, MaxCameraError, ShardOf, NoReport,
+            Out, Overwrite, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, WeatherName, Time, Masks, Rays,
+                RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, Quirks, FreezeBy,
+                    MaxPictureLag, MaxCameraError, ShardOf, NoReport,
         };
         LensOf.AddTo(command);
         HelpWithNotes.AddTo(command, Notes);
@@ -174,7 +180,8 @@ internal static class HarvestCommand
         }
 
         var session = new SessionReader(plan.Folder);
-        string? page = withReport && !outcome.IsCancelled && plan.Shard.Count == 1 ? Path.Combine(plan.Folder, ReportWriter.FileName) : null;
+        string? page = withReport && !outcome.IsCancelled && plan.Shard.Count == 1 ? Path.Combine(plan.Folder, ReportWriter.FileName)
+            : null;
         if (page is not null)
         {
             new ReportWriter(session).Write(page);

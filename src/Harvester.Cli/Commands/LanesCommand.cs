@@ -25,7 +25,8 @@ internal static class LanesCommand
 
     private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true, NewLine = "\n" };
 
-    private static readonly Option<FileInfo> Roads = new("--roads") { Description = "Road network: any file that harvester roads import reads", HelpName = "FILE", Required = true };
+    private static readonly Option<FileInfo> Roads =
+        new("--roads") { Description = "Road network: any file that harvester roads import reads", HelpName = "FILE", Required = true };
     private static readonly Option<Vector3D> Position = Required(ValueParsers.Vector("--position", "X,Y,Z", "Centre of the car's box in the world, metres; with --box-centre, the car's origin (ego.position)"));
     private static readonly Option<double> Heading = Required(
         ValueParsers.Number("--heading", "DEG", "Heading of the car, degrees counter-clockwise from north", _ => true, "a number"));
@@ -37,11 +38,13 @@ internal static class LanesCommand
         text => ValueParsers.Numbers(text, 3) is { } n ? new Vector3D(n[0], n[1], n[2]) : null,
         "three numbers");
 
-    private static readonly Option<FileInfo?> Vehicles = new("--vehicles") { Description = "File with the other vehicles", HelpName = "FILE" };
+    private static readonly Option<FileInfo?> Vehicles =
+        new("--vehicles") { Description = "File with the other vehicles", HelpName = "FILE" };
     private static readonly Option<double> Length = WithDefault(Metres("--length", "Length of the car, metres"), 4.5);
     private static readonly Option<LookAhead> LaneLookAhead = LaneOptions.LookAhead();
     private static readonly Option<double> Speed = WithDefault(
-        ValueParsers.Number("--speed", "V", "Speed of the car, metres per second, for a look-ahead in seconds", value => value is >= 0 and <= 100, "a number from 0 to 100"), 10);
+        ValueParsers.Number("--speed", "V", "Speed of the car, metres per second, for a look-ahead in seconds", value =>
+            value is >= 0 and <= 100, "a number from 0 to 100"), 10);
 
     private static readonly Option<double> LaneWidth = LaneOptions.LaneWidth();
     private static readonly Option<double> NarrowLaneWidth = LaneOptions.NarrowLaneWidth();
@@ -57,11 +60,13 @@ internal static class LanesCommand
         {
             RoadNetwork network = RoadImporter.Import(parsed.GetRequiredValue(Roads).FullName).Network;
             var observer = new LaneObserver(
-                new RoadCurves(network), new LaneModel(network, parsed.GetValue(LaneWidth), parsed.GetValue(NarrowLaneWidth)), parsed.GetValue(LaneLookAhead));
+                new RoadCurves(network), new LaneModel(network, parsed.GetValue(LaneWidth), parsed.GetValue(NarrowLaneWidth)),
+                    parsed.GetValue(LaneLookAhead));
             double heading = parsed.GetRequiredValue(Heading);
             var car = new Pose(parsed.GetRequiredValue(Position), Axes.FromHeading(heading));
             LaneObservation seen = observer.Observe(
-                car.ToWorld(parsed.GetValue(BoxCentre) ?? Vector3D.Zero), heading, parsed.GetValue(Speed), parsed.GetValue(Length), ReadVehicles(parsed.GetValue(Vehicles)), null);
+                car.ToWorld(parsed.GetValue(BoxCentre) ?? Vector3D.Zero), heading, parsed.GetValue(Speed), parsed.GetValue(Length),
+                    ReadVehicles(parsed.GetValue(Vehicles)), null);
             using JsonDocument lanes = JsonDocument.Parse(JsonLabelWriter.Lanes(LanesLabel.Of(seen, "roadFile", [], null)));
             terminal.Out.WriteLine(JsonSerializer.Serialize(lanes.RootElement, Indented));
             return ExitCode.Done;
@@ -89,7 +94,8 @@ internal static class LanesCommand
             double[] numbers = ValueParsers.Numbers(line, 4) ?? ValueParsers.Numbers(line, 5)
                 ?? throw new DatasetFormatException($"{file.Name}, line {index + 1}: expected x,y,z,heading or x,y,z,heading,length, found '{line.Trim()}'.");
             vehicles.Add(new TrafficVehicle(
-                vehicles.Count + 1, new Vector3D(numbers[0], numbers[1], numbers[2]), numbers[3], numbers.Length > 4 ? numbers[4] : usualLength));
+                vehicles.Count + 1, new Vector3D(numbers[0], numbers[1], numbers[2]), numbers[3], numbers.Length > 4 ? numbers[4]
+                    : usualLength));
         }
 
         return [.. vehicles];

@@ -25,11 +25,16 @@ internal static class MergeCommand
 
     public static Command Create(Terminal terminal)
     {
-        var shards = new Argument<string[]>("SHARD") { Description = "Folders with the shards of one harvest, relabel or export", Arity = ArgumentArity.OneOrMore };
+        var shards = new Argument<string[]>("SHARD")
+        {
+            Description = "Folders with the shards of one harvest, relabel or export",
+            Arity = ArgumentArity.OneOrMore
+        };
         var output = new Option<string>("--out") { Description = "Folder to write the result to", HelpName = "DIR", Required = true };
         var images = new Option<ImageTransfer>("--images") { Description = "Link files (hard links, where possible) or copy them [default: Link]" };
         Option<bool> noReport = ReportOption.Create();
-        var command = new Command("merge", "Merge the shards of parallel runs into one session or dataset.") { shards, output, images, noReport };
+        var command = new Command("merge", "Merge the shards of parallel runs into one session or dataset.") { shards, output, images,
+            noReport };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(parsed =>
         {

@@ -34,7 +34,8 @@ internal static class ProjectCommand
         Option<double> fov = Required(CameraOptions.Fov());
         Option<ImageSize> size = Required(CameraOptions.Size());
         Option<double?> aspect = ValueParsers.Optional(
-            "--aspect", "A", "Aspect ratio of the game's window, width / height [default: that of --size]", Positive, "a number greater than 0");
+            "--aspect", "A", "Aspect ratio of the game's window, width / height [default: that of --size]",
+                Positive, "a number greater than 0");
         Option<double> near = ValueParsers.Number(
             "--near", "N", "Distance of the near plane, metres", value => value > 0, "a number greater than 0");
         near.DefaultValueFactory = _ => DefaultNearClip;
@@ -57,7 +58,8 @@ internal static class ProjectCommand
 
             FileInfo? file = parsed.GetValue(points);
             string source = file?.Name ?? "standard input";
-            using TextReader reader = InputFile.Limited(file is null ? terminal.In : InputFile.OpenText(file.FullName), source, MaxLineCharacters);
+            using TextReader reader = InputFile.Limited(
+                file is null ? terminal.In : InputFile.OpenText(file.FullName), source, MaxLineCharacters);
             WriteProjections(camera, ReadPoints(reader, source), terminal.Out);
             return ExitCode.Done;
         });

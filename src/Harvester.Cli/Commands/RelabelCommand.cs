@@ -29,20 +29,30 @@ internal static class RelabelCommand
         + "  harvester relabel drive --out calibrated --calibration GtaDataHarvester.ini --spaces signs.csv";
 
     private static readonly Argument<string> Session = SessionArgument.Create();
-    private static readonly Option<string> Out = new("--out") { Description = "Folder to write the new session to", HelpName = "DIR", Required = true };
+    private static readonly Option<string> Out =
+        new("--out") { Description = "Folder to write the new session to", HelpName = "DIR", Required = true };
     private static readonly Option<bool> Overwrite = new("--overwrite") { Description = "Replace an existing session in that folder" };
-    private static readonly Option<double?> Range = Number("--range", "M", "Label objects up to this distance, metres", value => value > 0, "a number greater than 0");
+    private static readonly Option<double?> Range =
+        Number("--range", "M", "Label objects up to this distance, metres", value => value > 0, "a number greater than 0");
     private static readonly Option<string?> Classes = ClassList.Option("Label");
-    private static readonly Option<double?> MinArea = Number("--min-box-area", "PX2", "Label objects whose 2D box has at least this area, square pixels", value => value >= 0, "a number, 0 or greater");
-    private static readonly Option<double?> MinSide = Number("--min-box-side", "PX", "Label objects whose 2D box is at least this wide and high, pixels", value => value >= 0, "a number, 0 or greater");
-    private static readonly Option<double?> MaxOccluded = Number("--max-occluded", "S", "Label objects with at most this fraction hidden, 0 to 1", value => value is >= 0 and <= 1, "a number from 0 to 1");
-    private static readonly Option<FileInfo?> Calibration = File("--calibration", "Lens to label with: a file with the output of harvester calibrate, or the mod's ini file");
+    private static readonly Option<double?> MinArea =
+        Number("--min-box-area", "PX2", "Label objects whose 2D box has at least this area, square pixels", value =>
+            value >= 0, "a number, 0 or greater");
+    private static readonly Option<double?> MinSide =
+        Number("--min-box-side", "PX", "Label objects whose 2D box is at least this wide and high, pixels", value =>
+            value >= 0, "a number, 0 or greater");
+    private static readonly Option<double?> MaxOccluded =
+        Number("--max-occluded", "S", "Label objects with at most this fraction hidden, 0 to 1", value =>
+            value is >= 0 and <= 1, "a number from 0 to 1");
+    private static readonly Option<FileInfo?> Calibration =
+        File("--calibration", "Lens to label with: a file with the output of harvester calibrate, or the mod's ini file");
     private static readonly Option<FileSystemInfo?> Faces = SpacesOption.Create("the recorded table");
     private static readonly Option<FileInfo?> Roads = File("--roads", "Road network to measure lanes on, a file or folder");
     private static readonly Option<LookAhead?> LaneLookAhead = LaneOptions.OtherLookAhead();
     private static readonly Option<double?> LaneWidth = LaneOptions.OtherLaneWidth();
     private static readonly Option<double?> NarrowLaneWidth = LaneOptions.OtherNarrowLaneWidth();
-    private static readonly Option<ImageTransfer> Images = new("--images") { Description = "Link images (hard links, where possible) or copy them [default: Link]" };
+    private static readonly Option<ImageTransfer> Images =
+        new("--images") { Description = "Link images (hard links, where possible) or copy them [default: Link]" };
     private static readonly Option<Shard> ShardOf = ShardOption.Create();
     private static readonly Option<bool> NoReport = ReportOption.Create();
 
@@ -50,7 +60,8 @@ internal static class RelabelCommand
     {
         var command = new Command("relabel", "Recompute the labels of a session with other options, without the game.")
         {
-            Session, Out, Overwrite, Range, Classes, MinArea, MinSide, MaxOccluded, Calibration, Faces, Roads, LaneLookAhead, LaneWidth, NarrowLaneWidth, Images, ShardOf, NoReport,
+            Session, Out, Overwrite, Range, Classes, MinArea, MinSide, MaxOccluded, Calibration, Faces, Roads, LaneLookAhead, LaneWidth,
+                NarrowLaneWidth, Images, ShardOf, NoReport,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
@@ -71,7 +82,8 @@ internal static class RelabelCommand
         RelabelOptions changes = ChangesOf(terminal, parsed);
         var relabeller = new SessionRelabeller(session, changes);
         OutputFolder.Clear(folder);
-        int frames = new JobProgress(terminal, session.CountLines() / changes.Shard.Count).Run(report => relabeller.Run(folder, report, cancellation));
+        int frames = new JobProgress(terminal, session.CountLines() / changes.Shard.Count)
+            .Run(report => relabeller.Run(folder, report, cancellation));
         if (changes.Shard.Count > 1)
         {
             terminal.Out.WriteLine($"{folder}: shard {changes.Shard}, {Counted.Of(frames, "frame")}. When all are done: harvester merge");
@@ -107,7 +119,8 @@ internal static class RelabelCommand
     };
 
     private static Option<double?> Number(string name, string form, string description, Func<double, bool> isAllowed, string allowed) =>
-        ValueParsers.Optional<double>(name, form, description, text => ValueParsers.Number(text) is { } value && isAllowed(value) ? value : null, allowed);
+        ValueParsers.Optional<double>(
+            name, form, description, text => ValueParsers.Number(text) is { } value && isAllowed(value) ? value : null, allowed);
 
     private static Option<FileInfo?> File(string name, string description) => new(name) { Description = description, HelpName = "FILE" };
 }

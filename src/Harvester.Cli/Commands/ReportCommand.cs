@@ -77,7 +77,8 @@ internal static class ReportCommand
         return command;
     }
 
-    private static int? FrameNumber(string text) => int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int frame) ? frame : null;
+    private static int? FrameNumber(string text) =>
+        int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int frame) ? frame : null;
 
     /// <summary>What a file is called says what it is.</summary>
     private static void CheckExtension(string file, params string[] allowed)

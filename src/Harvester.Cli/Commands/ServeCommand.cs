@@ -42,9 +42,11 @@ internal static class ServeCommand
         HelpName = "FILE",
     };
 
-    private static readonly Option<Vector2D?> Near = ValueParsers.Point("--near", "X,Y", "Start position, metres [default: the middle of the road network]");
+    private static readonly Option<Vector2D?> Near =
+        ValueParsers.Point("--near", "X,Y", "Start position, metres [default: the middle of the road network]");
     private static readonly Option<double> Traffic = WithDefault(
-        ValueParsers.Number("--traffic", "F", "Factor on the number of vehicles and pedestrians", value => value is >= 0 and <= 10, "a number from 0 to 10"), 1);
+        ValueParsers.Number("--traffic", "F", "Factor on the number of vehicles and pedestrians", value =>
+            value is >= 0 and <= 10, "a number from 0 to 10"), 1);
 
     private static readonly Option<string> WeatherName = new("--weather")
     {
@@ -56,10 +58,12 @@ internal static class ServeCommand
     private static readonly Option<ImageSize> Size = WithDefault(CameraOptions.SizeOfHarvest(), new DrivingOptions().Picture);
     private static readonly Option<double> Hz = WithDefault(
         ValueParsers.Number(
-            "--hz", "N", "Frames per second of game time", value => value is > 0 and <= SimulatedHarvest.TicksPerSecond, "a number greater than 0 and at most 60"), 10);
+            "--hz", "N", "Frames per second of game time", value =>
+                value is > 0 and <= SimulatedHarvest.TicksPerSecond, "a number greater than 0 and at most 60"), 10);
 
     private static readonly Option<double?> Duration = ValueParsers.Optional<double>(
-        "--duration", "S", "Stop after this much game time, seconds [default: serve until Ctrl+C]", text => ValueParsers.Number(text) is > 0 and var seconds ? seconds : null, "a number greater than 0");
+        "--duration", "S", "Stop after this much game time, seconds [default: serve until Ctrl+C]", text =>
+            ValueParsers.Number(text) is > 0 and var seconds ? seconds : null, "a number greater than 0");
 
     private static readonly ControllerOptions Controller = new("The controller that drives when a program sends indicators", "deepdriving");
 
@@ -72,7 +76,8 @@ internal static class ServeCommand
     {
         var command = new Command("serve", "Serve the simulated game to a driving program over the live bridge.");
         Bridge.AddTo(command);
-        foreach (Option option in new Option[] { Seed, Roads, Near, Traffic, WeatherName, Size, Hz, Duration, Unassisted }.Concat(Controller.All))
+        foreach (Option option in new Option[] { Seed, Roads, Near, Traffic, WeatherName, Size, Hz, Duration, Unassisted }.Concat(
+            Controller.All))
         {
             command.Options.Add(option);
         }
@@ -92,7 +97,8 @@ internal static class ServeCommand
         terminal.Out.WriteLine($"Serving at {place}");
         terminal.Out.Flush();
         using var game = new GameEndpoint(simulated, roads, options, bridge, controller.New, !parsed.GetValue(Unassisted));
-        DrivingStatus status = new ServedGame(simulated, game) { Visits = new VisitLog(bridge, terminal) }.Run(parsed.GetValue(Duration) ?? double.PositiveInfinity, cancellation);
+        DrivingStatus status = new ServedGame(simulated, game) { Visits = new VisitLog(bridge, terminal) }.Run(
+            parsed.GetValue(Duration) ?? double.PositiveInfinity, cancellation);
         terminal.Out.WriteLine(string.Create(
             CultureInfo.InvariantCulture, $"{Counted.Of(status.Frames, "frame")}, {game.Metres:0} m driven in {simulated.Ports.World.TimeSeconds:0.0} s"));
         if (status.Ending is { } fault)

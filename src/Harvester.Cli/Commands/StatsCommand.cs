@@ -71,13 +71,16 @@ internal static class StatsCommand
         }
     }
 
-    private static string PartsOf(ClassStatistics figures) => figures.Parts == 0 ? "" : Text($" ({figures.Parts} of them faces of signs or heads of lights)");
+    private static string PartsOf(ClassStatistics figures) =>
+        figures.Parts == 0 ? "" : Text($" ({figures.Parts} of them faces of signs or heads of lights)");
 
     /// <summary>The bins that hold something.</summary>
     private static string Bins(string name, Histogram histogram) => Listed(
-        name, histogram.Counts.Select((count, bin) => (count, bin)).Where(pair => pair.count > 0).Select(pair => $"{RangeOf(histogram, pair.bin)} {pair.count}"));
+        name, histogram.Counts.Select((count, bin) => (count, bin)).Where(pair => pair.count > 0)
+            .Select(pair => $"{RangeOf(histogram, pair.bin)} {pair.count}"));
 
-    private static string RangeOf(Histogram histogram, int bin) => (bin + 1 < histogram.Starts.Count ? histogram.Starts[bin + 1] : histogram.End) is { } end
+    private static string RangeOf(Histogram histogram, int bin) =>
+        (bin + 1 < histogram.Starts.Count ? histogram.Starts[bin + 1] : histogram.End) is { } end
         ? Text($"{histogram.Starts[bin]:0.##}-{end:0.##}:")
         : Text($"{histogram.Starts[bin]:0.##} or more:");
 

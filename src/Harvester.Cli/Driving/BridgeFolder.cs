@@ -9,7 +9,9 @@ using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Driving;
 
-/// <summary>The folder over which a game is driven. The bridge writes to it and deletes in it, so that a folder of something else is refused.</summary>
+/// <summary>
+/// The folder over which a game is driven. The bridge writes to it and deletes in it, so that a folder of something else is refused.
+/// </summary>
 internal static class BridgeFolder
 {
     /// <summary>Name of the shared folder in the folder of the drive, where no other is named.</summary>
@@ -17,7 +19,8 @@ internal static class BridgeFolder
 
     private const string Picture = "frame_";
 
-    // What the game and its client write, under these names or temporary ones made of them; docs/bridge.md. Pictures are no sign: other tools number theirs so too.
+    // What the game and its client write, under these names or temporary ones made of them; docs/bridge.md. Pictures are no sign: other
+    // tools number theirs so too.
     private static readonly string[] Signs = ["state.txt", "indicators.txt", "controls.txt", "command.json", "alive.txt"];
 
     /// <summary>Checks that a bridge may be opened in a folder, and changes nothing.</summary>
@@ -29,7 +32,8 @@ internal static class BridgeFolder
             return;
         }
 
-        string[] found = [.. Directory.EnumerateFileSystemEntries(folder).Select(entry => Path.GetFileName(entry)).Where(name => !name.StartsWith('.')).Order(StringComparer.Ordinal)];
+        string[] found = [.. Directory.EnumerateFileSystemEntries(folder).Select(entry => Path.GetFileName(entry))
+            .Where(name => !name.StartsWith('.')).Order(StringComparer.Ordinal)];
         bool isOther = SessionMerger.IsSession(folder) || DatasetValidator.IsDataset(folder) || found.Contains(DriveRecord.FileName);
         if (found.Length > 0 && (isOther || !found.Any(IsSign)))
         {

@@ -7,7 +7,9 @@ using Harvester.Evaluation.Reports;
 
 namespace Harvester.Cli.Driving;
 
-/// <summary>The folder that a drive is written to. Nothing but an earlier drive is ever replaced, and only when that was asked for.</summary>
+/// <summary>
+/// The folder that a drive is written to. Nothing but an earlier drive is ever replaced, and only when that was asked for.
+/// </summary>
 internal static class DriveFolder
 {
     private static readonly string[] Files = [DriveRecord.FileName, DriveReport.FileName];

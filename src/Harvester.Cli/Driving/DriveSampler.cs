@@ -42,7 +42,8 @@ internal sealed class DriveSampler(SimulatedGame game)
             IsTeleported = isTeleported,
             Lane = LaneOf(ego, body),
             Touching = [.. game.Ports.World.ReadEntities(ego.Pose.Position, MaxBody)
-                .Where(entity => LaneTracker.IsVehicle(entity) && body.Overlaps(GroundBox.Of(entity.Pose, entity.ModelMin, entity.ModelMax)))
+                .Where(entity => LaneTracker.IsVehicle(entity)
+                    && body.Overlaps(GroundBox.Of(entity.Pose, entity.ModelMin, entity.ModelMax)))
                 .Select(entity => entity.Handle)],
         });
     }

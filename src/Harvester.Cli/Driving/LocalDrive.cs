@@ -35,7 +35,8 @@ internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IControl
         IDrivenCar car = game.Ports.Car!;
         DrivingControls controls = DrivingControls.Stop;
         bool isByController = false;
-        for (int tick = 0; _sampler.Metres < metres && game.Ports.World.TimeSeconds < seconds && !cancellation.IsCancellationRequested; tick++)
+        for (int tick = 0; _sampler.Metres < metres && game.Ports.World.TimeSeconds < seconds
+            && !cancellation.IsCancellationRequested; tick++)
         {
             if (tick % TicksPerControl == 0)
             {
@@ -67,7 +68,8 @@ internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IControl
         return _sampler.Samples;
     }
 
-    private LaneObservation? Look(EgoState ego) => _lanes.Observe(ego, game.Ports.World.ReadEntities(ego.Pose.Position, VehicleRange))?.Seen;
+    private LaneObservation? Look(EgoState ego) =>
+        _lanes.Observe(ego, game.Ports.World.ReadEntities(ego.Pose.Position, VehicleRange))?.Seen;
 
     private DrivingState StateOf(LaneObservation? seen)
     {

@@ -19,13 +19,16 @@ namespace Harvester.Cli.Driving;
 /// <param name="bridge">To the client.</param>
 /// <param name="newController">Makes what drives by a client's indicators.</param>
 /// <param name="patience">For so long, on the clock, it waits for a client to drive.</param>
-internal sealed class RemoteDrive(SimulatedGame game, IRoads roads, IDrivingBridge bridge, Func<IController> newController, TimeSpan patience)
+internal sealed class RemoteDrive(
+    SimulatedGame game, IRoads roads, IDrivingBridge bridge, Func<IController> newController, TimeSpan patience)
 {
     private const double TickSeconds = 0.05;
     private const int TicksPerSample = 2;
     private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(1);
 
-    /// <summary>A client may have come after the frame of the world that waits for it, and may wait for a frame itself: it is shown so often.</summary>
+    /// <summary>
+    /// A client may have come after the frame of the world that waits for it, and may wait for a frame itself: it is shown so often.
+    /// </summary>
     private static readonly TimeSpan ShowAgainAfter = TimeSpan.FromSeconds(0.5);
 
     private readonly DriveSampler _sampler = new(game);

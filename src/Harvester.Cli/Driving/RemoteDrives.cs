@@ -69,7 +69,8 @@ internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
         return driver;
     }
 
-    private void Run(RemoteDrive drive, IDrivingBridge bridge, Func<IController> newController, double metres, double seconds, CancellationToken cancellation)
+    private void Run(RemoteDrive drive, IDrivingBridge bridge, Func<IController> newController, double metres, double seconds,
+        CancellationToken cancellation)
     {
         if (plan.Role != DriveRole.Both)
         {
@@ -81,7 +82,8 @@ internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
 
         using IBridgeLink link = Connect((bridge as SocketBridge)?.EndPoint);
         using var ending = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
-        Task client = Task.Run(() => RunClientToItsEnd(new ClientDriver(link, newController, plan.Patience, TimeProvider.System), ending), CancellationToken.None);
+        Task client = Task.Run(() =>
+            RunClientToItsEnd(new ClientDriver(link, newController, plan.Patience, TimeProvider.System), ending), CancellationToken.None);
         try
         {
             drive.Run(metres, seconds, isRealTime: false, ending.Token);
@@ -126,6 +128,7 @@ internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
     private IBridgeLink Connect(IPEndPoint? known)
     {
         IPEndPoint at = known ?? plan.At ?? BridgePlan.UsualPlace;
-        return plan.Kind == BridgeName.Folder ? new FolderLink(plan.Folder) : new SocketLink(at.Address.ToString(), at.Port, plan.Token, plan.Patience);
+        return plan.Kind == BridgeName.Folder ? new FolderLink(plan.Folder)
+            : new SocketLink(at.Address.ToString(), at.Port, plan.Token, plan.Patience);
     }
 }

@@ -43,11 +43,13 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
             if (plan.Bridge is { } bridge)
             {
                 new RemoteDrives(bridge, messages).Run(
-                    game, RoadsOf(game), () => ControllerOf(seed), () => ControllerAtCar(seed), plan.Metres, plan.Seconds, _samples, cancellation);
+                    game, RoadsOf(game), () =>
+                        ControllerOf(seed), () => ControllerAtCar(seed), plan.Metres, plan.Seconds, _samples, cancellation);
             }
             else
             {
-                _samples.AddRange(new LocalDrive(game, RoadsOf(game), () => ControllerOf(seed)).Run(plan.Metres, plan.Seconds, metres => report((int)(before + metres)), cancellation));
+                _samples.AddRange(new LocalDrive(game, RoadsOf(game), () => ControllerOf(seed))
+                    .Run(plan.Metres, plan.Seconds, metres => report((int)(before + metres)), cancellation));
             }
         }
     }

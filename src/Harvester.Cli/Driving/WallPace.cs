@@ -3,7 +3,10 @@ using System.Threading;
 
 namespace Harvester.Cli.Driving;
 
-/// <summary>Keeps the ticks of a game to the clock on the wall. A machine that is too slow for the pace, and a world that has stood, do not hurry later.</summary>
+/// <summary>
+/// Keeps the ticks of a game to the clock on the wall. A machine that is too slow for the pace, and a world that has stood, do not hurry
+/// later.
+/// </summary>
 /// <param name="tickSeconds">The game's time from tick to tick.</param>
 /// <param name="clock">The clock on the wall.</param>
 internal sealed class WallPace(double tickSeconds, TimeProvider clock)

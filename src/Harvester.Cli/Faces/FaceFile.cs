@@ -38,7 +38,8 @@ internal static class FaceFile
     /// <param name="path">The table, or a survey's folder.</param>
     /// <param name="warn">Is told what is refused, a line at a time.</param>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="DatasetFormatException">It is something else than a table, or no row of it is good and some are refused.</exception>
+    /// <exception cref="DatasetFormatException">It is something else than a table, or no row of it is good and some are
+    /// refused.</exception>
     public static FaceTable ReadGood(string path, Action<string> warn)
     {
         FaceTableContent content = Read(path);
@@ -63,7 +64,9 @@ internal static class FaceFile
         return content.Table;
     }
 
-    /// <summary>Whether a file without a good row is a table all the same: one with the header or bad rows, or with remarks alone.</summary>
+    /// <summary>
+    /// Whether a file without a good row is a table all the same: one with the header or bad rows, or with remarks alone.
+    /// </summary>
     private static bool IsTable(FaceTableContent content, string table) => content.Problems switch
     {
         [] => InputFile.ReadLines(table).Any(line => line.Trim().Length > 0),

@@ -99,8 +99,10 @@ internal sealed class FaceGallery
         page.Start("table");
         foreach (ModelFace face in faces)
         {
-            page.Start("tr").Element("td", face.Number.ToString(CultureInfo.InvariantCulture)).Element("td", face.Name).Element("td", face.MutcdCode);
-            page.Element("td", string.Create(CultureInfo.InvariantCulture, $"{Width(face):0.00} × {face.FrontUpperLeft.Z - face.BackLowerRight.Z:0.00} m"));
+            page.Start("tr").Element("td", face.Number.ToString(CultureInfo.InvariantCulture)).Element("td", face.Name)
+                .Element("td", face.MutcdCode);
+            page.Element("td", string.Create(
+                CultureInfo.InvariantCulture, $"{Width(face):0.00} × {face.FrontUpperLeft.Z - face.BackLowerRight.Z:0.00} m"));
             page.Element("td", JsonName.Of(face.Provenance)).End();
         }
 
@@ -120,7 +122,8 @@ internal sealed class FaceGallery
         foreach ((int index, ModelFace face) in faces.Index().OrderBy(each => Nearness(each.Item, faces[0].Facing)))
         {
             string away = face.Facing == faces[0].Facing ? "" : " away";
-            page.Start("polygon").With("class", JsonName.Of(face.Provenance) + away).With("fill", face.Class == ObjectClass.Sign ? "#fd8" : "#8cf");
+            page.Start("polygon").With("class", JsonName.Of(face.Provenance) + away)
+                .With("fill", face.Class == ObjectClass.Sign ? "#fd8" : "#8cf");
             page.WithPoints(outlines[index].Select(corner => Pixel(corner.Right, corner.Up))).End();
         }
 
@@ -132,7 +135,8 @@ internal sealed class FaceGallery
     {
         var atOrigin = new Pose(Vector3D.Zero, Axes.Identity);
         return [.. FaceOutline.EdgesOf(face, atOrigin).Where((_, i) => i % 3 == 0).Select(edge => (
-            seenFrom switch { Facing.Front => -edge.Start.X, Facing.Left => -edge.Start.Y, Facing.Right => edge.Start.Y, _ => edge.Start.X },
+            seenFrom switch { Facing.Front =>
+                -edge.Start.X, Facing.Left => -edge.Start.Y, Facing.Right => edge.Start.Y, _ => edge.Start.X },
             edge.Start.Z))];
     }
 

@@ -13,7 +13,9 @@ using Harvester.Surveys.Faces;
 
 namespace Harvester.Cli.Faces;
 
-/// <summary>A survey's photographs as figures of a page, each with the cuboids of its model's faces drawn where its camera saw them.</summary>
+/// <summary>
+/// A survey's photographs as figures of a page, each with the cuboids of its model's faces drawn where its camera saw them.
+/// </summary>
 internal sealed class PhotoFigures
 {
     private const double NearClip = 0.05;
@@ -30,7 +32,8 @@ internal sealed class PhotoFigures
         _pictures = pictures;
         string table = Path.Combine(folder, SurveyPhoto.TableName);
         using TextReader text = File.Exists(table) ? InputFile.OpenText(table) : TextReader.Null;
-        Photos = [.. SurveyPhoto.ReadAll(text).Where(photo => InnerPath.IsWithin(_folder, photo.File) && File.Exists(InnerPath.Of(_folder, photo.File)))];
+        Photos = [.. SurveyPhoto.ReadAll(text)
+            .Where(photo => InnerPath.IsWithin(_folder, photo.File) && File.Exists(InnerPath.Of(_folder, photo.File)))];
     }
 
     /// <summary>The photographs that are there.</summary>

@@ -41,7 +41,9 @@ internal sealed record HarvestPlan
     /// <summary>What separates the game's picture from a pinhole's; the labels know it.</summary>
     public required Lens Lens { get; init; }
 
-    /// <summary>The largest error of the camera model over markers with which a harvest starts, pixels; null to leave the check out.</summary>
+    /// <summary>
+    /// The largest error of the camera model over markers with which a harvest starts, pixels; null to leave the check out.
+    /// </summary>
     public required double? MaxCameraErrorPixels { get; init; }
 
     /// <summary>Frames per second of the game's time.</summary>

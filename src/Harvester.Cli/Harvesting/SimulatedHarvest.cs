@@ -48,7 +48,8 @@ internal sealed class SimulatedHarvest
     public static SimulatedHarvest Build(HarvestPlan plan, Action<string> warn)
     {
         RoadNetwork? roads = plan.Roads is null ? null : RoadImporter.Import(plan.Roads).Network;
-        FaceTable faces = FaceFile.AsWritten(plan.Faces is null ? ModelFaces.Table : ModelFaces.Table.OverriddenBy(FaceFile.ReadGood(plan.Faces, warn)));
+        FaceTable faces = FaceFile.AsWritten(
+            plan.Faces is null ? ModelFaces.Table : ModelFaces.Table.OverriddenBy(FaceFile.ReadGood(plan.Faces, warn)));
         List<PropPlacement> props = [.. plan.Props.SelectMany(PropPlacementImporter.Import)];
         try
         {
@@ -110,7 +111,9 @@ internal sealed class SimulatedHarvest
         };
     }
 
-    /// <summary>Writes the roads of a made-up town beside the scenes; labels are made on them as they are written, so that they can be made again.</summary>
+    /// <summary>
+    /// Writes the roads of a made-up town beside the scenes; labels are made on them as they are written, so that they can be made again.
+    /// </summary>
     private RoadNetwork KeepRoads(RoadNetwork town)
     {
         if (!_plan.Scenes)
@@ -127,7 +130,11 @@ internal sealed class SimulatedHarvest
     }
 
     private GamePorts Ports(RoadNetwork roads) =>
-        _game.Ports with { Roads = new FixedRoads(roads, _plan.Roads is null ? "simulation" : "roadFile", _plan.LookAhead, _plan.LaneWidth, _plan.NarrowLaneWidth) };
+        _game.Ports with
+        {
+            Roads = new FixedRoads(
+            roads, _plan.Roads is null ? "simulation" : "roadFile", _plan.LookAhead, _plan.LaneWidth, _plan.NarrowLaneWidth)
+        };
 
     private HarvestOptions Options() => new()
     {

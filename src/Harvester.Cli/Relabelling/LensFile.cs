@@ -7,7 +7,9 @@ using Harvester.Play.Settings;
 
 namespace Harvester.Cli.Relabelling;
 
-/// <summary>Reads the lens that a calibration found: the lines that harvester calibrate prints, or an ini file with a section [Lens].</summary>
+/// <summary>
+/// Reads the lens that a calibration found: the lines that harvester calibrate prints, or an ini file with a section [Lens].
+/// </summary>
 internal static class LensFile
 {
     private const string Section = $"[{HarvestSettings.LensSection}]";
@@ -17,7 +19,8 @@ internal static class LensFile
     public static Lens Read(string path)
     {
         string text = InputFile.ReadAllText(path);
-        IniFile ini = IniFile.Read(new StringReader(text.Contains(Section, System.StringComparison.OrdinalIgnoreCase) ? text : $"{Section}\n{text}"));
+        IniFile ini = IniFile.Read(
+            new StringReader(text.Contains(Section, System.StringComparison.OrdinalIgnoreCase) ? text : $"{Section}\n{text}"));
         Lens lens = HarvestSettings.LensOf(ini);
         foreach (KeyValuePair<string, double> value in HarvestSettings.ValuesOf(lens))
         {

@@ -7,7 +7,10 @@ using Harvester.Simulation.Game;
 
 namespace Harvester.Cli.Serving;
 
-/// <summary>A simulated game at the pace of the clock on the wall, for a client at the other end of a bridge. The steps that a client asks for are taken as fast as it goes.</summary>
+/// <summary>
+/// A simulated game at the pace of the clock on the wall, for a client at the other end of a bridge. The steps that a client asks for are
+/// taken as fast as it goes.
+/// </summary>
 internal sealed class ServedGame(SimulatedGame game, GameEndpoint bridged)
 {
     private const double TickSeconds = 1 / SimulatedHarvest.TicksPerSecond;

@@ -13,7 +13,7 @@ internal static class FaultReport
     /// <returns>One line for the user, which names the file.</returns>
     public static string Write(Exception fault)
     {
-        string what = $"A fault of the program: {fault.GetType().Name}.";
+        string what = $"Internal error: {fault.GetType().Name}.";
         try
         {
             string folder = Directory.CreateTempSubdirectory("harvester-fault-").FullName;

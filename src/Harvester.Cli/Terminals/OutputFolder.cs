@@ -38,7 +38,8 @@ internal static class OutputFolder
             throw new OccupiedFolderException($"'{folder}' already holds a session. Name another folder with --out, or replace it with --overwrite.");
         }
 
-        if (Directory.EnumerateFileSystemEntries(folder).Select(Path.GetFileName).Except([.. Files, .. Folders]).FirstOrDefault() is { } other)
+        if (Directory.EnumerateFileSystemEntries(folder).Select(Path.GetFileName).Except([.. Files, .. Folders])
+            .FirstOrDefault() is { } other)
         {
             throw new OccupiedFolderException($"'{folder}' holds other files besides a session, e.g. '{other}'. Name another folder with --out.");
         }
@@ -77,7 +78,9 @@ internal static class OutputFolder
         }
     }
 
-    /// <summary>Deletes what a harvest left that ended before its session was opened, and the folder with it, unless it holds something else.</summary>
+    /// <summary>
+    /// Deletes what a harvest left that ended before its session was opened, and the folder with it, unless it holds something else.
+    /// </summary>
     public static void DiscardUnopened(string folder)
     {
         if (Directory.Exists(folder) && !File.Exists(Path.Combine(folder, SessionInfo.FileName)))

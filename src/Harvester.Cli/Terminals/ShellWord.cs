@@ -13,7 +13,8 @@ internal static class ShellWord
     /// <param name="isWindows">Whether for cmd and PowerShell, whose quotes are double; else for a POSIX shell.</param>
     public static string Of(string word, bool isWindows)
     {
-        bool isPlain = word.Length > 0 && word.All(letter => char.IsAsciiLetterOrDigit(letter) || PlainLetters.Contains(letter) || (isWindows && letter == '\\'));
+        bool isPlain = word.Length > 0
+            && word.All(letter => char.IsAsciiLetterOrDigit(letter) || PlainLetters.Contains(letter) || (isWindows && letter == '\\'));
         return isPlain ? word
             : isWindows ? $"\"{word}\""
             : $"'{word.Replace("'", @"'\''", StringComparison.Ordinal)}'";

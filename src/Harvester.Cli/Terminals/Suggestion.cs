@@ -25,7 +25,9 @@ internal static class Suggestion
             .FirstOrDefault();
     }
 
-    /// <summary>The fewest letters that must be put in, left out, exchanged or swapped with their neighbour (optimal string alignment).</summary>
+    /// <summary>
+    /// The fewest letters that must be put in, left out, exchanged or swapped with their neighbour (optimal string alignment).
+    /// </summary>
     internal static int Mistakes(string a, string b)
     {
         int[,] least = new int[a.Length + 1, b.Length + 1];
@@ -47,7 +49,8 @@ internal static class Suggestion
 
     private static IEnumerable<string> NamesIn(CommandResult command)
     {
-        IEnumerable<Option> inherited = AncestorsOf(command).SelectMany(ancestor => ancestor.Command.Options.Where(option => option.Recursive));
+        IEnumerable<Option> inherited = AncestorsOf(command)
+            .SelectMany(ancestor => ancestor.Command.Options.Where(option => option.Recursive));
         return command.Command.Subcommands.Select(sub => sub.Name)
             .Concat(command.Command.Options.Concat(inherited).Where(option => !option.Hidden).Select(option => option.Name));
     }

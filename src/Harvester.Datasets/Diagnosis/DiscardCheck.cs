@@ -12,8 +12,10 @@ internal static class DiscardCheck
     /// <summary>A reason that took a smaller share of the frames begun is part of a good harvest.</summary>
     private const double UsualShare = 0.1;
 
-    private static readonly Regex Counts = new(@"(?<captured>\d+) frames?, discarded: (?<discards>(\d+ [a-zA-Z]+(, )?)+)", RegexOptions.CultureInvariant);
-    private static readonly Regex GivenFreeze = new(@"\[Harvest\] Freeze = (Paused|TimeScale)", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase);
+    private static readonly Regex Counts =
+        new(@"(?<captured>\d+) frames?, discarded: (?<discards>(\d+ [a-zA-Z]+(, )?)+)", RegexOptions.CultureInvariant);
+    private static readonly Regex GivenFreeze =
+        new(@"\[Harvest\] Freeze = (Paused|TimeScale)", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase);
 
     /// <summary>The harvests that a log tells of.</summary>
     public static IEnumerable<Finding> Of(IReadOnlyList<LogLine> lines)

@@ -13,7 +13,8 @@ public static class Doctor
     /// <param name="path">The file or folder.</param>
     /// <param name="allRuns">Whether earlier runs in the mod's log count too.</param>
     /// <exception cref="IOException">A file is missing or cannot be read.</exception>
-    /// <exception cref="DatasetFormatException">The file is no log; the folder holds none and is no game's; session.json is malformed.</exception>
+    /// <exception cref="DatasetFormatException">The file is no log; the folder holds none and is no game's; session.json is
+    /// malformed.</exception>
     public static Diagnosis Examine(string path, bool allRuns = false)
     {
         if (!Directory.Exists(path))
@@ -38,7 +39,8 @@ public static class Doctor
         // From the bottom up: what is wrong below is the cause of what is wrong above.
         LogFile[] logs = [.. search.Logs.OrderBy(log => log.Key).Select(log => LogFile.Read(log.Value, allRuns))];
         IEnumerable<Finding> missing = search.IsGame ? MissingLogCheck.Of(logs) : [];
-        return new Diagnosis(logs, [.. logs.Where(log => log.Kind != LogKind.Mod).SelectMany(FindingsOf), .. missing, .. logs.Where(log => log.Kind == LogKind.Mod).SelectMany(FindingsOf)]);
+        return new Diagnosis(logs, [.. logs.Where(log => log.Kind != LogKind.Mod).SelectMany(FindingsOf), .. missing,
+            .. logs.Where(log => log.Kind == LogKind.Mod).SelectMany(FindingsOf)]);
     }
 
     private static IEnumerable<Finding> FindingsOf(LogFile log) =>

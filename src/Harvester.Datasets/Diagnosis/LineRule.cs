@@ -12,7 +12,10 @@ internal sealed class LineRule(string pattern, string cause, string advice)
 {
     private readonly Regex _pattern = new(pattern, RegexOptions.IgnoreCase | RegexOptions.CultureInvariant);
 
-    /// <summary>One finding for each rule that lines match; a line counts for the first rule alone, so that specific rules stand before general ones.</summary>
+    /// <summary>
+    /// One finding for each rule that lines match; a line counts for the first rule alone, so that specific rules stand before general
+    /// ones.
+    /// </summary>
     public static IEnumerable<Finding> Apply(IReadOnlyList<LineRule> rules, IEnumerable<LogLine> lines) =>
         from line in lines
         let rule = rules.FirstOrDefault(rule => rule._pattern.IsMatch(line.Text))

@@ -7,7 +7,9 @@ using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Diagnosis;
 
-/// <summary>A log. The mod's holds all runs since it was installed, of which as a rule only the last one matters; the others hold one.</summary>
+/// <summary>
+/// A log. The mod's holds all runs since it was installed, of which as a rule only the last one matters; the others hold one.
+/// </summary>
 public sealed class LogFile
 {
     private static readonly Regex RunBegins = new(@"^\S+ \S+ GtaDataHarvester \d+[.]\d+[^,]*, API ", RegexOptions.CultureInvariant);
@@ -45,7 +47,9 @@ public sealed class LogFile
 
     private const int MaxLines = 1_000_000;
 
-    /// <summary>Reads a log, also while the game still writes it. Its kind shows in its name, which may have additions, else in what it says.</summary>
+    /// <summary>
+    /// Reads a log, also while the game still writes it. Its kind shows in its name, which may have additions, else in what it says.
+    /// </summary>
     /// <param name="path">The file.</param>
     /// <param name="allRuns">Whether earlier runs are kept.</param>
     /// <exception cref="IOException">It cannot be read.</exception>

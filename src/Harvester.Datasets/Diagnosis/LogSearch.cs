@@ -24,7 +24,8 @@ internal sealed class LogSearch
             .Select(kind => (Kind: kind, Path: Find(LogFile.NameOf(kind))))
             .Where(found => found.Path is not null)
             .ToDictionary(found => found.Kind, found => found.Path!);
-        IsGame = Programs.Any(program => Find(program) is not null) || Logs.ContainsKey(LogKind.ScriptHook) || Logs.ContainsKey(LogKind.Loader);
+        IsGame = Programs.Any(program => Find(program) is not null) || Logs.ContainsKey(LogKind.ScriptHook)
+            || Logs.ContainsKey(LogKind.Loader);
     }
 
     /// <summary>The logs that are there.</summary>

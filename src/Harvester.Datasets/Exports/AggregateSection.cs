@@ -1,6 +1,8 @@
 namespace Harvester.Datasets.Exports;
 
-/// <summary>A stretch of an aggregate file: a fixed text, or what the frames handed over under one name, in the order of the frames.</summary>
+/// <summary>
+/// A stretch of an aggregate file: a fixed text, or what the frames handed over under one name, in the order of the frames.
+/// </summary>
 public sealed record AggregateSection
 {
     private AggregateSection(string text, string? part, string between, string after, bool areFiles)

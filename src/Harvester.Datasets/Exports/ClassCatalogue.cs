@@ -36,7 +36,8 @@ internal sealed class ClassCatalogue
 
     /// <summary>The class of an object; null when its class is not exported.</summary>
     public DatasetClass? Of(ObjectLabel label) => _options.Includes(label.Class)
-        ? DetailOf(label) is { } detail && _byName.TryGetValue(NameOf(label.Class, detail), out DatasetClass? subclass) ? subclass : Of(label.Class)
+        ? DetailOf(label) is { } detail && _byName.TryGetValue(NameOf(label.Class, detail), out DatasetClass? subclass) ? subclass
+            : Of(label.Class)
         : null;
 
     /// <summary>The class of objects of which no more is known; null when it is not exported.</summary>
@@ -63,5 +64,6 @@ internal sealed class ClassCatalogue
         _ => [],
     };
 
-    private static string? DetailOf(ObjectLabel label) => label.Face is { Light: { } light } ? JsonName.Of(light.State) : label.Face?.MutcdCode;
+    private static string? DetailOf(ObjectLabel label) =>
+        label.Face is { Light: { } light } ? JsonName.Of(light.State) : label.Face?.MutcdCode;
 }

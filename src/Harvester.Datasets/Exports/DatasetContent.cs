@@ -57,6 +57,7 @@ internal sealed class DatasetContent(string folder, ExportOptions options)
     private IReadOnlyList<string> Sorted(string within, Func<string, IEnumerable<string>> list)
     {
         string path = PathOf(within);
-        return Directory.Exists(path) ? [.. list(path).Select(entry => $"{within}/{Path.GetFileName(entry)}").Order(StringComparer.Ordinal)] : [];
+        return Directory.Exists(path)
+            ? [.. list(path).Select(entry => $"{within}/{Path.GetFileName(entry)}").Order(StringComparer.Ordinal)] : [];
     }
 }

@@ -19,7 +19,9 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
     /// <summary>Whether it is about lanes and cannot do without them.</summary>
     public bool NeedsLanes { get; init; }
 
-    /// <summary>Whether its labels follow the masks where there are masks, so that sessions with and without masks cannot be mixed.</summary>
+    /// <summary>
+    /// Whether its labels follow the masks where there are masks, so that sessions with and without masks cannot be mixed.
+    /// </summary>
     public bool UsesMasks { get; init; }
 
     /// <summary>Whether it leaves out frames whose lanes are not known.</summary>

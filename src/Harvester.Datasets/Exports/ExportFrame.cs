@@ -104,7 +104,9 @@ public sealed class ExportFrame
     /// <summary>Whether a label is the post of faces or heads that are the objects.</summary>
     internal bool IsPost(ObjectLabel label) => _selector.IsPost(label, this);
 
-    /// <summary>The pixels of an object or a part; null when none is seen or the session has no masks. Those of an object include its parts'.</summary>
+    /// <summary>
+    /// The pixels of an object or a part; null when none is seen or the session has no masks. Those of an object include its parts'.
+    /// </summary>
     /// <exception cref="DatasetFormatException">As of <see cref="Mask"/>.</exception>
     internal InstancePixels? PixelsOf(ObjectLabel label)
     {
@@ -122,7 +124,7 @@ public sealed class ExportFrame
     public DatasetFormatException Problem(string message) => new($"{_session.Folder}, frame {Label.Frame}: {message}");
 
     private string PathOf(string name) =>
-        _session.IsWithin(name) ? _session.PathOf(name) : throw Problem($"'{name}' is outside the session.");
+        _session.IsWithin(name) ? _session.PathOf(name) : throw Problem($"'{name}' points out of the session.");
 
     private InstanceMap ReadMask(string path)
     {

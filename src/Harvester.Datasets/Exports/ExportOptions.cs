@@ -18,7 +18,9 @@ public sealed record ExportOptions
     /// <summary>Only objects of these classes; null for all.</summary>
     public IReadOnlyCollection<ObjectClass>? Classes { get; init; }
 
-    /// <summary>Only objects of which at least this share is seen, 0 to 1. Above 0, an object whose occlusion was not determined is left out.</summary>
+    /// <summary>
+    /// Only objects of which at least this share is seen, 0 to 1. Above 0, an object whose occlusion was not determined is left out.
+    /// </summary>
     public double MinVisibleFraction { get; init; }
 
     /// <summary>Whether parts of other objects are exported; null for what is usual in the format.</summary>

@@ -7,7 +7,8 @@ namespace Harvester.Datasets.Exports;
 /// <summary>What a format needs of every frame.</summary>
 internal static class FrameRequirements
 {
-    /// <exception cref="DatasetFormatException">The frame lacks something that the format needs, or has something that it cannot represent.</exception>
+    /// <exception cref="DatasetFormatException">The frame lacks something that the format needs, or has something that it cannot
+    /// represent.</exception>
     public static void Check(DatasetFormat format, ExportFrame frame)
     {
         if (format.NeedsMasks && frame.Label.Mask is null)
@@ -32,5 +33,6 @@ internal static class FrameRequirements
         }
     }
 
-    private static (double Fx, double Fy, double Cx, double Cy) IntrinsicsOf(CameraLabel camera) => (camera.Fx, camera.Fy, camera.Cx, camera.Cy);
+    private static (double Fx, double Fy, double Cx, double Cy) IntrinsicsOf(CameraLabel camera) =>
+        (camera.Fx, camera.Fy, camera.Cx, camera.Cy);
 }

@@ -30,7 +30,8 @@ internal sealed class ObjectSelector(DatasetFormat format, ExportOptions options
             }
         }
 
-        ignored.AddRange(frame.Label.IgnoreRegions.Select(region => new ExportRegion(region.Class, _classes.Of(region.Class), region.Box2D, null)));
+        ignored.AddRange(frame.Label.IgnoreRegions.Select(
+            region => new ExportRegion(region.Class, _classes.Of(region.Class), region.Box2D, null)));
         return new FrameSelection(objects, ignored);
     }
 
@@ -59,5 +60,6 @@ internal sealed class ObjectSelector(DatasetFormat format, ExportOptions options
         _ => label.Box2D,
     };
 
-    private static Box2D? VisibleBoxOf(ObjectLabel label, ExportFrame frame) => label.Parent is null ? label.Box2DVisible : frame.PixelsOf(label)?.Box;
+    private static Box2D? VisibleBoxOf(ObjectLabel label, ExportFrame frame) =>
+        label.Parent is null ? label.Box2DVisible : frame.PixelsOf(label)?.Box;
 }

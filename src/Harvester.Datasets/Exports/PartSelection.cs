@@ -1,6 +1,8 @@
 namespace Harvester.Datasets.Exports;
 
-/// <summary>Which objects are exported by what they are parts of: the face of a sign and the head of a traffic light are objects with a parent.</summary>
+/// <summary>
+/// Which objects are exported by what they are parts of: the face of a sign and the head of a traffic light are objects with a parent.
+/// </summary>
 public enum PartSelection
 {
     /// <summary>Faces and heads stand for their signs and lights, whose posts are no objects; everything else is whole.</summary>

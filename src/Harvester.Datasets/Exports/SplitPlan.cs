@@ -5,7 +5,8 @@ using System.Linq;
 namespace Harvester.Datasets.Exports;
 
 /// <summary>
-/// Deals frames out to splits. Each block of frames draws its split by a hash of seed, session and block: which split a frame is in does not
+/// Deals frames out to splits. Each block of frames draws its split by a hash of seed, session and block: which split a frame is in does
+/// not
 /// depend on other frames, on shards or on filters, and the shares are met on average, not exactly.
 /// </summary>
 public sealed class SplitPlan
@@ -87,7 +88,9 @@ public sealed class SplitPlan
         return Splits.First(split => empty.Contains(split.Name)).Name;
     }
 
-    /// <summary>The largest block, smaller than this plan's, with which each split gets some of the frames; null when there is none.</summary>
+    /// <summary>
+    /// The largest block, smaller than this plan's, with which each split gets some of the frames; null when there is none.
+    /// </summary>
     /// <param name="frames">The frames.</param>
     internal int? LargestFullBlock(IReadOnlyCollection<FramePlace> frames)
     {

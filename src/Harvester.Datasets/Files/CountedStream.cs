@@ -5,7 +5,9 @@ using System.Threading.Tasks;
 
 namespace Harvester.Datasets.Files;
 
-/// <summary>A stream that tells how many bytes it has given after each read, so that too many can be refused: against compressed bombs.</summary>
+/// <summary>
+/// A stream that tells how many bytes it has given after each read, so that too many can be refused: against compressed bombs.
+/// </summary>
 /// <param name="inner">The stream.</param>
 /// <param name="passed">Is told the number of bytes so far.</param>
 /// <param name="limit">Looks at the bytes; null for nobody.</param>

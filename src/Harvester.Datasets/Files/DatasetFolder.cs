@@ -30,7 +30,8 @@ internal sealed class DatasetFolder(string path)
     public bool HasLeftovers => IsFinished && Directory.Exists(PathOf(Working));
 
     /// <summary>Whether nothing is there yet, a working folder that another shard is about to write its plan to apart.</summary>
-    public bool IsEmpty => !Directory.Exists(path) || Directory.EnumerateFileSystemEntries(path).All(entry => System.IO.Path.GetFileName(entry) == Working);
+    public bool IsEmpty =>
+        !Directory.Exists(path) || Directory.EnumerateFileSystemEntries(path).All(entry => System.IO.Path.GetFileName(entry) == Working);
 
     public bool IsBegun => File.Exists(PathOf(PlanFile));
 
@@ -39,7 +40,8 @@ internal sealed class DatasetFolder(string path)
 
     public string ReadPlan() =>
         IsBegun ? InputFile.ReadAllText(PathOf(PlanFile))
-        : throw new DatasetFormatException(IsFinished ? $"'{path}' is a complete dataset, not a shard." : $"'{path}' is not a shard of an export: it has no {PlanFile}.");
+        : throw new DatasetFormatException(
+            IsFinished ? $"'{path}' is a complete dataset, not a shard." : $"'{path}' is not a shard of an export: it has no {PlanFile}.");
 
     /// <summary>Refuses a folder to which an export can write nothing, whatever its plan.</summary>
     /// <exception cref="OccupiedFolderException">The folder holds a finished dataset or something else.</exception>

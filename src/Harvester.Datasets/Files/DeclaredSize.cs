@@ -12,7 +12,8 @@ internal static class DeclaredSize
     /// <summary>Checks a size, pixels.</summary>
     /// <exception cref="DatasetFormatException">A side or the number of pixels is out of range.</exception>
     public static ImageSize Of(long width, long height) =>
-        Problem(width, height) is { } problem ? throw new DatasetFormatException($"its header gives {problem}.") : new ImageSize((int)width, (int)height);
+        Problem(width, height) is { } problem ? throw new DatasetFormatException($"its header gives {problem}.")
+            : new ImageSize((int)width, (int)height);
 
     /// <summary>Why a size, pixels, is none of a picture; null when it is one.</summary>
     public static string? Problem(long width, long height) =>

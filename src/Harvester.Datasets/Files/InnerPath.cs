@@ -19,7 +19,8 @@ public static class InnerPath
     /// <exception cref="DatasetFormatException">The name leads out of the folder, or to no regular file.</exception>
     public static string Of(string folder, string name) =>
         !IsName(name) ? throw new DatasetFormatException($"'{Shown(name)}' points out of '{folder}', or is no name of a file.")
-        : Combined(folder, name) is var path && LeavesThroughLink(folder, name) ? throw new DatasetFormatException($"'{name}' is a link that points out of '{folder}'.")
+        : Combined(folder, name) is var path && LeavesThroughLink(folder, name)
+            ? throw new DatasetFormatException($"'{name}' is a link that points out of '{folder}'.")
         : RegularFile.IsSpecial(path) ? throw new DatasetFormatException($"'{name}' in '{folder}' is a pipe, a socket or a device.")
         : path;
 
@@ -47,7 +48,8 @@ public static class InnerPath
 
     /// <summary>Relative on every system, without a step upwards, and without characters that no file system or terminal bears.</summary>
     private static bool IsName(string name) =>
-        name.Length > 0 && !Path.IsPathRooted(name) && name[0] is not ('/' or '\\') && !(OperatingSystem.IsWindows() && name.Contains(':', StringComparison.Ordinal))
+        name.Length > 0 && !Path.IsPathRooted(name) && name[0] is not ('/' or '\\')
+            && !(OperatingSystem.IsWindows() && name.Contains(':', StringComparison.Ordinal))
         && !name.Any(char.IsControl) && !name.Split('/', '\\').Contains("..", StringComparer.Ordinal);
 
     private static string Combined(string folder, string name) => Path.Combine(folder, name.Replace('/', Path.DirectorySeparatorChar));

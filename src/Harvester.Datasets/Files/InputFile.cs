@@ -32,7 +32,8 @@ public static class InputFile
     /// <param name="text">The text.</param>
     /// <param name="name">What messages call it.</param>
     /// <param name="maxLineCharacters">The longest line.</param>
-    public static TextReader Limited(TextReader text, string name, int maxLineCharacters = MaxLineCharacters) => new LimitedTextReader(text, name, maxLineCharacters);
+    public static TextReader Limited(TextReader text, string name, int maxLineCharacters = MaxLineCharacters) =>
+        new LimitedTextReader(text, name, maxLineCharacters);
 
     /// <summary>The lines of a text, one after the other.</summary>
     /// <param name="path">The file.</param>

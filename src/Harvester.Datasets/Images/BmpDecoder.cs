@@ -6,7 +6,9 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Datasets.Images;
 
-/// <summary>Reads Windows bitmaps of the kind that sessions have: 24 bits a pixel, not compressed, rows from the bottom or from the top.</summary>
+/// <summary>
+/// Reads Windows bitmaps of the kind that sessions have: 24 bits a pixel, not compressed, rows from the bottom or from the top.
+/// </summary>
 public static class BmpDecoder
 {
     private const int PixelsStartAt = 10;

@@ -86,13 +86,15 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
         uint length = BinaryPrimitives.ReadUInt32LittleEndian(start[2..]);
         if (file.Length < length)
         {
-            throw new DatasetFormatException(FormattableString.Invariant($"it is cut off: the BMP file has {file.Length} of {length} bytes."));
+            throw new DatasetFormatException(
+                FormattableString.Invariant($"it is cut off: the BMP file has {file.Length} of {length} bytes."));
         }
 
         // The height is negative when the rows run from the top.
         return new ImageHeader(
             Bmp,
-            DeclaredSize.Of(BinaryPrimitives.ReadInt32LittleEndian(start[18..]), Math.Abs((long)BinaryPrimitives.ReadInt32LittleEndian(start[22..]))),
+            DeclaredSize.Of(BinaryPrimitives.ReadInt32LittleEndian(start[18..]),
+                Math.Abs((long)BinaryPrimitives.ReadInt32LittleEndian(start[22..]))),
             BinaryPrimitives.ReadUInt16LittleEndian(start[28..]));
     }
 

@@ -72,7 +72,8 @@ internal sealed class PngData(Stream file) : Stream
         long length = BinaryPrimitives.ReadUInt32BigEndian(head);
         if (length + ChecksumLength > file.Length - file.Position)
         {
-            throw new DatasetFormatException(FormattableString.Invariant($"its pixels are damaged: a chunk of {length} bytes is longer than the file."));
+            throw new DatasetFormatException(
+                FormattableString.Invariant($"its pixels are damaged: a chunk of {length} bytes is longer than the file."));
         }
 
         if (head.EndsWith("IDAT"u8) && length > 0)

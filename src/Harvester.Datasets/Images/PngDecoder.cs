@@ -9,7 +9,10 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Datasets.Images;
 
-/// <summary>Reads PNG pictures (ISO/IEC 15948) of the kinds that sessions and datasets have, not interlaced: 8-bit red, green, blue, and grey of 16 or 8 bits.</summary>
+/// <summary>
+/// Reads PNG pictures (ISO/IEC 15948) of the kinds that sessions and datasets have, not interlaced: 8-bit red, green, blue, and grey of 16
+/// or 8 bits.
+/// </summary>
 public static class PngDecoder
 {
     private const int SignatureLength = 8;

@@ -20,7 +20,8 @@ internal sealed class JsonElementLimit(string name, int maxBytes) : IByteLimit
             Pass(value);
             if (++_length > maxBytes)
             {
-                throw new DatasetFormatException(FormattableString.Invariant($"{name}: an element of the list has more than {maxBytes} bytes; none has."));
+                throw new DatasetFormatException(
+                    FormattableString.Invariant($"{name}: an element of the list has more than {maxBytes} bytes; none has."));
             }
         }
     }

@@ -190,7 +190,8 @@ public readonly struct JsonFields
     /// <exception cref="DatasetFormatException">There is another field.</exception>
     public void AllowOnly(params IReadOnlyList<string> names)
     {
-        string? other = _element.EnumerateObject().Select(property => property.Name).FirstOrDefault(name => !names.Contains(name, StringComparer.Ordinal));
+        string? other = _element.EnumerateObject().Select(property => property.Name)
+            .FirstOrDefault(name => !names.Contains(name, StringComparer.Ordinal));
         if (other is not null)
         {
             throw new DatasetFormatException($"{Path(other)} is an unknown field. Known fields: {string.Join(", ", names)}.");
@@ -246,7 +247,8 @@ public readonly struct JsonFields
     }
 
     private bool BooleanOf(JsonElement field, string name, params ReadOnlySpan<int> places) =>
-        field.ValueKind is JsonValueKind.True or JsonValueKind.False ? field.GetBoolean() : throw Wrong(Place(name, places), "true or false", field);
+        field.ValueKind is JsonValueKind.True or JsonValueKind.False ? field.GetBoolean()
+            : throw Wrong(Place(name, places), "true or false", field);
 
     /// <summary>The path of a field's item, as camera.position[2]; made for errors only.</summary>
     private string Place(string name, params ReadOnlySpan<int> places)

@@ -18,7 +18,8 @@ public static class JsonInput
     {
         ArgumentNullException.ThrowIfNull(text);
         return text.Length > InputFile.MaxDocumentBytes
-            ? throw new DatasetFormatException(FormattableString.Invariant($"it has more than {InputFile.MaxDocumentBytes} characters; no such document has."))
+            ? throw new DatasetFormatException(
+                FormattableString.Invariant($"it has more than {InputFile.MaxDocumentBytes} characters; no such document has."))
             : Checked(() => JsonDocument.Parse(text, Options), text.Contains("\\u", StringComparison.Ordinal));
     }
 
@@ -31,7 +32,8 @@ public static class JsonInput
 
     /// <summary>Parses a file.</summary>
     /// <exception cref="JsonException">It is not JSON.</exception>
-    /// <exception cref="DatasetFormatException">As of <see cref="Parse(ReadOnlyMemory{byte})"/>, or it is too large; the message speaks of the file as "it".</exception>
+    /// <exception cref="DatasetFormatException">As of <see cref="Parse(ReadOnlyMemory{byte})"/>, or it is too large; the message speaks of
+    /// the file as "it".</exception>
     /// <exception cref="IOException">It cannot be read.</exception>
     public static JsonDocument Read(string path) => Parse(InputFile.ReadAllBytes(path));
 

@@ -114,7 +114,8 @@ internal sealed class JsonListReader : IDisposable
         {
             if (_buffer.Length >= InputFile.MaxDocumentBytes)
             {
-                throw new DatasetFormatException(FormattableString.Invariant($"an element or a text of it has more than {InputFile.MaxDocumentBytes} bytes; none has."));
+                throw new DatasetFormatException(
+                    FormattableString.Invariant($"an element or a text of it has more than {InputFile.MaxDocumentBytes} bytes; none has."));
             }
 
             Array.Resize(ref _buffer, _buffer.Length * 2);

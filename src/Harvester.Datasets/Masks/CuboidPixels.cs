@@ -48,7 +48,8 @@ internal sealed class CuboidPixels
     public Dictionary<int, double> Distances { get; } = [];
 
     /// <summary>
-    /// Places spread evenly over the silhouette: the pixel that each lies in, by its place in the image, and the distance to the cuboid's front, metres. Empty only
+    /// Places spread evenly over the silhouette: the pixel that each lies in, by its place in the image, and the distance to the cuboid's
+    /// front, metres. Empty only
     /// for a silhouette that is next to nothing.
     /// </summary>
     public IReadOnlyList<(int Pixel, double Distance)> Samples { get; }

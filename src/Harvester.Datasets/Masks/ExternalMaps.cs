@@ -8,7 +8,9 @@ using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Masks;
 
-/// <summary>A folder of instance maps of another tool: 16-bit grey PNG files whose names are frame numbers, with or without leading zeros.</summary>
+/// <summary>
+/// A folder of instance maps of another tool: 16-bit grey PNG files whose names are frame numbers, with or without leading zeros.
+/// </summary>
 internal sealed class ExternalMaps
 {
     private readonly string _folder;
@@ -35,7 +37,8 @@ internal sealed class ExternalMaps
     }
 
     /// <summary>Reads the map of a frame.</summary>
-    /// <exception cref="DatasetFormatException">It is missing, damaged or of another size; the message names the frame or the file.</exception>
+    /// <exception cref="DatasetFormatException">It is missing, damaged or of another size; the message names the frame or the
+    /// file.</exception>
     public InstanceMap Read(int frame, ImageSize size)
     {
         if (!_files.TryGetValue(frame, out string? file))

@@ -57,7 +57,9 @@ internal sealed class ImportedFrame
     /// <summary>How many objects the map shows anything of.</summary>
     public int Seen => _labels.Keys.Count(IsSeen);
 
-    /// <summary>The frame's line of labels with what follows from the map; all its other fields stay as they are, unknown ones too.</summary>
+    /// <summary>
+    /// The frame's line of labels with what follows from the map; all its other fields stay as they are, unknown ones too.
+    /// </summary>
     public string Rewrite(string line)
     {
         JsonObject label = JsonNode.Parse(line)!.AsObject();
@@ -72,7 +74,8 @@ internal sealed class ImportedFrame
             {
                 item["occludedFraction"] = Math.Round(occluded, FractionDecimals);
                 item["occlusionMethod"] = JsonName.Of(OcclusionMethod.Imported);
-                item["visibleFraction"] = Math.Round((1 - item["truncatedFraction"]!.GetValue<double>()) * (1 - occluded), FractionDecimals);
+                item["visibleFraction"] = Math.Round(
+                    (1 - item["truncatedFraction"]!.GetValue<double>()) * (1 - occluded), FractionDecimals);
             }
         }
 
@@ -96,16 +99,21 @@ internal sealed class ImportedFrame
     }
 
     /// <summary>How much rays found hidden of a part, also by the rest of its object, of which the map shows the same number.</summary>
-    private double FoundByRays(ushort id) => _labels[id] is { OcclusionMethod: not OcclusionMethod.Imported, OccludedFraction: { } found } ? found : 0;
+    private double FoundByRays(ushort id) =>
+        _labels[id] is { OcclusionMethod: not OcclusionMethod.Imported, OccludedFraction: { } found } ? found : 0;
 
     /// <summary>Whether another object that is nearer is seen at a pixel.</summary>
     private bool IsCovered(ushort id, int pixel, double distance) =>
-        Map.Ids[pixel] is var shown and not 0 && shown != OwnerOf(id) && _cuboids[shown].Distances.TryGetValue(pixel, out double its) && its < distance;
+        Map.Ids[pixel] is var shown and not 0 && shown != OwnerOf(id) && _cuboids[shown].Distances.TryGetValue(pixel, out double its)
+            && its < distance;
 
     /// <summary>Whether the map shows a pixel of an object, or one of a part's object where the part is.</summary>
-    private bool IsSeen(ushort id) => _labels[id].Parent is null ? _bounds.ContainsKey(id) : OwnerOf(id) is var owner and not 0 && _cuboids[id].Shows(Map, owner);
+    private bool IsSeen(ushort id) =>
+        _labels[id].Parent is null ? _bounds.ContainsKey(id) : OwnerOf(id) is var owner and not 0 && _cuboids[id].Shows(Map, owner);
 
-    /// <summary>The id that an object's pixels have: the part's object's for a part; 0 when that is not listed, so that the part has no pixels.</summary>
+    /// <summary>
+    /// The id that an object's pixels have: the part's object's for a part; 0 when that is not listed, so that the part has no pixels.
+    /// </summary>
     private ushort OwnerOf(ushort id) =>
         _labels[id].Parent is not { } parent ? id
         : _labels.ContainsKey((ushort)parent) ? (ushort)parent

@@ -12,7 +12,9 @@ namespace Harvester.Datasets.Masks;
 /// </summary>
 internal static class OverlapMatching
 {
-    /// <summary>An object hardly reaches out of its cuboid; a number with less than this share of its pixels within is another thing.</summary>
+    /// <summary>
+    /// An object hardly reaches out of its cuboid; a number with less than this share of its pixels within is another thing.
+    /// </summary>
     private const double MinFractionWithin = 0.5;
 
     /// <summary>The objects' ids by the map's numbers; numbers that are no object's are missing.</summary>

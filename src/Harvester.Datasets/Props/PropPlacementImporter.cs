@@ -27,7 +27,8 @@ public static class PropPlacementImporter
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"{file}, line {e.LineNumber + 1}: not JSON, from character {e.BytePositionInLine + 1} on.", e);
+            throw new DatasetFormatException($"{file}, line {e.LineNumber + 1}: not JSON, from character {e.BytePositionInLine + 1} on.",
+                e);
         }
     }
 

@@ -116,7 +116,8 @@ internal sealed class RecordedSession
     {
         string? text = settings.OptionalText(name);
         return text is null ? usual
-            : double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double metres) && metres > 0 && double.IsFinite(metres) ? metres
+            : double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double metres) && metres > 0
+                && double.IsFinite(metres) ? metres
             : throw new DatasetFormatException($"{SessionInfo.FileName}: settings.{name} must be metres above 0, not '{text}'.");
     }
 

@@ -20,7 +20,9 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Relabelling;
 
-/// <summary>Makes a new session of a recorded one: the same pictures, with labels made again in another way. docs/relabel.md says what of each.</summary>
+/// <summary>
+/// Makes a new session of a recorded one: the same pictures, with labels made again in another way. docs/relabel.md says what of each.
+/// </summary>
 public sealed class SessionRelabeller
 {
     private readonly RecordedSession _recorded;

@@ -18,14 +18,16 @@ internal static class ReportData
     private const int Decimals = 2;
 
     /// <summary>Writes it as one object.</summary>
-    public static void Write(Utf8JsonWriter json, string title, SessionInfo info, SessionStatistics statistics, IReadOnlyList<FrameLabel> frames)
+    public static void Write(
+        Utf8JsonWriter json, string title, SessionInfo info, SessionStatistics statistics, IReadOnlyList<FrameLabel> frames)
     {
         json.WriteStartObject();
         json.WriteString("title", title);
         json.WriteNumber("width", info.Image.Width);
         json.WriteNumber("height", info.Image.Height);
         ReportFigures.Write(json, info, statistics);
-        json.WriteString("note", string.Join(" ", [Note(statistics.Frames, frames.Count), .. info.Unchecked.Select(open => $"Note: {open}")]));
+        json.WriteString("note",
+            string.Join(" ", [Note(statistics.Frames, frames.Count), .. info.Unchecked.Select(open => $"Note: {open}")]));
         json.WriteStartArray("frames");
         foreach (FrameLabel frame in frames)
         {

@@ -13,7 +13,9 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Reports;
 
-/// <summary>Writes a session as one HTML page: its frames with their boxes, and its statistics. The page holds the images unless it is to link them.</summary>
+/// <summary>
+/// Writes a session as one HTML page: its frames with their boxes, and its statistics. The page holds the images unless it is to link them.
+/// </summary>
 public sealed class ReportWriter
 {
     /// <summary>Name of a session's report when none is given.</summary>

@@ -13,7 +13,9 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Reports;
 
-/// <summary>Draws one frame of a session with its 2D and 3D boxes, in the colours of the classes; the more of an object is hidden, the fainter.</summary>
+/// <summary>
+/// Draws one frame of a session with its 2D and 3D boxes, in the colours of the classes; the more of an object is hidden, the fainter.
+/// </summary>
 public static class StillWriter
 {
     private const int Black = 0;

@@ -11,7 +11,9 @@ namespace Harvester.Datasets.Roads;
 /// </summary>
 public sealed class NetworkComparison
 {
-    /// <summary>A link lies on another within this distance, metres: positions that were truncated are off by 0.25 m along each axis.</summary>
+    /// <summary>
+    /// A link lies on another within this distance, metres: positions that were truncated are off by 0.25 m along each axis.
+    /// </summary>
     private const double SamePlace = 2;
 
     /// <summary>Cosine of the angle by which two links of one road may differ, 20 degrees.</summary>

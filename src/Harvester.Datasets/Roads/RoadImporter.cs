@@ -25,7 +25,8 @@ public static class RoadImporter
     /// <summary>Reads a road network.</summary>
     /// <param name="path">A file, a folder, or a zip archive.</param>
     /// <param name="lanesIn">Which way the "lanes in" of paths.ipl and paths.xml are driven; other files say it themselves.</param>
-    /// <exception cref="DatasetFormatException">The files are of no known format, or not as their format asks; the message names the place.</exception>
+    /// <exception cref="DatasetFormatException">The files are of no known format, or not as their format asks; the message names the
+    /// place.</exception>
     /// <exception cref="IOException">A file cannot be read.</exception>
     public static RoadImport Import(string path, LanesIn lanesIn = LanesIn.Forward) => Import(path, lanesIn, MaxImportBytes);
 
@@ -47,7 +48,8 @@ public static class RoadImporter
     {
         if (Directory.Exists(path))
         {
-            return Import(path, lanesIn, [.. Directory.EnumerateFiles(path).Order(StringComparer.Ordinal).Select(file => InnerPath.Of(path, Path.GetFileName(file))).Select(FileSource)]);
+            return Import(path, lanesIn, [.. Directory.EnumerateFiles(path).Order(StringComparer.Ordinal)
+                .Select(file => InnerPath.Of(path, Path.GetFileName(file))).Select(FileSource)]);
         }
 
         if (!IsZip(path))
@@ -56,7 +58,8 @@ public static class RoadImporter
         }
 
         using var archive = new ZipArchive(InputFile.OpenRead(path));
-        return Import(path, lanesIn, [.. archive.Entries.Where(entry => entry.Length > 0).OrderBy(entry => entry.FullName, StringComparer.Ordinal).Select(EntrySource)]);
+        return Import(path, lanesIn, [.. archive.Entries.Where(entry => entry.Length > 0)
+            .OrderBy(entry => entry.FullName, StringComparer.Ordinal).Select(EntrySource)]);
 
         RoadSource FileSource(string file) => new(Path.GetFileName(file), allowance, () => InputFile.OpenRead(file));
 

@@ -91,7 +91,8 @@ public sealed class RoadMap
         foreach (RoadMapStyle style in RoadMapStyle.InOrder)
         {
             svg.Start("path").With("id", style.Name.Replace(' ', '-')).With("fill", "none").With("stroke", ColourOf(style));
-            svg.With("stroke-width", style.Weight * StreetWidthPixels, WidthDecimals).With("stroke-linecap", "round").WithLines(Lines(style)).End().NewLine();
+            svg.With("stroke-width", style.Weight * StreetWidthPixels, WidthDecimals).With("stroke-linecap", "round")
+                .WithLines(Lines(style)).End().NewLine();
         }
 
         if (Math.Min(Size.Width, Size.Height) >= MinSideWithLegend)
@@ -150,7 +151,8 @@ public sealed class RoadMap
             }
 
             Vector2D[] line = [.. Enumerable.Range(0, Pieces + 1).Select(step => Pixel(_curves.Of(i).PointAt(step / (double)Pieces)))];
-            if (line.Max(point => point.X) >= 0 && line.Min(point => point.X) <= Size.Width && line.Max(point => point.Y) >= 0 && line.Min(point => point.Y) <= Size.Height)
+            if (line.Max(point => point.X) >= 0 && line.Min(point => point.X) <= Size.Width && line.Max(point => point.Y) >= 0
+                && line.Min(point => point.Y) <= Size.Height)
             {
                 yield return line;
             }

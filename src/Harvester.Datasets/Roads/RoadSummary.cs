@@ -25,7 +25,8 @@ public static class RoadSummary
             ("drivable links", Text(network.Links.Count(link => RoadContinuations.IsDrivable(network, link)))),
             ("one-way links", Text(network.Links.Count(link => link.IsOneWay))),
             ("links with a known median", Text(network.Links.Count(link => link.MedianWidth is not null))),
-            ("links with calibrated lanes", Text(Enumerable.Range(0, network.Links.Count).Count(link => lanes.WidthOf(link).Source == LaneWidthSource.Calibrated))),
+            ("links with calibrated lanes",
+                Text(Enumerable.Range(0, network.Links.Count).Count(link => lanes.WidthOf(link).Source == LaneWidthSource.Calibrated))),
         };
         rows.AddRange(Counts<RoadNodeFlags>("node", flag => network.Nodes.Count(node => node.Flags.HasFlag(flag))));
         rows.AddRange(Counts<RoadLinkFlags>("link", flag => network.Links.Count(link => link.Flags.HasFlag(flag))));

@@ -18,7 +18,8 @@ public static class RoadWriter
         ArgumentException.ThrowIfNullOrEmpty(path);
         AtomicFile.Write(path, file =>
         {
-            using Stream? packed = path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? new GZipStream(file, CompressionLevel.Optimal, leaveOpen: true) : null;
+            using Stream? packed = path.EndsWith(".gz", StringComparison.OrdinalIgnoreCase)
+                ? new GZipStream(file, CompressionLevel.Optimal, leaveOpen: true) : null;
             using var writer = new StreamWriter(packed ?? file, leaveOpen: true);
             RoadCsvWriter.Write(network, writer);
         });

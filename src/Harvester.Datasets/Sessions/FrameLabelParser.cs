@@ -14,7 +14,9 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Sessions;
 
-/// <summary>Reads one line of labels.jsonl; its fields are those of docs/dataset-format.md. Fields that later versions add are passed over.</summary>
+/// <summary>
+/// Reads one line of labels.jsonl; its fields are those of docs/dataset-format.md. Fields that later versions add are passed over.
+/// </summary>
 public static class FrameLabelParser
 {
     /// <exception cref="DatasetFormatException">The line is not such a label; the message names the field.</exception>
@@ -79,7 +81,8 @@ public static class FrameLabelParser
     {
         int width = camera.Integer("width");
         int height = camera.Integer("height");
-        return DeclaredSize.Problem(width, height) is { } problem ? throw new DatasetFormatException($"camera has {problem}.") : new ImageSize(width, height);
+        return DeclaredSize.Problem(width, height) is { } problem ? throw new DatasetFormatException($"camera has {problem}.")
+            : new ImageSize(width, height);
     }
 
     private static EgoLabel ReadEgo(JsonFields ego) =>

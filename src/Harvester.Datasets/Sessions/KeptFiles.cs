@@ -8,7 +8,9 @@ using Harvester.Sessions.Roads;
 
 namespace Harvester.Datasets.Sessions;
 
-/// <summary>The files of a session that all of its scenes have in common: the roads, and the faces and heads that it was labelled by.</summary>
+/// <summary>
+/// The files of a session that all of its scenes have in common: the roads, and the faces and heads that it was labelled by.
+/// </summary>
 internal static class KeptFiles
 {
     /// <summary>The roads; null for a session that keeps none.</summary>

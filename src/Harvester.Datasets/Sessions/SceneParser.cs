@@ -56,7 +56,8 @@ internal static class SceneParser
             : new RecordedScene(
                 snapshot,
                 lens.Checked(() => new Lens(
-                    lens.Number("focalScale"), lens.Number("centreOffsetX"), lens.Number("centreOffsetY"), lens.Number("k1"), lens.Number("k2"))),
+                    lens.Number("focalScale"), lens.Number("centreOffsetX"), lens.Number("centreOffsetY"), lens.Number("k1"),
+                        lens.Number("k2"))),
                 ids,
                 occlusions)
             {

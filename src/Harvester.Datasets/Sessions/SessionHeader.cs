@@ -31,7 +31,8 @@ internal sealed class SessionHeader
     public Shard? Shard
     {
         get => (Json[Settings] as JsonObject)?[ShardKey] is { } text
-            ? ShardText.Parse(text.ToString()) ?? throw new DatasetFormatException($"{SessionInfo.FileName}: settings.shard must be a shard such as 1/8, not '{text}'.")
+            ? ShardText.Parse(text.ToString())
+                ?? throw new DatasetFormatException($"{SessionInfo.FileName}: settings.shard must be a shard such as 1/8, not '{text}'.")
             : null;
         set
         {
@@ -72,7 +73,8 @@ internal sealed class SessionHeader
                 text.Append('{');
                 foreach ((KeyValuePair<string, JsonNode?> member, int index) in members.Select((member, index) => (member, index)))
                 {
-                    text.Append(index > 0 ? "," : "").Append('\n').Append(' ', 2 * (depth + 1)).Append(JsonSerializer.Serialize(member.Key, Relaxed)).Append(": ");
+                    text.Append(index > 0 ? "," : "").Append('\n').Append(' ', 2 * (depth + 1))
+                        .Append(JsonSerializer.Serialize(member.Key, Relaxed)).Append(": ");
                     Append(text, member.Value, depth + 1);
                 }
 

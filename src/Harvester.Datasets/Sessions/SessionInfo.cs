@@ -24,13 +24,17 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
     /// <summary>Frames that were begun and thrown away, by reason; empty for a session that was cut off.</summary>
     public IReadOnlyList<KeyValuePair<string, int>> Discards { get; init; } = [];
 
-    /// <summary>Whether the game was frozen in a way that was given; false where both were tried, and in sessions of earlier versions.</summary>
+    /// <summary>
+    /// Whether the game was frozen in a way that was given; false where both were tried, and in sessions of earlier versions.
+    /// </summary>
     public bool IsFreezeGiven { get; init; }
 
     /// <summary>The version of the format that this reader knows.</summary>
     private const int KnownFormatVersion = 1;
 
-    /// <summary>What was not made sure of when the session was recorded, a line each; empty when all was, and for one that was cut off.</summary>
+    /// <summary>
+    /// What was not made sure of when the session was recorded, a line each; empty when all was, and for one that was cut off.
+    /// </summary>
     public IReadOnlyList<string> Unchecked { get; init; } = [];
 
     /// <summary>Reads the file.</summary>
@@ -70,7 +74,8 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
     {
         int width = image.Integer("width");
         int height = image.Integer("height");
-        return DeclaredSize.Problem(width, height) is { } problem ? throw new DatasetFormatException($"image has {problem}.") : new ImageSize(width, height);
+        return DeclaredSize.Problem(width, height) is { } problem ? throw new DatasetFormatException($"image has {problem}.")
+            : new ImageSize(width, height);
     }
 
     private static SessionInfo Read(JsonFields session)
@@ -89,8 +94,10 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
             session.Has("counters") ? session.Fields("counters").Integer("captured") : null,
             session.OptionalText("fault"))
         {
-            KeepsScenes = session.Has("options") && session.Fields("options").Has("scenes") ? session.Fields("options").Boolean("scenes") : null,
-            Discards = session.Has("counters") && session.Fields("counters").Has("discards") ? DiscardsOf(session.Fields("counters").Fields("discards")) : [],
+            KeepsScenes = session.Has("options") && session.Fields("options").Has("scenes") ? session.Fields("options").Boolean("scenes")
+                : null,
+            Discards = session.Has("counters") && session.Fields("counters").Has("discards")
+                ? DiscardsOf(session.Fields("counters").Fields("discards")) : [],
             IsFreezeGiven = session.Has("options") && session.Fields("options").OptionalText("freezeBy") is not (null or "auto"),
             Unchecked = session.Has("counters") && session.Has("start") ? [.. UncheckedOf(session)] : [],
         };

@@ -21,7 +21,8 @@ public sealed class SessionReader
     {
         if (!Directory.Exists(folder))
         {
-            throw new DirectoryNotFoundException(File.Exists(folder) ? $"'{folder}' is a file. Name the folder of a session." : $"Folder not found: '{folder}'.");
+            throw new DirectoryNotFoundException(
+                File.Exists(folder) ? $"'{folder}' is a file. Name the folder of a session." : $"Folder not found: '{folder}'.");
         }
 
         Folder = folder;
@@ -34,7 +35,9 @@ public sealed class SessionReader
     /// <summary>The session's folder, as it was given.</summary>
     public string Folder { get; }
 
-    /// <summary>Whether the labels end in a line without a line feed, a leftover of a harvest that was cut off; it is no part of the session.</summary>
+    /// <summary>
+    /// Whether the labels end in a line without a line feed, a leftover of a harvest that was cut off; it is no part of the session.
+    /// </summary>
     public bool HasUnfinishedLine
     {
         get
@@ -64,14 +67,18 @@ public sealed class SessionReader
     /// <exception cref="DatasetFormatException">The name leads out of the session, or to a pipe or a device.</exception>
     public string PathOf(string name) => InnerPath.Of(Folder, name);
 
-    /// <summary>Whether a path is that of a file of the session: one with a name of its own, one in its folders, or one that a label names.</summary>
+    /// <summary>
+    /// Whether a path is that of a file of the session: one with a name of its own, one in its folders, or one that a label names.
+    /// </summary>
     /// <param name="path">The path; links are resolved.</param>
     public bool Holds(string path)
     {
         string name = Path.GetRelativePath(InnerPath.Resolve(Folder), InnerPath.Resolve(path)).Replace('\\', '/');
         return name is SessionInfo.FileName or LabelsFile
-            || ((string[])[FramePaths.Frames, FramePaths.Masks, FramePaths.Scenes]).Contains(name.Split('/')[0], StringComparer.OrdinalIgnoreCase)
-            || (InnerPath.IsWithin(Folder, name) && ReadLines().Any(line => line.Label is { } label && (label.Image == name || label.Mask == name)));
+            || ((string[])[FramePaths.Frames, FramePaths.Masks, FramePaths.Scenes])
+                .Contains(name.Split('/')[0], StringComparer.OrdinalIgnoreCase)
+            || (InnerPath.IsWithin(Folder, name)
+                && ReadLines().Any(line => line.Label is { } label && (label.Image == name || label.Mask == name)));
     }
 
     /// <summary>Reads session.json.</summary>

@@ -136,7 +136,7 @@ public static class SessionMerger
         }
 
         return names.OfType<string>().FirstOrDefault(name => !source.IsWithin(name)) is { } outside
-            ? throw new DatasetFormatException($"'{source.Folder}', frame {frame}: '{outside}' is outside the session.")
+            ? throw new DatasetFormatException($"'{source.Folder}', frame {frame}: '{outside}' points out of the session.")
             : names.OfType<string>();
     }
 }

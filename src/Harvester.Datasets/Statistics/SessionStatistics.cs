@@ -52,7 +52,9 @@ public sealed class SessionStatistics
     /// <summary>Labels a frame; 0 without frames.</summary>
     public double LabelsPerFrame => Frames == 0 ? 0 : (double)Labels / Frames;
 
-    /// <summary>Labels of what KITTI labels too: vehicles, people and other things that move, not signs and lights with their faces and heads.</summary>
+    /// <summary>
+    /// Labels of what KITTI labels too: vehicles, people and other things that move, not signs and lights with their faces and heads.
+    /// </summary>
     public int LabelsAsKitti => _classes.Where(kind => KittiClasses.Has(kind.Key)).Sum(kind => kind.Value.Labels);
 
     /// <summary>The same a frame; 0 without frames.</summary>
@@ -88,7 +90,10 @@ public sealed class SessionStatistics
     /// <summary>Labels by width of the box in the image, pixels.</summary>
     public Histogram BoxWidths { get; } = Histogram.Even(LargeSidePixels, SideBins);
 
-    /// <summary>Labels by area of the box in the image, square pixels: from squares of 8 to 512 pixels a side, COCO's limits of 32 and 96 among them.</summary>
+    /// <summary>
+    /// Labels by area of the box in the image, square pixels: from squares of 8 to 512 pixels a side, COCO's limits of 32 and 96 among
+    /// them.
+    /// </summary>
     public Histogram BoxAreas { get; } = new(0, 8 * 8, 16 * 16, 32 * 32, 64 * 64, 96 * 96, 128 * 128, 256 * 256, 512 * 512);
 
     /// <summary>Labels by truncated fraction.</summary>

@@ -80,6 +80,7 @@ internal sealed class FileCheck
             return $"{what} is {header.Size.Width} x {header.Size.Height}, but its label says {camera.Width} x {camera.Height}.";
         }
 
-        return bitsPerPixel is { } bits && header.BitsPerPixel != bits ? $"{what} has {header.BitsPerPixel} bits a pixel instead of {bits}." : null;
+        return bitsPerPixel is { } bits && header.BitsPerPixel != bits
+            ? $"{what} has {header.BitsPerPixel} bits a pixel instead of {bits}." : null;
     }
 }

@@ -11,7 +11,8 @@ internal static class KeptFilesCheck
 {
     public static IEnumerable<SessionProblem> Problems(SessionReader session)
     {
-        (string Name, Func<SessionReader, object?> Read)[] files = [(FramePaths.Roads, KeptFiles.ReadRoads), (FramePaths.Faces, KeptFiles.ReadFaces)];
+        (string Name, Func<SessionReader, object?> Read)[] files =
+            [(FramePaths.Roads, KeptFiles.ReadRoads), (FramePaths.Faces, KeptFiles.ReadFaces)];
         foreach ((string name, Func<SessionReader, object?> read) in files)
         {
             if (Damage(session, read) is { } damage)

@@ -6,7 +6,9 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Validation;
 
-/// <summary>What must hold for the lanes of a frame: the ranges of docs/lanes.md, scaled with the lane, and the values that stand for nothing.</summary>
+/// <summary>
+/// What must hold for the lanes of a frame: the ranges of docs/lanes.md, scaled with the lane, and the values that stand for nothing.
+/// </summary>
 internal static class LanesCheck
 {
     /// <summary>Numbers in files are rounded to at least three decimals, and scaled by the width of a lane.</summary>
@@ -26,9 +28,11 @@ internal static class LanesCheck
 
         // How wide the lanes are is known at the look-ahead point only; at the car they may be narrower or wider.
         double atLookAhead = (lanes.LaneWidthMetres ?? LaneSection.TorcsLaneWidth) / LaneSection.TorcsLaneWidth;
-        foreach ((string name, LaneIndicators indicators, double? scaleOfMarkings) in new (string Name, LaneIndicators Indicators, double? Scale)[]
+        foreach ((string name, LaneIndicators indicators, double? scaleOfMarkings) in new (
+            string Name, LaneIndicators Indicators, double? Scale)[]
         {
-            ("indicators", lanes.Indicators, atLookAhead), ("torcsEquivalent", lanes.TorcsEquivalent, 1), ("atCar.indicators", lanes.IndicatorsAtCar, null),
+            ("indicators", lanes.Indicators, atLookAhead), ("torcsEquivalent", lanes.TorcsEquivalent, 1),
+                ("atCar.indicators", lanes.IndicatorsAtCar, null),
         })
         {
             foreach (IndicatorDefinition indicator in IndicatorTable.All)

@@ -11,7 +11,9 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Validation;
 
-/// <summary>What must hold between a label and its mask: every number in the mask is an object's, and visible boxes are the bounds of pixels.</summary>
+/// <summary>
+/// What must hold between a label and its mask: every number in the mask is an object's, and visible boxes are the bounds of pixels.
+/// </summary>
 internal static class MaskCheck
 {
     private const int MaxNamedNumbers = 5;
@@ -48,7 +50,8 @@ internal static class MaskCheck
         }
     }
 
-    private static IEnumerable<string> PartProblems(ObjectLabel part, FrameLabel label, InstanceMap map, IReadOnlyDictionary<int, InstancePixels> seen)
+    private static IEnumerable<string> PartProblems(
+        ObjectLabel part, FrameLabel label, InstanceMap map, IReadOnlyDictionary<int, InstancePixels> seen)
     {
         int parent = part.Parent!.Value;
         if (seen.ContainsKey(part.Id))
@@ -62,7 +65,8 @@ internal static class MaskCheck
         }
 
         // Rays know when a part is hidden by the rest of its object; a map does not, so there the object's pixels are the part's.
-        if (part is { OcclusionMethod: OcclusionMethod.Imported, OccludedFraction: 1 } && new CuboidPixels(LabelCamera.Of(label.Camera), part).Shows(map, parent))
+        if (part is { OcclusionMethod: OcclusionMethod.Imported, OccludedFraction: 1 }
+            && new CuboidPixels(LabelCamera.Of(label.Camera), part).Shows(map, parent))
         {
             yield return $"occludedFraction is 1, but the mask shows its object, {parent}, where it is.";
         }
@@ -83,7 +87,8 @@ internal static class MaskCheck
     }
 
     private static string Text(int[] numbers) =>
-        string.Join(", ", numbers.Take(MaxNamedNumbers)) + (numbers.Length > MaxNamedNumbers ? $" and {numbers.Length - MaxNamedNumbers} more" : "");
+        string.Join(", ", numbers.Take(MaxNamedNumbers))
+            + (numbers.Length > MaxNamedNumbers ? $" and {numbers.Length - MaxNamedNumbers} more" : "");
 
     private static string Text(Box2D? box) => box is { } some ? ObjectCheck.Text(some) : "null";
 }

@@ -55,10 +55,13 @@ public static class SessionValidator
         if (info?.CapturedFrames is { } captured && captured != frames)
         {
             problems.Add(new SessionProblem(
-                SessionInfo.FileName, null, $"it counts {captured} captured frames, but {SessionReader.LabelsFile} has {frames} good lines."));
+                SessionInfo.FileName,
+                    null, $"it counts {captured} captured frames, but {SessionReader.LabelsFile} has {frames} good lines."));
         }
 
-        return new SessionValidation(info, frames, objects, problems) { Undetermined = undetermined, UndeterminedRegions = undeterminedRegions };
+        return new SessionValidation(
+            info, frames, objects, problems)
+        { Undetermined = undetermined, UndeterminedRegions = undeterminedRegions };
     }
 
     private static SessionInfo? ReadInfo(SessionReader session, List<SessionProblem> problems)

@@ -35,7 +35,9 @@ internal sealed class BridgeClient : IDisposable
     /// <summary>Address and port of the other side.</summary>
     public string Place { get; }
 
-    /// <summary>Serves a connection on a thread of its own until it ends. Of connections without a token the one served last counts.</summary>
+    /// <summary>
+    /// Serves a connection on a thread of its own until it ends. Of connections without a token the one served last counts.
+    /// </summary>
     public static void Serve(TcpClient connection, SocketReception reception)
     {
         BridgeClient client = Of(connection, reception);
@@ -103,7 +105,8 @@ internal sealed class BridgeClient : IDisposable
     private void Receive()
     {
         // A limit of a single read would not do: a client that trickles its bytes never keeps one waiting.
-        using Timer? deadline = _isPending ? new Timer(_ => EndWait(), null, _reception.Options.TokenPatience, Timeout.InfiniteTimeSpan) : null;
+        using Timer? deadline = _isPending ? new Timer(_ => EndWait(), null, _reception.Options.TokenPatience, Timeout.InfiniteTimeSpan)
+            : null;
         try
         {
             while (SocketFraming.ReadHeader(_stream) is { } header)

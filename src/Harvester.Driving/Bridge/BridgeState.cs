@@ -22,9 +22,14 @@ public sealed record BridgeState(
     LaneIndicators TorcsEquivalent,
     bool IsFast)
 {
-    /// <summary>Whether the lanes are known, as they are not in junctions and off the road; all indicators are inactive where they are not.</summary>
+    /// <summary>
+    /// Whether the lanes are known, as they are not in junctions and off the road; all indicators are inactive where they are not.
+    /// </summary>
     public bool AreLanesKnown { get; init; }
 
-    /// <summary>Whether the client has asked for this frame, by a step or a request, so that it comes to a client that has not answered the last one too.</summary>
+    /// <summary>
+    /// Whether the client has asked for this frame, by a step or a request, so that it comes to a client that has not answered the last one
+    /// too.
+    /// </summary>
     public bool IsAskedFor { get; init; }
 }

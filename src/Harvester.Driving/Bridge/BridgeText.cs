@@ -11,7 +11,10 @@ internal static class BridgeText
 {
     private const int Decimals = 6;
 
-    /// <summary>The content of state.txt: a line of thirteen numbers as in Figure 23, a line with frame, time, speed, fast, the picture's name and the angle ahead.</summary>
+    /// <summary>
+    /// The content of state.txt: a line of thirteen numbers as in Figure 23, a line with frame, time, speed, fast, the picture's name and
+    /// the angle ahead.
+    /// </summary>
     public static byte[] StateFile(BridgeState state, string picture)
     {
         var text = new StringBuilder();

@@ -16,7 +16,9 @@ namespace Harvester.Driving.Bridge;
 /// </summary>
 public sealed class FolderBridge : IDrivingBridge
 {
-    /// <summary>How long a client may give no sign of life, seconds, when nothing else is said: enough for a learner to think between two steps.</summary>
+    /// <summary>
+    /// How long a client may give no sign of life, seconds, when nothing else is said: enough for a learner to think between two steps.
+    /// </summary>
     public const double DefaultPatienceSeconds = 30;
 
     private const double MillisecondsPerSecond = 1000;
@@ -108,7 +110,9 @@ public sealed class FolderBridge : IDrivingBridge
         }
     }
 
-    /// <summary>A disk that fails now may work a moment later, and a client's bad file is followed by a good one: the bridge goes on.</summary>
+    /// <summary>
+    /// A disk that fails now may work a moment later, and a client's bad file is followed by a good one: the bridge goes on.
+    /// </summary>
     private void Try(Action action)
     {
         try

@@ -17,7 +17,8 @@ internal static class FolderMessages
     public static ClientMessage ParseIndicators(string text)
     {
         double[] numbers = Numbers(text, IndicatorTable.Count, "indicators.txt");
-        return new IndicatorsMessage([.. new ArraySegment<double>(numbers, 0, IndicatorTable.Count)], FrameOf(numbers, IndicatorTable.Count));
+        return new IndicatorsMessage(
+            [.. new ArraySegment<double>(numbers, 0, IndicatorTable.Count)], FrameOf(numbers, IndicatorTable.Count));
     }
 
     public static ClientMessage ParseControls(string text)
@@ -26,7 +27,8 @@ internal static class FolderMessages
         return new ControlsMessage(new DrivingControls(numbers[0], numbers[1], numbers[2]), FrameOf(numbers, ControlsCount));
     }
 
-    private static long? FrameOf(double[] numbers, int count) => numbers.Length > count ? ClientMessageParser.FrameOf(numbers[count]) : null;
+    private static long? FrameOf(double[] numbers, int count) =>
+        numbers.Length > count ? ClientMessageParser.FrameOf(numbers[count]) : null;
 
     private static double[] Numbers(string text, int count, string file)
     {

@@ -10,7 +10,8 @@ namespace Harvester.Driving.Bridge;
 
 /// <summary>
 /// The files that go out over a shared folder: a picture a frame, of which the last ones stay, and state.txt. Each appears whole, by
-/// renaming, state.txt after its picture. A frame that cannot be written now, as when a client holds state.txt open, is kept for another try.
+/// renaming, state.txt after its picture. A frame that cannot be written now, as when a client holds state.txt open, is kept for another
+/// try.
 /// </summary>
 internal sealed class FrameFiles(string folder) : IDisposable
 {
@@ -84,7 +85,8 @@ internal sealed class FrameFiles(string folder) : IDisposable
         DeleteOldPictures();
         if (_pictures.Count >= MaxPictures)
         {
-            throw new BridgeException(FormattableString.Invariant($"{MaxPictures} old pictures cannot be deleted; no frame is written until they can."));
+            throw new BridgeException(
+                FormattableString.Invariant($"{MaxPictures} old pictures cannot be deleted; no frame is written until they can."));
         }
 
         // The folder may have been taken away.

@@ -43,7 +43,8 @@ internal sealed class FrameOutbox(ImageSize size)
     /// <returns>
     /// False when the box is closed, nothing that may go came within the time, or the wait was ended by <see cref="Wake"/>.
     /// </returns>
-    public bool TryTake(TimeSpan patience, Func<BridgeState, bool> mayGo, [NotNullWhen(true)] out BridgeState? state, out PixelBuffer picture)
+    public bool TryTake(
+        TimeSpan patience, Func<BridgeState, bool> mayGo, [NotNullWhen(true)] out BridgeState? state, out PixelBuffer picture)
     {
         lock (_gate)
         {

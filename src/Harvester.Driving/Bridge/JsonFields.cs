@@ -28,13 +28,16 @@ internal sealed class JsonFields
     public bool Has(string name) => _values.TryGetValue(name, out object? value) && value is not null;
 
     public string Text(string name) =>
-        _values.TryGetValue(name, out object? value) && value is string text ? text : throw new BridgeException($"field {name} must be a string.");
+        _values.TryGetValue(name, out object? value) && value is string text ? text
+            : throw new BridgeException($"field {name} must be a string.");
 
     public double Number(string name) =>
-        _values.TryGetValue(name, out object? value) && value is double number ? number : throw new BridgeException($"field {name} must be a number.");
+        _values.TryGetValue(name, out object? value) && value is double number ? number
+            : throw new BridgeException($"field {name} must be a number.");
 
     public bool Boolean(string name) =>
-        _values.TryGetValue(name, out object? value) && value is bool truth ? truth : throw new BridgeException($"field {name} must be true or false.");
+        _values.TryGetValue(name, out object? value) && value is bool truth ? truth
+            : throw new BridgeException($"field {name} must be true or false.");
 
     public double[] Numbers(string name, int count) =>
         _values.TryGetValue(name, out object? value) && value is double[] numbers && numbers.Length == count
@@ -115,7 +118,9 @@ internal sealed class JsonFields
         }
 
         string digits = _text.Substring(start, _at - start);
-        bool isNumber = double.TryParse(digits, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent, CultureInfo.InvariantCulture, out double number);
+        bool isNumber = double.TryParse(
+            digits, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent,
+                CultureInfo.InvariantCulture, out double number);
         return isNumber && !double.IsInfinity(number) && !double.IsNaN(number) ? number : throw Wrong("what is no number");
     }
 
@@ -193,5 +198,6 @@ internal sealed class JsonFields
         }
     }
 
-    private BridgeException Wrong(string found) => new(FormattableString.Invariant($"the header is not a flat JSON object: {found} at character {_at + 1}."));
+    private BridgeException Wrong(string found) =>
+        new(FormattableString.Invariant($"the header is not a flat JSON object: {found} at character {_at + 1}."));
 }

@@ -12,7 +12,8 @@ namespace Harvester.Driving.Bridge;
 /// <summary>
 /// A bridge over TCP, to one client at a time: a newer client takes the place of the older, once it has shown the token where one is asked
 /// for. Frames go out as a JSON header and a PNG, messages come in as JSON headers; docs/bridge.md has the protocol. Threads of its own do
-/// all the waiting, and a client that sends nonsense or does not take a frame is cut off, never waited for. A client is sent the newest frame when
+/// all the waiting, and a client that sends nonsense or does not take a frame is cut off, never waited for. A client is sent the newest
+/// frame when
 /// it has answered the last one.
 /// </summary>
 public sealed class SocketBridge : IDrivingBridge
@@ -42,7 +43,8 @@ public sealed class SocketBridge : IDrivingBridge
         }
 
         _reception = new SocketReception(
-            options, new ClientInbox<BridgeClient>(), new PendingClients<BridgeClient>(options.MaxPending), new FrameOutbox(picture), problem => _problem = problem);
+            options, new ClientInbox<BridgeClient>(), new PendingClients<BridgeClient>(options.MaxPending), new FrameOutbox(picture),
+                problem => _problem = problem);
         _listener = new TcpListener(options.Address, options.Port);
         _listener.Start();
         _acceptor = Start(Accept, "Harvester socket bridge: accept");
@@ -125,7 +127,8 @@ public sealed class SocketBridge : IDrivingBridge
         {
             // A frame that nobody is there for is taken too, and dropped.
             BridgeClient? client = null;
-            if (_reception.Outbox.TryTake(TimeSpan.FromSeconds(1), MayGo, out BridgeState? state, out PixelBuffer picture) && client is not null)
+            if (_reception.Outbox.TryTake(TimeSpan.FromSeconds(1), MayGo, out BridgeState? state, out PixelBuffer picture)
+                && client is not null)
             {
                 png.SetLength(0);
                 encoder.Write(picture, png);

@@ -18,9 +18,14 @@ public sealed record SocketBridgeOptions(IPAddress Address, int Port, string? To
     /// <summary>How long a connection may take to show the token; longer than 0, or Timeout.InfiniteTimeSpan.</summary>
     public TimeSpan TokenPatience { get; init; } = TimeSpan.FromSeconds(2);
 
-    /// <summary>How long the client may leave a frame untaken before it is cut off, and how long the end of the bridge waits for that; a millisecond to 24 days.</summary>
+    /// <summary>
+    /// How long the client may leave a frame untaken before it is cut off, and how long the end of the bridge waits for that; a millisecond
+    /// to 24 days.
+    /// </summary>
     public TimeSpan SendPatience { get; init; } = TimeSpan.FromSeconds(2);
 
-    /// <summary>How many connections may be about to show the token at a time; at least 1. The one that has waited longest makes room for another.</summary>
+    /// <summary>
+    /// How many connections may be about to show the token at a time; at least 1. The one that has waited longest makes room for another.
+    /// </summary>
     public int MaxPending { get; init; } = 16;
 }

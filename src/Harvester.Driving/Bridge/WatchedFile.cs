@@ -7,7 +7,9 @@ using Harvester.Sessions.Files;
 
 namespace Harvester.Driving.Bridge;
 
-/// <summary>A small text file that somebody else writes again and again; each writing is read once. Never more is read than it may hold.</summary>
+/// <summary>
+/// A small text file that somebody else writes again and again; each writing is read once. Never more is read than it may hold.
+/// </summary>
 internal sealed class WatchedFile(string path)
 {
     private const int MaxBytes = 65_536;
@@ -34,7 +36,8 @@ internal sealed class WatchedFile(string path)
 
     /// <summary>Reads the file if it has been written since the last time.</summary>
     /// <returns>False when it has not, is not there, or is being written just now.</returns>
-    /// <exception cref="BridgeException">It is too large to be what it should be, or cannot be read for long; told once for each writing.</exception>
+    /// <exception cref="BridgeException">It is too large to be what it should be, or cannot be read for long; told once for each
+    /// writing.</exception>
     public bool TryReadNew([NotNullWhen(true)] out string? text)
     {
         text = null;
@@ -59,7 +62,8 @@ internal sealed class WatchedFile(string path)
         _failed = null;
         if (bytes.Length > MaxBytes)
         {
-            throw new BridgeException(FormattableString.Invariant($"{Path.GetFileName(path)} is too large; at most {MaxBytes} bytes are read."));
+            throw new BridgeException(
+                FormattableString.Invariant($"{Path.GetFileName(path)} is too large; at most {MaxBytes} bytes are read."));
         }
 
         using var reader = new StreamReader(bytes, Encoding.UTF8);

@@ -48,11 +48,13 @@ public sealed class DeepDrivingController : IController
     /// <summary>Creates a controller for indicators whose angle is measured at the car, as in TORCS.</summary>
     /// <param name="steeringLockRadians">Angle of the car's front wheels at full lock, radians; that of TORCS unless given.</param>
     /// <param name="vehicleAllowanceMetres">
-    /// Taken off the distances to vehicles, metres: the published controller stops 5 m from a vehicle, centre to centre, which is right for the
+    /// Taken off the distances to vehicles, metres: the published controller stops 5 m from a vehicle, centre to centre, which is right for
+    /// the
     /// short cars of TORCS only.
     /// </param>
     /// <param name="mostSpeed">Speed on a free straight road, m/s, greater than 0; 20 as published unless given.</param>
-    public DeepDrivingController(double steeringLockRadians = SteeringLockRadians, double vehicleAllowanceMetres = 0, double mostSpeed = MaxSpeed)
+    public DeepDrivingController(
+        double steeringLockRadians = SteeringLockRadians, double vehicleAllowanceMetres = 0, double mostSpeed = MaxSpeed)
     {
         _mostSpeed = mostSpeed;
         _lockShare = SteeringLockRadians / steeringLockRadians;
@@ -151,9 +153,11 @@ public sealed class DeepDrivingController : IController
         switch (_manoeuvre)
         {
             case LaneManoeuvre.LeaveToLeft:
-                return Leave(isInLane, isOnLeftMarking, (at.ToMarkingLL.Value + at.ToMarkingML.Value) / 2, leftOfMarking, LaneManoeuvre.ArriveFromRight, out centre);
+                return Leave(isInLane, isOnLeftMarking, (at.ToMarkingLL.Value + at.ToMarkingML.Value) / 2, leftOfMarking,
+                    LaneManoeuvre.ArriveFromRight, out centre);
             case LaneManoeuvre.LeaveToRight:
-                return Leave(isInLane, isOnRightMarking, (at.ToMarkingRR.Value + at.ToMarkingMR.Value) / 2, rightOfMarking, LaneManoeuvre.ArriveFromLeft, out centre);
+                return Leave(isInLane, isOnRightMarking, (at.ToMarkingRR.Value + at.ToMarkingMR.Value) / 2, rightOfMarking,
+                    LaneManoeuvre.ArriveFromLeft, out centre);
             case LaneManoeuvre.ArriveFromRight:
                 return Arrive(isInLane, isOnLeftMarking, lane, leftOfMarking, out centre);
             case LaneManoeuvre.ArriveFromLeft:

@@ -1,6 +1,8 @@
 namespace Harvester.Driving.Controllers;
 
-/// <summary>Whether the lane beside has been free long enough to move there: no vehicle nearer than 20 m for so many frames in a row.</summary>
+/// <summary>
+/// Whether the lane beside has been free long enough to move there: no vehicle nearer than 20 m for so many frames in a row.
+/// </summary>
 internal sealed class LaneClearance
 {
     private const double OccupiedWithinMetres = 20;

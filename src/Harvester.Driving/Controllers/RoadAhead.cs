@@ -61,7 +61,8 @@ internal sealed class RoadAhead(double lookAheadMetres, double periodSeconds, Ca
     }
 
     /// <summary>The angle of the front wheels for the bend some way ahead at a speed, radians, positive to the left.</summary>
-    public double WheelAngleAt(double metresAhead, double speed) => Math.Atan(car.Wheelbase * car.UndersteerAt(speed) * At(metresAhead).Curvature);
+    public double WheelAngleAt(double metresAhead, double speed) =>
+        Math.Atan(car.Wheelbase * car.UndersteerAt(speed) * At(metresAhead).Curvature);
 
     /// <summary>How the car turns by metre, with the wheels on their way to where they are wanted.</summary>
     private double CurvatureOfCar(double speed)

@@ -56,7 +56,11 @@ internal sealed class RoadMemory(double lookAheadMetres)
         if (last >= 0 && station - _seen[last].Station < SamePlace)
         {
             (double Station, double Heading, int Frames) place = _seen[last];
-            _seen[last] = place with { Heading = ((place.Heading * place.Frames) + heading) / (place.Frames + 1), Frames = place.Frames + 1 };
+            _seen[last] = place with
+            {
+                Heading = ((place.Heading * place.Frames) + heading) / (place.Frames + 1),
+                Frames = place.Frames + 1
+            };
         }
         else
         {

@@ -38,9 +38,11 @@ public sealed record DrivingOptions
     public int SettleTicks
     {
         get => _settleTicks;
-        init => _settleTicks = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(SettleTicks), value, "Ticks are 0 or more.");
+        init => _settleTicks = value >= 0 ? value
+            : throw new ArgumentOutOfRangeException(nameof(SettleTicks), value, "Ticks are 0 or more.");
     }
 
     private static double Positive(double value, string name) =>
-        value > 0 && !double.IsInfinity(value) ? value : throw new ArgumentOutOfRangeException(name, value, $"{name} must be greater than 0.");
+        value > 0 && !double.IsInfinity(value) ? value
+            : throw new ArgumentOutOfRangeException(name, value, $"{name} must be greater than 0.");
 }

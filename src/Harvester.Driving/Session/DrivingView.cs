@@ -65,7 +65,10 @@ internal sealed class DrivingView
         };
     }
 
-    /// <summary>What a controller knows when a client has read the indicators off a picture. Lane width and straightness are those last seen on the road.</summary>
+    /// <summary>
+    /// What a controller knows when a client has read the indicators off a picture. Lane width and straightness are those last seen on the
+    /// road.
+    /// </summary>
     public DrivingState StateOf(LaneIndicators torcsEquivalent)
     {
         EgoState ego = _game.World.ReadEgo();

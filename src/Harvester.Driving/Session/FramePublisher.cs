@@ -28,7 +28,8 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
 
     /// <summary>Whether an image may be grabbed in the next ticks, so that overlays must not be drawn now.</summary>
     public bool IsPictureNear =>
-        pace.IsPaused || pace.IsStepping || _isAskedFor || _isMissed || _schedule.SecondsUntilDue(_nowSeconds) < (options.SettleTicks + HalfATick) * _tickSeconds;
+        pace.IsPaused || pace.IsStepping || _isAskedFor || _isMissed
+            || _schedule.SecondsUntilDue(_nowSeconds) < (options.SettleTicks + HalfATick) * _tickSeconds;
 
     /// <summary>Starts a tick; to be called before <see cref="PublishIfTime"/>.</summary>
     public void BeginTick(double nowSeconds)

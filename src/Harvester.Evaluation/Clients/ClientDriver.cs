@@ -42,7 +42,8 @@ public sealed class ClientDriver(IBridgeLink link, Func<IController> newControll
     public bool IsEndedByGame { get; private set; }
 
     /// <summary>Drives until it is stopped, the time is over or the game closes the bridge.</summary>
-    /// <param name="stepSeconds">Lets the world go on by so much with each answer, so that it waits for the controller; null where it goes its own way.</param>
+    /// <param name="stepSeconds">Lets the world go on by so much with each answer, so that it waits for the controller; null where it goes
+    /// its own way.</param>
     /// <param name="seconds">Of the game's time.</param>
     /// <param name="cancellation">Stops it.</param>
     /// <exception cref="IOException">The bridge has failed, or no frame has come for too long.</exception>
@@ -63,7 +64,8 @@ public sealed class ClientDriver(IBridgeLink link, Func<IController> newControll
                 }
                 else if (clock.GetElapsedTime(_heard) > patience)
                 {
-                    throw new IOException(FormattableString.Invariant($"No frame has arrived from the game for {patience.TotalSeconds} s."));
+                    throw new IOException(
+                        FormattableString.Invariant($"No frame has arrived from the game for {patience.TotalSeconds} s."));
                 }
                 else if (frame is not null && _isAsking)
                 {

@@ -23,7 +23,9 @@ internal static class ClientIndicators
         return metres.Angle.IsValid ? metres with { Angle = Indicator.Of(angleAhead) } : metres;
     }
 
-    /// <summary>Width of a lane for which the indicators in metres are as they are; that of ordinary roads where they do not tell.</summary>
+    /// <summary>
+    /// Width of a lane for which the indicators in metres are as they are; that of ordinary roads where they do not tell.
+    /// </summary>
     public static LaneSection SectionOf(IReadOnlyList<double> torcsEquivalent, IReadOnlyList<double> metres)
     {
         LaneIndicators torcs = Of(torcsEquivalent);

@@ -12,7 +12,8 @@ namespace Harvester.Evaluation.Clients;
 
 /// <summary>
 /// The far end of a folder bridge: state.txt in, controls.txt and command.json out, each whole by renaming. It tells neither where the car
-/// is, where it points nor how wide its lane is; the latter is taken for that of ordinary roads. A state that stood there before does not count.
+/// is, where it points nor how wide its lane is; the latter is taken for that of ordinary roads. A state that stood there before does not
+/// count.
 /// </summary>
 public sealed class FolderLink : IBridgeLink
 {
@@ -32,7 +33,8 @@ public sealed class FolderLink : IBridgeLink
     /// <exception cref="IOException">It is not there, or nothing can be written there.</exception>
     public FolderLink(string folder)
     {
-        _folder = Directory.Exists(folder) ? folder : throw new IOException($"Shared folder not found: '{folder}'. Start the game's side first; it creates the folder.");
+        _folder = Directory.Exists(folder) ? folder
+            : throw new IOException($"Shared folder not found: '{folder}'. Start the game's side first; it creates the folder.");
         _seen = ReadState();
 
         AskForFrame();
@@ -65,11 +67,14 @@ public sealed class FolderLink : IBridgeLink
     public void Send(DrivingControls controls, long frame) => WriteWhole(
         "controls.txt", FormattableString.Invariant($"{controls.Steering:0.######} {controls.Throttle:0.######} {controls.Brake:0.######} {frame}\n"));
 
-    /// <summary>Asks for a frame; until the first has come by a hello, with which a world goes on that an earlier client has stopped.</summary>
+    /// <summary>
+    /// Asks for a frame; until the first has come by a hello, with which a world goes on that an earlier client has stopped.
+    /// </summary>
     public void AskForFrame() => Command(_isHeard ? "{\"type\":\"requestFrame\"}" : "{\"type\":\"hello\"}");
 
     /// <inheritdoc/>
-    public void Step(double seconds) => Command(string.Create(CultureInfo.InvariantCulture, $"{{\"type\":\"step\",\"seconds\":{seconds}}}"));
+    public void Step(double seconds) =>
+        Command(string.Create(CultureInfo.InvariantCulture, $"{{\"type\":\"step\",\"seconds\":{seconds}}}"));
 
     /// <summary>Nothing is held.</summary>
     public void Dispose()

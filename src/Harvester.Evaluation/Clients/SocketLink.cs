@@ -70,7 +70,8 @@ public sealed class SocketLink : IBridgeLink
             using JsonDocument message = JsonDocument.Parse(newest);
             return FrameOf(message.RootElement);
         }
-        catch (Exception e) when (e is JsonException or KeyNotFoundException or InvalidOperationException or FormatException or ArgumentException)
+        catch (Exception e)
+            when (e is JsonException or KeyNotFoundException or InvalidOperationException or FormatException or ArgumentException)
         {
             throw new IOException($"The game sent an invalid frame: {e.Message}", e);
         }
@@ -109,10 +110,12 @@ public sealed class SocketLink : IBridgeLink
             HeadingRadians = Angles.ToRadians(root.GetProperty("headingDegrees").GetDouble()),
         };
         return new ClientFrame(
-            root.GetProperty("frame").GetInt64(), root.GetProperty("timeSeconds").GetDouble(), seen, new Vector3D(position[0], position[1], position[2]));
+            root.GetProperty("frame").GetInt64(), root.GetProperty("timeSeconds").GetDouble(), seen,
+                new Vector3D(position[0], position[1], position[2]));
     }
 
-    private static double[] Numbers(JsonElement root, string name) => [.. root.GetProperty(name).EnumerateArray().Select(value => value.GetDouble())];
+    private static double[] Numbers(JsonElement root, string name) =>
+        [.. root.GetProperty(name).EnumerateArray().Select(value => value.GetDouble())];
 
     private void Connect(string host, int port, TimeSpan patience)
     {
@@ -120,7 +123,8 @@ public sealed class SocketLink : IBridgeLink
         {
             if (!_connection.ConnectAsync(host, port).Wait(patience))
             {
-                throw new IOException(FormattableString.Invariant($"Cannot connect to {host}:{port}: no answer for {patience.TotalSeconds} s."));
+                throw new IOException(
+                    FormattableString.Invariant($"Cannot connect to {host}:{port}: no answer for {patience.TotalSeconds} s."));
             }
         }
         catch (AggregateException e) when (e.InnerException is SocketException fault)

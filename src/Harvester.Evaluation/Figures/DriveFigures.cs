@@ -4,7 +4,9 @@ using System.Linq;
 
 namespace Harvester.Evaluation.Figures;
 
-/// <summary>What a drive comes to. What the car's own driver drove, in junctions and where he had to give way, is not the controller's.</summary>
+/// <summary>
+/// What a drive comes to. What the car's own driver drove, in junctions and where he had to give way, is not the controller's.
+/// </summary>
 public sealed record DriveFigures
 {
     private const int Decimals = 4;

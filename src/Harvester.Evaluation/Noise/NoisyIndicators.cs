@@ -43,7 +43,8 @@ public sealed class NoisyIndicators : IController
         {
             Indicators = metres,
             TorcsEquivalent = TorcsEquivalent.Of(
-                metres, new LaneSection(1, LaneSection.TorcsLaneWidth * scale), WithErrorOf(state.TorcsEquivalent.Angle, truth.Angle, metres.Angle)),
+                metres, new LaneSection(1, LaneSection.TorcsLaneWidth * scale),
+                    WithErrorOf(state.TorcsEquivalent.Angle, truth.Angle, metres.Angle)),
         });
     }
 

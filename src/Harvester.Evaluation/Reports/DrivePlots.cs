@@ -61,7 +61,8 @@ internal sealed class DrivePlots
             plot.Add(new PlotLine("bound", [new Vector2D(0, bound), new Vector2D(Length, bound)]));
         }
 
-        foreach (List<int> piece in Pieces<int>(sample => sample.IsByController && sample.Lane?.Lane is { } lane ? lane + (LanesPerRoad * sample.Lane.Road) : null))
+        foreach (List<int> piece in Pieces<int>(
+            sample => sample.IsByController && sample.Lane?.Lane is { } lane ? lane + (LanesPerRoad * sample.Lane.Road) : null))
         {
             plot.Add(new PlotLine(ByController, [.. piece.Select(i => new Vector2D(_distances[i], _samples[i].Lane!.RightOfCentre))]));
         }

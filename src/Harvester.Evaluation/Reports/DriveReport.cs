@@ -76,7 +76,8 @@ public static class DriveReport
         StartFigure(page, "Map");
         page.Start("p").With("class", "hint");
         WriteKey(page, DrivePlots.ByController, "The controller").Text(" drives where lanes are known; the ");
-        WriteKey(page, DrivePlots.ByBuiltInDriver, "built-in driver").Text(" drives through junctions and where it has to give way. Rings mark ");
+        WriteKey(page, DrivePlots.ByBuiltInDriver, "built-in driver")
+            .Text(" drives through junctions and where it has to give way. Rings mark ");
         WriteKey(page, DrivePlots.Departure, "lane departures").Text(" and ");
         WriteKey(page, DrivePlots.Collision, "collisions").Text(".").End().NewLine();
         plots.Map(record).Write(page);
@@ -106,5 +107,6 @@ public static class DriveReport
 
     private static void StartFigure(MarkupWriter page, string caption) => page.Start("figure").Element("figcaption", caption).NewLine();
 
-    private static MarkupWriter WriteKey(MarkupWriter page, string style, string text) => page.Start("b").With("class", style).Text(text).End();
+    private static MarkupWriter WriteKey(MarkupWriter page, string style, string text) =>
+        page.Start("b").With("class", style).Text(text).End();
 }

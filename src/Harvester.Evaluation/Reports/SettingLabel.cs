@@ -11,7 +11,8 @@ internal static class SettingLabel
     /// <summary>Its name in words, and its value with the unit that the key names.</summary>
     public static (string Name, string Value) Of(string key, string value)
     {
-        (string suffix, string unit) = Units.FirstOrDefault(each => key.EndsWith(each.Suffix, StringComparison.Ordinal), (Suffix: "", Unit: ""));
+        (string suffix, string unit) = Units.FirstOrDefault(
+            each => key.EndsWith(each.Suffix, StringComparison.Ordinal), (Suffix: "", Unit: ""));
         return (Words(key[..^suffix.Length]), value + unit);
     }
 

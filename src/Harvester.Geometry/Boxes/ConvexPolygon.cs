@@ -67,7 +67,9 @@ public static class ConvexPolygon
         return ClipSide(clipped, p => box.YMax - p.Y);
     }
 
-    /// <summary>Whether a point lies within a convex polygon of either winding, sides included. A polygon without area contains nothing.</summary>
+    /// <summary>
+    /// Whether a point lies within a convex polygon of either winding, sides included. A polygon without area contains nothing.
+    /// </summary>
     public static bool Contains(IReadOnlyList<Vector2D> polygon, Vector2D point)
     {
         Guard.NotNull(polygon, nameof(polygon));

@@ -78,7 +78,9 @@ public sealed record Cuboid
         return new Cuboid(entity.ToWorld((min + max) * 0.5), (max - min) * 0.5, entity.Axes);
     }
 
-    /// <summary>A corner in the world, metres. Bit 0 of the number is right, bit 1 forward, bit 2 up; a cleared bit is the opposite side.</summary>
+    /// <summary>
+    /// A corner in the world, metres. Bit 0 of the number is right, bit 1 forward, bit 2 up; a cleared bit is the opposite side.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The number is not 0 to 7.</exception>
     public Vector3D Corner(int number)
     {

@@ -48,7 +48,8 @@ public static class CuboidProjector
         {
             outline = ConvexPolygon.Hull(
             [
-                .. outline, new(image.XMin, image.YMin), new(image.XMax, image.YMin), new(image.XMax, image.YMax), new(image.XMin, image.YMax),
+                .. outline, new(image.XMin, image.YMin), new(image.XMax, image.YMin), new(image.XMax, image.YMax),
+                    new(image.XMin, image.YMax),
             ]);
         }
 

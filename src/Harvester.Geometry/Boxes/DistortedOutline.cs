@@ -18,7 +18,8 @@ internal static class DistortedOutline
     /// <param name="corners">Corners of the body in the camera's frame, all in front of it.</param>
     public static IReadOnlyList<Vector2D> Of(Camera camera, List<Vector3D> corners)
     {
-        IReadOnlyList<Vector2D> hull = ConvexPolygon.Hull(corners.ConvertAll(corner => new Vector2D(corner.X / corner.Y, -corner.Z / corner.Y)));
+        IReadOnlyList<Vector2D> hull = ConvexPolygon.Hull(
+            corners.ConvertAll(corner => new Vector2D(corner.X / corner.Y, -corner.Z / corner.Y)));
         double radius = RadiusOfImage(camera.Intrinsics);
         var outline = new List<Vector2D>();
         for (int i = 0; i < hull.Count; i++)
@@ -37,7 +38,9 @@ internal static class DistortedOutline
         return intrinsics.Lens.Undistort(new Vector2D(x, y)).Length;
     }
 
-    /// <summary>Adds a side without its end. Places on it are counted from its point nearest to the axis, about which it is bent most.</summary>
+    /// <summary>
+    /// Adds a side without its end. Places on it are counted from its point nearest to the axis, about which it is bent most.
+    /// </summary>
     private static void AddSide(List<Vector2D> outline, Camera camera, Vector2D from, Vector2D to, double radius)
     {
         Vector2D side = to - from;

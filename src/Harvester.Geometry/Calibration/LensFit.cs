@@ -13,9 +13,11 @@ namespace Harvester.Geometry.Calibration;
 /// leaves open. It is large where the sightings do not reach toward the corners.
 /// </param>
 public readonly record struct LensFit(
-    LensFitOutcome Outcome, Lens Lens, ReprojectionError Error, ReprojectionError ErrorWithout, int OutlierCount, double CornerUncertaintyPixels)
+    LensFitOutcome Outcome, Lens Lens, ReprojectionError Error, ReprojectionError ErrorWithout, int OutlierCount,
+        double CornerUncertaintyPixels)
 {
-    // Of errors that are normal along both axes a part of exp(-3² / 2) = 1.1 % is larger than three standard deviations: at most 4.4 % at any of four corners.
+    // Of errors that are normal along both axes a part of exp(-3² / 2) = 1.1 % is larger than three standard deviations: at most 4.4 % at
+    // any of four corners.
     private const double Deviations = 3;
 
     /// <summary>What the lens is off by at most, pixels, anywhere in the image, in at least 95 of 100 fits.</summary>

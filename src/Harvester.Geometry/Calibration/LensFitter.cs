@@ -14,7 +14,9 @@ namespace Harvester.Geometry.Calibration;
 /// </summary>
 public static class LensFitter
 {
-    /// <summary>The fewest sightings that must agree for a result: five parameters, two equations each, and something to check them by.</summary>
+    /// <summary>
+    /// The fewest sightings that must agree for a result: five parameters, two equations each, and something to check them by.
+    /// </summary>
     public const int MinSightings = 10;
 
     // The median distance of noise that is normal in both axes, in standard deviations of one axis: √(2 ln 2).
@@ -80,7 +82,8 @@ public static class LensFitter
         var error = ReprojectionError.Of(WithLens(camera, lens), used);
         double variance = error.RmsPixels * error.RmsPixels * used.Count / ((2 * used.Count) - LensEquations.ParameterCount);
         double corner = Math.Sqrt(variance * CornerVariance(camera, equations, system));
-        return new LensFit(LensFitOutcome.Fitted, lens, error, ReprojectionError.Of(WithLens(camera, Lens.Ideal), used), sightings.Count - used.Count, corner);
+        return new LensFit(LensFitOutcome.Fitted, lens, error, ReprojectionError.Of(WithLens(camera, Lens.Ideal), used),
+            sightings.Count - used.Count, corner);
     }
 
     private static double CornerVariance(CameraIntrinsics camera, LensEquations equations, WeightedLeastSquares system)

@@ -24,7 +24,9 @@ public sealed class MarkerPlan
     /// <summary>The smallest distance that neighbours may have, pixels, in the smaller one of the two directions.</summary>
     public double SpacingPixels { get; }
 
-    /// <summary>Plans a grid of balls whose outermost ones lie wholly within the image, at least two and a half radii from its edges.</summary>
+    /// <summary>
+    /// Plans a grid of balls whose outermost ones lie wholly within the image, at least two and a half radii from its edges.
+    /// </summary>
     /// <param name="camera">The camera as it is known; where its lens is not known, balls may be seen elsewhere or not at all.</param>
     /// <param name="columns">Balls in a row, at least 2.</param>
     /// <param name="rows">Rows, at least 2.</param>
@@ -54,7 +56,8 @@ public sealed class MarkerPlan
         {
             for (int column = 0; column < columns; column++)
             {
-                Vector2D pixel = new Vector2D(margin + (column * stepX), margin + (row * stepY)) + (BesideGrid(markers.Count) * radiusPixels);
+                Vector2D pixel = new Vector2D(margin + (column * stepX), margin + (row * stepY))
+                    + (BesideGrid(markers.Count) * radiusPixels);
                 markers.Add(Marker(camera, pixel, radiusPixels, depths[(column + row) % depths.Count]));
             }
         }

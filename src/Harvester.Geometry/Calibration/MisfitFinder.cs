@@ -6,7 +6,8 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Geometry.Calibration;
 
 /// <summary>
-/// Finds the likely cause of a disagreement: each cause moves points in a pattern of its own, to the first order; the one whose pattern explains
+/// Finds the likely cause of a disagreement: each cause moves points in a pattern of its own, to the first order; the one whose pattern
+/// explains
 /// most of the squared distances is named, if it explains half of them.
 /// </summary>
 public static class MisfitFinder
@@ -15,7 +16,8 @@ public static class MisfitFinder
 
     private delegate Vector2D Pattern(Vector2D point, double depth);
 
-    // Points are normalised: x right, y down, at depth 1. Rotations about the other axes are, to the first order, shifts of the principal point.
+    // Points are normalised: x right, y down, at depth 1. Rotations about the other axes are, to the first order, shifts of the principal
+    // point.
     private static readonly (Misfit Cause, Pattern[] Patterns)[] Causes =
     [
         (Misfit.Stretch, [static (point, _) => new Vector2D(point.X, 0)]),
@@ -45,12 +47,14 @@ public static class MisfitFinder
         Guard.NotNull(sightings, nameof(sightings));
         Residual[] residuals = [.. sightings.Select(sighting => Residual.Of(camera, sighting))];
         double all = LeftBy([], camera, residuals);
-        (Misfit cause, double left) = Causes.Select(cause => (cause.Cause, Left: LeftBy(cause.Patterns, camera, residuals))).OrderBy(cause => cause.Left).First();
+        (Misfit cause, double left) = Causes.Select(cause => (cause.Cause, Left: LeftBy(cause.Patterns, camera, residuals)))
+            .OrderBy(cause => cause.Left).First();
         return left < (1 - MinExplained) * all ? cause : Misfit.Noise;
     }
 
     /// <summary>
-    /// The sum of squared distances that is left when a cause's patterns are fitted together with what the lens can do, which has adapted to the cause.
+    /// The sum of squared distances that is left when a cause's patterns are fitted together with what the lens can do, which has adapted
+    /// to the cause.
     /// </summary>
     private static double LeftBy(Pattern[] patterns, CameraIntrinsics camera, Residual[] residuals)
     {
@@ -63,12 +67,15 @@ public static class MisfitFinder
         }
 
         return system.Solve() is { } solution
-            ? residuals.Sum(residual => Square(residual.Distance.X - Dot(RowU(residual), solution)) + Square(residual.Distance.Y - Dot(RowV(residual), solution)))
+            ? residuals.Sum(residual =>
+                Square(residual.Distance.X - Dot(RowU(residual), solution)) + Square(residual.Distance.Y - Dot(RowV(residual), solution)))
             : double.PositiveInfinity;
 
-        double[] RowU(Residual residual) => [.. equations.RowU(residual.Point), .. patterns.Select(pattern => camera.Fx * pattern(residual.Point, residual.Depth).X)];
+        double[] RowU(Residual residual) =>
+            [.. equations.RowU(residual.Point), .. patterns.Select(pattern => camera.Fx * pattern(residual.Point, residual.Depth).X)];
 
-        double[] RowV(Residual residual) => [.. equations.RowV(residual.Point), .. patterns.Select(pattern => camera.Fy * pattern(residual.Point, residual.Depth).Y)];
+        double[] RowV(Residual residual) =>
+            [.. equations.RowV(residual.Point), .. patterns.Select(pattern => camera.Fy * pattern(residual.Point, residual.Depth).Y)];
     }
 
     private static double Dot(double[] a, double[] b) => a.Zip(b, static (x, y) => x * y).Sum();

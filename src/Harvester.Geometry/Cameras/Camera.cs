@@ -53,7 +53,8 @@ public sealed record Camera
         Guard.NotNull(world, nameof(world));
         if (Guard.NotNull(projections, nameof(projections)).Length < world.Length)
         {
-            throw new System.ArgumentException($"There are {world.Length} points, but room for {projections.Length} projections.", nameof(projections));
+            throw new System.ArgumentException($"There are {world.Length} points, but room for {projections.Length} projections.",
+                nameof(projections));
         }
 
         for (int i = 0; i < world.Length; i++)
@@ -73,7 +74,9 @@ public sealed record Camera
         return new Ray(Pose.Position, Pose.Axes.ToWorld(new Vector3D(ideal.X, 1, -ideal.Y)));
     }
 
-    /// <summary>The point of the world (metres) seen at a pixel at a depth along the forward axis: the inverse of <see cref="Project"/>.</summary>
+    /// <summary>
+    /// The point of the world (metres) seen at a pixel at a depth along the forward axis: the inverse of <see cref="Project"/>.
+    /// </summary>
     /// <exception cref="System.ArgumentOutOfRangeException">A value is not finite, or the depth is not positive.</exception>
     public Vector3D Unproject(double u, double v, double depth)
     {

@@ -2,7 +2,9 @@ using System;
 
 namespace Harvester.Geometry.Cameras;
 
-/// <summary>Width and height of an image in pixels, each at least 1. The default value of the type is not a size, and cameras refuse it.</summary>
+/// <summary>
+/// Width and height of an image in pixels, each at least 1. The default value of the type is not a size, and cameras refuse it.
+/// </summary>
 public readonly record struct ImageSize
 {
     /// <summary>Makes a size.</summary>

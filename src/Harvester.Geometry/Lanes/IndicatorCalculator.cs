@@ -32,7 +32,8 @@ public static class IndicatorCalculator
         return WithOnMarking(indicators, offset, section, vehicles);
     }
 
-    private static LaneIndicators WithInLane(LaneIndicators indicators, double offset, LaneSection section, IReadOnlyList<VehicleAhead> vehicles)
+    private static LaneIndicators WithInLane(
+        LaneIndicators indicators, double offset, LaneSection section, IReadOnlyList<VehicleAhead> vehicles)
     {
         if (section.LaneAt(offset) is not { } lane)
         {
@@ -59,7 +60,8 @@ public static class IndicatorCalculator
         };
     }
 
-    private static LaneIndicators WithOnMarking(LaneIndicators indicators, double offset, LaneSection section, IReadOnlyList<VehicleAhead> vehicles)
+    private static LaneIndicators WithOnMarking(
+        LaneIndicators indicators, double offset, LaneSection section, IReadOnlyList<VehicleAhead> vehicles)
     {
         int marking = (int)Math.Max(0, Math.Min(section.LaneCount, Math.Round(offset / section.LaneWidth)));
         double toTheRight = (offset - (marking * section.LaneWidth)) * section.TorcsScale;

@@ -7,6 +7,8 @@ namespace Harvester.Geometry.Lanes;
 /// <param name="IsHidden">Whether something nearer hides it, as far as rays tell; null when none was asked.</param>
 public readonly record struct LaneLinePoint(Vector3D World, Vector3D InCamera, Vector2D Pixel, bool? IsHidden)
 {
-    /// <summary>Whether there is paint at this place along a painted marking; false on a boundary, and in the gap of a dashed marking.</summary>
+    /// <summary>
+    /// Whether there is paint at this place along a painted marking; false on a boundary, and in the gap of a dashed marking.
+    /// </summary>
     public bool IsPainted { get; init; }
 }

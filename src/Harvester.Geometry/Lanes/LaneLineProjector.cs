@@ -23,7 +23,8 @@ public static class LaneLineProjector
     /// <summary>Projects a line.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="line">The line.</param>
-    /// <param name="ignoredEntity">Handle of an entity that hides nothing, as the car that carries the camera; <see cref="RayHit.World"/> for none.</param>
+    /// <param name="ignoredEntity">Handle of an entity that hides nothing, as the car that carries the camera; <see cref="RayHit.World"/>
+    /// for none.</param>
     /// <param name="rays">What rays meet; null to leave open what is hidden.</param>
     /// <returns>The runs of the line within the image; none when it is not in view.</returns>
     public static IReadOnlyList<LaneLineView> Project(Camera camera, LaneLine line, int ignoredEntity, IRayCaster? rays)
@@ -57,7 +58,9 @@ public static class LaneLineProjector
         return views;
     }
 
-    /// <summary>The greatest number of rays that a marking may take: one for each point, and one for each place where it enters or leaves the image.</summary>
+    /// <summary>
+    /// The greatest number of rays that a marking may take: one for each point, and one for each place where it enters or leaves the image.
+    /// </summary>
     public static int MaxRays(LaneLine line) => 2 * Guard.NotNull(line, nameof(line)).Points.Count;
 
     private static void Close(List<LaneLineView> views, LaneLine line, ref List<LaneLinePoint> run)

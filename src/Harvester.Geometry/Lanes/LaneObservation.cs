@@ -18,7 +18,9 @@ public sealed record LaneObservation
     /// <summary>Where the lane width comes from; null without a road.</summary>
     public LaneWidthSource? WidthSource { get; init; }
 
-    /// <summary>How far ahead <see cref="Indicators"/> are measured, metres along the road; less than asked for where the road ends before.</summary>
+    /// <summary>
+    /// How far ahead <see cref="Indicators"/> are measured, metres along the road; less than asked for where the road ends before.
+    /// </summary>
     public double LookAheadMetres { get; init; }
 
     /// <summary>The lanes at the look-ahead point.</summary>

@@ -54,7 +54,8 @@ public sealed class LaneObserver
             return new LaneObservation { Status = status, Match = match };
         }
 
-        RoadStretch stretch = RoadStretch.Follow(_curves, _lanes, _matcher.Junctions, match, BehindMetres, IndicatorCalculator.VehicleRange);
+        RoadStretch stretch = RoadStretch.Follow(
+            _curves, _lanes, _matcher.Junctions, match, BehindMetres, IndicatorCalculator.VehicleRange);
         var observation = new LaneObservation
         {
             Status = status,

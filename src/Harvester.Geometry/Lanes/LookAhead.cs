@@ -41,7 +41,8 @@ public readonly record struct LookAhead
     {
         Guard.NotNull(text, nameof(text));
         bool isTime = text.EndsWith("s", StringComparison.Ordinal);
-        return !double.TryParse(isTime ? text.Substring(0, text.Length - 1) : text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value)
+        return !double.TryParse(
+            isTime ? text.Substring(0, text.Length - 1) : text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value)
             || !(value >= 0) || double.IsInfinity(value) ? null
             : isTime ? OfSeconds(value)
             : OfMetres(value);

@@ -7,10 +7,14 @@ namespace Harvester.Geometry.Lanes;
 /// <summary>Finds the painted lines that mark the boundaries of a road's lanes, and numbers them as these.</summary>
 public static class PaintTracer
 {
-    /// <summary>Paint further from every boundary marks something else, metres: lines at the edge are painted a little inside of it.</summary>
+    /// <summary>
+    /// Paint further from every boundary marks something else, metres: lines at the edge are painted a little inside of it.
+    /// </summary>
     private const double FurthestFromBoundary = 1;
 
-    /// <summary>Cosine of the angle by which paint along a boundary may differ from it, 30 degrees; what crosses it is another road's.</summary>
+    /// <summary>
+    /// Cosine of the angle by which paint along a boundary may differ from it, 30 degrees; what crosses it is another road's.
+    /// </summary>
     private const double MinAlong = 0.87;
 
     /// <summary>A carriageway is no wider than this, metres: room beyond the reach along the road.</summary>
@@ -41,7 +45,8 @@ public static class PaintTracer
     private static IReadOnlyList<LaneLine> Along(RoadStretch stretch, double carOffset, double from, double to, PaintedLine painted)
     {
         var runs = new LineRuns();
-        List<(LinePoint Point, StretchPlace? Place)> located = [.. Thinned(painted.Points, stretch.PointAt(0), to).Select(point => (point, stretch.Locate(point.World)))];
+        List<(LinePoint Point, StretchPlace? Place)> located =
+            [.. Thinned(painted.Points, stretch.PointAt(0), to).Select(point => (point, stretch.Locate(point.World)))];
         for (int i = 0; i < located.Count; i++)
         {
             (LinePoint point, StretchPlace? place) = located[i];

@@ -10,7 +10,8 @@ namespace Harvester.Geometry.Lanes;
 /// <param name="StartStation">Where the stretch enters it, metres along the road from the car; negative behind the car.</param>
 /// <param name="Section">The lanes of the driven direction.</param>
 /// <param name="LeftEdge">Where the leftmost of them begins, metres to the right of the centre line in the driven direction.</param>
-/// <param name="Oncoming">The lanes of the other direction and where their leftmost (nearest the median, seen that way) begins; null for a one-way road.</param>
+/// <param name="Oncoming">The lanes of the other direction and where their leftmost (nearest the median, seen that way) begins; null for a
+/// one-way road.</param>
 /// <param name="Junctions">How far junctions reach into it from where the stretch enters it and from where it leaves it, metres.</param>
 public sealed record StretchPiece(
     int Link,

@@ -26,7 +26,8 @@ public static class TorcsEquivalent
 
     /// <summary>The way back: indicators of a TORCS road in metres on lanes of a given width. Distances to vehicles stay cut.</summary>
     public static LaneIndicators InMetres(LaneIndicators torcsEquivalent, LaneSection section) =>
-        Guard.NotNull(torcsEquivalent, nameof(torcsEquivalent)).Select(toMarking => Scaled(toMarking, 1 / section.TorcsScale), dist => dist);
+        Guard.NotNull(torcsEquivalent, nameof(torcsEquivalent))
+            .Select(toMarking => Scaled(toMarking, 1 / section.TorcsScale), dist => dist);
 
     private static Indicator Scaled(Indicator indicator, double scale) =>
         indicator.IsValid ? Indicator.Of(indicator.Value * scale) : indicator;

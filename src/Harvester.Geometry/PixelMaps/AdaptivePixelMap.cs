@@ -10,7 +10,8 @@ namespace Harvester.Geometry.PixelMaps;
 /// <param name="ResolutionPixels">The longest side of a cell that is not understood yet, pixels; 1 when there is none.</param>
 /// <param name="InterpolatedPixels">The number of pixels within the targets' boxes through which no ray was cast.</param>
 /// <param name="Sights">
-/// For each target's number whether it is seen: a target that is has a pixel, and one that is not asked may have been left over when the map
+/// For each target's number whether it is seen: a target that is has a pixel, and one that is not asked may have been left over when the
+/// map
 /// was stopped. Targets beyond the reach of rays are undetermined.
 /// </param>
 public sealed record AdaptivePixelMap(

@@ -9,7 +9,9 @@ namespace Harvester.Geometry.PixelMaps;
 /// </summary>
 internal sealed class CellBorder
 {
-    /// <summary>The middle of a shorter side is asked rather than assumed: about 1 in 10 would be wrong, and 1 in 40 of longer ones.</summary>
+    /// <summary>
+    /// The middle of a shorter side is asked rather than assumed: about 1 in 10 would be wrong, and 1 in 40 of longer ones.
+    /// </summary>
     private const int MinAssumedSide = 4;
 
     private readonly PixelSamples _samples;
@@ -60,7 +62,9 @@ internal sealed class CellBorder
         }
     }
 
-    /// <summary>The next place that the border asks for: corners first, then changes of number, then silhouettes that cross it unseen.</summary>
+    /// <summary>
+    /// The next place that the border asks for: corners first, then changes of number, then silhouettes that cross it unseen.
+    /// </summary>
     public Place? Wanted()
     {
         int width = Cell.Width;

@@ -2,7 +2,9 @@ using System.Collections.Generic;
 
 namespace Harvester.Geometry.PixelMaps;
 
-/// <summary>Cells in the order of what their error counts, greatest first; equal ones by their place, so that the order is always the same.</summary>
+/// <summary>
+/// Cells in the order of what their error counts, greatest first; equal ones by their place, so that the order is always the same.
+/// </summary>
 internal sealed class CellQueue
 {
     /// <summary>Of a cell that is not understood, about this share of the pixels would be painted wrong.</summary>

@@ -3,7 +3,8 @@ using System.Collections.Generic;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// Takes back what is drawn without evidence: pixels of objects that no ray has met, which are guessed from their cuboids, and pixels between
+/// Takes back what is drawn without evidence: pixels of objects that no ray has met, which are guessed from their cuboids, and pixels
+/// between
 /// rays where an object cannot be, since an outline drawn across a cell may reach beyond the box of the object's cuboid.
 /// </summary>
 internal static class Evidence

@@ -24,7 +24,9 @@ internal sealed class ExtentSearch(IReadOnlyList<TargetView> views, PixelSamples
 
     private static readonly (int Column, int Row)[] Outwards = [(0, -1), (1, 0), (0, 1), (-1, 0)];
 
-    /// <summary>The places to ask. What has been found at those before decides about each, so they are not to be listed in advance.</summary>
+    /// <summary>
+    /// The places to ask. What has been found at those before decides about each, so they are not to be listed in advance.
+    /// </summary>
     /// <param name="map">What is shown so far.</param>
     public IEnumerable<Place> Places(InstanceMap map)
     {
@@ -103,8 +105,10 @@ internal sealed class ExtentSearch(IReadOnlyList<TargetView> views, PixelSamples
         }
     }
 
-    // A strip goes on straight outwards or aslant: beside the ends of a short side, and of a long one where the object reaches farthest inwards.
-    private static IEnumerable<(int Column, int Row)> Near(List<(int Column, int Row)> side, (int Column, int Row) deepest, (int Column, int Row) outwards)
+    // A strip goes on straight outwards or aslant: beside the ends of a short side, and of a long one where the object reaches farthest
+    // inwards.
+    private static IEnumerable<(int Column, int Row)> Near(
+        List<(int Column, int Row)> side, (int Column, int Row) deepest, (int Column, int Row) outwards)
     {
         yield return Moved(deepest, outwards, Tolerance, 0);
         if (side.Count <= ShortSide)
@@ -122,7 +126,8 @@ internal sealed class ExtentSearch(IReadOnlyList<TargetView> views, PixelSamples
     }
 
     private IEnumerable<(int Column, int Row)> Far(
-        InstanceMap map, TargetView view, List<(int Column, int Row)> side, (int Column, int Row) deepest, (int Column, int Row) outwards, int room)
+        InstanceMap map, TargetView view, List<(int Column, int Row)> side, (int Column, int Row) deepest, (int Column, int Row) outwards,
+            int room)
     {
         foreach ((int Column, int Row) from in new[] { deepest, side[side.Count / 2] }.Distinct())
         {

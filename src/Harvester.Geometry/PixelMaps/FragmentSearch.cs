@@ -9,12 +9,15 @@ namespace Harvester.Geometry.PixelMaps;
 /// so that an arm of one pixel is met as soon as a compact part of its size. A sparser set is a part of a denser one, and all objects
 /// share them.
 /// </summary>
-internal sealed class FragmentSearch(ImageSize image, IReadOnlyList<TargetView> views, PixelSamples samples, HiddenPlaces hiddenPlaces, double unsearchedFraction)
+internal sealed class FragmentSearch(
+    ImageSize image, IReadOnlyList<TargetView> views, PixelSamples samples, HiddenPlaces hiddenPlaces, double unsearchedFraction)
 {
     /// <summary>At least this share of a silhouette counts as visible while looking for more of it in the open.</summary>
     private const double OpenShare = 0.07;
 
-    /// <summary>The same where something nearer is seen; there an object shows only through gaps, and so many times fewer places are asked.</summary>
+    /// <summary>
+    /// The same where something nearer is seen; there an object shows only through gaps, and so many times fewer places are asked.
+    /// </summary>
     private const double HiddenShare = 0.5;
     private const double HiddenRarity = 7.7;
 

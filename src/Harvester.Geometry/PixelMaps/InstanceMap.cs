@@ -18,7 +18,9 @@ public sealed class InstanceMap
     /// <summary>The image's size, pixels.</summary>
     public ImageSize Image { get; }
 
-    /// <summary>All numbers, row by row from the upper left, without padding. It is the map's own storage: what is written here is in the map.</summary>
+    /// <summary>
+    /// All numbers, row by row from the upper left, without padding. It is the map's own storage: what is written here is in the map.
+    /// </summary>
     public ushort[] Ids => _ids;
 
     /// <summary>The number at a column and row.</summary>

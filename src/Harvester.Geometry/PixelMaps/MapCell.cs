@@ -3,7 +3,9 @@ using System.Collections.Generic;
 
 namespace Harvester.Geometry.PixelMaps;
 
-/// <summary>A rectangle of pixels between four corner pixels, both ends included. Neighbouring cells share the pixels of their common side.</summary>
+/// <summary>
+/// A rectangle of pixels between four corner pixels, both ends included. Neighbouring cells share the pixels of their common side.
+/// </summary>
 internal readonly record struct MapCell(int Left, int Top, int Right, int Bottom)
 {
     public int Width => Right - Left;

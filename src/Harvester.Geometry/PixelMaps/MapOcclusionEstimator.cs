@@ -35,7 +35,8 @@ public sealed class MapOcclusionEstimator
     /// <summary>Estimates how much of a target is hidden.</summary>
     /// <param name="target">The target.</param>
     /// <param name="sight">What the map's maker knows of it. Rays are cast only for one that is seen or unseen.</param>
-    /// <returns>The estimate; method <see cref="OcclusionMethod.None"/> when nothing of the object is in the image, or nothing is known of it.</returns>
+    /// <returns>The estimate; method <see cref="OcclusionMethod.None"/> when nothing of the object is in the image, or nothing is known of
+    /// it.</returns>
     public OcclusionEstimate Estimate(MapTarget target, Sight sight)
     {
         if (Guard.NotNull(target, nameof(target)).Projection.Box is not { } box || sight is Sight.NotAsked or Sight.Undetermined)

@@ -78,7 +78,9 @@ internal sealed class PixelSamples
 
     public bool IsUnasked(Place pixel) => IsUnasked(pixel.FineX / Fine, pixel.FineY / Fine);
 
-    /// <summary>Takes the number of a pixel that is not known from those around it, and the distance, metres; 0 when that is not known.</summary>
+    /// <summary>
+    /// Takes the number of a pixel that is not known from those around it, and the distance, metres; 0 when that is not known.
+    /// </summary>
     public void Assume(int column, int row, int number, float distance = 0)
     {
         _distances[Index(column, row)] = distance;

@@ -8,7 +8,8 @@ namespace Harvester.Geometry.PixelMaps;
 /// </summary>
 /// <remarks>
 /// The Sobol sequence (1967) in its first two dimensions, a digital net in base 2, turned round: the number of the point in a pixel. Its
-/// dimensions are the reversal of the bits and Pascal's triangle modulo 2. Columns are mixed first, since otherwise diagonals would be empty.
+/// dimensions are the reversal of the bits and Pascal's triangle modulo 2. Columns are mixed first, since otherwise diagonals would be
+/// empty.
 /// </remarks>
 internal sealed class ScatteredRank
 {

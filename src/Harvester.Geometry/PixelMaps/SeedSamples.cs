@@ -73,7 +73,8 @@ internal sealed class SeedSamples(Camera camera, IReadOnlyList<TargetView> views
             view.Target.Cuboid.Intersect(camera.RayThrough(column + 0.5, row + 0.5)) is not { } span || span.Entry > around.Farthest;
     }
 
-    // The number that all the coarser corners show that a corner lies between, and the greatest of their distances; null without such a number.
+    // The number that all the coarser corners show that a corner lies between, and the greatest of their distances; null without such a
+    // number.
     private (int Number, float Farthest)? Around(int c, int r, int stride)
     {
         int aside = c / stride % 2 * stride;
@@ -86,7 +87,8 @@ internal sealed class SeedSamples(Camera camera, IReadOnlyList<TargetView> views
 
         int? number = null;
         float farthest = 0;
-        foreach ((int nearC, int nearR) in new[] { (c - aside, r - above), (c + aside, r - above), (c - aside, r + above), (c + aside, r + above) })
+        foreach ((int nearC, int nearR) in new[] { (c - aside, r - above), (c + aside, r - above), (c - aside, r + above),
+            (c + aside, r + above) })
         {
             (int column, int row) = (grid.Columns[nearC], grid.Rows[nearR]);
             if (!samples.IsKnown(column, row) || (number ?? samples.Number(column, row)) != samples.Number(column, row))

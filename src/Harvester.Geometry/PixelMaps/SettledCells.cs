@@ -3,7 +3,9 @@ using System.Linq;
 
 namespace Harvester.Geometry.PixelMaps;
 
-/// <summary>The cells that are done with as far as is known: understood, or too small to count. Those that prove otherwise go back to the queue.</summary>
+/// <summary>
+/// The cells that are done with as far as is known: understood, or too small to count. Those that prove otherwise go back to the queue.
+/// </summary>
 internal sealed class SettledCells(CellExaminer examiner, CellQueue queue, double errorFraction)
 {
     private readonly List<MapCell> _cells = [];
@@ -33,7 +35,9 @@ internal sealed class SettledCells(CellExaminer examiner, CellQueue queue, doubl
         return queue.Count > 0;
     }
 
-    /// <summary>Treats cells with certain pixels that are not understood before all others, however little they count for what an object shows.</summary>
+    /// <summary>
+    /// Treats cells with certain pixels that are not understood before all others, however little they count for what an object shows.
+    /// </summary>
     /// <param name="pixels">The pixels.</param>
     /// <returns>Whether there are such cells.</returns>
     public bool Reopen(IReadOnlyCollection<(int Column, int Row)> pixels)

@@ -62,7 +62,8 @@ internal sealed class SilhouetteSpans
 
     public (int First, int Last) Row(int row) => row >= FirstRow && row <= LastRow ? _rows[row - FirstRow] : (0, -1);
 
-    public (int First, int Last) Column(int column) => column >= FirstColumn && column <= LastColumn ? _columns[column - FirstColumn] : (0, -1);
+    public (int First, int Last) Column(int column) =>
+        column >= FirstColumn && column <= LastColumn ? _columns[column - FirstColumn] : (0, -1);
 
     public bool Contains(int column, int row)
     {

@@ -19,7 +19,8 @@ internal static class StripSearch
         {
             for (int column = cell.Left + 1; column < cell.Right; column++)
             {
-                if (samples.IsCast(column, row) && HardlyShows(border, samples.Number(column, row)) && WayOut(cell, samples, column, row) is { } place)
+                if (samples.IsCast(column, row) && HardlyShows(border, samples.Number(column, row))
+                    && WayOut(cell, samples, column, row) is { } place)
                 {
                     return place;
                 }

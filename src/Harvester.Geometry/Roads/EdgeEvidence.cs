@@ -14,7 +14,9 @@ internal static class EdgeEvidence
     private const double MinLaneWidth = 3;
     private const double MaxLaneWidth = 7;
 
-    /// <summary>Tangent of the angle, 11 degrees, by which a point may miss the square to its link: camber, and the start of a bend.</summary>
+    /// <summary>
+    /// Tangent of the angle, 11 degrees, by which a point may miss the square to its link: camber, and the start of a bend.
+    /// </summary>
     private const double MaxSlant = 0.2;
 
     /// <summary>By how much widths of one link may differ, metres: more would show in labels.</summary>
@@ -62,7 +64,9 @@ internal static class EdgeEvidence
         return isProven ? (least + most) / 2 : null;
     }
 
-    /// <summary>The width by the rule of <see cref="RoadGeometry"/> when an edge lies at an offset; infinite on a side without lanes.</summary>
+    /// <summary>
+    /// The width by the rule of <see cref="RoadGeometry"/> when an edge lies at an offset; infinite on a side without lanes.
+    /// </summary>
     private static double LaneWidth(RoadLink link, double offset) => link.IsOneWay
         ? 2 * Math.Abs(offset) / (link.LanesForward + link.LanesBackward)
         : (Math.Abs(offset) - ((link.MedianWidth ?? 0) / 2)) / (offset > 0 ? link.LanesForward : link.LanesBackward);

@@ -17,10 +17,14 @@ public sealed class JunctionExtents
     /// <summary>Roads that part at so small an angle that their edges never cross: a junction reaches no further, metres.</summary>
     private const double Furthest = 30;
 
-    /// <summary>Roads that meet at a smaller angle than this merge or go on in one another, and do not cross, radians: 35 degrees.</summary>
+    /// <summary>
+    /// Roads that meet at a smaller angle than this merge or go on in one another, and do not cross, radians: 35 degrees.
+    /// </summary>
     private const double MergingAngle = 0.6;
 
-    /// <summary>The greatest length of a link between two carriageways, metres: enough to cross a median and two lanes at an angle.</summary>
+    /// <summary>
+    /// The greatest length of a link between two carriageways, metres: enough to cross a median and two lanes at an angle.
+    /// </summary>
     private const double MaxTie = 40;
 
     private readonly RoadCurves _curves;
@@ -63,7 +67,10 @@ public sealed class JunctionExtents
     /// <param name="node">Index of the node.</param>
     public static bool IsJunction(RoadNetwork network, int node) => IsJunction(network, node, DrivableAt(network, node).Count);
 
-    /// <summary>How far junctions reach into a link from its start and from its end, metres; 0 where there is none, more than its length where it lies in one.</summary>
+    /// <summary>
+    /// How far junctions reach into a link from its start and from its end, metres; 0 where there is none, more than its length where it
+    /// lies in one.
+    /// </summary>
     /// <param name="link">Index of the link.</param>
     public (double FromStart, double FromEnd) Of(int link) => (_fromStart[link], _fromEnd[link]);
 
@@ -102,7 +109,9 @@ public sealed class JunctionExtents
             && Math.Abs(here.Cross(there)) < Math.Sin(MergingAngle);
     }
 
-    /// <summary>The direction of the road that goes on through a node past a link; null where none does, or the path data calls the node a junction.</summary>
+    /// <summary>
+    /// The direction of the road that goes on through a node past a link; null where none does, or the path data calls the node a junction.
+    /// </summary>
     private Vector2D? DirectionThrough(int node, int link)
     {
         if ((_network.Nodes[node].Flags & RoadNodeFlags.Junction) == 0)

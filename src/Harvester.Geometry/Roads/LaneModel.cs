@@ -50,7 +50,8 @@ public sealed class LaneModel
     /// <summary>The lanes of one direction of a link, and where the leftmost begins.</summary>
     /// <param name="link">Index of the link.</param>
     /// <param name="isForward">From start to end; otherwise from end to start.</param>
-    /// <returns>The lanes and the offset of their left edge, metres to the right of the line in that direction; null without lanes.</returns>
+    /// <returns>The lanes and the offset of their left edge, metres to the right of the line in that direction; null without
+    /// lanes.</returns>
     public (LaneSection Section, double LeftEdge)? LanesOf(int link, bool isForward)
     {
         RoadLink road = _network.Links[link];

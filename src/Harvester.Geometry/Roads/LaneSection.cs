@@ -2,7 +2,9 @@ using System;
 
 namespace Harvester.Geometry.Roads;
 
-/// <summary>A cut across the lanes of one direction of a road. Offsets are metres to the right of the left edge of the leftmost lane.</summary>
+/// <summary>
+/// A cut across the lanes of one direction of a road. Offsets are metres to the right of the left edge of the leftmost lane.
+/// </summary>
 public readonly record struct LaneSection
 {
     /// <summary>The indicators on marking are valid up to so far outside the outermost lanes, metres where lanes are 4 m wide.</summary>

@@ -9,7 +9,9 @@ public sealed record NodeDatabaseEntry
     /// <summary>Index of the node in the network.</summary>
     public required int Node { get; init; }
 
-    /// <summary>The game's number of the node: number within the cell * 65536 + cell + 1; null where the source of the roads does not have it.</summary>
+    /// <summary>
+    /// The game's number of the node: number within the cell * 65536 + cell + 1; null where the source of the roads does not have it.
+    /// </summary>
     public required long? NodeId { get; init; }
 
     /// <summary>Whether the node lies on a lane marking; otherwise it lies in the middle of a lane, or in a median.</summary>

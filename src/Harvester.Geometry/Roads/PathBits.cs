@@ -45,7 +45,9 @@ public static class PathBits
     /// <summary>How dense traffic is at a node, 0 to 15, from its fifth byte.</summary>
     public static int DensityOf(int flags4) => flags4 & 15;
 
-    /// <summary>The flag of a node's kind, which text files give as a number; <see cref="RoadNodeFlags.None"/> for kinds without a known meaning.</summary>
+    /// <summary>
+    /// The flag of a node's kind, which text files give as a number; <see cref="RoadNodeFlags.None"/> for kinds without a known meaning.
+    /// </summary>
     public static RoadNodeFlags FlagsOfSpecial(int special) => special switch
     {
         2 => RoadNodeFlags.Parking,

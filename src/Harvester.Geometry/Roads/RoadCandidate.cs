@@ -6,4 +6,5 @@ namespace Harvester.Geometry.Roads;
 /// negative; 0 abreast of it.
 /// </summary>
 internal readonly record struct RoadCandidate(
-    int Link, bool IsForward, double Parameter, LaneSection Section, double LeftEdge, double Offset, double HeadingError, double Overshoot, double CostOfPlace, double Cost);
+    int Link, bool IsForward, double Parameter, LaneSection Section, double LeftEdge, double Offset, double HeadingError, double Overshoot,
+        double CostOfPlace, double Cost);

@@ -47,7 +47,9 @@ public sealed class RoadContinuations
         }
     }
 
-    /// <summary>Whether cars drive a link along its own line: it has lanes, is no short cut, and none of its ends is off the road.</summary>
+    /// <summary>
+    /// Whether cars drive a link along its own line: it has lanes, is no short cut, and none of its ends is off the road.
+    /// </summary>
     public static bool IsDrivable(RoadNetwork network, RoadLink link) =>
         Guard.NotNull(link, nameof(link)).LanesForward + link.LanesBackward > 0
         && (link.Flags & (RoadLinkFlags.Shortcut | RoadLinkFlags.DontUseForNavigation)) == 0

@@ -180,7 +180,8 @@ public sealed class RoadCurve
     internal Vector2D GroundAt(double t)
     {
         double s = 1 - t;
-        return (_start * (s * s * (1 + (2 * t)))) + (_startTangent * (t * s * s)) + (_end * (t * t * (3 - (2 * t)))) - (_endTangent * (t * t * s));
+        return (_start * (s * s * (1 + (2 * t)))) + (_startTangent * (t * s * s))
+            + (_end * (t * t * (3 - (2 * t)))) - (_endTangent * (t * t * s));
     }
 
     private static double Clamp(double parameter) => parameter < 0 ? 0 : parameter > 1 ? 1 : parameter;
@@ -200,6 +201,7 @@ public sealed class RoadCurve
         double middle = (from + to) / 2;
         double half = (to - from) / 2;
         double outer = half * Math.Sqrt(0.6);
-        return half * ((5 * VelocityAt(middle - outer).Length) + (8 * VelocityAt(middle).Length) + (5 * VelocityAt(middle + outer).Length)) / 9;
+        return half * ((5 * VelocityAt(middle - outer).Length) + (8 * VelocityAt(middle).Length)
+            + (5 * VelocityAt(middle + outer).Length)) / 9;
     }
 }

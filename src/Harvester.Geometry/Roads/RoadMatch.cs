@@ -1,6 +1,8 @@
 namespace Harvester.Geometry.Roads;
 
-/// <summary>Where a car is on the road network. Without a road (<see cref="HasRoad"/> is false) only <see cref="Outcome"/> means something.</summary>
+/// <summary>
+/// Where a car is on the road network. Without a road (<see cref="HasRoad"/> is false) only <see cref="Outcome"/> means something.
+/// </summary>
 public readonly record struct RoadMatch
 {
     /// <summary>Whether road and lane are known, and if not, why.</summary>
@@ -27,7 +29,10 @@ public readonly record struct RoadMatch
     /// <summary>The lane, 0 the leftmost of the car's direction; null beside the lanes.</summary>
     public int? Lane { get; init; }
 
-    /// <summary>Direction of the road minus direction of the car, radians in (-pi, pi]; positive where the car points to the right of the road, as TORCS has it.</summary>
+    /// <summary>
+    /// Direction of the road minus direction of the car, radians in (-pi, pi]; positive where the car points to the right of the road, as
+    /// TORCS has it.
+    /// </summary>
     public double HeadingError { get; init; }
 
     /// <summary>
@@ -39,7 +44,9 @@ public readonly record struct RoadMatch
     /// <summary>Whether a junction is so near along the road that lanes are not defined.</summary>
     public bool InJunction { get; init; }
 
-    /// <summary>Whether there is a road: all but <see cref="RoadMatchOutcome.NoRoadNear"/> and <see cref="RoadMatchOutcome.NotAlongAnyRoad"/>.</summary>
+    /// <summary>
+    /// Whether there is a road: all but <see cref="RoadMatchOutcome.NoRoadNear"/> and <see cref="RoadMatchOutcome.NotAlongAnyRoad"/>.
+    /// </summary>
     public bool HasRoad => Outcome >= RoadMatchOutcome.BesideTheLanes;
 
     /// <summary>How far the car is to the right of the middle of its lane, metres; null beside the lanes.</summary>

@@ -9,7 +9,9 @@ namespace Harvester.Geometry.Roads;
 /// </summary>
 public sealed class RoadMatcher
 {
-    /// <summary>Weight of the distance from the middle of a lane, as a fraction of half its width: cars keep to the middle, loosely.</summary>
+    /// <summary>
+    /// Weight of the distance from the middle of a lane, as a fraction of half its width: cars keep to the middle, loosely.
+    /// </summary>
     private const double CostOfLaneEdge = 0.5;
 
     /// <summary>However far beside the lanes: an overtaking car still follows its road, only worse than one in the lanes.</summary>
@@ -92,7 +94,10 @@ public sealed class RoadMatcher
             : new RoadMatch { Outcome = isRoadNear ? RoadMatchOutcome.NotAlongAnyRoad : RoadMatchOutcome.NoRoadNear };
     }
 
-    /// <summary>The link of a road that a car is abreast of: where it is past the end of the link that fits best, the next one that it has not passed.</summary>
+    /// <summary>
+    /// The link of a road that a car is abreast of: where it is past the end of the link that fits best, the next one that it has not
+    /// passed.
+    /// </summary>
     private RoadCandidate Beside(RoadCandidate found, Vector3D position, Vector2D forward, RoadMatch? previous)
     {
         for (int step = 0; step < LinksOfSameRoad && found.Overshoot != 0; step++)
@@ -170,12 +175,14 @@ public sealed class RoadMatcher
             + Square(height)
             + Square(along.Dot(apart) / OvershootDeviation)
             + (CostOfLaneEdge * Square(fromMiddle));
-        return new RoadCandidate(link, isForward, parameter, there.Section, there.LeftEdge, offset, headingError, overshoot, cost, cost + CostOfHistory(link, isForward, previous));
+        return new RoadCandidate(link, isForward, parameter, there.Section, there.LeftEdge, offset, headingError, overshoot, cost,
+            cost + CostOfHistory(link, isForward, previous));
     }
 
     private double CostOfHistory(int link, bool isForward, RoadMatch? previous)
     {
-        if (previous is { HasRoad: true } before && IsSameRoad(before.Link, before.IsForward, new RoadCandidate { Link = link, IsForward = isForward }))
+        if (previous is { HasRoad: true } before
+            && IsSameRoad(before.Link, before.IsForward, new RoadCandidate { Link = link, IsForward = isForward }))
         {
             return 0;
         }

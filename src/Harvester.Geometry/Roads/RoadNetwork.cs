@@ -26,7 +26,9 @@ public sealed class RoadNetwork
             RoadLink link = links[i];
             if (link.From < 0 || link.From >= nodes.Count || link.To < 0 || link.To >= nodes.Count || link.From == link.To)
             {
-                throw new ArgumentException(FormattableString.Invariant($"Link {i} runs from node {link.From} to node {link.To}; there are {nodes.Count} nodes."), nameof(links));
+                throw new ArgumentException(
+                    FormattableString.Invariant($"Link {i} runs from node {link.From} to node {link.To}; there are {nodes.Count} nodes."),
+                        nameof(links));
             }
 
             (linksOfNode[link.From] ??= []).Add(i);
@@ -37,7 +39,8 @@ public sealed class RoadNetwork
         {
             if (edge.Link < 0 || edge.Link >= links.Count)
             {
-                throw new ArgumentException(FormattableString.Invariant($"An edge is one of link {edge.Link}; there are {links.Count} links."), nameof(edges));
+                throw new ArgumentException(
+                    FormattableString.Invariant($"An edge is one of link {edge.Link}; there are {links.Count} links."), nameof(edges));
             }
         }
 

@@ -1,7 +1,8 @@
 namespace Harvester.Geometry.Roads;
 
 /// <summary>A node of the road network.</summary>
-/// <param name="Area">Number of the cell of the game's path files that holds the node; <see cref="NoArea"/> where a source has no cells.</param>
+/// <param name="Area">Number of the cell of the game's path files that holds the node; <see cref="NoArea"/> where a source has no
+/// cells.</param>
 /// <param name="Number">Number of the node within its cell; its place in the source where that has no cells.</param>
 /// <param name="Position">Metres, world, free of the bias of the game's truncated coordinates.</param>
 /// <param name="Street">Name or hash of the street as the source gives it; empty when it has none.</param>

@@ -12,7 +12,10 @@ namespace Harvester.Geometry.Visibility;
 /// </summary>
 public sealed class OcclusionEstimator
 {
-    /// <summary>Masts with an arm fill a twentieth of their cuboid's silhouette: so many times the usual 64 rays all miss them once in 500,000 times.</summary>
+    /// <summary>
+    /// Masts with an arm fill a twentieth of their cuboid's silhouette: so many times the usual 64 rays all miss them once in 500,000
+    /// times.
+    /// </summary>
     private const int MoreSamples = 4;
 
     private readonly int _samples;
@@ -30,7 +33,8 @@ public sealed class OcclusionEstimator
     /// <param name="cuboid">The entity's cuboid.</param>
     /// <param name="projection">The cuboid's image by the same camera.</param>
     /// <param name="entity">The entity's handle.</param>
-    /// <param name="ignoredEntity">Handle of an entity that hides nothing, as the car that carries the camera; <see cref="RayHit.World"/> for none.</param>
+    /// <param name="ignoredEntity">Handle of an entity that hides nothing, as the car that carries the camera; <see cref="RayHit.World"/>
+    /// for none.</param>
     /// <param name="rays">What rays meet.</param>
     /// <returns>
     /// The estimate; method <see cref="OcclusionMethod.None"/> when nothing of the object is in the image, which is then unseen, and when
@@ -85,7 +89,9 @@ public sealed class OcclusionEstimator
         int onObject = visible + hidden;
         if (onObject > 0)
         {
-            return new OcclusionEstimate((double)hidden / onObject, onObject, cast, OcclusionMethod.Rays) { Sight = visible > 0 ? Sight.Seen : Sight.Unseen };
+            return new OcclusionEstimate(
+                (double)hidden / onObject, onObject, cast, OcclusionMethod.Rays)
+            { Sight = visible > 0 ? Sight.Seen : Sight.Unseen };
         }
 
         if (onCuboid > 0 && stopped == onCuboid)

@@ -10,7 +10,9 @@ namespace Harvester.Geometry.Visibility;
 /// </summary>
 public static class SightFinder
 {
-    /// <summary>Of an object that is half hidden, one ray in three meets something: all of so many are stopped before it once in 25 times.</summary>
+    /// <summary>
+    /// Of an object that is half hidden, one ray in three meets something: all of so many are stopped before it once in 25 times.
+    /// </summary>
     private const int StoppedRays = 8;
 
     /// <summary>Masts with an arm fill a twentieth of their cuboid's silhouette: all of so many rays miss them once in 700 times.</summary>
@@ -27,7 +29,8 @@ public static class SightFinder
     /// <param name="cuboid">The entity's cuboid.</param>
     /// <param name="projection">The cuboid's image by the same camera.</param>
     /// <param name="entity">The entity's handle.</param>
-    /// <param name="ignoredEntity">Handle of an entity that hides nothing, as the car that carries the camera; <see cref="RayHit.World"/> for none.</param>
+    /// <param name="ignoredEntity">Handle of an entity that hides nothing, as the car that carries the camera; <see cref="RayHit.World"/>
+    /// for none.</param>
     /// <param name="rays">What rays meet.</param>
     /// <returns>The finding; unseen also when nothing of the cuboid is in the image.</returns>
     public static Sight Find(Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)
@@ -68,7 +71,9 @@ public static class SightFinder
         return allStopped ? Sight.Unseen : FindUnhit(new CuboidProbe(camera.Pose.Position, cuboid, entity, ignoredEntity, rays), out _);
     }
 
-    /// <summary>Tells an object that is not seen from one that rays do not meet, by rays all over its cuboid, in the image or not.</summary>
+    /// <summary>
+    /// Tells an object that is not seen from one that rays do not meet, by rays all over its cuboid, in the image or not.
+    /// </summary>
     /// <param name="probe">The object's probe.</param>
     /// <param name="cast">The number of rays cast.</param>
     /// <returns>Unseen or undetermined.</returns>

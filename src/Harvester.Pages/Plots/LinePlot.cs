@@ -56,7 +56,8 @@ public sealed class LinePlot
         double middleX = minX + (spanX / 2);
         double middleY = minY + (spanY / 2);
         return new LinePlot(
-            new PlotAxis("east, m", middleX - halfX, middleX + halfX), new PlotAxis("north, m", middleY - halfY, middleY + halfY), MapHeight);
+            new PlotAxis("east, m", middleX - halfX, middleX + halfX), new PlotAxis("north, m", middleY - halfY, middleY + halfY),
+                MapHeight);
     }
 
     /// <summary>Adds a line.</summary>
@@ -104,7 +105,8 @@ public sealed class LinePlot
             WriteTick(page, tick, new Vector2D(Left - 6, y + 4), "end");
         }
 
-        page.Start("text").With("x", (Left + Width - Right) / 2).With("y", _height - 6).With("text-anchor", "middle").Text(_x.Name).End().NewLine();
+        page.Start("text").With("x", (Left + Width - Right) / 2).With("y", _height - 6).With("text-anchor", "middle").Text(_x.Name).End()
+            .NewLine();
         page.Start("text").With("transform", FormattableString.Invariant($"translate(14 {(Top + floor) / 2}) rotate(-90)"));
         page.With("text-anchor", "middle").Text(_y.Name).End().NewLine();
     }
@@ -113,7 +115,8 @@ public sealed class LinePlot
         page.Start("line").With("class", "grid").With("x1", from.X).With("y1", from.Y).With("x2", to.X).With("y2", to.Y).End();
 
     private static void WriteTick(MarkupWriter page, double tick, Vector2D place, string anchor) =>
-        page.Start("text").With("x", place.X).With("y", place.Y).With("text-anchor", anchor).Text(InvariantNumber.Format(tick, TickDecimals)).End().NewLine();
+        page.Start("text").With("x", place.X).With("y", place.Y).With("text-anchor", anchor)
+            .Text(InvariantNumber.Format(tick, TickDecimals)).End().NewLine();
 
     private Vector2D Pixel(Vector2D point) => new(
         Left + ((point.X - _x.Min) / (_x.Max - _x.Min) * (Width - Left - Right)),

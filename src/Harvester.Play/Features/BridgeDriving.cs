@@ -6,7 +6,9 @@ using Harvester.Play.Settings;
 
 namespace Harvester.Play.Features;
 
-/// <summary>Lets a client drive the car over the live bridge, from one press of a key to the next or until the player takes the wheel.</summary>
+/// <summary>
+/// Lets a client drive the car over the live bridge, from one press of a key to the next or until the player takes the wheel.
+/// </summary>
 public sealed class BridgeDriving : ILastingFeature, IDisposable
 {
     private static readonly TimeSpan MaxWaitForBridge = TimeSpan.FromSeconds(10);
@@ -67,7 +69,8 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
             return;
         }
 
-        string? obstacle = _settings.Kind == BridgeKind.Off ? "The bridge is off. Change Kind under [Bridge] in GtaDataHarvester.ini." : Obstacle();
+        string? obstacle = _settings.Kind == BridgeKind.Off ? "The bridge is off. Change Kind under [Bridge] in GtaDataHarvester.ini."
+            : Obstacle();
         if (obstacle is not null)
         {
             _messages.Tell(obstacle);

@@ -33,12 +33,14 @@ public sealed class FaceMarking : ILastingFeature
     /// <param name="game">The game.</param>
     /// <param name="props">What can be pointed at.</param>
     /// <param name="names">The names to choose from; at least one.</param>
-    /// <param name="shipped">What is known without the player: of a model that is marked for the first time its faces to other sides stay.</param>
+    /// <param name="shipped">What is known without the player: of a model that is marked for the first time its faces to other sides
+    /// stay.</param>
     /// <param name="measured">Where the rows go.</param>
     /// <param name="display">Where the cuboid is drawn.</param>
     /// <param name="messages">Tells what comes of it.</param>
     public FaceMarking(
-        GamePorts game, IProps props, IReadOnlyList<SignName> names, FaceTable shipped, MeasuredFaces measured, IDisplay display, PlayerMessages messages)
+        GamePorts game, IProps props, IReadOnlyList<SignName> names, FaceTable shipped, MeasuredFaces measured, IDisplay display,
+            PlayerMessages messages)
     {
         _game = game;
         _props = props;
@@ -65,7 +67,8 @@ public sealed class FaceMarking : ILastingFeature
     public Func<bool> IsPictureNear { get; init; } = static () => false;
 
     /// <summary>A line about the face that is being marked; null when none is.</summary>
-    public string? Line => _prop is { } prop ? $"FACE  {prop.Model}  {_names[_name]}{(_marking!.IsComplete ? string.Empty : "  mark the opposite corner")}" : null;
+    public string? Line => _prop is { } prop
+        ? $"FACE  {prop.Model}  {_names[_name]}{(_marking!.IsComplete ? string.Empty : "  mark the opposite corner")}" : null;
 
     /// <summary>Marks a corner where the middle of the screen points.</summary>
     public void Mark()
@@ -73,7 +76,8 @@ public sealed class FaceMarking : ILastingFeature
         _measured.Open();
         Pose eye = _game.World.ReadCamera().Pose;
         var ray = new Ray(eye.Position, eye.Axes.Forward);
-        if (_game.Rays.Cast(ray, ReachMetres, _props.PlayersBody) is not { } hit || hit.Entity == RayHit.World || _props.ReadProp(hit.Entity) is not { } prop)
+        if (_game.Rays.Cast(ray, ReachMetres, _props.PlayersBody) is not { } hit || hit.Entity == RayHit.World
+            || _props.ReadProp(hit.Entity) is not { } prop)
         {
             _messages.Tell("There is no prop in the middle of the screen. Go nearer and aim at the face itself.");
             return;
@@ -153,7 +157,8 @@ public sealed class FaceMarking : ILastingFeature
     {
         (Vector3D aLow, Vector3D aHigh) = Corners(one);
         (Vector3D bLow, Vector3D bHigh) = Corners(other);
-        return one.Facing == other.Facing && aLow.X < bHigh.X && bLow.X < aHigh.X && aLow.Y <= bHigh.Y && bLow.Y <= aHigh.Y && aLow.Z < bHigh.Z && bLow.Z < aHigh.Z;
+        return one.Facing == other.Facing && aLow.X < bHigh.X && bLow.X < aHigh.X && aLow.Y <= bHigh.Y && bLow.Y <= aHigh.Y
+            && aLow.Z < bHigh.Z && bLow.Z < aHigh.Z;
     }
 
     private static (Vector3D Low, Vector3D High) Corners(ModelFace face) => (

@@ -6,7 +6,9 @@ using Harvester.Surveys.Faces;
 
 namespace Harvester.Play.Features;
 
-/// <summary>Measures the models of signs and lights at a key, one after the other, and keeps what it finds for the harvests to come.</summary>
+/// <summary>
+/// Measures the models of signs and lights at a key, one after the other, and keeps what it finds for the harvests to come.
+/// </summary>
 public sealed class FaceSurveying : ILastingFeature
 {
     private readonly ISurveyStage _stage;
@@ -71,7 +73,8 @@ public sealed class FaceSurveying : ILastingFeature
     public bool IsPictureNear => _survey?.IsPhotographing ?? false;
 
     /// <summary>A line about it; null when it is off.</summary>
-    public string? Line => _isOn ? FormattableString.Invariant($"SIGNS  {_survey?.Done ?? 0} of {_models.Count}  {_survey?.Current}") : null;
+    public string? Line =>
+        _isOn ? FormattableString.Invariant($"SIGNS  {_survey?.Done ?? 0} of {_models.Count}  {_survey?.Current}") : null;
 
     /// <summary>Starts the survey where the last one ended, or ends the one that runs.</summary>
     public void Toggle()

@@ -32,7 +32,10 @@ public sealed class FeatureSet(PlayerMessages messages, ICallCounter calls, IClo
         }
     }
 
-    /// <summary>Ends all features for good. First each gives back what it has of the game, in the opposite order of their ticks; only then the disk is waited for.</summary>
+    /// <summary>
+    /// Ends all features for good. First each gives back what it has of the game, in the opposite order of their ticks; only then the disk
+    /// is waited for.
+    /// </summary>
     public void Finish()
     {
         foreach (IFeature feature in features.Reverse())

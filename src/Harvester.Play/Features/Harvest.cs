@@ -38,7 +38,8 @@ public sealed class Harvest : ILastingFeature, IDisposable
     /// <param name="display">The game's own display is hidden while a harvest runs.</param>
     /// <param name="origin">Tells at the start of a harvest where its session comes from.</param>
     public Harvest(
-        HarvestOptions options, string folder, PlayerMessages messages, IMount mount, GamePorts game, IDisplay display, Func<SessionOrigin> origin)
+        HarvestOptions options, string folder, PlayerMessages messages, IMount mount, GamePorts game, IDisplay display,
+            Func<SessionOrigin> origin)
     {
         Options = options;
         _folder = folder;
@@ -75,7 +76,8 @@ public sealed class Harvest : ILastingFeature, IDisposable
 
     /// <summary>Whether a picture may be grabbed now or so soon that nothing of ours may be drawn.</summary>
     public bool IsPictureNear =>
-        IsOn && (Status is not { } status || !_startedWith!.Freeze || status.Phase is not (HarvestPhase.Waiting or HarvestPhase.WaitingForSink));
+        IsOn && (Status is not { } status || !_startedWith!.Freeze
+            || status.Phase is not (HarvestPhase.Waiting or HarvestPhase.WaitingForSink));
 
     /// <inheritdoc/>
     public bool IsBusy => _writer.IsBusy;
@@ -95,7 +97,9 @@ public sealed class Harvest : ILastingFeature, IDisposable
         }
     }
 
-    /// <summary>Harvests one frame. The single frames of one run of the game make a session together, as long as lens and faces are the same.</summary>
+    /// <summary>
+    /// Harvests one frame. The single frames of one run of the game make a session together, as long as lens and faces are the same.
+    /// </summary>
     public void TakeOne()
     {
         if (IsOn)
@@ -104,13 +108,20 @@ public sealed class Harvest : ILastingFeature, IDisposable
             return;
         }
 
-        HarvestOptions options = Options with { MaxFrames = 1, ProbeLag = false, Faces = FacesInUse(), KnownFreezing = _freezing is { IsConclusive: true } ? _freezing : null };
+        HarvestOptions options = Options with
+        {
+            MaxFrames = 1,
+            ProbeLag = false,
+            Faces = FacesInUse(),
+            KnownFreezing = _freezing is { IsConclusive: true } ? _freezing : null
+        };
         SessionOrigin origin = _origin();
         _isSingle = true;
         if (_singles is { } singles && singles.Lens == options.Lens && singles.Faces == options.Faces)
         {
             Start(
-                singles.CalibrationErrorPixels is { } known ? options with { MaxCalibrationErrorPixels = null, KnownCalibrationErrorPixels = known } : options,
+                singles.CalibrationErrorPixels is { } known
+                    ? options with { MaxCalibrationErrorPixels = null, KnownCalibrationErrorPixels = known } : options,
                 () => new SessionWriter(singles.Folder, origin, resume: true));
         }
         else
@@ -235,7 +246,8 @@ public sealed class Harvest : ILastingFeature, IDisposable
     private void Tell(HarvestSession session)
     {
         HarvestStatus status = session.Status;
-        string discards = string.Join(", ", session.Counters.Discards.Select(discard => FormattableString.Invariant($"{discard.Value} {discard.Key}")));
+        string discards = string.Join(", ",
+            session.Counters.Discards.Select(discard => FormattableString.Invariant($"{discard.Value} {discard.Key}")));
         string counts = Counted.Of(status.Captured, "frame")
             + (discards.Length > 0 ? $", discarded: {discards}" : string.Empty);
         if (session.Calls.Phases.Count > 0)
@@ -248,7 +260,8 @@ public sealed class Harvest : ILastingFeature, IDisposable
             _messages.Tell(HarvestAdvice.TextOf(warning));
         }
 
-        _messages.Tell(session.Failure is { } fault ? $"{HarvestAdvice.TextOf(fault)} ({counts})" : $"The harvest ended: {counts}, in {_folder}.");
+        _messages.Tell(session.Failure is { } fault ? $"{HarvestAdvice.TextOf(fault)} ({counts})"
+            : $"The harvest ended: {counts}, in {_folder}.");
     }
 
     /// <summary>The last frames are written when the harvest is over: what the disk refuses then is told when that is known.</summary>
@@ -279,6 +292,8 @@ public sealed class Harvest : ILastingFeature, IDisposable
         return free;
     }
 
-    /// <summary>The session that single frames make together, once it has one. Its camera model is checked until that could be done once.</summary>
+    /// <summary>
+    /// The session that single frames make together, once it has one. Its camera model is checked until that could be done once.
+    /// </summary>
     private sealed record SingleFrames(string Folder, Lens Lens, FaceTable Faces, double? CalibrationErrorPixels);
 }

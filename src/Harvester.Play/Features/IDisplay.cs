@@ -2,7 +2,9 @@ using Harvester.Geometry;
 
 namespace Harvester.Play.Features;
 
-/// <summary>Draws over the game's picture, for one frame each time. Places are fractions of the window where nothing else is said.</summary>
+/// <summary>
+/// Draws over the game's picture, for one frame each time. Places are fractions of the window where nothing else is said.
+/// </summary>
 public interface IDisplay
 {
     /// <summary>Draws a filled rectangle.</summary>

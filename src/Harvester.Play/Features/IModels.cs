@@ -15,7 +15,9 @@ public interface IModels
     /// <summary>Lets the game unload a model that was asked for.</summary>
     void Release(int model);
 
-    /// <summary>Corners of a model's box in its own frame: rear, left, lower and front, right, upper; metres. They are not symmetric.</summary>
+    /// <summary>
+    /// Corners of a model's box in its own frame: rear, left, lower and front, right, upper; metres. They are not symmetric.
+    /// </summary>
     (Vector3D Min, Vector3D Max) DimensionsOf(int model);
 
     /// <summary>Number of the game's class of vehicles.</summary>

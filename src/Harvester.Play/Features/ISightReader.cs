@@ -22,7 +22,10 @@ public interface ISightReader
     /// <summary>Width divided by height of the window's picture.</summary>
     double WindowAspect { get; }
 
-    /// <summary>The entities of a kind within a distance of a point that may be labelled: without the vehicle that carries the camera, and of props those with faces.</summary>
+    /// <summary>
+    /// The entities of a kind within a distance of a point that may be labelled: without the vehicle that carries the camera, and of props
+    /// those with faces.
+    /// </summary>
     /// <param name="kind">The kind.</param>
     /// <param name="centre">Metres, world.</param>
     /// <param name="range">Metres.</param>

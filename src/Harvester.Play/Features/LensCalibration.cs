@@ -71,7 +71,11 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
         }
         else
         {
-            var options = new CalibrationOptions { Image = _harvest.Options.Image, MaxPictureLagTicks = _harvest.Options.MaxPictureLagTicks };
+            var options = new CalibrationOptions
+            {
+                Image = _harvest.Options.Image,
+                MaxPictureLagTicks = _harvest.Options.MaxPictureLagTicks
+            };
             _session = new CalibrationSession(options, _game);
         }
     }

@@ -33,7 +33,8 @@ public sealed class LightDriving : IFeature, ILights
     /// <param name="lights">The game's lights.</param>
     /// <param name="order">What the game's numbers mean.</param>
     /// <param name="rangeMetres">How far from the camera lights are driven, metres.</param>
-    /// <param name="settlingFrames">By how many frames the picture may be behind the game; so long after a change it is not known what it shows.</param>
+    /// <param name="settlingFrames">By how many frames the picture may be behind the game; so long after a change it is not known what it
+    /// shows.</param>
     public LightDriving(IWorld world, ITrafficLights lights, LightOrder order, double rangeMetres, int settlingFrames)
     {
         _world = world;

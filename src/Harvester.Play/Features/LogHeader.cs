@@ -4,7 +4,9 @@ using Harvester.Play.Screen;
 
 namespace Harvester.Play.Features;
 
-/// <summary>The first lines of a run in the log: all that somebody who reads a log from elsewhere must know of the game and the computer.</summary>
+/// <summary>
+/// The first lines of a run in the log: all that somebody who reads a log from elsewhere must know of the game and the computer.
+/// </summary>
 public static class LogHeader
 {
     /// <summary>What stands before the description of the window.</summary>

@@ -6,7 +6,9 @@ using Harvester.Surveys.Faces;
 
 namespace Harvester.Play.Features;
 
-/// <summary>The folder of what the player has measured, opened on another thread when it is first asked for, and the faces that are in use with it.</summary>
+/// <summary>
+/// The folder of what the player has measured, opened on another thread when it is first asked for, and the faces that are in use with it.
+/// </summary>
 /// <param name="path">The folder.</param>
 /// <param name="shipped">The faces that came with the mod.</param>
 /// <param name="inUse">The faces in use until the folder is opened.</param>
@@ -19,7 +21,9 @@ public sealed class MeasuredFaces(string path, FaceTable shipped, FaceTable inUs
     /// <summary>The folder.</summary>
     public string Path { get; } = path;
 
-    /// <summary>The faces in use: what was measured, as soon as it is, before what came with the mod. It is another table only when rows are others.</summary>
+    /// <summary>
+    /// The faces in use: what was measured, as soon as it is, before what came with the mod. It is another table only when rows are others.
+    /// </summary>
     public FaceTable InUse
     {
         get

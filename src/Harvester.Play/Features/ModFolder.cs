@@ -9,7 +9,9 @@ using Harvester.Surveys.Faces;
 
 namespace Harvester.Play.Features;
 
-/// <summary>The files beside the mod. What cannot be read is no exception: it is told in <see cref="Complaints"/>, and defaults are used.</summary>
+/// <summary>
+/// The files beside the mod. What cannot be read is no exception: it is told in <see cref="Complaints"/>, and defaults are used.
+/// </summary>
 public sealed class ModFolder
 {
     private const string SettingsFile = "GtaDataHarvester.ini";
@@ -38,7 +40,9 @@ public sealed class ModFolder
     /// <summary>What is wrong with the files, a sentence each; to be asked after all settings.</summary>
     public IEnumerable<string> Complaints => _complaints.Concat(Settings.Complaints.Select(Told));
 
-    /// <summary>The faces of signs and traffic lights: those that the player has measured, and for other models those that came with the mod.</summary>
+    /// <summary>
+    /// The faces of signs and traffic lights: those that the player has measured, and for other models those that came with the mod.
+    /// </summary>
     /// <param name="measured">The folder of what the player has measured; it need not be there.</param>
     public FaceTable FacesWith(string measured)
     {

@@ -66,7 +66,9 @@ public sealed class PlayerCar : IDrivenCar
         }
     }
 
-    /// <summary>Gives the weather back to the game if it was set here. The controls need no giving back: each holds for one frame.</summary>
+    /// <summary>
+    /// Gives the weather back to the game if it was set here. The controls need no giving back: each holds for one frame.
+    /// </summary>
     public void GiveBack()
     {
         if (_keepsWeather)

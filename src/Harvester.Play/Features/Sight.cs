@@ -7,7 +7,8 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Play.Features;
 
 /// <summary>
-/// What the overlay sees of the game. Labels ask for everything in every tick; boxes over the game need not: a model is asked for once, what cannot be
+/// What the overlay sees of the game. Labels ask for everything in every tick; boxes over the game need not: a model is asked for once,
+/// what cannot be
 /// seen seldom, and what seldom changes now and then.
 /// </summary>
 /// <param name="reader">The game.</param>
@@ -77,5 +78,6 @@ public sealed class Sight(ISightReader reader)
     private void List(Pose camera, double range) => _known = Kinds
         .SelectMany(kind => reader.Near(kind, camera.Position, range).Select(entity => (kind, entity)))
         .Distinct()
-        .ToDictionary(key => key, key => _known.TryGetValue(key, out Sighting? known) ? known : new Sighting(reader, key.kind, key.entity, _met++));
+        .ToDictionary(key =>
+            key, key => _known.TryGetValue(key, out Sighting? known) ? known : new Sighting(reader, key.kind, key.entity, _met++));
 }

@@ -17,7 +17,9 @@ internal sealed class Sighting(ISightReader reader, EntityKind kind, int entity,
     /// <summary>Signs and lights stand still, unless somebody drives into them.</summary>
     private const int TicksOfAProp = 30;
 
-    /// <summary>What is behind the camera need only be found when it comes before it: in so many ticks nothing covers <see cref="MetresBehind"/>.</summary>
+    /// <summary>
+    /// What is behind the camera need only be found when it comes before it: in so many ticks nothing covers <see cref="MetresBehind"/>.
+    /// </summary>
     private const int TicksBehind = 8;
 
     private const double MetresBehind = 10;

@@ -117,7 +117,9 @@ public sealed class TestCar : ILastingFeature
         }
     }
 
-    /// <summary>The car is known until it is gone: where the game refuses, it is tried again with the next car and at the script's end.</summary>
+    /// <summary>
+    /// The car is known until it is gone: where the game refuses, it is tried again with the next car and at the script's end.
+    /// </summary>
     private void Remove()
     {
         if (_car != 0 && _vehicles.Exists(_car))

@@ -9,7 +9,9 @@ using Harvester.Surveys.Faces;
 
 namespace Harvester.Play.Features;
 
-/// <summary>Lists at a key the models near the camera that the table of faces lacks. What one run of the game meets stands in one file.</summary>
+/// <summary>
+/// Lists at a key the models near the camera that the table of faces lacks. What one run of the game meets stands in one file.
+/// </summary>
 public sealed class UnknownModelsList : ILastingFeature
 {
     private const double RangeMetres = 100;

@@ -14,7 +14,8 @@ internal sealed class WindowCanvas(IDisplay display, CameraState seen)
     // Places are drawn in fractions of the window; any size of image will do.
     private static readonly ImageSize Size = new(1000, 1000);
 
-    private readonly Camera _camera = new(seen.Pose, new CameraIntrinsics(seen.VerticalFovDegrees, Size, seen.WindowAspect, seen.NearClip, Lens.Ideal));
+    private readonly Camera _camera = new(
+        seen.Pose, new CameraIntrinsics(seen.VerticalFovDegrees, Size, seen.WindowAspect, seen.NearClip, Lens.Ideal));
 
     /// <summary>Draws the twelve edges of a cuboid.</summary>
     public void Edges(Cuboid cuboid, Colour colour)

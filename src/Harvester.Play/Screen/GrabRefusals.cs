@@ -15,7 +15,9 @@ public static class GrabRefusals
     /// <summary>Another window lies over some of the client area.</summary>
     public const string Covered = "covered";
 
-    /// <summary>The client area's size is another than at the grab before, or changed meanwhile: the game may still show the old size.</summary>
+    /// <summary>
+    /// The client area's size is another than at the grab before, or changed meanwhile: the game may still show the old size.
+    /// </summary>
     public const string Resized = "resized";
 
     /// <summary>The window was moved while it was grabbed.</summary>

@@ -2,7 +2,9 @@ using System;
 
 namespace Harvester.Play.Screen;
 
-/// <summary>A rectangle of the desktop in physical pixels; the origin is the primary monitor's upper left corner, so left and top may be negative.</summary>
+/// <summary>
+/// A rectangle of the desktop in physical pixels; the origin is the primary monitor's upper left corner, so left and top may be negative.
+/// </summary>
 /// <param name="Left">First column.</param>
 /// <param name="Top">First row.</param>
 /// <param name="Right">The column after the last.</param>

@@ -5,7 +5,8 @@ namespace Harvester.Play.Screen;
 /// <param name="ProcessId">The process that it belongs to.</param>
 /// <param name="IsApplication">Whether it can be an application's main window: no owner, no tool window, no console.</param>
 /// <param name="IsMinimised">Whether it is an icon.</param>
-/// <param name="ShowsNothing">Whether it takes a place but lets through what lies below: cloaked, fully transparent, or a layer that lets clicks through, as overlays are.</param>
+/// <param name="ShowsNothing">Whether it takes a place but lets through what lies below: cloaked, fully transparent, or a layer that lets
+/// clicks through, as overlays are.</param>
 /// <param name="Bounds">What it covers of the desktop, without an invisible resizing border.</param>
 /// <param name="Client">Its client area on the desktop; empty when minimised.</param>
 /// <param name="RestoredArea">The pixels it covers when it is not minimised.</param>

@@ -17,7 +17,9 @@ internal static class WindowJudge
         return new WindowVerdict(window?.Handle ?? 0, window?.Client ?? default, refusal);
     }
 
-    /// <summary>The window of a process that is found before, as long as it is shown, else its largest application window; null for none.</summary>
+    /// <summary>
+    /// The window of a process that is found before, as long as it is shown, else its largest application window; null for none.
+    /// </summary>
     public static TopLevelWindow? Find(DesktopView view, int processId, long known)
     {
         IEnumerable<TopLevelWindow> own = view.Windows.Where(window => window.ProcessId == processId);

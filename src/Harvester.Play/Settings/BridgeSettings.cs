@@ -82,7 +82,8 @@ public sealed record BridgeSettings
             {
                 RateHz = ini.Number(Bridge, "Rate", driving.RateHz, 0.1, 60),
                 Picture = new ImageSize(
-                    ini.Whole(Bridge, "Width", driving.Picture.Width, 16, 1920), ini.Whole(Bridge, "Height", driving.Picture.Height, 16, 1080)),
+                    ini.Whole(Bridge, "Width", driving.Picture.Width, 16, 1920),
+                        ini.Whole(Bridge, "Height", driving.Picture.Height, 16, 1080)),
             },
         };
     }

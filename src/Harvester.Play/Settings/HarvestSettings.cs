@@ -55,7 +55,8 @@ public static class HarvestSettings
             TickBudgetMilliseconds = ini.Number(Harvest, "TickBudget", fallback.TickBudgetMilliseconds, 0.1, 1000),
             QueueCapacity = ini.Whole(Harvest, "Queue", fallback.QueueCapacity, 1, 1000),
             Lens = LensOf(ini),
-            MaxCalibrationErrorPixels = ini.Number(LensSection, "MaxError", fallback.MaxCalibrationErrorPixels ?? 0, 0, 100) is > 0 and var error ? error : null,
+            MaxCalibrationErrorPixels = ini.Number(LensSection, "MaxError", fallback.MaxCalibrationErrorPixels ?? 0, 0, 100) is > 0
+                and var error ? error : null,
         };
     }
 

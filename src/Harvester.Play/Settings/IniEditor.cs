@@ -35,10 +35,12 @@ public static class IniEditor
         // Backwards, so that what is added stands in the order given.
         foreach (KeyValuePair<string, double> value in values.Reverse())
         {
-            string line = string.Format(CultureInfo.InvariantCulture, "{0} = {1:0.########}", value.Key, value.Value == 0 ? 0 : value.Value);
+            string line = string.Format(
+                CultureInfo.InvariantCulture, "{0} = {1:0.########}", value.Key, value.Value == 0 ? 0 : value.Value);
             int next = lines.FindIndex(header + 1, text => text.TrimStart().StartsWith("[", StringComparison.Ordinal));
             int end = next < 0 ? lines.Count : next;
-            int place = lines.FindIndex(header + 1, end - header - 1, text => IsName(text.Split('=')[0].Trim(), value.Key) && text.Contains("="));
+            int place = lines.FindIndex(
+                header + 1, end - header - 1, text => IsName(text.Split('=')[0].Trim(), value.Key) && text.Contains("="));
             if (place < 0)
             {
                 lines.Insert(header + 1, line);

@@ -25,12 +25,15 @@ public sealed class IniFile
 
     /// <summary>What is wrong with the file as far as it was asked, in the order of its lines: one sentence each.</summary>
     public IReadOnlyList<string> Complaints => _complaints
-        .Concat(_values.Where(value => !_asked.Contains(value.Key)).Select(value => (value.Value.Line, Text: $"there is no setting {NameOf(value.Key)}.")))
+        .Concat(_values.Where(value => !_asked.Contains(value.Key))
+            .Select(value => (value.Value.Line, Text: $"there is no setting {NameOf(value.Key)}.")))
         .OrderBy(complaint => complaint.Line)
         .Select(complaint => string.Format(CultureInfo.InvariantCulture, "Line {0}: {1}", complaint.Line, complaint.Text))
         .ToArray();
 
-    /// <summary>The settings that were asked for and have another value than their default, in the order of their lines: "[Section] Name = value".</summary>
+    /// <summary>
+    /// The settings that were asked for and have another value than their default, in the order of their lines: "[Section] Name = value".
+    /// </summary>
     public IReadOnlyList<string> Changes => [.. _changes.OrderBy(change => change.Key).Select(change => change.Value)];
 
     /// <summary>Reads a file to its end.</summary>
@@ -67,7 +70,8 @@ public sealed class IniFile
     }
 
     /// <summary>A text.</summary>
-    public string Text(string section, string name, string fallback) => Parse(section, name, fallback, string.Empty, static text => (true, text));
+    public string Text(string section, string name, string fallback) =>
+        Parse(section, name, fallback, string.Empty, static text => (true, text));
 
     /// <summary>A number from a least to a greatest.</summary>
     public double Number(string section, string name, double fallback, double least, double greatest) =>
@@ -79,7 +83,8 @@ public sealed class IniFile
     /// <summary>A whole number from a least to a greatest.</summary>
     public int Whole(string section, string name, int fallback, int least, int greatest) =>
         Parse(section, name, fallback, FormattableString.Invariant($"a whole number from {least} to {greatest}"), text =>
-            int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= least && value <= greatest
+            int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= least
+                && value <= greatest
                 ? (true, value)
                 : (false, fallback));
 
@@ -115,7 +120,8 @@ public sealed class IniFile
     {
         // Left to itself, Enum.TryParse also takes numbers and lists.
         value = default;
-        return text.Length > 0 && text.All(char.IsLetterOrDigit) && char.IsLetter(text[0]) && Enum.TryParse(text, ignoreCase: true, out value);
+        return text.Length > 0 && text.All(char.IsLetterOrDigit) && char.IsLetter(text[0])
+            && Enum.TryParse(text, ignoreCase: true, out value);
     }
 
     private static string WithoutComment(string line)

@@ -33,9 +33,11 @@ internal readonly struct FaceCorners
         for (int i = 0; i < corner.Length; i++)
         {
             string field = fields[FaceColumns.FirstCorner + i];
-            if (!double.TryParse(field, NumberStyles.Float, CultureInfo.InvariantCulture, out corner[i]) || !(Math.Abs(corner[i]) <= MaxCoordinate))
+            if (!double.TryParse(field, NumberStyles.Float, CultureInfo.InvariantCulture, out corner[i])
+                || !(Math.Abs(corner[i]) <= MaxCoordinate))
             {
-                return new FaceCorners(default, default, (NameOf(i), $"'{field}' is not a number of metres from -100 to 100 with a point."));
+                return new FaceCorners(
+                    default, default, (NameOf(i), $"'{field}' is not a number of metres from -100 to 100 with a point."));
             }
         }
 

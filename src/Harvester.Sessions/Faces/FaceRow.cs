@@ -24,7 +24,8 @@ internal readonly struct FaceRow
     public (string Column, string Reason)? Problem { get; }
 
     public static bool IsHeader(string line) =>
-        CsvFields.Split(line) is { } fields && fields.Select(field => field.Trim()).SequenceEqual(FaceColumns.Names, StringComparer.OrdinalIgnoreCase);
+        CsvFields.Split(line) is { } fields
+            && fields.Select(field => field.Trim()).SequenceEqual(FaceColumns.Names, StringComparer.OrdinalIgnoreCase);
 
     public static FaceRow FromCommas(string line)
     {
@@ -36,7 +37,8 @@ internal readonly struct FaceRow
 
         if (fields.Count != FaceColumns.Names.Length)
         {
-            return Refused("row", FormattableString.Invariant($"{fields.Count} fields where {FaceColumns.Names.Length} belong: {FaceColumns.Header}."));
+            return Refused("row",
+                FormattableString.Invariant($"{fields.Count} fields where {FaceColumns.Names.Length} belong: {FaceColumns.Header}."));
         }
 
         return Checked(fields);
@@ -47,7 +49,8 @@ internal readonly struct FaceRow
         string[] tokens = line.Split([' ', '\t'], StringSplitOptions.RemoveEmptyEntries);
         if (tokens.Length != 8)
         {
-            return Refused("row", FormattableString.Invariant($"{tokens.Length} fields where 8 belong: hash name fulX fulY fulZ blrX blrY blrZ."));
+            return Refused("row",
+                FormattableString.Invariant($"{tokens.Length} fields where 8 belong: hash name fulX fulY fulZ blrX blrY blrZ."));
         }
 
         if (!ModelHash.TryParse(tokens[0], out int hash))
@@ -106,7 +109,8 @@ internal readonly struct FaceRow
 
         return new FaceRow(
             new ModelFace(
-                model, hash, kind, fields[3].Trim(), fields[4].Trim(), face, corners.FrontUpperLeft, corners.BackLowerRight, facing, provenance, fields[14].Trim()),
+                model, hash, kind, fields[3].Trim(), fields[4].Trim(), face, corners.FrontUpperLeft, corners.BackLowerRight, facing,
+                    provenance, fields[14].Trim()),
             null);
     }
 

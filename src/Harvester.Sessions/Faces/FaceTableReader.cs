@@ -50,7 +50,8 @@ public static class FaceTableReader
             {
                 if (firstLines.TryGetValue((face.Hash, face.Number), out int first))
                 {
-                    problems.Add(new FaceTableProblem(number, "face", FormattableString.Invariant($"face {face.Number} of this model stands in line {first} already.")));
+                    problems.Add(new FaceTableProblem(
+                        number, "face", FormattableString.Invariant($"face {face.Number} of this model stands in line {first} already.")));
                     continue;
                 }
 

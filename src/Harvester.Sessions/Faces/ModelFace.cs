@@ -9,7 +9,8 @@ namespace Harvester.Sessions.Faces;
 /// <param name="Hash">The model's hash.</param>
 /// <param name="Class">Sign or traffic light.</param>
 /// <param name="Name">What the sign says; empty when unknown.</param>
-/// <param name="MutcdCode">Code of the sign in the Manual on Uniform Traffic Control Devices; empty when it has none or it is unknown.</param>
+/// <param name="MutcdCode">Code of the sign in the Manual on Uniform Traffic Control Devices; empty when it has none or it is
+/// unknown.</param>
 /// <param name="Number">Number of the face on its model, from 0.</param>
 /// <param name="FrontUpperLeft">Front, upper, left corner in the model's frame: least x, greatest y, greatest z; metres.</param>
 /// <param name="BackLowerRight">Back, lower, right corner in the model's frame: greatest x, least y, least z; metres.</param>

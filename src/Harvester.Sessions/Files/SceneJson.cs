@@ -4,7 +4,9 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Sessions.Files;
 
-/// <summary>Writes a scene that labels can be made from again: numbers read back as the very same doubles. Fields: docs/relabel.md.</summary>
+/// <summary>
+/// Writes a scene that labels can be made from again: numbers read back as the very same doubles. Fields: docs/relabel.md.
+/// </summary>
 internal static class SceneJson
 {
     public static string Text(RecordedScene scene)

@@ -2,7 +2,9 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Sessions.Imaging;
 
-/// <summary>A picture in memory that is used again from frame to frame: 3 bytes a pixel, red, green, blue, rows from the top, no padding.</summary>
+/// <summary>
+/// A picture in memory that is used again from frame to frame: 3 bytes a pixel, red, green, blue, rows from the top, no padding.
+/// </summary>
 public sealed class PixelBuffer
 {
     /// <summary>Bytes of one pixel.</summary>

@@ -3,7 +3,9 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Sessions.Imaging;
 
-/// <summary>Pictures of one size that are used again and again, so that a harvest makes no garbage of megabytes. Safe for several threads.</summary>
+/// <summary>
+/// Pictures of one size that are used again and again, so that a harvest makes no garbage of megabytes. Safe for several threads.
+/// </summary>
 public sealed class PixelBufferPool
 {
     private readonly ConcurrentBag<PixelBuffer> _idle = [];

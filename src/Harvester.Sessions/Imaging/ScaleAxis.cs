@@ -40,7 +40,10 @@ internal sealed class ScaleAxis
 
     public int Weight(int output, int tap) => _weights[(output * _stride) + tap];
 
-    /// <summary>In units of 1 / target of a source pixel, output i covers [i · source, (i + 1) · source) and source j covers [j · target, (j + 1) · target).</summary>
+    /// <summary>
+    /// In units of 1 / target of a source pixel, output i covers [i · source, (i + 1) · source) and source j covers [j · target, (j + 1) ·
+    /// target).
+    /// </summary>
     private void Cover(int i, long source, long target)
     {
         long begin = i * source;
@@ -59,7 +62,9 @@ internal sealed class ScaleAxis
         }
     }
 
-    /// <summary>The centre of output i lies at ((2i + 1) · source - target) / (2 · target) source pixels from the first one's centre.</summary>
+    /// <summary>
+    /// The centre of output i lies at ((2i + 1) · source - target) / (2 · target) source pixels from the first one's centre.
+    /// </summary>
     private void Interpolate(int i, long source, long target)
     {
         long position = (((2L * i) + 1) * source) - target;

@@ -94,7 +94,8 @@ public sealed record LanesLabel
             CurvaturePerMetre = seen.CurvaturePerMetre,
             IsFast = seen.IsFast,
             Indicators = seen.Indicators,
-            TorcsEquivalent = seen.Section is { } section ? Geometry.Lanes.TorcsEquivalent.Of(seen.Indicators, section, seen.IndicatorsAtCar.Angle) : LaneIndicators.Unknown,
+            TorcsEquivalent = seen.Section is { } section
+                ? Geometry.Lanes.TorcsEquivalent.Of(seen.Indicators, section, seen.IndicatorsAtCar.Angle) : LaneIndicators.Unknown,
             IndicatorsAtCar = seen.IndicatorsAtCar,
             Vehicles = seen.Vehicles,
             Boundaries = boundaries,

@@ -21,10 +21,14 @@ public sealed record ObjectLabel
     /// <summary>A name for people, such as a sign's; null without one.</summary>
     public string? Name { get; init; }
 
-    /// <summary>Number of the object that this one is a part of; null for an object of its own. The other need not be in the image.</summary>
+    /// <summary>
+    /// Number of the object that this one is a part of; null for an object of its own. The other need not be in the image.
+    /// </summary>
     public int? Parent { get; init; }
 
-    /// <summary>How many faces or heads are known on its model, 0 for none; null for a part of another object, and when no table of them was in use.</summary>
+    /// <summary>
+    /// How many faces or heads are known on its model, 0 for none; null for a part of another object, and when no table of them was in use.
+    /// </summary>
     public int? KnownParts { get; init; }
 
     /// <summary>Whether somebody sits on a motorcycle or bicycle; null for everything else and when unknown.</summary>
@@ -54,7 +58,9 @@ public sealed record ObjectLabel
     /// <summary>Whether it is not known how much of the object is seen, nor whether anything is.</summary>
     public bool IsUndetermined => OcclusionMethod == OcclusionMethod.None;
 
-    /// <summary>Share of the whole silhouette that is seen: (1 - truncated)(1 - occluded); null when occlusion was not determined.</summary>
+    /// <summary>
+    /// Share of the whole silhouette that is seen: (1 - truncated)(1 - occluded); null when occlusion was not determined.
+    /// </summary>
     public double? VisibleFraction => (1 - TruncatedFraction) * (1 - OccludedFraction);
 
     /// <summary>Its cuboid in the world.</summary>

@@ -55,7 +55,8 @@ public sealed class RoadCsvReader
             else if (line.Length > 0 && line[0] != '#')
             {
                 Require(!_ended, "nothing may follow the line that begins with end.");
-                Require(Math.Max(_nodes.Count, Math.Max(_links.Count, _edges.Count / 4)) < MaxRows, FormattableString.Invariant($"more than {MaxRows} nodes or links; no road network of the game has so many."));
+                Require(Math.Max(_nodes.Count, Math.Max(_links.Count, _edges.Count / 4)) < MaxRows,
+                    FormattableString.Invariant($"more than {MaxRows} nodes or links; no road network of the game has so many."));
                 ReadRow(CsvFields.Split(line) ?? throw Wrong(CsvFields.Problem));
             }
         }
@@ -139,7 +140,8 @@ public sealed class RoadCsvReader
         new(Metres(fields[first], "x"), Metres(fields[first + 1], "y"), Metres(fields[first + 2], "z"));
 
     private double Metres(string text, string name) =>
-        double.TryParse(text, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double value)
+        double.TryParse(text, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture,
+            out double value)
         && Math.Abs(value) <= MaxCoordinate
             ? value
             : throw Wrong(FormattableString.Invariant($"{name} must be a number of at most {MaxCoordinate}, not {text}."));

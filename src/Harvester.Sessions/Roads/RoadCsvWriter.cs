@@ -29,8 +29,10 @@ public static class RoadCsvWriter
         Line(text, RoadCsv.NodeColumns);
         foreach (RoadNode node in network.Nodes)
         {
-            Line(text, "node", node.Area == RoadNode.NoArea ? string.Empty : Whole(node.Area), Whole(node.Number), Metres(node.Position.X), Metres(node.Position.Y), Metres(node.Position.Z),
-                CsvFields.Quote(node.Street), RoadCsv.NodeFlags.Write((int)node.Flags), node.Speed is { } speed ? RoadCsv.NameOf(speed) : "", node.Density is { } density ? Whole(density) : "");
+            Line(text, "node", node.Area == RoadNode.NoArea ? string.Empty
+                : Whole(node.Area), Whole(node.Number), Metres(node.Position.X), Metres(node.Position.Y), Metres(node.Position.Z),
+                CsvFields.Quote(node.Street), RoadCsv.NodeFlags.Write((int)node.Flags), node.Speed is { } speed ? RoadCsv.NameOf(speed)
+                    : "", node.Density is { } density ? Whole(density) : "");
         }
 
         Line(text, RoadCsv.LinkColumns);
@@ -48,7 +50,8 @@ public static class RoadCsvWriter
 
         foreach (RoadEdge edge in network.Edges)
         {
-            Line(text, "edge", Whole(edge.Link), edge.IsAtStart ? RoadCsv.Start : RoadCsv.End, Metres(edge.Point.X), Metres(edge.Point.Y), Metres(edge.Point.Z));
+            Line(text, "edge", Whole(edge.Link), edge.IsAtStart ? RoadCsv.Start
+                : RoadCsv.End, Metres(edge.Point.X), Metres(edge.Point.Y), Metres(edge.Point.Z));
         }
 
         Line(text, "end", Whole(network.Nodes.Count), Whole(network.Links.Count));

@@ -41,7 +41,8 @@ public static class InvariantNumber
         double scaled = Math.Floor((Math.Abs(value) * PowersOfTen[decimals]) + 0.5);
         if (!(scaled <= MaxScaled))
         {
-            throw new ArgumentOutOfRangeException(nameof(value), value, FormattableString.Invariant($"{value} cannot be written with {decimals} decimals."));
+            throw new ArgumentOutOfRangeException(
+                nameof(value), value, FormattableString.Invariant($"{value} cannot be written with {decimals} decimals."));
         }
 
         long digits = (long)scaled;

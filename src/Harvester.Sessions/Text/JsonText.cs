@@ -66,7 +66,8 @@ internal sealed class JsonText(bool indented = false)
         // .NET Framework's shortest form does not always read back; seventeen digits do. Minus zero is written as zero.
         double number = value + 0.0;
         string shortest = number.ToString("R", CultureInfo.InvariantCulture);
-        return Word(double.Parse(shortest, CultureInfo.InvariantCulture).Equals(number) ? shortest : number.ToString("G17", CultureInfo.InvariantCulture));
+        return Word(double.Parse(shortest, CultureInfo.InvariantCulture).Equals(number) ? shortest
+            : number.ToString("G17", CultureInfo.InvariantCulture));
     }
 
     public JsonText Exact(double? value) => value is { } known ? Exact(known) : Word("null");
@@ -105,7 +106,8 @@ internal sealed class JsonText(bool indented = false)
 
     public JsonText Box(Box2D? value, int decimals) =>
         value is { } box
-            ? BeginArray().Number(box.XMin, decimals).Number(box.YMin, decimals).Number(box.XMax, decimals).Number(box.YMax, decimals).EndArray()
+            ? BeginArray().Number(box.XMin, decimals).Number(box.YMin, decimals).Number(box.XMax, decimals).Number(box.YMax, decimals)
+                .EndArray()
             : Word("null");
 
     public override string ToString() => _text.ToString();

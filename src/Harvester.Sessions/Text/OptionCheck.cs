@@ -8,7 +8,8 @@ internal static class OptionCheck
     public static double AtLeast(double value, double least, string name) =>
         value >= least && !double.IsInfinity(value)
             ? value
-            : throw new ArgumentOutOfRangeException(name, value, FormattableString.Invariant($"{name} must be a number of at least {least}."));
+            : throw new ArgumentOutOfRangeException(
+                name, value, FormattableString.Invariant($"{name} must be a number of at least {least}."));
 
     public static double Positive(double value, string name) =>
         value > 0 && !double.IsInfinity(value)

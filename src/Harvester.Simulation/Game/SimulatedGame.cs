@@ -58,7 +58,8 @@ public sealed class SimulatedGame
         _rayShapes = RayShapes.AreNeededFor(options.Quirks) ? new RayShapes(options.Quirks, options.Seed, _world.Scene) : null;
         CameraMount = _mount;
         _cameraBefore = Camera;
-        Ports = new GamePorts(new WorldPort(this), new RayPort(this), new ScreenPort(this), new PausePort(this), new ClockPort(this), new MarkersPort(this))
+        Ports = new GamePorts(
+            new WorldPort(this), new RayPort(this), new ScreenPort(this), new PausePort(this), new ClockPort(this), new MarkersPort(this))
         {
             Car = new CarPort(this),
             MountedCamera = new MountedCameraPort(this),
@@ -84,10 +85,14 @@ public sealed class SimulatedGame
     /// </summary>
     public bool MustEgoGiveWay => _world.MustEgoGiveWay;
 
-    /// <summary>The camera's place on the car: 2 m ahead of its origin and 0.4 m above it, unless it is moved. A change takes in the next tick.</summary>
+    /// <summary>
+    /// The camera's place on the car: 2 m ahead of its origin and 0.4 m above it, unless it is moved. A change takes in the next tick.
+    /// </summary>
     public Pose CameraMount { get; set; }
 
-    /// <summary>What the picture shown at present shows, whatever the ports report: the true camera, ego, all entities and the tick.</summary>
+    /// <summary>
+    /// What the picture shown at present shows, whatever the ports report: the true camera, ego, all entities and the tick.
+    /// </summary>
     public SceneSnapshot Shown => MomentShown.Truth;
 
     internal Freezing Freezing { get; }
@@ -148,7 +153,8 @@ public sealed class SimulatedGame
                 Vector3D eye = Camera.Pose.Position;
                 _present = new Moment(
                     _state,
-                    new SceneSnapshot(GameFrame, _world.TimeSeconds, Camera, _world.EgoState, _world.EntitiesNear(eye, double.PositiveInfinity), Environment),
+                    new SceneSnapshot(GameFrame, _world.TimeSeconds, Camera, _world.EgoState,
+                        _world.EntitiesNear(eye, double.PositiveInfinity), Environment),
                     [.. _world.MovingNear(eye, SightRange), .. Markers.Select(MarkerModel.Of)],
                     _weather.LightingAt(WeatherSeconds) with { PrecipitationSeed = _precipitation },
                     _world.LightsNear(eye));

@@ -4,7 +4,9 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Models;
 
-/// <summary>Cars, off-roaders and vans: a body with bonnet and boot, a cabin of glass under a roof, wheels, bumpers, mirrors and lamps.</summary>
+/// <summary>
+/// Cars, off-roaders and vans: a body with bonnet and boot, a cabin of glass under a roof, wheels, bumpers, mirrors and lamps.
+/// </summary>
 internal static class CarModels
 {
     /// <summary>The body stands in from the box's sides by this share of the width; the mirrors reach them.</summary>
@@ -76,7 +78,8 @@ internal static class CarModels
         bool isPanelled = shape == VehicleShape.Van;
         builder.AddFrustum(low, high, roofLow, roofHigh, VehiclePaint.Window, Surface.Glass);
         builder.AddFrustum(
-            roofLow, roofHigh with { Z = frame.Max.Z }, frame.At(roofInset + 0.03, profile.RoofRear + 0.02, 1), frame.At(1 - roofInset - 0.03, profile.RoofFront - 0.02, 1), colour, Surface.Paint);
+            roofLow, roofHigh with { Z = frame.Max.Z }, frame.At(roofInset + 0.03, profile.RoofRear + 0.02, 1),
+                frame.At(1 - roofInset - 0.03, profile.RoofFront - 0.02, 1), colour, Surface.Paint);
         foreach (int side in new[] { -1, 1 })
         {
             double bottomX = side < 0 ? low.X : high.X;
@@ -90,7 +93,8 @@ internal static class CarModels
 
     /// <summary>A strip of paint on the cabin's side, a finger's breadth outside of the glass.</summary>
     private static void AddPillar(
-        MeshBuilder builder, int side, double bottomX, double topX, double bottomY, double topY, double breadth, double bottomZ, double topZ, Rgb colour)
+        MeshBuilder builder, int side, double bottomX, double topX, double bottomY, double topY, double breadth, double bottomZ,
+            double topZ, Rgb colour)
     {
         double outward = side * 0.008;
         builder.AddQuad(

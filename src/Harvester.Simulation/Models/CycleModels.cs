@@ -48,10 +48,13 @@ internal static class CycleModels
     private static void AddMotorcycleBody(MeshBuilder builder, ModelFrame frame, Rgb colour)
     {
         builder.AddFrustum(frame.At(0.14, 0.2, 0.2), frame.At(0.86, 0.7, 0.55), frame.At(0.12, 0.14, 0), frame.At(0.88, 0.76, 0), Steel);
-        builder.AddFrustum(frame.At(0.26, 0.45, 0.55), frame.At(0.74, 0.8, 0.82), frame.At(0.34, 0.5, 0), frame.At(0.66, 0.72, 0), colour, Surface.Paint);
+        builder.AddFrustum(frame.At(0.26, 0.45, 0.55), frame.At(0.74, 0.8, 0.82), frame.At(0.34, 0.5, 0), frame.At(0.66, 0.72, 0), colour,
+            Surface.Paint);
         builder.AddFrustum(frame.At(0.2, 0.08, 0.5), frame.At(0.8, 0.5, 0.78), frame.At(0.22, 0.03, 0), frame.At(0.78, 0.48, 0), Leather);
-        builder.AddFrustum(frame.At(0.14, 0.7, 0.42), frame.At(0.86, 0.94, 0.86), frame.At(0.1, 0.7, 0), frame.At(0.9, 0.88, 0), colour, Surface.Paint);
-        builder.AddFrustum(frame.At(0.14, 0.7, 0.86), frame.At(0.86, 0.86, 1), frame.At(0.24, 0.68, 0), frame.At(0.76, 0.76, 0), VehiclePaint.Window, Surface.Glass);
+        builder.AddFrustum(frame.At(0.14, 0.7, 0.42), frame.At(0.86, 0.94, 0.86), frame.At(0.1, 0.7, 0), frame.At(0.9, 0.88, 0), colour,
+            Surface.Paint);
+        builder.AddFrustum(frame.At(0.14, 0.7, 0.86), frame.At(0.86, 0.86, 1), frame.At(0.24, 0.68, 0), frame.At(0.76, 0.76, 0),
+            VehiclePaint.Window, Surface.Glass);
         builder.AddBox(frame.At(0, 0.66, 0.76), frame.At(1, 0.71, 0.84), VehiclePaint.DarkPlastic);
         builder.AddBox(frame.At(0, 0.67, 0.84), frame.At(0.16, 0.69, 0.95), VehiclePaint.DarkPlastic);
         builder.AddBox(frame.At(0.84, 0.67, 0.84), frame.At(1, 0.69, 0.95), VehiclePaint.DarkPlastic);

@@ -43,7 +43,8 @@ internal static class HeavyModels
             default:
                 AddChassis(builder, frame, 0, [0.2, 0.82]);
                 AddCab(builder, frame, 0.68, 0.97, colour);
-                builder.AddBox(frame.At(0.002, 0, 0.18), frame.At(0.998, 0.7, 1), row.Model == "firetruk" ? colour : BoxWhite, Surface.Paint);
+                builder.AddBox(frame.At(0.002, 0, 0.18), frame.At(0.998, 0.7, 1), row.Model == "firetruk" ? colour
+                    : BoxWhite, Surface.Paint);
                 AddRoofLamps(builder, frame, row.Model);
                 break;
         }
@@ -68,10 +69,13 @@ internal static class HeavyModels
         double sill = belt * top;
         builder.AddBox(frame.At(SideInset, rear, Chassis * 0.35), frame.At(1 - SideInset, 1, sill), colour, Surface.Paint);
         builder.AddFrustum(
-            frame.At(SideInset, rear, sill), frame.At(1 - SideInset, 0.995, top * 0.86), frame.At(SideInset, rear, 1), frame.At(1 - SideInset, 0.985, 1), VehiclePaint.Window, Surface.Glass);
+            frame.At(SideInset, rear, sill), frame.At(1 - SideInset, 0.995, top * 0.86), frame.At(SideInset, rear, 1),
+                frame.At(1 - SideInset, 0.985, 1), VehiclePaint.Window, Surface.Glass);
         builder.AddFrustum(
-            frame.At(SideInset, rear, top * 0.86), frame.At(1 - SideInset, 0.985, top), frame.At(0.05, rear, 1), frame.At(0.95, 0.975, 1), colour, Surface.Paint);
-        builder.AddBox(frame.At(SideInset / 2, rear, sill), frame.At(1 - (SideInset / 2), Math.Max(rear + ((1 - rear) * 0.35), 0.72), top * 0.86), colour, Surface.Paint);
+            frame.At(SideInset, rear, top * 0.86), frame.At(1 - SideInset, 0.985, top), frame.At(0.05, rear, 1), frame.At(0.95, 0.975, 1),
+                colour, Surface.Paint);
+        builder.AddBox(frame.At(SideInset / 2, rear, sill),
+            frame.At(1 - (SideInset / 2), Math.Max(rear + ((1 - rear) * 0.35), 0.72), top * 0.86), colour, Surface.Paint);
         builder.AddBox(frame.At(0, 0.955, sill), frame.At(0.03, 0.97, sill + 0.12), VehiclePaint.DarkPlastic);
         builder.AddBox(frame.At(0.97, 0.955, sill), frame.At(1, 0.97, sill + 0.12), VehiclePaint.DarkPlastic);
         VehicleParts.AddLamps(builder, frame, Chassis, Chassis * 0.9, 0.05);
@@ -81,8 +85,10 @@ internal static class HeavyModels
     {
         const double floor = 0.1;
         builder.AddBox(frame.At(SideInset, 0, floor), frame.At(1 - SideInset, 1, 0.48), colour, Surface.Paint);
-        builder.AddBox(frame.At(SideInset + 0.005, 0.01, 0.48), frame.At(0.995 - SideInset, 0.99, 0.82), VehiclePaint.Window, Surface.Glass);
-        builder.AddFrustum(frame.At(SideInset, 0, 0.82), frame.At(1 - SideInset, 1, 1), frame.At(0.07, 0.02, 1), frame.At(0.93, 0.98, 1), colour, Surface.Paint);
+        builder.AddBox(frame.At(SideInset + 0.005, 0.01, 0.48), frame.At(0.995 - SideInset, 0.99, 0.82), VehiclePaint.Window,
+            Surface.Glass);
+        builder.AddFrustum(frame.At(SideInset, 0, 0.82), frame.At(1 - SideInset, 1, 1), frame.At(0.07, 0.02, 1), frame.At(0.93, 0.98, 1),
+            colour, Surface.Paint);
         builder.AddBox(frame.At(SideInset - 0.002, 0.02, 0.4), frame.At(1.002 - SideInset, 0.98, 0.43), VehiclePaint.DarkPlastic);
         for (double post = 0.12; post < 0.95; post += 0.135)
         {

@@ -11,7 +11,8 @@ namespace Harvester.Simulation.Models;
 /// <param name="Class">What kind of thing it is.</param>
 /// <param name="Min">Rear, left, lower corner of its box in its own frame, metres.</param>
 /// <param name="Max">Front, right, upper corner of its box, metres.</param>
-/// <param name="Variants">Its looks, at least one: colours of a vehicle, steps of a walk, states of a signal (in the order of <see cref="SignalState"/>).</param>
+/// <param name="Variants">Its looks, at least one: colours of a vehicle, steps of a walk, states of a signal (in the order of
+/// <see cref="SignalState"/>).</param>
 public sealed record Model(string Name, ObjectClass Class, Vector3D Min, Vector3D Max, IReadOnlyList<Mesh> Variants)
 {
     /// <summary>Its first look.</summary>

@@ -20,7 +20,8 @@ public sealed class ModelCatalogue
         TrafficLights = SignalModels.All().ToArray();
         StreetLamp = StreetModels.StreetLamp();
         Trees = StreetModels.Trees().ToArray();
-        _byName = ((IEnumerable<Model>)[.. Vehicles, .. Pedestrians, .. Signs, .. TrafficLights, StreetLamp, .. Trees]).ToDictionary(model => model.Name, StringComparer.Ordinal);
+        _byName = ((IEnumerable<Model>)[.. Vehicles, .. Pedestrians, .. Signs, .. TrafficLights, StreetLamp, .. Trees])
+            .ToDictionary(model => model.Name, StringComparer.Ordinal);
     }
 
     /// <summary>One catalogue for all worlds; models never change.</summary>

@@ -28,7 +28,8 @@ internal static class PedestrianModels
     }
 
     private static Model Build(string name, double height, int skin, Rgb shirt, Rgb trousers) => Model.Of(
-        name, ObjectClass.Pedestrian, Enumerable.Range(0, Steps).Select(step => BuildStep(height, Skins[skin], shirt, trousers, step)).ToArray());
+        name, ObjectClass.Pedestrian,
+            Enumerable.Range(0, Steps).Select(step => BuildStep(height, Skins[skin], shirt, trousers, step)).ToArray());
 
     private static Mesh BuildStep(double height, Rgb skin, Rgb shirt, Rgb trousers, int step)
     {

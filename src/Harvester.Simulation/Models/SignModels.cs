@@ -7,7 +7,10 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Models;
 
-/// <summary>Traffic signs by the game's names: a plate on a post whose foot is the origin; the face looks to -y. The game's exact sizes are not public; these follow the real signs'.</summary>
+/// <summary>
+/// Traffic signs by the game's names: a plate on a post whose foot is the origin; the face looks to -y. The game's exact sizes are not
+/// public; these follow the real signs'.
+/// </summary>
 internal static class SignModels
 {
     private const double FaceY = -0.05;
@@ -30,7 +33,8 @@ internal static class SignModels
         yield return Build("prop_sign_road_05a", Pedestrian);
         yield return Build("prop_sign_road_05e", builder => Turn(builder, -1));
         yield return Build("prop_sign_road_05f", builder => Turn(builder, 1));
-        foreach ((string letter, string limit) in new[] { ("a", "15"), ("b", "5"), ("d", "25"), ("e", "35"), ("f", "50"), ("g", "60"), ("j", "55") })
+        foreach ((string letter, string limit) in new[] { ("a", "15"), ("b", "5"), ("d", "25"), ("e", "35"), ("f", "50"), ("g", "60"),
+            ("j", "55") })
         {
             yield return Build("prop_sign_road_06" + letter, builder => SpeedLimit(builder, limit));
         }

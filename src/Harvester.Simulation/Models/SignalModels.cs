@@ -7,7 +7,10 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Models;
 
-/// <summary>Traffic lights by the game's names. The foot of the pole is the origin, the road and any arm lie to -x, and the lenses look to -y, against the traffic they stop.</summary>
+/// <summary>
+/// Traffic lights by the game's names. The foot of the pole is the origin, the road and any arm lie to -x, and the lenses look to -y,
+/// against the traffic they stop.
+/// </summary>
 internal static class SignalModels
 {
     private const double HeadHeight = 1.05;
@@ -81,13 +84,15 @@ internal static class SignalModels
             new(middle.X + HeadHalfWidth, middle.Y + HeadBack, middle.Z + (HeadHeight / 2)),
             Housing);
         builder.AddBox(
-            new(middle.X - 0.3, middle.Y + 0.02, middle.Z - 0.63), new(middle.X + 0.3, middle.Y + 0.04, middle.Z + 0.63), Housing.Scaled(0.6));
+            new(middle.X - 0.3, middle.Y + 0.02, middle.Z - 0.63), new(middle.X + 0.3, middle.Y + 0.04, middle.Z + 0.63),
+                Housing.Scaled(0.6));
         for (int lamp = 0; lamp < Lit.Length; lamp++)
         {
             bool burns = lamp == (int)state;
             var lens = new Vector3D(middle.X, front, middle.Z + ((1 - lamp) * lensStep));
             builder.AddCylinder(
-                lens, lens - new Vector3D(0, 0.02, 0), lensRadius, lensRadius, 14, burns ? Lit[lamp] : Lit[lamp].Scaled(0.16), burns ? Surface.Lamp : Surface.Matte);
+                lens, lens - new Vector3D(0, 0.02, 0), lensRadius, lensRadius, 14, burns ? Lit[lamp] : Lit[lamp].Scaled(0.16), burns
+                    ? Surface.Lamp : Surface.Matte);
             builder.AddBox(
                 lens + new Vector3D(-0.14, -VisorLength, 0.13), lens + new Vector3D(0.14, 0, 0.145), Housing);
         }

@@ -25,7 +25,8 @@ internal static class VehicleParts
         {
             Vector3D frontLow = frame.At(left, 0.97, frontHeight);
             builder.AddBox(frontLow, frame.At(left + 0.22, front, frontHeight + height), VehiclePaint.HeadLamp, Surface.NightLamp);
-            builder.AddBox(frame.At(left, stickOut, rearHeight), frame.At(left + 0.22, 0.03, rearHeight + height), VehiclePaint.TailLamp, Surface.NightLamp);
+            builder.AddBox(frame.At(left, stickOut, rearHeight), frame.At(left + 0.22, 0.03, rearHeight + height), VehiclePaint.TailLamp,
+                Surface.NightLamp);
         }
 
         builder.AddBox(frame.At(0.3, 0.97, frontHeight), frame.At(0.7, front, frontHeight + height), VehiclePaint.DarkPlastic);
@@ -40,6 +41,7 @@ internal static class VehicleParts
         builder.AddCylinder(Inside(0.004), Inside(breadth), radius, radius, WheelSides, VehiclePaint.Rubber);
         builder.AddCylinder(Inside(0), Inside(0.01), radius * 0.62, radius * 0.62, 10, VehiclePaint.Rim);
         Vector3D lifted = new(0, 0, radius * 0.2);
-        builder.AddCylinder(Inside(0.009) + lifted, Inside(breadth * 1.1) + lifted, radius * 1.12, radius * 1.12, WheelSides, VehiclePaint.DarkPlastic);
+        builder.AddCylinder(
+            Inside(0.009) + lifted, Inside(breadth * 1.1) + lifted, radius * 1.12, radius * 1.12, WheelSides, VehiclePaint.DarkPlastic);
     }
 }

@@ -6,7 +6,9 @@ using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Quirks;
 
-/// <summary>The shapes that rays meet where they differ from those that are seen: boxes around entities, and far vehicles left out.</summary>
+/// <summary>
+/// The shapes that rays meet where they differ from those that are seen: boxes around entities, and far vehicles left out.
+/// </summary>
 internal sealed class RayShapes
 {
     private const double MissesBeyond = 30;

@@ -6,7 +6,9 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>A tree of boxes over items, for rays and for what lies in a camera's view. Items are named by their place in <see cref="Order"/>.</summary>
+/// <summary>
+/// A tree of boxes over items, for rays and for what lies in a camera's view. Items are named by their place in <see cref="Order"/>.
+/// </summary>
 internal sealed class BoundingVolumeHierarchy
 {
     private const int MaxTreeDepth = 128;
@@ -76,7 +78,9 @@ internal sealed class BoundingVolumeHierarchy
         }
     }
 
-    /// <summary>Adds the ranges of the order whose boxes are not wholly outside one of the planes; a range may hold items that are.</summary>
+    /// <summary>
+    /// Adds the ranges of the order whose boxes are not wholly outside one of the planes; a range may hold items that are.
+    /// </summary>
     public void AddRangesInside(ReadOnlySpan<Plane> planes, List<(int First, int Count)> ranges)
     {
         Span<int> stack = stackalloc int[MaxTreeDepth];

@@ -3,7 +3,9 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>A box with sides along the axes of its frame. The default value is a point at the origin; start from <see cref="Empty"/> to collect.</summary>
+/// <summary>
+/// A box with sides along the axes of its frame. The default value is a point at the origin; start from <see cref="Empty"/> to collect.
+/// </summary>
 internal readonly record struct Bounds(Vector3D Min, Vector3D Max)
 {
     public static Bounds Empty { get; } = new(

@@ -3,7 +3,10 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>A matrix by columns, for many points: all four homogeneous coordinates of a point at once, rounded as <see cref="Matrix4.Transform"/> rounds them.</summary>
+/// <summary>
+/// A matrix by columns, for many points: all four homogeneous coordinates of a point at once, rounded as <see cref="Matrix4.Transform"/>
+/// rounds them.
+/// </summary>
 internal readonly struct ClipTransform(in Matrix4 matrix)
 {
     private readonly Vector256<double> _x = Vector256.Create(matrix.Row0.X, matrix.Row1.X, matrix.Row2.X, matrix.Row3.X);

@@ -32,7 +32,9 @@ internal sealed class EdgeSmoother(View view, ScreenTriangles triangles, int[] i
         });
     }
 
-    /// <summary>Whether each of the next few pixels of a row shows the same triangle as its neighbours do; no at the image's border.</summary>
+    /// <summary>
+    /// Whether each of the next few pixels of a row shows the same triangle as its neighbours do; no at the image's border.
+    /// </summary>
     private bool IsWithinOneTriangle(int column, int row, int width, int height)
     {
         if (column == 0 || row == 0 || row == height - 1 || column + Vector256<int>.Count >= width)
@@ -79,7 +81,9 @@ internal sealed class EdgeSmoother(View view, ScreenTriangles triangles, int[] i
         }
     }
 
-    /// <summary>How far, of the way between two centres, the neighbour reaches past the middle towards the pixel; 0 if it does not.</summary>
+    /// <summary>
+    /// How far, of the way between two centres, the neighbour reaches past the middle towards the pixel; 0 if it does not.
+    /// </summary>
     private double ReachInto(int pixel, int neighbour, Vector2D centre, Vector2D neighbouring)
     {
         double reach = nearness[pixel] >= nearness[neighbour]

@@ -63,7 +63,9 @@ internal sealed class HierarchyBuilder
         _depths.Add(depth);
     }
 
-    /// <summary>Reorders a node's items about the best plane along the longest side of their centres' box; returns how many lie left of it.</summary>
+    /// <summary>
+    /// Reorders a node's items about the best plane along the longest side of their centres' box; returns how many lie left of it.
+    /// </summary>
     private int PartByBins(HierarchyNode node)
     {
         Bounds centres = Bounds.Empty;

@@ -5,13 +5,19 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>A shape of coloured triangles in a model's frame (x right, y forward, z up, metres). It never changes and may be shown by many instances.</summary>
+/// <summary>
+/// A shape of coloured triangles in a model's frame (x right, y forward, z up, metres). It never changes and may be shown by many
+/// instances.
+/// </summary>
 public sealed class Mesh
 {
     private readonly MeshTriangle[] _given;
     private MeshTree? _tree;
 
-    /// <summary>Makes a mesh. The tree that rays and culling find its triangles by is built when it is first asked for: much of a world is never seen.</summary>
+    /// <summary>
+    /// Makes a mesh. The tree that rays and culling find its triangles by is built when it is first asked for: much of a world is never
+    /// seen.
+    /// </summary>
     public Mesh(IEnumerable<MeshTriangle> triangles)
     {
         _given = triangles.ToArray();

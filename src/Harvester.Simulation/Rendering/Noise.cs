@@ -27,7 +27,8 @@ internal static class Noise
         mixed = (mixed ^ (mixed >>> 13)) * 0x27D4EB2Fu;
 
         // 24 bits are a whole number in single precision too.
-        return Vector128.ConvertToSingle(((mixed ^ (mixed >>> 16)) & Vector128.Create(0xFFFFFFu)).AsInt32()) / Vector128.Create((float)0x1000000);
+        return Vector128.ConvertToSingle(((mixed ^ (mixed >>> 16)) & Vector128.Create(0xFFFFFFu)).AsInt32()) / Vector128.Create(
+            (float)0x1000000);
     }
 
     private static float Smooth(float t) => t * t * (3 - (2 * t));

@@ -127,7 +127,8 @@ internal sealed class PixelShader
     private static void Write(Vector3 light, Span<byte> colour)
     {
         Vector128<float> scaled = (light.AsVector128() * 255) + Vector128.Create(0.5f);
-        Vector128<int> bytes = Vector128.ConvertToInt32(Vector128.Min(Vector128.Max(scaled, Vector128<float>.Zero), Vector128.Create(255f)));
+        Vector128<int> bytes = Vector128.ConvertToInt32(
+            Vector128.Min(Vector128.Max(scaled, Vector128<float>.Zero), Vector128.Create(255f)));
         colour[2] = (byte)bytes[2];
         colour[1] = (byte)bytes[1];
         colour[0] = (byte)bytes[0];

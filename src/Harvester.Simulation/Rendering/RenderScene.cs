@@ -16,7 +16,9 @@ public sealed class RenderScene
     /// <summary>Sun, sky and weather.</summary>
     public Lighting Lighting { get; set; } = new();
 
-    /// <summary>Street lamps and headlights that light what is near them once it is dark; only those near the camera need be given.</summary>
+    /// <summary>
+    /// Street lamps and headlights that light what is near them once it is dark; only those near the camera need be given.
+    /// </summary>
     public IReadOnlyList<LightSource> Lights { get; set; } = [];
 
     internal InstanceSet Static { get; }

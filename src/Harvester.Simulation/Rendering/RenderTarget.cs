@@ -31,6 +31,8 @@ public sealed class RenderTarget
     /// <summary>Handle of what is seen at each pixel's centre; 0 for the world and the sky.</summary>
     public int[] Handles { get; }
 
-    /// <summary>Distance along the camera's forward axis of what is seen at each pixel's centre, metres; positive infinity for the sky.</summary>
+    /// <summary>
+    /// Distance along the camera's forward axis of what is seen at each pixel's centre, metres; positive infinity for the sky.
+    /// </summary>
     public float[] Depth { get; }
 }

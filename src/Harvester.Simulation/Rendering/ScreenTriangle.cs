@@ -2,7 +2,9 @@ using System.Numerics;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>A triangle in the pinhole's image: three edges whose value grows inward, the plane of near / depth over it, and its looks.</summary>
+/// <summary>
+/// A triangle in the pinhole's image: three edges whose value grows inward, the plane of near / depth over it, and its looks.
+/// </summary>
 internal readonly struct ScreenTriangle
 {
     /// <param name="a">First corner: pixels, near / depth.</param>
@@ -13,7 +15,8 @@ internal readonly struct ScreenTriangle
     /// <param name="handle">The handle of what it belongs to.</param>
     /// <param name="source">The triangle that is shown.</param>
     /// <param name="normal">Unit vector of the world square to it, on the camera's side.</param>
-    public ScreenTriangle(in Vector4 a, in Vector4 b, in Vector4 c, double doubleArea, PixelRectangle pixels, int handle, in MeshTriangle source, Vector3 normal)
+    public ScreenTriangle(in Vector4 a, in Vector4 b, in Vector4 c, double doubleArea, PixelRectangle pixels, int handle,
+        in MeshTriangle source, Vector3 normal)
     {
         // Edges of neighbours are the same numbers with opposite signs, to the last bit, so that no pixel falls between them.
         (Edge0, Edge1, Edge2) = doubleArea >= 0

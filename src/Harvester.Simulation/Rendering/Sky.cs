@@ -50,7 +50,8 @@ internal sealed class Sky
             // A flat layer of cloud: the farther towards the horizon, the smaller it looks, until haze hides it.
             float x = direction.X / direction.Z;
             float y = direction.Y / direction.Z;
-            float thickness = (Noise.At(x * 1.3f, y * 1.3f) * 0.6f) + (Noise.At(x * 3.1f, y * 3.1f) * 0.28f) + (Noise.At(x * 7.7f, y * 7.7f) * 0.12f);
+            float thickness = (Noise.At(x * 1.3f, y * 1.3f) * 0.6f) + (Noise.At(x * 3.1f, y * 3.1f) * 0.28f)
+                + (Noise.At(x * 7.7f, y * 7.7f) * 0.12f);
             float cover = Math.Clamp((thickness - 0.72f + (_clouds * 0.62f)) * 4, 0, 1) * Math.Clamp((direction.Z - 0.02f) * 6, 0, 1);
             colour = Vector3.Lerp(colour, _cloud * (1.06f - (0.3f * thickness)), cover * 0.85f);
         }

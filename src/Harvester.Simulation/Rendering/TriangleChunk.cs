@@ -7,7 +7,9 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>A share of the scene's triangles, transformed, clipped and sorted into bands of rows. Chunks are made in parallel and drawn in order.</summary>
+/// <summary>
+/// A share of the scene's triangles, transformed, clipped and sorted into bands of rows. Chunks are made in parallel and drawn in order.
+/// </summary>
 internal sealed class TriangleChunk
 {
     /// <summary>Triangles of meshes that one chunk takes.</summary>
@@ -82,7 +84,8 @@ internal sealed class TriangleChunk
             if (doubleArea != 0)
             {
                 normal ??= NormalTowards(view.Camera.Pose.Position, instance.Pose, triangle);
-                Add(new ScreenTriangle(Vector4.Of(a), Vector4.Of(b), Vector4.Of(c), doubleArea, pixels, instance.Handle, triangle, normal.Value), bandHeight);
+                Add(new ScreenTriangle(
+                    Vector4.Of(a), Vector4.Of(b), Vector4.Of(c), doubleArea, pixels, instance.Handle, triangle, normal.Value), bandHeight);
             }
         }
     }

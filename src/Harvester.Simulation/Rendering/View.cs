@@ -4,7 +4,9 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>A camera made ready for drawing: its matrix, the sides of its view, and which pixels a piece of the pinhole's image can reach.</summary>
+/// <summary>
+/// A camera made ready for drawing: its matrix, the sides of its view, and which pixels a piece of the pinhole's image can reach.
+/// </summary>
 internal sealed class View
 {
     private readonly double _left;
@@ -43,7 +45,9 @@ internal sealed class View
     /// <summary>Distance of the near plane, metres.</summary>
     public double NearClip => Camera.NearClip;
 
-    /// <summary>The pixels whose centres may lie in a rectangle of the pinhole's image; x and y are the first two elements of its corners.</summary>
+    /// <summary>
+    /// The pixels whose centres may lie in a rectangle of the pinhole's image; x and y are the first two elements of its corners.
+    /// </summary>
     public PixelRectangle PixelsIn(Vector256<double> min, Vector256<double> max)
     {
         if (Grid is not null)

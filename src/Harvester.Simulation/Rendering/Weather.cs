@@ -54,7 +54,8 @@ public static class Weather
         Rgb moonlight = new Rgb(16, 20, 32).Scaled(direct);
         return new Lighting
         {
-            SunDirection = new Vector3D(-Math.Sin(hourAngle), -0.35, night > 0.5 ? Math.Max(0.5, -height) : Math.Max(0.06, height)).Normalized(),
+            SunDirection = new Vector3D(-Math.Sin(hourAngle), -0.35, night > 0.5 ? Math.Max(0.5, -height) : Math.Max(0.06, height))
+                .Normalized(),
             SunColour = sun.Towards(moonlight, night),
             AmbientColour = ambient.Scaled(0.35 + (0.65 * day)).Towards(new(24, 28, 42), night),
             HorizonColour = horizon.Towards(new(30, 36, 54), night),

@@ -9,7 +9,9 @@ public sealed record FreezeQuirks
     /// <summary>Whether the world creeps on for as long as it is frozen.</summary>
     public bool NeverStands { get; init; }
 
-    /// <summary>Whether the camera can be moved on its mount only while the game runs; a change asked of a frozen game takes effect after it.</summary>
+    /// <summary>
+    /// Whether the camera can be moved on its mount only while the game runs; a change asked of a frozen game takes effect after it.
+    /// </summary>
     public bool HoldsCamera { get; init; }
 
     /// <summary>Whether rain and the hour go on.</summary>

@@ -19,11 +19,14 @@ internal sealed class Asphalt(RoadIndex index)
     /// <summary>The asphalt of a road.</summary>
     public RoadFacets Of(Road road) => _facets.TryGetValue(road, out RoadFacets? facets) ? facets : _facets[road] = new RoadFacets(road);
 
-    /// <summary>Whether a place of a road is on another's carriageway, or what lies so much above it would be buried in another's asphalt.</summary>
+    /// <summary>
+    /// Whether a place of a road is on another's carriageway, or what lies so much above it would be buried in another's asphalt.
+    /// </summary>
     public bool IsAnothers(Road road, double distance, double rightOffset, double above)
     {
         Vector3D place = Of(road).At(distance, rightOffset) + (Horizontal.Up * above);
         return index.PlacesAt(place, except: road).Any(other => Math.Abs(other.Height) < SameLevel
-            && (other.IsOnCarriageway(0) || (other.IsOnCarriageway(other.Road.Shoulder) && Of(other.Road).At(other.Distance, other.RightOffset).Z + MinAbove > place.Z)));
+            && (other.IsOnCarriageway(0) || (other.IsOnCarriageway(other.Road.Shoulder)
+                && Of(other.Road).At(other.Distance, other.RightOffset).Z + MinAbove > place.Z)));
     }
 }

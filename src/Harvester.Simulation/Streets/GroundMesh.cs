@@ -6,7 +6,9 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Streets;
 
-/// <summary>Collects faces of the ground in world coordinates and hands them out as square patches, so that a view need not look at all.</summary>
+/// <summary>
+/// Collects faces of the ground in world coordinates and hands them out as square patches, so that a view need not look at all.
+/// </summary>
 internal sealed class GroundMesh
 {
     private const double PatchSize = 80;

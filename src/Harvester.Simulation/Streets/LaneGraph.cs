@@ -67,7 +67,10 @@ internal sealed class LaneGraph
         FindConflicts(_paths.GetRange(first, _paths.Count - first));
     }
 
-    /// <summary>Left turns from the leftmost lane, right turns from the rightmost, straight on from all; where nothing leads straight on, each lane has a way.</summary>
+    /// <summary>
+    /// Left turns from the leftmost lane, right turns from the rightmost, straight on from all; where nothing leads straight on, each lane
+    /// has a way.
+    /// </summary>
     private static List<(List<LanePath> Lanes, double Turn)> ExitsOf(int lane, int lanes, List<(List<LanePath> Lanes, double Turn)> exits)
     {
         List<(List<LanePath> Lanes, double Turn)> chosen = [.. exits.Where(exit =>

@@ -4,7 +4,9 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
 
-/// <summary>A way that vehicles drive: a lane of a road between the junctions, or a way through a junction from one lane to another.</summary>
+/// <summary>
+/// A way that vehicles drive: a lane of a road between the junctions, or a way through a junction from one lane to another.
+/// </summary>
 internal sealed class LanePath
 {
     private const double SampleStep = 0.5;
@@ -67,7 +69,9 @@ internal sealed class LanePath
         return new LanePath(index, road, forward, lane, null, new Polyline(points, tangents));
     }
 
-    /// <summary>A cubic curve from the end of one lane to the start of another; its handles make a right-angled turn nearly a quarter circle.</summary>
+    /// <summary>
+    /// A cubic curve from the end of one lane to the start of another; its handles make a right-angled turn nearly a quarter circle.
+    /// </summary>
     public static LanePath Through(int index, Junction junction, LanePath from, LanePath to)
     {
         const double handle = 0.39;

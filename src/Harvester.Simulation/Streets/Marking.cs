@@ -24,7 +24,8 @@ internal readonly record struct Marking(double Offset, MarkingKind Kind)
     public IEnumerable<(double Left, double Right)> Stripes()
     {
         const double half = StripeWidth / 2;
-        foreach (double middle in Kind == MarkingKind.CentreDouble ? new[] { Offset - (BetweenStripes / 2), Offset + (BetweenStripes / 2) } : [Offset])
+        foreach (double middle in Kind == MarkingKind.CentreDouble ? new[] { Offset - (BetweenStripes / 2), Offset + (BetweenStripes / 2) }
+            : [Offset])
         {
             yield return (middle - half, middle + half);
         }

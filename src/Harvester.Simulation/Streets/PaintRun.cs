@@ -13,7 +13,10 @@ internal sealed record PaintRun(RoadFacets Facets, Marking Marking, IReadOnlyLis
     /// <summary>Paint lies this far above the asphalt, metres: enough to be drawn, too little to be seen as height.</summary>
     public const double Height = 0.01;
 
-    /// <summary>Between points, metres. They lie off the ends of dashes by half of it, and off the end of the line by a quarter, where it is plain whether there is paint.</summary>
+    /// <summary>
+    /// Between points, metres. They lie off the ends of dashes by half of it, and off the end of the line by a quarter, where it is plain
+    /// whether there is paint.
+    /// </summary>
     private const double Step = 0.5;
 
     private const double DashLength = 3;

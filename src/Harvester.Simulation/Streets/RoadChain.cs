@@ -67,7 +67,8 @@ internal sealed record RoadChain(IReadOnlyList<int> Nodes, LaneLayout Layout)
     public static Dictionary<(int Node, int Neighbour), Vector3D> EndTangents(RoadNetwork network, IReadOnlyList<RoadChain> chains)
     {
         ILookup<int, (int Next, double HalfWidth)> neighbours = chains
-            .SelectMany(chain => new[] { (End: chain.Nodes[0], Next: chain.Nodes[1], chain.Layout), (End: chain.Nodes[^1], Next: chain.Nodes[^2], chain.Layout) })
+            .SelectMany(chain => new[] { (End: chain.Nodes[0], Next: chain.Nodes[1], chain.Layout),
+                (End: chain.Nodes[^1], Next: chain.Nodes[^2], chain.Layout) })
             .ToLookup(end => end.End, end => (end.Next, end.Layout.HalfWidth));
         Dictionary<(int Node, int Neighbour), Vector3D> tangents = [];
         foreach (IGrouping<int, (int Next, double HalfWidth)> node in neighbours)

@@ -64,7 +64,9 @@ internal sealed class RoadCurve
         return new CrossSection(position, Horizontal.RightOf(derivative));
     }
 
-    /// <summary>By how much, and where to, a point beside the road moves for each metre along the road's line: longer on the outside of a bend.</summary>
+    /// <summary>
+    /// By how much, and where to, a point beside the road moves for each metre along the road's line: longer on the outside of a bend.
+    /// </summary>
     public Vector3D OffsetTangentAt(double distance, double rightOffset)
     {
         int chord = ChordAt(distance);
@@ -74,7 +76,9 @@ internal sealed class RoadCurve
         return new Vector3D(along.X * outside, along.Y * outside, along.Z);
     }
 
-    /// <summary>The place whose perpendicular on the ground runs through a point, searched from a place near it; clamped to the ends.</summary>
+    /// <summary>
+    /// The place whose perpendicular on the ground runs through a point, searched from a place near it; clamped to the ends.
+    /// </summary>
     public double Project(Vector3D point, double nearDistance)
     {
         double distance = nearDistance;

@@ -28,7 +28,9 @@ internal sealed class RoadIndex
         }
     }
 
-    /// <summary>The places of a point on the roads it lies on or beside; it lies abreast of them, not before or behind their ends.</summary>
+    /// <summary>
+    /// The places of a point on the roads it lies on or beside; it lies abreast of them, not before or behind their ends.
+    /// </summary>
     /// <param name="point">Metres, world.</param>
     /// <param name="pastTheEnd">How far before or behind an end still counts as abreast of it, metres.</param>
     /// <param name="except">A road that is passed over.</param>

@@ -23,7 +23,8 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
         RoadLink[] links = [.. network.Links.Where(link => IsRoad(network, link, centre, radius))];
         if (links.Length == 0)
         {
-            throw new ArgumentException(FormattableString.Invariant($"No road lies within {radius} m of {centre.X}, {centre.Y}; choose another place."));
+            throw new ArgumentException(
+                FormattableString.Invariant($"No road lies within {radius} m of {centre.X}, {centre.Y}; choose another place."));
         }
 
         List<RoadChain> chains = RoadChain.Follow(network, links);
@@ -79,7 +80,8 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
             Add(road.Nodes[^1], new RoadArm(road, AtStart: false));
         }
 
-        return [.. arms.Select(pair => new Junction(pair.Key, network.Nodes[pair.Key].Position, network.Nodes[pair.Key].Flags, pair.Value))];
+        return [.. arms.Select(
+            pair => new Junction(pair.Key, network.Nodes[pair.Key].Position, network.Nodes[pair.Key].Flags, pair.Value))];
 
         void Add(int node, RoadArm arm)
         {
@@ -106,7 +108,9 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
         }
     }
 
-    /// <summary>How far from the node an arm's edge leaves the carriageway of another: (b + a·cos t) / sin t for half widths a and b.</summary>
+    /// <summary>
+    /// How far from the node an arm's edge leaves the carriageway of another: (b + a·cos t) / sin t for half widths a and b.
+    /// </summary>
     private static double SetBack(RoadArm arm, RoadArm other)
     {
         double angle = Math.Abs(Horizontal.Turn(arm.Outward, other.Outward));

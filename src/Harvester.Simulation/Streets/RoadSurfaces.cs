@@ -86,7 +86,8 @@ internal sealed class RoadSurfaces(RoadPlan plan, RoadIndex index, Terrain terra
             new Rail(edge + (side * bankWidth), height - bankDepth),
             Palette.Grass,
             Surface.Ground,
-            distance => !IsBridge(road, distance) && IsClear(road, distance, edge) && IsClear(road, distance, edge + (side * bankWidth / 2)));
+            distance => !IsBridge(road, distance) && IsClear(road, distance, edge)
+                && IsClear(road, distance, edge + (side * bankWidth / 2)));
         AddParapet(ribbon, road, edge, side);
     }
 
@@ -116,7 +117,8 @@ internal sealed class RoadSurfaces(RoadPlan plan, RoadIndex index, Terrain terra
         {
             (double sin, double cos) = Math.SinCos(2 * Math.PI * i / sides);
             Vector3D place = junction.Position + new Vector3D(radius * cos, radius * sin, 0);
-            RoadPlace? road = index.PlacesAt(place).Where(found => junction.Arms.Any(arm => arm.Road == found.Road)).Cast<RoadPlace?>().FirstOrDefault();
+            RoadPlace? road = index.PlacesAt(place).Where(found => junction.Arms.Any(arm => arm.Road == found.Road)).Cast<RoadPlace?>()
+                .FirstOrDefault();
             return road is { } on ? place with { Z = place.Z - on.Height } : place;
         })];
         const double below = 0.01;

@@ -20,7 +20,8 @@ public sealed class RoadTruth
     /// <summary>Where a body is among the lanes.</summary>
     /// <param name="position">A point of it near the ground, metres, world.</param>
     /// <param name="forward">The direction it faces.</param>
-    /// <returns>The road it is on that runs best along its direction, or in a junction, on no lane, a road beside it; null on none.</returns>
+    /// <returns>The road it is on that runs best along its direction, or in a junction, on no lane, a road beside it; null on
+    /// none.</returns>
     public LanePosition? Locate(Vector3D position, Vector3D forward)
     {
         if (BestAlong(forward, _index.PlacesAt(position).Where(place => place.IsOnCarriageway(0))) is { } on)
@@ -30,7 +31,8 @@ public sealed class RoadTruth
 
         IEnumerable<RoadPlace> ends = _index.PlacesAt(position, JunctionMargin)
             .Where(place => place.Road.IsInTrim(place.Distance) && place.IsOnCarriageway(JunctionMargin));
-        return BestAlong(forward, ends) is { } beside ? Describe(beside, position, forward) with { Lane = null, RightOfLaneCentre = 0 } : null;
+        return BestAlong(forward, ends) is { } beside ? Describe(beside, position, forward) with { Lane = null, RightOfLaneCentre = 0 }
+            : null;
     }
 
     private static RoadPlace? BestAlong(Vector3D forward, IEnumerable<RoadPlace> places) => places
@@ -39,7 +41,9 @@ public sealed class RoadTruth
         .Cast<RoadPlace?>()
         .FirstOrDefault();
 
-    /// <summary>Angle between a direction and the traffic of one side of a road; more than any angle where that side has no lanes.</summary>
+    /// <summary>
+    /// Angle between a direction and the traffic of one side of a road; more than any angle where that side has no lanes.
+    /// </summary>
     private static double HeadingMisfit(RoadPlace place, Vector3D forward, bool along) =>
         place.Road.Layout.Lanes(along) > 0 ? Math.Abs(Horizontal.Turn(along ? place.Tangent : -place.Tangent, forward)) : 4;
 

@@ -164,7 +164,8 @@ internal sealed class Terrain
         int rows = _heights.GetLength(1);
         for (int i = Math.Max(0, (int)((place.X - reach - _west) / CellSize)); i < columns && (i * CellSize) + _west < place.X + reach; i++)
         {
-            for (int j = Math.Max(0, (int)((place.Y - reach - _south) / CellSize)); j < rows && (j * CellSize) + _south < place.Y + reach; j++)
+            for (int j = Math.Max(0, (int)((place.Y - reach - _south) / CellSize)); j < rows
+                && (j * CellSize) + _south < place.Y + reach; j++)
             {
                 if (Horizontal.SquaredDistance(Corner(i, j), place) < reach * reach)
                 {

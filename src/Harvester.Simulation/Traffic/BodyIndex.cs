@@ -54,7 +54,9 @@ internal sealed class BodyIndex<T>
         }
     }
 
-    /// <summary>Whether a condition holds for one of these bodies. Asked for every vehicle in every tick, so nothing is allocated for it.</summary>
+    /// <summary>
+    /// Whether a condition holds for one of these bodies. Asked for every vehicle in every tick, so nothing is allocated for it.
+    /// </summary>
     /// <param name="place">The place.</param>
     /// <param name="asked">What the condition is about.</param>
     /// <param name="condition">A condition on a body and what it is about.</param>

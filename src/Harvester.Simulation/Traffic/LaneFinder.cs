@@ -29,7 +29,8 @@ internal sealed class LaneFinder
 
     /// <summary>The places of a point on all ways that it lies abreast of, within <see cref="Reach"/>.</summary>
     public IEnumerable<LanePlace> Near(Vector3D point) => _samples.Near(point)
-        .Where(sample => Horizontal.SquaredDistance(sample.Path.Line.PositionAt(sample.Distance), point) < (Reach + SampleStep) * (Reach + SampleStep))
+        .Where(sample => Horizontal.SquaredDistance(sample.Path.Line.PositionAt(sample.Distance), point) < (Reach + SampleStep) * (
+            Reach + SampleStep))
         .GroupBy(sample => sample.Path)
         .Select(samples => LanePlace.Of(
             samples.Key,

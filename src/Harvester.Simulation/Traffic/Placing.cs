@@ -46,7 +46,8 @@ internal sealed class Placing
             .ThenBy(path => Horizontal.SquaredDistance(path.Line.PositionAt(path.Length / 2), near))
             .FirstOrDefault()
             ?? _paths.MaxBy(path => path.Length);
-        ego.PutOn(path ?? throw new ArgumentException("No lane is long enough to drive on; choose another place."), Math.Min(EndRoom, path.Length / 2));
+        ego.PutOn(path ?? throw new ArgumentException("No lane is long enough to drive on; choose another place."),
+            Math.Min(EndRoom, path.Length / 2));
     }
 
     /// <summary>Puts a vehicle at a random free place; it stays where it is when none is found.</summary>

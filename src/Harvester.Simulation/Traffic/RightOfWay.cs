@@ -22,7 +22,9 @@ internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupatio
     private readonly int[] _users = new int[lanes.Paths.Count];
     private readonly Dictionary<Junction, (Vehicle Vehicle, LanePath Way)> _waiting = [];
 
-    /// <summary>Metres from the vehicle's origin to the line where it has to stop; infinite when its way is free as far as it needs.</summary>
+    /// <summary>
+    /// Metres from the vehicle's origin to the line where it has to stop; infinite when its way is free as far as it needs.
+    /// </summary>
     public double DistanceToStop(Vehicle vehicle, double timeSeconds)
     {
         double distance = vehicle.Path.Length - vehicle.Distance;

@@ -27,7 +27,8 @@ internal static class BuildingStock
             for (int i = 0; i < OfEachStyle; i++)
             {
                 string name = string.Create(CultureInfo.InvariantCulture, $"building_{style}_{i}").ToLowerInvariant();
-                stock.Add(Model.Of(name, ObjectClass.Other, [BuildingModels.Create(style, Vary(width), Vary(depth), Vary(height), random.Next())]));
+                stock.Add(Model.Of(name, ObjectClass.Other,
+                    [BuildingModels.Create(style, Vary(width), Vary(depth), Vary(height), random.Next())]));
             }
 
             double Vary(double size) => size * (1 + (spread * ((2 * random.NextDouble()) - 1)));

@@ -166,7 +166,8 @@ internal sealed class Scenery
     private bool IsFree(Footprint footprint)
     {
         Footprint grown = footprint.Grown(BuildingGap / 2);
-        return !_buildings.Near(footprint.Centre).Any(other => grown.Overlaps(other with { Centre = other.Centre with { Z = grown.Centre.Z } }))
+        return !_buildings.Near(footprint.Centre)
+            .Any(other => grown.Overlaps(other with { Centre = other.Centre with { Z = grown.Centre.Z } }))
             && Border(footprint).All(place => !_index.IsAbreast(place, PavementAndShoulder));
     }
 
@@ -223,11 +224,13 @@ internal sealed class Scenery
     {
         const double crown = 2;
         Footprint footprint = new(place, new Vector3D(0, 1, 0), crown, crown);
-        bool isBuiltOver = _buildings.Near(place).Any(other => footprint.Overlaps(other with { Centre = other.Centre with { Z = place.Z } }));
+        bool isBuiltOver = _buildings.Near(place)
+            .Any(other => footprint.Overlaps(other with { Centre = other.Centre with { Z = place.Z } }));
         if (!isBuiltOver && !_index.IsAbreast(place, roadMargin))
         {
             Model model = _catalogue.Trees[_random.Next(_catalogue.Trees.Count)];
-            _props.Add(new Prop(0, model, _random.Next(), new Pose(place with { Z = height }, Axes.FromHeading(_random.NextDouble() * 360))));
+            _props.Add(new Prop(
+                0, model, _random.Next(), new Pose(place with { Z = height }, Axes.FromHeading(_random.NextDouble() * 360))));
         }
     }
 

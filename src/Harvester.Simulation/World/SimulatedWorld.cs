@@ -28,8 +28,10 @@ internal sealed class SimulatedWorld
 
     public SimulatedWorld(SimulationOptions options)
     {
-        Vector3D start = options.Near is { } near ? new Vector3D(near.X, near.Y, 0) : options.Roads is { } roads ? Middle(roads) : Vector3D.Zero;
-        Site site = options.Roads is null ? Sites.Town(options.Seed) : Sites.Roads(options.Seed, options.Roads, start, options.RadiusMetres);
+        Vector3D start = options.Near is { } near ? new Vector3D(near.X, near.Y, 0) : options.Roads is { } roads ? Middle(roads)
+            : Vector3D.Zero;
+        Site site = options.Roads is null ? Sites.Town(options.Seed)
+            : Sites.Roads(options.Seed, options.Roads, start, options.RadiusMetres);
         if (!site.Network.Nodes.Any(node => Horizontal.Distance(node.Position, start) < options.RadiusMetres))
         {
             throw new ArgumentException(FormattableString.Invariant($"No road lies within {options.RadiusMetres} m of {start.X}, {start.Y}; choose another place."));
@@ -47,7 +49,8 @@ internal sealed class SimulatedWorld
         _walkers = population.Walk(site.Walkways, options.PedestrianDensity);
         Car = new EgoCar(Ego, site.Lanes);
         _traffic = new TrafficFlow(
-            site.Lanes, site.Signals, _vehicles, Car, parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max)), placing);
+            site.Lanes, site.Signals, _vehicles, Car, parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max)),
+                placing);
         _walking = new WalkerFlow(_walkers, site.Walkways);
 
         Scenery scenery = new(options.Seed, site, catalogue, handles);
@@ -148,12 +151,14 @@ internal sealed class SimulatedWorld
     {
         double squared = range * range;
         IEnumerable<EntityState> vehicles = _vehicles.Skip(1).Where(vehicle => IsNear(vehicle.Pose)).Select(vehicle =>
-            new EntityState(vehicle.Handle, vehicle.Model.Class, vehicle.Model.Name, vehicle.Pose, vehicle.Model.Min, vehicle.Model.Max, vehicle.Velocity)
+            new EntityState(vehicle.Handle, vehicle.Model.Class, vehicle.Model.Name, vehicle.Pose, vehicle.Model.Min, vehicle.Model.Max,
+                vehicle.Velocity)
             {
                 HasRider = vehicle.Model.Class is ObjectClass.Motorcycle or ObjectClass.Bicycle ? true : null,
             });
         IEnumerable<EntityState> walkers = _walkers.Where(walker => IsNear(walker.Pose)).Select(walker =>
-            new EntityState(walker.Handle, walker.Model.Class, walker.Model.Name, walker.Pose, walker.Model.Min, walker.Model.Max, walker.Velocity));
+            new EntityState(walker.Handle, walker.Model.Class, walker.Model.Name, walker.Pose, walker.Model.Min, walker.Model.Max,
+                walker.Velocity));
         IEnumerable<EntityState> props = _entities.Where(prop => IsNear(prop.Pose)).Select(prop => prop.State);
         return [.. vehicles.Concat(walkers).Concat(props).Concat(_signalProps.States.Where(signal => IsNear(signal.Pose)))
             .Where(entity => entity.Handle != HiddenHandle)

@@ -11,7 +11,9 @@ using Harvester.Simulation.Traffic;
 
 namespace Harvester.Simulation.World;
 
-/// <summary>Roads, the land that they lie on, and the buildings to put beside them. It never changes, so worlds that are alike share it.</summary>
+/// <summary>
+/// Roads, the land that they lie on, and the buildings to put beside them. It never changes, so worlds that are alike share it.
+/// </summary>
 internal sealed class Site
 {
     private Site(int seed, RoadNetwork network, RoadPlan plan)
@@ -29,7 +31,8 @@ internal sealed class Site
         Terrain.Build(ground);
         Asphalt asphalt = new(Index);
         new RoadSurfaces(plan, Index, Terrain, asphalt, ground).Build();
-        List<PaintRun> paint = [.. plan.Roads.Where(road => !road.IsInner && !road.IsUnpaved).SelectMany(road => PaintRun.Of(road, asphalt))];
+        List<PaintRun> paint =
+            [.. plan.Roads.Where(road => !road.IsInner && !road.IsUnpaved).SelectMany(road => PaintRun.Of(road, asphalt))];
         new RoadPainter(plan, paint, Index, asphalt, ground).Paint();
         Paint = [.. paint.Select(run => run.Line())];
         Ground = [.. ground.Instances()];

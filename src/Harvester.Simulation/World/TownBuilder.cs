@@ -118,7 +118,8 @@ public sealed class TownBuilder
         Vector3D start = Level(from);
         Vector3D way = Level(to) - start;
         Vector3D aside = Horizontal.RightOf(way) * bend;
-        Vector3D[] corners = bends ? [start + (way * 0.25), start + (way * 0.42) + aside, start + (way * 0.58) + aside, start + (way * 0.75)] : [];
+        Vector3D[] corners = bends
+            ? [start + (way * 0.25), start + (way * 0.42) + aside, start + (way * 0.58) + aside, start + (way * 0.75)] : [];
         AddRoad(from, to, corners, bendRadius, lanes, RoadNodeFlags.None);
     }
 
@@ -140,7 +141,8 @@ public sealed class TownBuilder
         AddRoad(grid[Middle, 0], south, [], MotorwayRadius, avenue, RoadNodeFlags.None);
         AddRoad(grid[last, Middle], east, [], MotorwayRadius, avenue, RoadNodeFlags.None);
         AddRoad(grid[0, Middle], west, [], MotorwayRadius, avenue, RoadNodeFlags.None);
-        Vector3D[] winding = [new(-d - 140, 20, 0), new(-d - 190, -130, 0), new(-d - 60, -220, 0), new(-d - 170, -350, 0), new(-d - 40, -d - 120, 0), new(-160, -d - 70, 0), new(-90, -d - 180, 0), new(20, -d - 130, 0)];
+        Vector3D[] winding = [new(-d - 140, 20, 0), new(-d - 190, -130, 0), new(-d - 60, -220, 0), new(-d - 170, -350, 0),
+            new(-d - 40, -d - 120, 0), new(-160, -d - 70, 0), new(-90, -d - 180, 0), new(20, -d - 130, 0)];
         const double bendRadius = 50;
         AddRoad(west, south, winding, bendRadius, new RoadLanes(1, 1), RoadNodeFlags.None);
     }

@@ -13,7 +13,9 @@ internal sealed class DepthGrid
     /// <summary>Cells between two of the rays that are cast anyway.</summary>
     private const int Stride = 4;
 
-    /// <summary>One row in so many is cast whole, so that a post thinner than the stride is met. The rows after it look where it was.</summary>
+    /// <summary>
+    /// One row in so many is cast whole, so that a post thinner than the stride is met. The rows after it look where it was.
+    /// </summary>
     private const int WholeEvery = 8 * Stride;
 
     /// <summary>Two rays that differ less in depth meet the same surface, metres.</summary>

@@ -40,7 +40,8 @@ public sealed class FaceSurvey : IDisposable
     /// <param name="budgetMilliseconds">Time that rays may take of a tick.</param>
     /// <param name="camera">Takes photographs; null for none.</param>
     public FaceSurvey(
-        ISurveyStage stage, IEnumerable<SurveyedModel> models, SurveyFolder folder, IClock clock, double budgetMilliseconds, ISurveyCamera? camera = null)
+        ISurveyStage stage, IEnumerable<SurveyedModel> models, SurveyFolder folder, IClock clock, double budgetMilliseconds,
+            ISurveyCamera? camera = null)
     {
         _stage = stage ?? throw new ArgumentNullException(nameof(stage));
         _folder = folder ?? throw new ArgumentNullException(nameof(folder));
@@ -179,7 +180,8 @@ public sealed class FaceSurvey : IDisposable
         ModelFace[] rows = [.. found.Select((face, number) => RowOf(shown, face, number, isGuess))];
         IReadOnlyList<ModelFace> own = _folder.Table.Of(model.Name);
         _folder.Finish(
-            model.Name, rows.Length == 0 ? "noFace" : "measured", rows.Length == 0 ? [] : KeptFaces.BesideFound(rows, own.Count > 0 ? own : model.Known));
+            model.Name, rows.Length == 0 ? "noFace" : "measured", rows.Length == 0 ? []
+                : KeptFaces.BesideFound(rows, own.Count > 0 ? own : model.Known));
         yield return true;
     }
 
@@ -214,7 +216,8 @@ public sealed class FaceSurvey : IDisposable
         new Vector3D(face.Max.X, face.Min.Y, face.Min.Z),
         face.Facing,
         face.IsWholeModel || isGuess ? Provenance.Derived : Provenance.Measured,
-        isGuess ? "a light without bones of its heads: its widest part" : face.IsWholeModel ? "rays found no post: the whole model" : "rays in the game");
+        isGuess ? "a light without bones of its heads: its widest part" : face.IsWholeModel ? "rays found no post: the whole model"
+            : "rays in the game");
 
     private void TakeAway()
     {

@@ -7,5 +7,6 @@ namespace Harvester.Surveys.Faces;
 /// <param name="Min">Rear, left, lower corner in the model's frame, metres.</param>
 /// <param name="Max">Front, right, upper corner, metres.</param>
 /// <param name="Facing">The side towards which it looks.</param>
-/// <param name="IsWholeModel">Whether nothing narrower, as a post, was found beside it: rays may then meet a mere box around the model.</param>
+/// <param name="IsWholeModel">Whether nothing narrower, as a post, was found beside it: rays may then meet a mere box around the
+/// model.</param>
 internal sealed record MeasuredFace(Vector3D Min, Vector3D Max, Facing Facing, bool IsWholeModel);

@@ -7,7 +7,10 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Surveys.Faces;
 
-/// <summary>Photographs a model from the side towards which its first face looks, and from the other. A picture that is refused again and again is left out.</summary>
+/// <summary>
+/// Photographs a model from the side towards which its first face looks, and from the other. A picture that is refused again and again is
+/// left out.
+/// </summary>
 internal sealed class ModelPhotographer(ISurveyCamera camera, SurveyFolder folder)
 {
     private const double VerticalFovDegrees = 50;
@@ -78,7 +81,8 @@ internal sealed class ModelPhotographer(ISurveyCamera camera, SurveyFolder folde
         double halfWidth = Math.Abs(half.X * right.X) + Math.Abs(half.Y * right.Y);
         double halfDepth = Math.Abs(half.X * forward.X) + Math.Abs(half.Y * forward.Y);
         double distance = Surroundings * Math.Max(halfWidth, half.Z) / Math.Tan(Angles.ToRadians(VerticalFovDegrees) / 2);
-        return new Pose(((min + max) * 0.5) + (outward * (Math.Max(distance, MinDistance) + halfDepth)), Axes.FromVectors(right, forward, up));
+        return new Pose(((min + max) * 0.5) + (outward * (Math.Max(distance, MinDistance) + halfDepth)),
+            Axes.FromVectors(right, forward, up));
     }
 
     private static Vector3D Outward(Facing facing) => facing switch

@@ -43,7 +43,8 @@ internal sealed class PlateFinder(StageProbe probe, DepthGrid grid, SignPost pos
         {
             bool isUpright = i < 2;
             var edge = new EdgeSearch(
-                isUpright ? (across, along) => IsPlate(across, along) : (across, along) => IsPlate(along, across), grid.Step, i % 2 == 0 ? -1 : 1);
+                isUpright ? (across, along) =>
+                    IsPlate(across, along) : (across, along) => IsPlate(along, across), grid.Step, i % 2 == 0 ? -1 : 1);
             foreach (bool rays in edge.Run(known.Select(cell => isUpright
                 ? (grid.XOf(cell.Column + 0.5), grid.ZOf(cell.Row + 0.5))
                 : (grid.ZOf(cell.Row + 0.5), grid.XOf(cell.Column + 0.5)))))

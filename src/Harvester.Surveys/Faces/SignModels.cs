@@ -6,7 +6,9 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Surveys.Faces;
 
-/// <summary>The models of signs and lights of the game that a survey measures: those of a table, and those whose signs nobody has named yet.</summary>
+/// <summary>
+/// The models of signs and lights of the game that a survey measures: those of a table, and those whose signs nobody has named yet.
+/// </summary>
 public static class SignModels
 {
     private const string UnnamedModels =
@@ -36,7 +38,9 @@ public static class SignModels
     /// <summary>The name of a model whose sign nobody has named yet, by its hash; null for any other.</summary>
     public static string? UnnamedBy(int hash) => Unnamed.TryGetValue(hash, out string? name) ? name : null;
 
-    /// <summary>The models to measure: those of a table with what it knows of their signs, then the unnamed ones and further ones that it lacks.</summary>
+    /// <summary>
+    /// The models to measure: those of a table with what it knows of their signs, then the unnamed ones and further ones that it lacks.
+    /// </summary>
     /// <param name="table">What is known. Models of which it has only a hash are left out: the survey asks for models by name.</param>
     /// <param name="further">Names of further models, separated by commas or blanks.</param>
     /// <exception cref="ArgumentNullException">Something is not given.</exception>
@@ -56,7 +60,9 @@ public static class SignModels
             .Where(face => face.Model.Length > 0)
             .GroupBy(face => face.Model)
             .Select(faces => (First: faces.First(), All: faces.ToArray()))
-            .Select(faces => new SurveyedModel(faces.First.Model, faces.First.Class, faces.First.Name, faces.First.MutcdCode) { Known = faces.All });
+            .Select(faces => new SurveyedModel(
+                faces.First.Model, faces.First.Class, faces.First.Name, faces.First.MutcdCode)
+            { Known = faces.All });
         IEnumerable<SurveyedModel> unnamed = Split(UnnamedModels).Concat(Split(further.ToLowerInvariant()))
             .Distinct()
             .Where(model => table.Of(model).Count == 0)

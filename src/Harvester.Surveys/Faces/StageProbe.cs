@@ -22,12 +22,15 @@ internal sealed class StageProbe(IRayCaster rays, StagedModel model)
             ? model.Max.Y + Clearance - distance
             : null;
 
-    /// <summary>How far a ray that begins at a point of the model's frame and runs to its right gets before it meets the model; null when it passes.</summary>
+    /// <summary>
+    /// How far a ray that begins at a point of the model's frame and runs to its right gets before it meets the model; null when it passes.
+    /// </summary>
     public double? ToRight(Vector3D from) => Cast(from, new Vector3D(1, 0, 0), Clearance);
 
     private double? Cast(Vector3D from, Vector3D direction, double reach)
     {
         var ray = new Ray(model.Pose.ToWorld(from), model.Pose.Axes.ToWorld(direction));
-        return rays.Cast(ray, Math.Max(reach, 0) + (2 * Clearance), RayHit.World) is { } hit && hit.Entity == model.Handle ? hit.Distance : null;
+        return rays.Cast(ray, Math.Max(reach, 0) + (2 * Clearance), RayHit.World) is { } hit && hit.Entity == model.Handle ? hit.Distance
+            : null;
     }
 }

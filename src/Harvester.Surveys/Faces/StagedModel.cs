@@ -8,5 +8,6 @@ namespace Harvester.Surveys.Faces;
 /// <param name="Pose">Position of the model's origin (metres, world) and orientation.</param>
 /// <param name="Min">Rear, left, lower corner of the model's box in its own frame, metres.</param>
 /// <param name="Max">Front, right, upper corner, metres.</param>
-/// <param name="Heads">Where the bones traffic_light_0, traffic_light_1 and so on are, in the model's frame, metres; none for a sign.</param>
+/// <param name="Heads">Where the bones traffic_light_0, traffic_light_1 and so on are, in the model's frame, metres; none for a
+/// sign.</param>
 public sealed record StagedModel(int Handle, Pose Pose, Vector3D Min, Vector3D Max, IReadOnlyList<Vector3D> Heads);

@@ -26,7 +26,9 @@ public sealed record SurveyPhoto(string File, string Model, Pose Camera, double 
     private const int Decimals = 6;
     private const int Fields = 9;
 
-    /// <summary>The photographs that a folder tells of; lines that are none are passed over, for all that is lost with them is a drawing.</summary>
+    /// <summary>
+    /// The photographs that a folder tells of; lines that are none are passed over, for all that is lost with them is a drawing.
+    /// </summary>
     /// <param name="folder">The folder of the measured rows.</param>
     /// <exception cref="IOException">The file cannot be read.</exception>
     public static IReadOnlyList<SurveyPhoto> ReadAll(string folder)
@@ -64,7 +66,8 @@ public sealed record SurveyPhoto(string File, string Model, Pose Camera, double 
         {
             EulerAngles angles = photo.Camera.Axes.ToEuler();
             Vector3D place = photo.Camera.Position;
-            double[] numbers = [place.X, place.Y, place.Z, angles.PitchDegrees, angles.RollDegrees, angles.YawDegrees, photo.VerticalFovDegrees];
+            double[] numbers = [place.X, place.Y, place.Z, angles.PitchDegrees, angles.RollDegrees, angles.YawDegrees,
+                photo.VerticalFovDegrees];
             text.Write($"{photo.File},{photo.Model},{string.Join(",", numbers.Select(number => InvariantNumber.Format(number, Decimals)))}\n");
         }
     }
@@ -86,7 +89,8 @@ public sealed record SurveyPhoto(string File, string Model, Pose Camera, double 
             : new SurveyPhoto(
                 fields[0],
                 fields[1],
-                new Pose(new Vector3D(numbers[0], numbers[1], numbers[2]), Axes.FromEuler(new EulerAngles(numbers[3], numbers[4], numbers[5]))),
+                new Pose(new Vector3D(numbers[0], numbers[1], numbers[2]),
+                    Axes.FromEuler(new EulerAngles(numbers[3], numbers[4], numbers[5]))),
                 numbers[6]);
     }
 }

@@ -23,7 +23,8 @@ public sealed class UnknownModels(Func<FaceTable> table)
     /// <summary>Looks at the entities of a moment.</summary>
     public void Look(IEnumerable<EntityState> entities)
     {
-        foreach (EntityState entity in entities.Where(entity => entity.Class is ObjectClass.Sign or ObjectClass.TrafficLight or ObjectClass.Other))
+        foreach (EntityState entity in entities.Where(
+            entity => entity.Class is ObjectClass.Sign or ObjectClass.TrafficLight or ObjectClass.Other))
         {
             if (!_met.ContainsKey(entity.Model) && IsUnknown(entity.Model))
             {
@@ -45,7 +46,8 @@ public sealed class UnknownModels(Func<FaceTable> table)
         {
             (ObjectClass kind, Vector3D place) = met.Value;
             text.Write(FormattableString.Invariant($"{met.Key},{HashOf(met.Key)},{JsonName.Of(kind)},"));
-            text.Write(string.Join(",", new[] { place.X, place.Y, place.Z }.Select(value => InvariantNumber.Format(value, LabelDecimals.Metres))) + "\n");
+            text.Write(string.Join(",",
+                new[] { place.X, place.Y, place.Z }.Select(value => InvariantNumber.Format(value, LabelDecimals.Metres))) + "\n");
         }
     }
 

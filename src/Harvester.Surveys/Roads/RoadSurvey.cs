@@ -91,7 +91,8 @@ public sealed class RoadSurvey
             }
         }
 
-        return new RoadSurveyStatus(_network.NodeCount, _network.LinkCount, _network.EdgeCount, _waiting.Count + _unmeasured.Count, isLoaded);
+        return new RoadSurveyStatus(
+            _network.NodeCount, _network.LinkCount, _network.EdgeCount, _waiting.Count + _unmeasured.Count, isLoaded);
     }
 
     /// <summary>What was found so far, together with what the earlier survey had found.</summary>
@@ -203,7 +204,8 @@ public sealed class RoadSurvey
     }
 
     private static bool IsSound(SurveyedRoad road) =>
-        road.First.IsFinite && road.Second.IsFinite && road.LanesToFirst is >= 0 and <= MaxLanes && road.LanesToSecond is >= 0 and <= MaxLanes;
+        road.First.IsFinite && road.Second.IsFinite && road.LanesToFirst is >= 0 and <= MaxLanes
+            && road.LanesToSecond is >= 0 and <= MaxLanes;
 
     /// <summary>The node at an end of a link. Its own links wait until the car is near, when the game lists it.</summary>
     private int End(Vector3D end, int node, Vector3D stored)

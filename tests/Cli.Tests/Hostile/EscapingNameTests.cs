@@ -159,7 +159,8 @@ public sealed class EscapingNameTests(SmallSession session) : IClassFixture<Smal
     private static void AssertNothingHolds(string folder, string text)
     {
         string[] files = Directory.Exists(folder) ? Directory.GetFiles(folder, "*", SearchOption.AllDirectories) : [];
-        Assert.All(files, file => Assert.DoesNotContain(text, System.Text.Encoding.Latin1.GetString(File.ReadAllBytes(file)), StringComparison.Ordinal));
+        Assert.All(files, file =>
+            Assert.DoesNotContain(text, System.Text.Encoding.Latin1.GetString(File.ReadAllBytes(file)), StringComparison.Ordinal));
     }
 
     private static void EditJournal(string shard, string old, string with)
@@ -175,7 +176,8 @@ public sealed class EscapingNameTests(SmallSession session) : IClassFixture<Smal
         string[] folders = [_hostile.PathOf("shards/1"), _hostile.PathOf("shards/2")];
         for (int i = 0; i < folders.Length; i++)
         {
-            Assert.Equal(ExitCode.Done, CliRun.Of("export", _hostile.Folder, "--format", format, "--shard", $"{i + 1}/2", "--out", folders[i]).ExitCode);
+            Assert.Equal(ExitCode.Done,
+                CliRun.Of("export", _hostile.Folder, "--format", format, "--shard", $"{i + 1}/2", "--out", folders[i]).ExitCode);
         }
 
         return folders;
@@ -193,7 +195,8 @@ public sealed class EscapingNameTests(SmallSession session) : IClassFixture<Smal
     private void AssertRefusedAndNotCopied(string command, string secret)
     {
         string output = _hostile.PathOf("out");
-        HostileSession.AssertRefused("points out of", [.. command.Split(' ').Select(word => word.Replace("OUT", output, StringComparison.Ordinal).Replace("SESSION", _hostile.Folder, StringComparison.Ordinal))]);
+        HostileSession.AssertRefused("points out of", [.. command.Split(' ').Select(
+            word => word.Replace("OUT", output, StringComparison.Ordinal).Replace("SESSION", _hostile.Folder, StringComparison.Ordinal))]);
 
         Assert.False(File.Exists(output + ".png") || File.Exists(output + ".html"));
         byte[] content = File.ReadAllBytes(secret);

@@ -37,7 +37,8 @@ public sealed class FuzzCorpus : IDisposable
             {"camera": {"position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 50, "width": 80, "height": 60},
              "cuboids": [{"name": "a", "centre": [0, 10, 0], "halfExtents": [1, 2, 1], "rotation": [0, 0, 30]}]}
             """);
-        _folder.File("GtaDataHarvester.log", "2026-01-01 10:00:00 GtaDataHarvester 1.0.0, API v3.6.0, game 1.0.3095.0\n2026-01-01 10:00:01 Harvest started.\n");
+        _folder.File("GtaDataHarvester.log", "2026-01-01 10:00:00 GtaDataHarvester 1.0.0, API v3.6.0, game 1.0.3095.0\n2026-01-01 10:00:01 "
+            + "Harvest started.\n");
         foreach (string file in Directory.EnumerateFiles(_folder.Path, "*", SearchOption.AllDirectories))
         {
             _files.Add(Path.GetRelativePath(_folder.Path, file), File.ReadAllBytes(file));
@@ -69,7 +70,8 @@ public sealed class FuzzCorpus : IDisposable
 
     private void Restore()
     {
-        foreach (string file in Directory.EnumerateFiles(_folder.Path, "*", SearchOption.AllDirectories).Where(file => !_files.ContainsKey(Path.GetRelativePath(_folder.Path, file))).ToArray())
+        foreach (string file in Directory.EnumerateFiles(_folder.Path, "*", SearchOption.AllDirectories)
+            .Where(file => !_files.ContainsKey(Path.GetRelativePath(_folder.Path, file))).ToArray())
         {
             File.Delete(file);
         }

@@ -6,7 +6,8 @@ namespace Harvester.Cli.Tests.Hostile;
 
 /// <summary>
 /// Every kind of input file, damaged at random: a command reads it or refuses it with a documented code and one line, and never in another
-/// way. HARVESTER_FUZZ_CASES sets the cases of a kind, HARVESTER_FUZZ_SEED the seed. What fails is kept in Hostile/Inputs, so that it is tried ever after.
+/// way. HARVESTER_FUZZ_CASES sets the cases of a kind, HARVESTER_FUZZ_SEED the seed. What fails is kept in Hostile/Inputs, so that it is
+/// tried ever after.
 /// </summary>
 public sealed class FuzzTests(FuzzCorpus corpus, ITestOutputHelper output) : IClassFixture<FuzzCorpus>
 {
@@ -56,7 +57,9 @@ public sealed class FuzzTests(FuzzCorpus corpus, ITestOutputHelper output) : ICl
 
         output.WriteLine($"{refused} refused");
         string kept = Keep(name, faults);
-        Assert.True(faults.Count == 0, $"{string.Join('\n', faults.Keys)}\nThe inputs are kept in {kept}; move them to tests/Cli.Tests/Hostile/Inputs/{name}.");
+        Assert.True(
+            faults.Count == 0,
+            $"{string.Join('\n', faults.Keys)}\nThe inputs are kept in {kept}; move them to tests/Cli.Tests/Hostile/Inputs/{name}.");
 
         // Mutations that do no harm would prove nothing.
         Assert.True(refused > 0 || kind.IsReadWhatever);
@@ -74,14 +77,19 @@ public sealed class FuzzTests(FuzzCorpus corpus, ITestOutputHelper output) : ICl
 
     private static FuzzKind KindOf(string name) => FuzzKind.All.Single(kind => kind.Name == name);
 
-    /// <summary>What of a run is against its promise; null for nothing. A file that is not good can be fault of the data, of the file system or of what the command line names.</summary>
+    /// <summary>
+    /// What of a run is against its promise; null for nothing. A file that is not good can be fault of the data, of the file system or of
+    /// what the command line names.
+    /// </summary>
     private static string? FaultOf(CliRun run) =>
-        run.ExitCode is not (ExitCode.Done or ExitCode.BadData or ExitCode.Usage or ExitCode.InputOutput) ? $"exit code {run.ExitCode}: {run.Error}{Details(run.Error)}"
+        run.ExitCode is not (ExitCode.Done or ExitCode.BadData or ExitCode.Usage or ExitCode.InputOutput)
+            ? $"exit code {run.ExitCode}: {run.Error}{Details(run.Error)}"
         : run.ExitCode != ExitCode.Done && run.Error.Length + run.Out.Length == 0 ? "nothing is said"
         : run.ExitCode == ExitCode.Done || run.Error.Count(character => character == '\n') <= 1 ? null
         : $"more than one line: {run.Error}";
 
-    private static string Details(string error) => error.Split('\'') is [_, var file, ..] && File.Exists(file) ? File.ReadAllText(file) : "";
+    private static string Details(string error) =>
+        error.Split('\'') is [_, var file, ..] && File.Exists(file) ? File.ReadAllText(file) : "";
 
     private static string Keep(string name, SortedDictionary<string, byte[]> faults)
     {
@@ -96,5 +104,6 @@ public sealed class FuzzTests(FuzzCorpus corpus, ITestOutputHelper output) : ICl
     }
 
     private static int Setting(string name, int usual) =>
-        int.TryParse(Environment.GetEnvironmentVariable(name), NumberStyles.None, CultureInfo.InvariantCulture, out int value) ? value : usual;
+        int.TryParse(Environment.GetEnvironmentVariable(name), NumberStyles.None, CultureInfo.InvariantCulture, out int value) ? value
+            : usual;
 }

@@ -9,8 +9,10 @@ internal static class Mutation
     [
         .. new[]
         {
-            "1e300", "-1e300", "1e999", "-1", "0", "0.5", "65536", "2147483647", "2147483648", "-2147483648", "4294967296", "9223372036854775808", "NaN", "null",
-            "true", "\"\"", "[]", "{}", "[[]]", "\"\\ud800\"", "\\udfff", "\\u0000", "\"", "'", ",", ":", "\n", "\r", "../", "/", "\\", "=", "-", "\uFEFF", "\u202E", "é", "end",
+            "1e300", "-1e300", "1e999", "-1", "0", "0.5", "65536", "2147483647", "2147483648", "-2147483648", "4294967296",
+            "9223372036854775808", "NaN", "null",
+            "true", "\"\"", "[]", "{}", "[[]]", "\"\\ud800\"", "\\udfff", "\\u0000", "\"", "'", ",", ":", "\n", "\r", "../", "/", "\\",
+            "=", "-", "\uFEFF", "\u202E", "é", "end",
         }.Select(Encoding.UTF8.GetBytes),
         [0x00], [0xFF], [0x80], [0xFF, 0xFF, 0xFF, 0xF4], [0x7F, 0xFF, 0xFF, 0xFF], [0x80, 0x00, 0x00, 0x00], [0xED, 0xA0, 0x80],
     ];
@@ -73,5 +75,6 @@ internal static class Mutation
         bytes.InsertRange(start, token);
     }
 
-    private static bool IsOfWord(byte value) => char.IsAsciiLetterOrDigit((char)value) || value is (byte)'.' or (byte)'-' or (byte)'+' or (byte)'_';
+    private static bool IsOfWord(byte value) =>
+        char.IsAsciiLetterOrDigit((char)value) || value is (byte)'.' or (byte)'-' or (byte)'+' or (byte)'_';
 }

@@ -73,5 +73,6 @@ public sealed class OutputOverInputTests(SmallSession session) : IClassFixture<S
 
     [Fact]
     public void Still_may_lie_in_the_folder_of_the_session() =>
-        Assert.Equal(ExitCode.Done, HostileSession.Run("report", _hostile.Folder, "--still", "0", "--out", _hostile.In("still.png")).ExitCode);
+        Assert.Equal(ExitCode.Done,
+            HostileSession.Run("report", _hostile.Folder, "--still", "0", "--out", _hostile.In("still.png")).ExitCode);
 }

@@ -31,7 +31,8 @@ public sealed class PipeTests(SmallSession session) : IClassFixture<SmallSession
     {
         _hostile.ReplaceByPipe(name);
 
-        HostileSession.AssertRefused("pipe", [command, _hostile.Folder, .. options.Select(word => word.Replace("OUT", _hostile.PathOf("out"), StringComparison.Ordinal))]);
+        HostileSession.AssertRefused("pipe",
+            [command, _hostile.Folder, .. options.Select(word => word.Replace("OUT", _hostile.PathOf("out"), StringComparison.Ordinal))]);
     }
 
     [PosixTheory]

@@ -178,7 +178,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Session.Lines[1]["image"] = "../secret.png";
 
         Assert.Contains(
-            "is outside the session",
+            "points out of the session",
             Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", Session.Open())).Message, StringComparison.Ordinal);
     }
 

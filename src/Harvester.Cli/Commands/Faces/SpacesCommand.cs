@@ -60,7 +60,8 @@ internal static class SpacesCommand
         var command = new Command("list", "List the faces of a table: model, number, name, size and provenance.") { file };
         command.SetAction(parsed =>
         {
-            Table rows = new Table().Border(TableBorder.None).AddColumns("model", "face", "name", "mutcd", "size, m", "facing", "provenance");
+            Table rows = new Table().Border(TableBorder.None)
+                .AddColumns("model", "face", "name", "mutcd", "size, m", "facing", "provenance");
             FaceTableContent content = FaceFile.Read(parsed.GetRequiredValue(file));
             foreach (ModelFace face in content.Table.Faces)
             {

@@ -35,7 +35,8 @@ internal static class MasksImportCommand
             string session = parsed.GetRequiredValue(folder);
             using FolderLock held = FolderLock.Take(session);
             MaskNumbers numbers = parsed.GetValue(match) ? MaskNumbers.Overlap : MaskNumbers.Ids;
-            MaskImport done = MaskImporter.Import(RecordedSessions.Open(terminal, session), parsed.GetRequiredValue(maps), numbers, cancellation);
+            MaskImport done = MaskImporter.Import(
+                RecordedSessions.Open(terminal, session), parsed.GetRequiredValue(maps), numbers, cancellation);
             string report = Path.Combine(session, ReportWriter.FileName);
             if (File.Exists(report))
             {

@@ -32,7 +32,8 @@ internal static class RoadsMapCommand
         Option<int> size = ValueParsers.Integer("--size", "PIXELS", "Length of the longer side, pixels", 16, MaxSize);
         size.DefaultValueFactory = _ => DefaultSize;
         Option<Box2D?> area = ValueParsers.Optional<Box2D>(
-            "--area", "XMIN,YMIN,XMAX,YMAX", "Part of the world to draw, metres [default: all]", ParseArea, "the west, south, east and north edges, e.g. -500,-1500,1000,0");
+            "--area", "XMIN,YMIN,XMAX,YMAX", "Part of the world to draw, metres [default: all]",
+                ParseArea, "the west, south, east and north edges, e.g. -500,-1500,1000,0");
         var command = new Command("map", $"Draw road data as a map: {Legend}.") { from, lanesIn, output, size, area };
         command.SetAction(parsed =>
         {
@@ -75,7 +76,8 @@ internal static class RoadsMapCommand
     }
 
     /// <summary>A length of any order with its first three digits, those before the point apart.</summary>
-    private static double ThreeDigits(double metres) => Math.Round(metres, Math.Clamp(2 - (int)Math.Floor(Math.Log10(metres)), 0, MaxDecimals));
+    private static double ThreeDigits(double metres) =>
+        Math.Round(metres, Math.Clamp(2 - (int)Math.Floor(Math.Log10(metres)), 0, MaxDecimals));
 
     private static Box2D? ParseArea(string text) =>
         ValueParsers.Numbers(text, 4) is { } n && n[0] < n[2] && n[1] < n[3] ? new Box2D(n[0], n[1], n[2], n[3]) : null;

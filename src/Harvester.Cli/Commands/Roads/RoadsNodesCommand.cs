@@ -19,11 +19,13 @@ internal static class RoadsNodesCommand
         Option<string> output = RoadSourceArgument.Output("CSV file to write");
         Option<double> laneWidth = LaneOptions.LaneWidth();
         Option<double> narrow = LaneOptions.NarrowLaneWidth();
-        var command = new Command("nodes", "Write the node database: the position of the road at every node, for each direction.") { from, lanesIn, output, laneWidth, narrow };
+        var command = new Command("nodes", "Write the node database: the position of the road at every node, for each direction.") { from,
+            lanesIn, output, laneWidth, narrow };
         command.SetAction(parsed =>
         {
             RoadNetwork network = RoadSourceArgument.Import(parsed, from, lanesIn, terminal).Network;
-            var database = new NodeDatabase(new RoadCurves(network), new LaneModel(network, parsed.GetValue(laneWidth), parsed.GetValue(narrow)));
+            var database = new NodeDatabase(
+                new RoadCurves(network), new LaneModel(network, parsed.GetValue(laneWidth), parsed.GetValue(narrow)));
             string file = parsed.GetRequiredValue(output);
             int count = 0;
             AtomicFile.Write(file, stream =>

@@ -9,7 +9,10 @@ using Harvester.Datasets.Json;
 
 namespace Harvester.Datasets.Exports.Assembly;
 
-/// <summary>Makes a finished dataset of the journals of all its shards: writes the aggregate files and export.json, and takes the working folder away.</summary>
+/// <summary>
+/// Makes a finished dataset of the journals of all its shards: writes the aggregate files and export.json, and takes the working folder
+/// away.
+/// </summary>
 internal static class DatasetAssembly
 {
     public static ExportResult Finish(DatasetFolder folder, IReadOnlyList<string> journals)
@@ -50,7 +53,14 @@ internal static class DatasetAssembly
             folder.Write(file.Path, stream => Write(stream, file, parts, folder));
         }
 
-        var result = new ExportResult(format, splits.Values.Sum(), IsFinished: true) { FramesLeftOut = leftOut, Labels = labels, Objects = objects, Ignored = ignored, FramesOfSplits = splits };
+        var result = new ExportResult(format, splits.Values.Sum(), IsFinished: true)
+        {
+            FramesLeftOut = leftOut,
+            Labels = labels,
+            Objects = objects,
+            Ignored = ignored,
+            FramesOfSplits = splits
+        };
         folder.Write(DatasetFolder.Manifest, stream => stream.Write(Encoding.UTF8.GetBytes(ManifestText(plan, result))));
         folder.Finish();
         return result;

@@ -25,7 +25,11 @@ public sealed class DatasetExporter
     public DatasetExporter(ExportPlan plan, string folder, Shard shard)
     {
         _asked = plan.Format.KeepsSessions
-            ? plan with { Options = plan.Options with { Splits = new SplitPlan(plan.Options.Splits.Splits, plan.Options.Splits.Seed, int.MaxValue) } }
+            ? plan with
+            {
+                Options =
+                plan.Options with { Splits = new SplitPlan(plan.Options.Splits.Splits, plan.Options.Splits.Seed, int.MaxValue) }
+            }
             : plan;
         _folder = new DatasetFolder(folder);
         _shard = shard;

@@ -12,7 +12,8 @@ public static class DatasetMerger
 {
     /// <summary>Merges.</summary>
     /// <param name="shards">Folders that hold shards; several shards may share one.</param>
-    /// <param name="folder">Where the dataset goes: one of the shards' folders, or a new or empty one; a merge that was stopped can be run again.</param>
+    /// <param name="folder">Where the dataset goes: one of the shards' folders, or a new or empty one; a merge that was stopped can be run
+    /// again.</param>
     /// <param name="transfer">How files get from the shards into the dataset.</param>
     /// <exception cref="DatasetFormatException">A shard is missing, unfinished, twice there, or of another export.</exception>
     /// <exception cref="OccupiedFolderException">The folder holds something else.</exception>
@@ -39,7 +40,8 @@ public static class DatasetMerger
         target.Begin(plan);
         foreach (DatasetFolder source in sources.Where(source => !IsSame(source, target)))
         {
-            IEnumerable<string> files = Journal.ShardsIn(source).SelectMany(shard => Journal.Read(Journal.PathOf(source, shard))).SelectMany(entry => entry.Files);
+            IEnumerable<string> files = Journal.ShardsIn(source).SelectMany(shard => Journal.Read(Journal.PathOf(source, shard)))
+                .SelectMany(entry => entry.Files);
             foreach (string file in files)
             {
                 target.Transfer(file, source.PathOf(file), transfer);
@@ -49,7 +51,9 @@ public static class DatasetMerger
         return DatasetAssembly.Finish(target, journals);
     }
 
-    /// <summary>Whether a finished dataset is of the plan of its shards; of one that was made in a shard's folder, that shard's plan is gone.</summary>
+    /// <summary>
+    /// Whether a finished dataset is of the plan of its shards; of one that was made in a shard's folder, that shard's plan is gone.
+    /// </summary>
     private static bool IsMergeOf(IEnumerable<DatasetFolder> sources, DatasetFolder target)
     {
         string plan = DatasetAssembly.PlanOf(target);

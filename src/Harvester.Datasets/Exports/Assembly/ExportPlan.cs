@@ -22,7 +22,10 @@ namespace Harvester.Datasets.Exports.Assembly;
 /// <param name="Options">The options.</param>
 public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReader> Sessions, ExportOptions Options)
 {
-    /// <summary>The plan as a text that is the same for the same export on any machine: sessions of one name differ by the digest of their session.json.</summary>
+    /// <summary>
+    /// The plan as a text that is the same for the same export on any machine: sessions of one name differ by the digest of their
+    /// session.json.
+    /// </summary>
     internal string Identity => JsonLine.Of(json =>
     {
         json.WriteStartObject();
@@ -103,7 +106,8 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
         return (format, new ExportOptions
         {
             Splits = plan.Checked(() => new SplitPlan(
-                [.. splits.Names.Select(split => new DatasetSplit(split, splits.Number(split)))], plan.Integer("splitSeed"), plan.Integer("splitBlockFrames"))),
+                [.. splits.Names.Select(split => new DatasetSplit(split, splits.Number(split)))], plan.Integer("splitSeed"),
+                    plan.Integer("splitBlockFrames"))),
             Classes = [.. plan.Text("classes").Split(',', StringSplitOptions.RemoveEmptyEntries).Select(ClassOf)],
             MinVisibleFraction = plan.Number("minVisibleFraction"),
             Names = names.Names.ToDictionary(ClassOf, names.Text),

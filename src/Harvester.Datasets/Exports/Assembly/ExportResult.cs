@@ -8,7 +8,9 @@ namespace Harvester.Datasets.Exports.Assembly;
 /// <param name="IsFinished">Whether the dataset is whole; a shard is not, before it is merged.</param>
 public sealed record ExportResult(DatasetFormat Format, int Frames, bool IsFinished)
 {
-    /// <summary>Frames of the sessions that the format has nothing to say of, as one about lanes of those without known lanes; in a shard, 0.</summary>
+    /// <summary>
+    /// Frames of the sessions that the format has nothing to say of, as one about lanes of those without known lanes; in a shard, 0.
+    /// </summary>
     public int FramesLeftOut { get; init; }
 
     /// <summary>Labels of the sessions' frames; in a shard, 0: they are counted when the shards are merged.</summary>

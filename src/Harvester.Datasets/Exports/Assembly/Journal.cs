@@ -11,7 +11,8 @@ using Harvester.Sessions.Files;
 namespace Harvester.Datasets.Exports.Assembly;
 
 /// <summary>
-/// The frames that one shard has done, a line each, by rising number. A frame is part of the dataset when its line is complete; half a line is
+/// The frames that one shard has done, a line each, by rising number. A frame is part of the dataset when its line is complete; half a line
+/// is
 /// what a killed export leaves, and is taken away when the export goes on. The last line of a finished shard says so.
 /// </summary>
 internal sealed class Journal : IDisposable
@@ -62,7 +63,8 @@ internal sealed class Journal : IDisposable
     /// <summary>The shards of which a folder holds journals.</summary>
     public static IEnumerable<Shard> ShardsIn(DatasetFolder folder)
     {
-        foreach (string name in Directory.EnumerateFiles(folder.PathOf(DatasetFolder.Working), "journal-*-of-*.jsonl").Select(Path.GetFileNameWithoutExtension).OfType<string>())
+        foreach (string name in Directory.EnumerateFiles(folder.PathOf(DatasetFolder.Working), "journal-*-of-*.jsonl")
+            .Select(Path.GetFileNameWithoutExtension).OfType<string>())
         {
             string[] words = name.Split('-');
             yield return (words is [_, var number, _, var count] ? ShardText.Parse($"{number}/{count}") : null)
@@ -71,11 +73,13 @@ internal sealed class Journal : IDisposable
     }
 
     /// <summary>Whether a shard's journal says that the shard is done.</summary>
-    public static bool IsComplete(string path) => InputFile.ReadLines(path).LastOrDefault()?.StartsWith(EndMark, StringComparison.Ordinal) == true;
+    public static bool IsComplete(string path) =>
+        InputFile.ReadLines(path).LastOrDefault()?.StartsWith(EndMark, StringComparison.Ordinal) == true;
 
     /// <summary>The frames of a finished shard.</summary>
     public static IEnumerable<JournalEntry> Read(string path) =>
-        InputFile.ReadLines(path).Where(line => !line.StartsWith(EndMark, StringComparison.Ordinal)).Select(line => JournalEntry.Parse(line, path));
+        InputFile.ReadLines(path).Where(line => !line.StartsWith(EndMark, StringComparison.Ordinal))
+            .Select(line => JournalEntry.Parse(line, path));
 
     public void Append(JournalEntry entry)
     {

@@ -15,7 +15,8 @@ namespace Harvester.Datasets.Exports.Assembly;
 /// <param name="Files">The files that are its own.</param>
 /// <param name="Parts">Its parts of aggregate files, in the order in which they were handed over.</param>
 internal sealed record JournalEntry(
-    int Frame, string Split, int Labels, WrittenObjects Written, IReadOnlyList<string> Files, IReadOnlyList<KeyValuePair<string, string>> Parts)
+    int Frame, string Split, int Labels, WrittenObjects Written, IReadOnlyList<string> Files,
+        IReadOnlyList<KeyValuePair<string, string>> Parts)
 {
     public string ToLine() => JsonLine.Of(json =>
     {

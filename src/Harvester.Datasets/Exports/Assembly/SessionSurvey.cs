@@ -30,7 +30,8 @@ internal sealed class SessionSurvey
     private bool HasMasks => _masks.Sum() > 0;
 
     /// <summary>Whether labels depend on whether there are masks: boxes that follow no mask do not.</summary>
-    private bool DependsOnMasks => Format.UsesMasks && !(Format.HasBoxes && !Format.HasSegmentations && _plan.Options.Boxes is BoxKind.Amodal or BoxKind.Cuboid);
+    private bool DependsOnMasks =>
+        Format.UsesMasks && !(Format.HasBoxes && !Format.HasSegmentations && _plan.Options.Boxes is BoxKind.Amodal or BoxKind.Cuboid);
 
     /// <summary>Reads all labels of all sessions.</summary>
     /// <exception cref="DatasetFormatException">A session is malformed, or the format cannot represent one of its frames.</exception>
@@ -138,7 +139,8 @@ internal sealed class SessionSurvey
         }
 
         string frames = $"{_written.Count} frames, drawn in blocks of {splits.BlockFrames}. ";
-        return frames + (splits.LargestFullBlock(_written) is { } block ? $"Use --split-block {block} or another --seed." : "Use another --seed, or fewer splits.");
+        return frames + (splits.LargestFullBlock(_written) is { } block ? $"Use --split-block {block} or another --seed."
+            : "Use another --seed, or fewer splits.");
     }
 
     private string FolderOf(int session) => _plan.Sessions[session].Folder;

@@ -12,7 +12,8 @@ internal static class SplitLists
     /// <param name="dataset">The dataset.</param>
     /// <param name="listOf">Name of a split's list; a split without frames need not have one.</param>
     /// <param name="framesOf">How many frames each name that must be in a list stands for.</param>
-    public static IEnumerable<SessionProblem> Problems(DatasetContent dataset, Func<string, string> listOf, IReadOnlyDictionary<string, int> framesOf)
+    public static IEnumerable<SessionProblem> Problems(
+        DatasetContent dataset, Func<string, string> listOf, IReadOnlyDictionary<string, int> framesOf)
     {
         var listed = new HashSet<string>(StringComparer.Ordinal);
         foreach (string split in dataset.Splits)

@@ -21,7 +21,8 @@ public static class DatasetFormats
     [
         new("kitti", "KITTI object detection: image_2, label_2, calib", options => new KittiWriter(options))
         {
-            NeedsRectilinear = true, UsesMasks = true, HasBoxes = true, HasNames = true, Names = KittiClasses.Types, Check = KittiCheck.Problems,
+            NeedsRectilinear = true, UsesMasks = true, HasBoxes = true, HasNames = true, Names = KittiClasses.Types,
+                Check = KittiCheck.Problems,
         },
         new("kitti-tracking", "KITTI tracking: a sequence for each session", options => new KittiTrackingWriter(options))
         {
@@ -30,7 +31,8 @@ public static class DatasetFormats
         },
         new("coco", "COCO instances", options => new CocoWriter(options))
         {
-            UsesMasks = true, HasBoxes = true, HasBoxesBeyondImage = true, HasNames = true, HasSubclasses = true, HasParts = true, HasSegmentations = true,
+            UsesMasks = true, HasBoxes = true, HasBoxesBeyondImage = true, HasNames = true, HasSubclasses = true, HasParts = true,
+                HasSegmentations = true,
             Check = CocoCheck.Problems,
         },
         new("coco-panoptic", "COCO panoptic segmentation", options => new CocoPanopticWriter(options))
@@ -57,11 +59,14 @@ public static class DatasetFormats
         {
             NeedsLanes = true, KeepsImages = false, Check = DeepDrivingCheck.Problems,
         },
-        new("tusimple", "TuSimple lanes", options => new TuSimpleWriter(options)) { NeedsLanes = true, LeavesOutUnknownLanes = true, Check = TuSimpleCheck.Problems },
-        new("openlane", "OpenLane 3D lane lines", _ => new OpenLaneWriter()) { NeedsLanes = true, LeavesOutUnknownLanes = true, Check = OpenLaneCheck.Problems },
+        new("tusimple", "TuSimple lanes", options =>
+            new TuSimpleWriter(options)) { NeedsLanes = true, LeavesOutUnknownLanes = true, Check = TuSimpleCheck.Problems },
+        new("openlane", "OpenLane 3D lane lines", _ =>
+            new OpenLaneWriter()) { NeedsLanes = true, LeavesOutUnknownLanes = true, Check = OpenLaneCheck.Problems },
         new("webdataset", "Tar archives for streaming readers", _ => new WebDatasetWriter())
         {
-            UsesMasks = true, KeepsUndetermined = true, HasParts = true, DefaultParts = PartSelection.All, KeepsImages = false, Check = WebDatasetCheck.Problems,
+            UsesMasks = true, KeepsUndetermined = true, HasParts = true, DefaultParts = PartSelection.All, KeepsImages = false,
+                Check = WebDatasetCheck.Problems,
         },
         new("csv", "Flat tables of frames and objects", options => new CsvDatasetWriter(options))
         {
@@ -70,5 +75,6 @@ public static class DatasetFormats
     ];
 
     /// <summary>A format by its name, or null.</summary>
-    public static DatasetFormat? Find(string name) => All.FirstOrDefault(format => string.Equals(format.Name, name, StringComparison.Ordinal));
+    public static DatasetFormat? Find(string name) =>
+        All.FirstOrDefault(format => string.Equals(format.Name, name, StringComparison.Ordinal));
 }

@@ -27,7 +27,8 @@ public static class DatasetValidator
     /// <exception cref="DatasetFormatException">export.json is malformed.</exception>
     public static DatasetValidation Validate(string folder, CancellationToken cancellation = default)
     {
-        (DatasetFormat format, ExportOptions options, IReadOnlyDictionary<string, int> framesOfSplits) = ReadManifest(Path.Combine(folder, DatasetFolder.Manifest));
+        (DatasetFormat format, ExportOptions options, IReadOnlyDictionary<string, int> framesOfSplits) = ReadManifest(
+            Path.Combine(folder, DatasetFolder.Manifest));
         var dataset = new DatasetContent(folder, options);
         var problems = new List<SessionProblem>();
         foreach (SessionProblem problem in ImageProblems(folder).Concat(format.Check(dataset)))
@@ -41,7 +42,8 @@ public static class DatasetValidator
             int found = dataset.FramesOfSplits.GetValueOrDefault(split);
             if (found != counted)
             {
-                problems.Add(new SessionProblem(DatasetFolder.Manifest, null, $"it counts {counted} frames in {split}, but there are {found}."));
+                problems.Add(new SessionProblem(
+                    DatasetFolder.Manifest, null, $"it counts {counted} frames in {split}, but there are {found}."));
             }
         }
 
@@ -81,7 +83,8 @@ public static class DatasetValidator
             using JsonDocument manifest = JsonInput.Read(path);
             (DatasetFormat format, ExportOptions options) = ExportPlan.Parse(DatasetAssembly.PlanIn(manifest));
             JsonFields frames = new JsonFields(manifest.RootElement).Fields("framesOfSplits");
-            return (format, options, options.Splits.Splits.ToDictionary(split => split.Name, split => frames.Integer(split.Name), StringComparer.Ordinal));
+            return (format, options,
+                options.Splits.Splits.ToDictionary(split => split.Name, split => frames.Integer(split.Name), StringComparer.Ordinal));
         }
         catch (Exception e) when (e is JsonException or DatasetFormatException)
         {

@@ -3,7 +3,9 @@ using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Images.Jpeg;
 
-/// <summary>The bits of a scan, the highest of each byte first, without the bytes of zeros that follow bytes of ones: T.81, annex F.2.2.5.</summary>
+/// <summary>
+/// The bits of a scan, the highest of each byte first, without the bytes of zeros that follow bytes of ones: T.81, annex F.2.2.5.
+/// </summary>
 internal sealed class JpegBits
 {
     private const byte Ones = 0xFF;

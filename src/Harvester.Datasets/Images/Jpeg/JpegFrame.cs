@@ -64,7 +64,8 @@ internal sealed class JpegFrame
         return frame.Components == 1 ? (1, 1) : (across, down);
     }
 
-    private static JpegComponent Component(JpegSegment frame, JpegSegment scan, JpegTables tables, int index, (int Across, int Down) factors, (int Across, int Down) units)
+    private static JpegComponent Component(
+        JpegSegment frame, JpegSegment scan, JpegTables tables, int index, (int Across, int Down) factors, (int Across, int Down) units)
     {
         ReadOnlySpan<byte> description = frame.Content.AsSpan(ComponentsAt + (ComponentLength * index), ComponentLength);
         ReadOnlySpan<byte> coding = scan.Content.AsSpan(1 + (2 * index), 2);

@@ -35,7 +35,8 @@ internal sealed record JpegSegment(byte Marker, byte[] Content)
     public bool IsFrame => Marker is >= BaselineFrame and <= LastFrame and not (DefineHuffman or ReservedForExtensions or DefineArithmetic);
 
     /// <summary>Width and height that a frame's segment gives, pixels.</summary>
-    public ImageSize Size => DeclaredSize.Of(BinaryPrimitives.ReadUInt16BigEndian(Content.AsSpan(3)), BinaryPrimitives.ReadUInt16BigEndian(Content.AsSpan(1)));
+    public ImageSize Size =>
+        DeclaredSize.Of(BinaryPrimitives.ReadUInt16BigEndian(Content.AsSpan(3)), BinaryPrimitives.ReadUInt16BigEndian(Content.AsSpan(1)));
 
     /// <summary>Bits of each sample, from a frame's segment.</summary>
     public int BitsPerSample => Content[0];

@@ -18,11 +18,15 @@ internal sealed record InstancePixels(InstanceMap Map, ushort Id, int Left, int 
     /// <summary>The box around the pixels.</summary>
     public Box2D Box => new(Left, Top, Right, Bottom);
 
-    /// <summary>Outlines of its parts that hang together, the largest first; without those of holes, so that holes count as filled.</summary>
+    /// <summary>
+    /// Outlines of its parts that hang together, the largest first; without those of holes, so that holes count as filled.
+    /// </summary>
     public IReadOnlyList<IReadOnlyList<Vector2D>> Outlines() =>
         [.. MaskOutlines.Of(Map, Id).Where(outline => SignedArea(outline) > 0).OrderByDescending(SignedArea)];
 
-    /// <summary>One closed polygon around all of its parts and along its holes, which covers exactly its pixels by the even-odd rule.</summary>
+    /// <summary>
+    /// One closed polygon around all of its parts and along its holes, which covers exactly its pixels by the even-odd rule.
+    /// </summary>
     public IReadOnlyList<Vector2D> Contour() => JoinedOutline.Of([.. MaskOutlines.Of(Map, Id).OrderByDescending(SignedArea)]);
 
     /// <summary>All objects of a mask by their id, found in one pass.</summary>

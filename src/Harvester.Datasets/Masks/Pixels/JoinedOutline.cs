@@ -5,7 +5,8 @@ using Harvester.Geometry;
 namespace Harvester.Datasets.Masks.Pixels;
 
 /// <summary>
-/// Makes one closed polygon of several, for formats that have one for each object: pieces and holes are joined by the shortest ways between their corners,
+/// Makes one closed polygon of several, for formats that have one for each object: pieces and holes are joined by the shortest ways between
+/// their corners,
 /// gone there and back, which have no area. Filled by the even-odd rule, the polygon covers what the outlines together do.
 /// </summary>
 internal static class JoinedOutline
@@ -21,7 +22,8 @@ internal static class JoinedOutline
             Loose next = loose.MinBy(candidate => candidate.Distance)!;
             loose.Remove(next);
             int at = joined.IndexOf(next.Anchor);
-            Vector2D[] tour = [.. Enumerable.Range(0, next.Outline.Count + 1).Select(step => next.Outline[(next.Corner + step) % next.Outline.Count]), next.Anchor];
+            Vector2D[] tour = [.. Enumerable.Range(0, next.Outline.Count + 1)
+                .Select(step => next.Outline[(next.Corner + step) % next.Outline.Count]), next.Anchor];
             joined.InsertRange(at + 1, tour);
             foreach (Loose candidate in loose)
             {

@@ -2,7 +2,9 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Reports.Colours;
 
-/// <summary>One colour for each class, the same in every report and picture; told apart on light and dark ground, and by most colour-blind eyes.</summary>
+/// <summary>
+/// One colour for each class, the same in every report and picture; told apart on light and dark ground, and by most colour-blind eyes.
+/// </summary>
 public static class ClassColours
 {
     /// <summary>The colour of a class as 0xRRGGBB.</summary>

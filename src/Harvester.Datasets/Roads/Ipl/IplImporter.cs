@@ -29,7 +29,8 @@ internal static class IplImporter
 
     private static readonly RoadLinkFlags[] LinkFlags =
     [
-        RoadLinkFlags.NarrowRoad, RoadLinkFlags.GpsBothWays, RoadLinkFlags.BlockIfNoLanes, RoadLinkFlags.Shortcut, RoadLinkFlags.DontUseForNavigation,
+        RoadLinkFlags.NarrowRoad, RoadLinkFlags.GpsBothWays, RoadLinkFlags.BlockIfNoLanes, RoadLinkFlags.Shortcut,
+            RoadLinkFlags.DontUseForNavigation,
     ];
 
     /// <summary>Whether one of the first lines opens one of the sections.</summary>

@@ -23,15 +23,19 @@ internal static class SceneImporter
 
     private static readonly (string Name, RoadNodeFlags Flag)[] NodeFlags =
     [
-        ("Disabled", RoadNodeFlags.SwitchedOff), ("Water", RoadNodeFlags.Water), ("Highway", RoadNodeFlags.Highway), ("NoGps", RoadNodeFlags.NoGps),
+        ("Disabled", RoadNodeFlags.SwitchedOff), ("Water", RoadNodeFlags.Water), ("Highway", RoadNodeFlags.Highway),
+            ("NoGps", RoadNodeFlags.NoGps),
         ("Tunnel", RoadNodeFlags.Tunnel), ("Cannot Go Left", RoadNodeFlags.CannotGoLeft), ("Left Turns Only", RoadNodeFlags.LeftTurnsOnly),
-        ("Off Road", RoadNodeFlags.OffRoad), ("Cannot Go Right", RoadNodeFlags.CannotGoRight), ("No Big Vehicles", RoadNodeFlags.NoBigVehicles),
-        ("Indicate Keep Left", RoadNodeFlags.IndicateKeepLeft), ("Indicate Keep Right", RoadNodeFlags.IndicateKeepRight), ("Slip Lane", RoadNodeFlags.SlipLane),
+        ("Off Road", RoadNodeFlags.OffRoad), ("Cannot Go Right", RoadNodeFlags.CannotGoRight),
+            ("No Big Vehicles", RoadNodeFlags.NoBigVehicles),
+        ("Indicate Keep Left", RoadNodeFlags.IndicateKeepLeft), ("Indicate Keep Right", RoadNodeFlags.IndicateKeepRight),
+            ("Slip Lane", RoadNodeFlags.SlipLane),
     ];
 
     private static readonly (string Name, RoadLinkFlags Flag)[] LinkFlags =
     [
-        ("Narrowroad", RoadLinkFlags.NarrowRoad), ("GpsBothWays", RoadLinkFlags.GpsBothWays), ("Block If No Lanes", RoadLinkFlags.BlockIfNoLanes),
+        ("Narrowroad", RoadLinkFlags.NarrowRoad), ("GpsBothWays", RoadLinkFlags.GpsBothWays),
+            ("Block If No Lanes", RoadLinkFlags.BlockIfNoLanes),
         ("Shortcut", RoadLinkFlags.Shortcut), ("Dont Use For Navigation", RoadLinkFlags.DontUseForNavigation),
     ];
 
@@ -79,7 +83,8 @@ internal static class SceneImporter
     }
 
     private static long CharactersOf(XElement element) =>
-        element.DescendantsAndSelf().Sum(part => part.Name.LocalName.Length + part.Attributes().Sum(attribute => (long)attribute.Name.LocalName.Length + attribute.Value.Length));
+        element.DescendantsAndSelf().Sum(part => part.Name.LocalName.Length
+            + part.Attributes().Sum(attribute => (long)attribute.Name.LocalName.Length + attribute.Value.Length));
 
     private static int Index(SceneObject link, Dictionary<string, int> indices, string guid) =>
         indices.TryGetValue(guid, out int index) ? index : throw link.Wrong($"the link refers to {guid}, which is no node of the file.");

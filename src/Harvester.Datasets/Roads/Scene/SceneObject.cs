@@ -21,7 +21,8 @@ internal sealed class SceneObject
         foreach (XElement attribute in element.Element("attributes")?.Elements("attribute") ?? [])
         {
             string name = attribute.Attribute("name")?.Value ?? throw RoadXml.Wrong(source, attribute, "an attribute has no name.");
-            _attributes[name] = attribute.Attribute("value")?.Value ?? throw RoadXml.Wrong(source, attribute, $"the attribute {name} has no value.");
+            _attributes[name] = attribute.Attribute("value")?.Value
+                ?? throw RoadXml.Wrong(source, attribute, $"the attribute {name} has no value.");
         }
     }
 
@@ -45,7 +46,8 @@ internal sealed class SceneObject
 
     public int Whole(string name, int fallback, int least, int most) =>
         Text(name) is not { } text ? fallback
-        : int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= least && value <= most ? value
+        : int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= least && value <= most
+            ? value
         : throw Wrong($"the attribute {name} must be a whole number from {least} to {most}.");
 
     public DatasetFormatException Wrong(string what) => RoadXml.Wrong(_source, _element, what);

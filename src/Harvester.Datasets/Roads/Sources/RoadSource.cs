@@ -20,7 +20,9 @@ internal sealed class RoadSource(string name, ByteAllowance allowance, Func<Stre
 
     public string Name => name;
 
-    /// <summary>Opens the unpacked bytes, which end in an error beyond <see cref="MaxFileBytes"/> and where the allowance is used up.</summary>
+    /// <summary>
+    /// Opens the unpacked bytes, which end in an error beyond <see cref="MaxFileBytes"/> and where the allowance is used up.
+    /// </summary>
     /// <param name="limit">Looks at the bytes; null for nobody.</param>
     public Stream Open(IByteLimit? limit = null)
     {

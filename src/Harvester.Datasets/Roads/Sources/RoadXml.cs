@@ -8,7 +8,9 @@ using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Roads.Sources;
 
-/// <summary>Reads XML from strangers: no document type, so no entities; no outside references; limited in size. Errors name file and line.</summary>
+/// <summary>
+/// Reads XML from strangers: no document type, so no entities; no outside references; limited in size. Errors name file and line.
+/// </summary>
 internal static class RoadXml
 {
     /// <summary>Far above the size of a cell of the game's, which has about 1.5 million characters at most.</summary>
@@ -52,13 +54,15 @@ internal static class RoadXml
 
     /// <summary>A whole number in an attribute.</summary>
     public static int Whole(this XElement element, RoadSource source, string attribute, int least, int most) =>
-        int.TryParse(element.Attribute(attribute)?.Value, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= least && value <= most
+        int.TryParse(element.Attribute(attribute)?.Value, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value)
+            && value >= least && value <= most
             ? value
             : throw Wrong(source, element, $"{element.Name} must have {attribute}, a whole number from {least} to {most}.");
 
     /// <summary>A finite number in an attribute.</summary>
     public static double Number(this XElement element, RoadSource source, string attribute) =>
-        double.TryParse(element.Attribute(attribute)?.Value, NumberStyles.Float, CultureInfo.InvariantCulture, out double value) && double.IsFinite(value)
+        double.TryParse(element.Attribute(attribute)?.Value, NumberStyles.Float, CultureInfo.InvariantCulture, out double value)
+            && double.IsFinite(value)
             ? value
             : throw Wrong(source, element, $"{element.Name} must have {attribute}, a finite number.");
 
@@ -82,7 +86,9 @@ internal static class RoadXml
         return XElement.Load(subtree, LoadOptions.SetLineInfo);
     }
 
-    /// <summary>The reader itself has no limit of depth, and takes a time quadratic in it to word its error about elements left open.</summary>
+    /// <summary>
+    /// The reader itself has no limit of depth, and takes a time quadratic in it to word its error about elements left open.
+    /// </summary>
     private static void RequireShallow(RoadSource source, XmlReaderSettings settings)
     {
         using Stream stream = source.Open(new XmlPartLimit(source.Name));
@@ -106,7 +112,8 @@ internal static class RoadXml
         {
             // A forbidden document type is refused without a line.
             string place = e.LineNumber > 0 ? $"line {e.LineNumber}" : "before the outermost element";
-            string what = e.Message.Contains("DTD", StringComparison.Ordinal) ? "a document type (DTD) is refused: no file of roads has one." : e.Message;
+            string what = e.Message.Contains("DTD", StringComparison.Ordinal)
+                ? "a document type (DTD) is refused: no file of roads has one." : e.Message;
             throw new DatasetFormatException($"{source.Name}, {place}: {what}", e);
         }
     }

@@ -3,7 +3,9 @@ using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Roads.Sources;
 
-/// <summary>Refuses a text or an attribute of an XML file that is too long to be held whole, and an element that is taken whole and is.</summary>
+/// <summary>
+/// Refuses a text or an attribute of an XML file that is too long to be held whole, and an element that is taken whole and is.
+/// </summary>
 /// <param name="name">What messages call the file.</param>
 internal sealed class XmlPartLimit(string name) : IByteLimit
 {
@@ -34,12 +36,14 @@ internal sealed class XmlPartLimit(string name) : IByteLimit
         _element += bytes.Length;
         if (_text > MaxTextBytes)
         {
-            throw new DatasetFormatException(FormattableString.Invariant($"{name}: a text or an attribute has more than {MaxTextBytes} bytes; none has."));
+            throw new DatasetFormatException(
+                FormattableString.Invariant($"{name}: a text or an attribute has more than {MaxTextBytes} bytes; none has."));
         }
 
         if (IsTaking && _element > MaxElementBytes)
         {
-            throw new DatasetFormatException(FormattableString.Invariant($"{name}: an element has more than {MaxElementBytes} bytes; none has."));
+            throw new DatasetFormatException(
+                FormattableString.Invariant($"{name}: an element has more than {MaxElementBytes} bytes; none has."));
         }
     }
 }

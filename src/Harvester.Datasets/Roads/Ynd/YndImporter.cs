@@ -98,7 +98,8 @@ internal static class YndImporter
             | (Value(cell, item, "Flags1", byte.MaxValue) << 8)
             | (Value(cell, item, "Flags2", byte.MaxValue) << 16);
         int line = ((System.Xml.IXmlLineInfo)item).LineNumber;
-        return new YndLink(from, Value(cell, item, "ToAreaID", MaxId), Value(cell, item, "ToNodeID", MaxId), bits, $"{cell.Name}, line {line}");
+        return new YndLink(from, Value(cell, item, "ToAreaID", MaxId), Value(cell, item, "ToNodeID", MaxId),
+            bits, $"{cell.Name}, line {line}");
     }
 
     private static int Value(RoadSource cell, XElement item, string name, int most) =>

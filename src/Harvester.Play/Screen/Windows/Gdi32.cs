@@ -16,7 +16,8 @@ internal static class Gdi32
     public static extern bool DeleteDC(IntPtr context);
 
     [DllImport("gdi32")]
-    public static extern IntPtr CreateDIBSection(IntPtr context, ref NativeBitmapHeader header, uint usage, out IntPtr pixels, IntPtr section, uint offset);
+    public static extern IntPtr CreateDIBSection(
+        IntPtr context, ref NativeBitmapHeader header, uint usage, out IntPtr pixels, IntPtr section, uint offset);
 
     [DllImport("gdi32")]
     public static extern IntPtr SelectObject(IntPtr context, IntPtr handle);
@@ -27,7 +28,8 @@ internal static class Gdi32
 
     [DllImport("gdi32")]
     [return: MarshalAs(UnmanagedType.Bool)]
-    public static extern bool BitBlt(IntPtr target, int x, int y, int width, int height, IntPtr source, int sourceX, int sourceY, int operation);
+    public static extern bool BitBlt(
+        IntPtr target, int x, int y, int width, int height, IntPtr source, int sourceX, int sourceY, int operation);
 
     [DllImport("gdi32")]
     [return: MarshalAs(UnmanagedType.Bool)]

@@ -6,7 +6,9 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Play.Screen.Windows;
 
-/// <summary>A bitmap in memory that GDI copies the screen into, again and again: 4 bytes a pixel, blue, green, red, none, rows from the top.</summary>
+/// <summary>
+/// A bitmap in memory that GDI copies the screen into, again and again: 4 bytes a pixel, blue, green, red, none, rows from the top.
+/// </summary>
 internal sealed class ScreenBitmap : IDisposable
 {
     private const int BytesPerPixel = 4;

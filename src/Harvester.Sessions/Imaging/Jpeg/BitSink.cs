@@ -5,7 +5,8 @@ using System.Runtime.CompilerServices;
 namespace Harvester.Sessions.Imaging.Jpeg;
 
 /// <summary>
-/// Bits of a scan, the highest first. Copied into a local variable while a block is written, so that its fields stay in registers; of two copies
+/// Bits of a scan, the highest first. Copied into a local variable while a block is written, so that its fields stay in registers; of two
+/// copies
 /// only one goes on being used.
 /// </summary>
 internal struct BitSink
@@ -55,7 +56,9 @@ internal struct BitSink
         _room += whole * BitsOfByte;
     }
 
-    /// <summary>Fills the last byte with ones and writes all bytes; one of ones is followed by one of zeros, as it would otherwise begin a marker.</summary>
+    /// <summary>
+    /// Fills the last byte with ones and writes all bytes; one of ones is followed by one of zeros, as it would otherwise begin a marker.
+    /// </summary>
     public void Finish(Stream target)
     {
         Append((1 << (BitsOfByte - 1)) - 1, BitsOfByte - 1);

@@ -3,7 +3,10 @@ using System.IO;
 
 namespace Harvester.Sessions.Imaging.Jpeg;
 
-/// <summary>Codes quantised blocks as a scan: differences of DC coefficients, runs of zeros before AC coefficients, both in Huffman codes. T.81, annex F.1.2.</summary>
+/// <summary>
+/// Codes quantised blocks as a scan: differences of DC coefficients, runs of zeros before AC coefficients, both in Huffman codes. T.81,
+/// annex F.1.2.
+/// </summary>
 internal sealed class EntropyWriter
 {
     private const int SixteenZeros = 0xF0;

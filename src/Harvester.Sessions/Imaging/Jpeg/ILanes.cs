@@ -1,6 +1,9 @@
 namespace Harvester.Sessions.Imaging.Jpeg;
 
-/// <summary>Arithmetic on one integer or on several side by side, for code that is written once for both. Implemented by empty structs, which cost nothing.</summary>
+/// <summary>
+/// Arithmetic on one integer or on several side by side, for code that is written once for both. Implemented by empty structs, which cost
+/// nothing.
+/// </summary>
 /// <typeparam name="T">An integer of 32 bits, or a vector of them.</typeparam>
 internal interface ILanes<T>
 {

@@ -22,7 +22,9 @@ internal sealed class JpegHeader
     /// <summary>JFIF 1.01, pixels are square, no thumbnail.</summary>
     private static readonly byte[] Jfif = [(byte)'J', (byte)'F', (byte)'I', (byte)'F', 0, 1, 1, 0, 0, 1, 0, 1, 0, 0];
 
-    /// <summary>Three components; the first with the tables of brightness, the others with those of colour; all coefficients at full precision.</summary>
+    /// <summary>
+    /// Three components; the first with the tables of brightness, the others with those of colour; all coefficients at full precision.
+    /// </summary>
     private static readonly byte[] Scan = [JpegBlock.Components, 1, 0x00, 2, 0x11, 3, 0x11, 0, 63, 0];
 
     private readonly QuantisationTable _luma;

@@ -2,7 +2,9 @@ using System;
 
 namespace Harvester.Sessions.Imaging.Jpeg;
 
-/// <summary>The divisors of a block's coefficients, rows from the top: T.81, annex K.1, scaled to a quality as libjpeg scales them.</summary>
+/// <summary>
+/// The divisors of a block's coefficients, rows from the top: T.81, annex K.1, scaled to a quality as libjpeg scales them.
+/// </summary>
 internal sealed class QuantisationTable
 {
     /// <summary>The transform's results are so many times the coefficients.</summary>

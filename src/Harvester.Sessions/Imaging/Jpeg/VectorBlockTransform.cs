@@ -48,7 +48,8 @@ internal sealed class VectorBlockTransform : BlockTransform
         {
             Vector256<int> quotients = table.Divided(rows[row], row);
             quotients.CopyTo(blocks.Coefficients, (component * JpegBlock.Length) + (row * JpegBlock.Side));
-            present |= (ulong)(byte)~Vector256.Equals(quotients, Vector256<int>.Zero).ExtractMostSignificantBits() << (row * JpegBlock.Side);
+            present |= (ulong)(byte)~Vector256.Equals(quotients, Vector256<int>.Zero)
+                .ExtractMostSignificantBits() << (row * JpegBlock.Side);
         }
 
         blocks.Present[component] = present;

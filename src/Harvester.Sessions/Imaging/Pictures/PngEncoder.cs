@@ -8,7 +8,8 @@ using Harvester.Geometry.PixelMaps;
 namespace Harvester.Sessions.Imaging.Pictures;
 
 /// <summary>
-/// Writes PNG pictures (ISO/IEC 15948): 8-bit red, green, blue, and grey of 16 or 8 bits. Rows of colours are filtered with Sub and those of
+/// Writes PNG pictures (ISO/IEC 15948): 8-bit red, green, blue, and grey of 16 or 8 bits. Rows of colours are filtered with Sub and those
+/// of
 /// maps with Up, which cost least of the filters that help. One encoder serves one thread; its buffers are used again.
 /// </summary>
 #pragma warning disable CA1001 // A memory stream holds nothing to dispose.
@@ -44,7 +45,8 @@ public sealed class PngEncoder
         }
 
         int stride = picture.Size.Width * PixelBuffer.BytesPerPixel;
-        Write(target, picture.Size, BitsOfColour, ColourTypeRgb, stride, (row, line) => Buffer.BlockCopy(picture.Bytes, row * stride, line, 0, stride));
+        Write(target, picture.Size, BitsOfColour, ColourTypeRgb, stride, (row, line) =>
+            Buffer.BlockCopy(picture.Bytes, row * stride, line, 0, stride));
     }
 
     /// <summary>Writes an instance map: grey, 16 bits a pixel, the value is the object's number.</summary>

@@ -12,7 +12,9 @@ using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Exports.Formats.Cityscapes;
 
-/// <summary>What must hold for maps in the style of Cityscapes: every image has its three maps, of its size, which say the same, and its polygons.</summary>
+/// <summary>
+/// What must hold for maps in the style of Cityscapes: every image has its three maps, of its size, which say the same, and its polygons.
+/// </summary>
 internal static class CityscapesCheck
 {
     private const string ImageEnd = "_leftImg8bit";
@@ -21,7 +23,8 @@ internal static class CityscapesCheck
     private const string TrainLabels = "labelTrainIds.png";
 
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset) =>
-        dataset.Splits.SelectMany(split => dataset.Folders($"leftImg8bit/{split}").Select(Path.GetFileName).SelectMany(city => CityProblems(dataset, split, city!)))
+        dataset.Splits.SelectMany(split =>
+            dataset.Folders($"leftImg8bit/{split}").Select(Path.GetFileName).SelectMany(city => CityProblems(dataset, split, city!)))
             .Concat(TwiceProblems(dataset));
 
     private static IEnumerable<SessionProblem> CityProblems(DatasetContent dataset, string split, string city)
@@ -67,7 +70,8 @@ internal static class CityscapesCheck
 
                 if (dataset.Header(image) is { } header && dataset.Header(name) is { } own && own.Size != header.Size)
                 {
-                    return new SessionProblem(name, null, $"it is {own.Size.Width} x {own.Size.Height}, but its image is {header.Size.Width} x {header.Size.Height}.");
+                    return new SessionProblem(name,
+                        null, $"it is {own.Size.Width} x {own.Size.Height}, but its image is {header.Size.Width} x {header.Size.Height}.");
                 }
             }
 
@@ -88,7 +92,8 @@ internal static class CityscapesCheck
     private static string? PixelProblem(InstanceMap instances, InstanceMap labels, InstanceMap trainLabels)
     {
         int width = instances.Image.Width;
-        Dictionary<ushort, CityscapesLabel?> labelOf = instances.Ids.Distinct().ToDictionary(instance => instance, CityscapesLabels.OfInstance);
+        Dictionary<ushort, CityscapesLabel?> labelOf = instances.Ids.Distinct()
+            .ToDictionary(instance => instance, CityscapesLabels.OfInstance);
         for (int i = 0; i < instances.Ids.Length; i++)
         {
             ushort instance = instances.Ids[i];
@@ -124,7 +129,8 @@ internal static class CityscapesCheck
             using JsonDocument document = JsonInput.Read(dataset.PathOf(name));
             var fields = new JsonFields(document.RootElement);
             var image = new Box2D(0, 0, fields.Integer("imgWidth") - 1, fields.Integer("imgHeight") - 1);
-            return fields.List("objects").Select((item, index) => ObjectProblem(item, image) is { } problem ? $"objects[{index}]: {problem}" : null)
+            return fields.List("objects")
+                .Select((item, index) => ObjectProblem(item, image) is { } problem ? $"objects[{index}]: {problem}" : null)
                 .FirstOrDefault(problem => problem is not null);
         }
         catch (JsonException)
@@ -139,7 +145,8 @@ internal static class CityscapesCheck
 
     private static string? ObjectProblem(JsonFields item, Box2D image) =>
         !CityscapesLabels.Names.Contains(item.Text("label")) ? $"'{item.Text("label")}' is no label that is exported."
-            : item.Rows("polygon").All(corner => corner.Length == 2 && image.Contains(new Box2D(corner[0], corner[1], corner[0], corner[1]), 0)) ? null
+            : item.Rows("polygon")
+                .All(corner => corner.Length == 2 && image.Contains(new Box2D(corner[0], corner[1], corner[0], corner[1]), 0)) ? null
             : "its polygon does not lie in the image.";
 
     private static IEnumerable<SessionProblem> TwiceProblems(DatasetContent dataset) => dataset.Splits

@@ -5,7 +5,9 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Exports.Formats.Cityscapes;
 
-/// <summary>The rows of the benchmark's table that are exported, and how instances are numbered: label · 1000 + number for labels with instances.</summary>
+/// <summary>
+/// The rows of the benchmark's table that are exported, and how instances are numbered: label · 1000 + number for labels with instances.
+/// </summary>
 internal static class CityscapesLabels
 {
     public const int InstancesPerLabel = 1000;
@@ -60,7 +62,9 @@ internal static class CityscapesLabels
             _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "The class has no label in Cityscapes."),
         });
 
-    /// <summary>The label of an instance id, which is the label id itself for labels without instances; null when there is none of such an id.</summary>
+    /// <summary>
+    /// The label of an instance id, which is the label id itself for labels without instances; null when there is none of such an id.
+    /// </summary>
     public static CityscapesLabel? OfInstance(ushort instance) => instance >= InstancesPerLabel
         ? Labels.FirstOrDefault(label => label.HasInstances && label.Id == instance / InstancesPerLabel)
         : Labels.FirstOrDefault(label => !label.HasInstances && label.Id == instance);

@@ -9,8 +9,10 @@ using Harvester.Geometry.PixelMaps;
 namespace Harvester.Datasets.Exports.Formats.Cityscapes;
 
 /// <summary>
-/// A map of instances as polygons to be drawn one over the other, the largest first. Their corners are pixels that belong to them, as the benchmark's
-/// scripts draw polygons with their edges. Every piece that hangs together has a polygon of its own, without its holes; what is unlabeled has polygons
+/// A map of instances as polygons to be drawn one over the other, the largest first. Their corners are pixels that belong to them, as the
+/// benchmark's
+/// scripts draw polygons with their edges. Every piece that hangs together has a polygon of its own, without its holes; what is unlabeled
+/// has polygons
 /// where it may lie in such a hole.
 /// </summary>
 internal static class CityscapesPolygons
@@ -70,7 +72,10 @@ internal static class CityscapesPolygons
     private static bool IsOnEdge(Vector2D corner, Box2D image) =>
         corner.X == image.XMin || corner.X == image.XMax || corner.Y == image.YMin || corner.Y == image.YMax;
 
-    /// <summary>The pixel in a corner of an outline, which runs along the borders of pixels with the piece on its right: half a pixel inward from both sides.</summary>
+    /// <summary>
+    /// The pixel in a corner of an outline, which runs along the borders of pixels with the piece on its right: half a pixel inward from
+    /// both sides.
+    /// </summary>
     private static Vector2D PixelAt(Vector2D before, Vector2D corner, Vector2D after) =>
         corner + ((Inward(before, corner) + Inward(corner, after)) * 0.5) + new Vector2D(-0.5, -0.5);
 

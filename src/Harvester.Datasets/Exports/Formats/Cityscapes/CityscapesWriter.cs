@@ -5,7 +5,10 @@ using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Datasets.Exports.Formats.Cityscapes;
 
-/// <summary>Maps in the style of Cityscapes' gtFine: instance ids, label ids and training ids as grey PNGs, and polygons. See docs/exports/cityscapes.md.</summary>
+/// <summary>
+/// Maps in the style of Cityscapes' gtFine: instance ids, label ids and training ids as grey PNGs, and polygons. See
+/// docs/exports/cityscapes.md.
+/// </summary>
 internal sealed class CityscapesWriter(ExportOptions options) : IDatasetWriter
 {
     private readonly PngEncoder _png = new();
@@ -31,7 +34,9 @@ internal sealed class CityscapesWriter(ExportOptions options) : IDatasetWriter
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => [];
 
-    /// <summary>Instances count from 0 within their label, in the order of the objects' ids. What is not exported has no entry and is unlabeled.</summary>
+    /// <summary>
+    /// Instances count from 0 within their label, in the order of the objects' ids. What is not exported has no entry and is unlabeled.
+    /// </summary>
     private Dictionary<int, ushort> InstanceIds(ExportFrame frame)
     {
         Dictionary<int, ushort> ids = frame.Label.Objects.Where(frame.IsPost).ToDictionary(post => post.Id, _ => CityscapesLabels.Pole.Id);

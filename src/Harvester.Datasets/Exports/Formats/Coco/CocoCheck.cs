@@ -8,7 +8,9 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;
 
-/// <summary>What must hold for COCO instances: ids are unique and known, boxes lie in their images, segmentations agree with box and area.</summary>
+/// <summary>
+/// What must hold for COCO instances: ids are unique and known, boxes lie in their images, segmentations agree with box and area.
+/// </summary>
 internal static class CocoCheck
 {
     /// <summary>Boxes are rounded to three decimals.</summary>
@@ -27,7 +29,8 @@ internal static class CocoCheck
         SessionProblem[] problems = [.. images.Read(name, split)];
         var ids = new HashSet<long>();
         return dataset.Has(name)
-            ? problems.Concat(CocoElements.Problems(dataset, name, (list, element) => list == "annotations" ? Problem(element, images, ids, boxes) : null))
+            ? problems.Concat(CocoElements.Problems(
+                dataset, name, (list, element) => list == "annotations" ? Problem(element, images, ids, boxes) : null))
             : problems;
     }
 
@@ -48,13 +51,17 @@ internal static class CocoCheck
         var box = new Box2D(sides[0], sides[1], sides[0] + sides[2], sides[1] + sides[3]);
         double area = annotation.Number("area");
         bool isInImage = boxes == BoxKind.Amodal || new Box2D(0, 0, image.Width, image.Height).Contains(box, RoundingPixels);
-        return !(box.Width > 0 && box.Height > 0 && isInImage) ? $"its box does not lie in the image of {image.Width} x {image.Height}, or has no area."
+        return !(box.Width > 0 && box.Height > 0 && isInImage)
+            ? $"its box does not lie in the image of {image.Width} x {image.Height}, or has no area."
             : !(area > 0 && area <= MostArea(box)) ? "its area is not that of something in its box."
-            : annotation.IsList("segmentation") ? CocoSegmentationCheck.PolygonProblem(annotation.Rows("segmentation"), SpannedBy(annotation, box, boxes))
+            : annotation.IsList("segmentation")
+                ? CocoSegmentationCheck.PolygonProblem(annotation.Rows("segmentation"), SpannedBy(annotation, box, boxes))
             : CocoSegmentationCheck.RunsProblem(annotation.Fields("segmentation"), image, SpannedBy(annotation, box, boxes), area);
     }
 
-    /// <summary>What a segmentation must span: the box around the visible pixels; any box else may be larger than what is seen in it.</summary>
+    /// <summary>
+    /// What a segmentation must span: the box around the visible pixels; any box else may be larger than what is seen in it.
+    /// </summary>
     private static Box2D? SpannedBy(JsonFields annotation, Box2D box, BoxKind boxes) =>
         boxes == BoxKind.Visible && annotation.Integer("iscrowd") == 0 ? box : null;
 

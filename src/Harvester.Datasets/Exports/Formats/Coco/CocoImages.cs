@@ -39,7 +39,8 @@ internal sealed class CocoImages(DatasetContent dataset)
             .. CocoElements.Problems(dataset, name, (list, element) => list switch
             {
                 "images" => ImageProblem(element, split, listed),
-                "categories" => _categories.Add(element.Integer("id")) && element.Text("name").Length > 0 ? null : "its category is there twice or has no name.",
+                "categories" => _categories.Add(element.Integer("id")) && element.Text("name").Length > 0 ? null
+                    : "its category is there twice or has no name.",
                 _ => null,
             }),
         ];
@@ -59,7 +60,8 @@ internal sealed class CocoImages(DatasetContent dataset)
         return !dataset.Has($"images/{split}/{file}") ? $"image '{file}' is not in images/{split}."
             : !_idsOfAll.Add(id) ? $"image {id} is there twice, here or in another split."
             : !_namesOfAll.Add(file) ? $"image '{file}' is there twice, here or in another split."
-            : header is not null && header.Size != size ? $"image '{file}' is {header.Size.Width} x {header.Size.Height}, not {size.Width} x {size.Height}."
+            : header is not null && header.Size != size
+                ? $"image '{file}' is {header.Size.Width} x {header.Size.Height}, not {size.Width} x {size.Height}."
             : null;
     }
 }

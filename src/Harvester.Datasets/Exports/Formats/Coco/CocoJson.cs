@@ -21,7 +21,8 @@ internal static class CocoJson
     /// <param name="kind">What their names begin with.</param>
     /// <param name="options">The options.</param>
     /// <param name="stuff">Categories that are no objects.</param>
-    public static IEnumerable<AggregateFile> Files(string kind, ExportOptions options, params IEnumerable<Stuff> stuff) => options.Splits.Splits.Select(split => new AggregateFile(
+    public static IEnumerable<AggregateFile> Files(string kind, ExportOptions options, params IEnumerable<Stuff> stuff) =>
+        options.Splits.Splits.Select(split => new AggregateFile(
         $"annotations/{kind}_{split.Name}.json",
         [
             AggregateSection.Literal("{\"info\":" + Info + ",\"licenses\":[],\"images\":[\n"),

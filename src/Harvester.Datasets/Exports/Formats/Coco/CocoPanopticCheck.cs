@@ -8,7 +8,9 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;
 
-/// <summary>What must hold for COCO panoptic: one annotation an image, whose segments are the colours of its picture, with their boxes and areas.</summary>
+/// <summary>
+/// What must hold for COCO panoptic: one annotation an image, whose segments are the colours of its picture, with their boxes and areas.
+/// </summary>
 internal static class CocoPanopticCheck
 {
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset)
@@ -29,7 +31,8 @@ internal static class CocoPanopticCheck
         var seen = new HashSet<long>();
         problems.AddRange(CocoElements.Problems(
             dataset, name, (list, element) => list == "annotations" ? Problem(dataset, split, element, images, seen) : null));
-        problems.AddRange(images.Sizes.Keys.Where(id => !seen.Contains(id)).Select(id => new SessionProblem(name, null, $"image {id} has no annotation.")));
+        problems.AddRange(images.Sizes.Keys.Where(id => !seen.Contains(id))
+            .Select(id => new SessionProblem(name, null, $"image {id} has no annotation.")));
         return problems;
     }
 
@@ -61,7 +64,8 @@ internal static class CocoPanopticCheck
                 return $"segment {id} is not in its picture, or there twice.";
             }
 
-            if (segment.Integer("area") != pixels.Area || !box.SequenceEqual([pixels.Left, pixels.Top, pixels.Right - pixels.Left, pixels.Bottom - pixels.Top]))
+            if (segment.Integer("area") != pixels.Area
+                || !box.SequenceEqual([pixels.Left, pixels.Top, pixels.Right - pixels.Left, pixels.Bottom - pixels.Top]))
             {
                 return $"segment {id} has another area or box than in its picture.";
             }

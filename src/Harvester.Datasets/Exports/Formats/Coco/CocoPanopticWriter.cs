@@ -9,7 +9,9 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;
 
-/// <summary>COCO panoptic: a colour PNG a frame whose colours are segments, and their list in one file a split. See docs/exports/coco-panoptic.md.</summary>
+/// <summary>
+/// COCO panoptic: a colour PNG a frame whose colours are segments, and their list in one file a split. See docs/exports/coco-panoptic.md.
+/// </summary>
 internal sealed class CocoPanopticWriter(ExportOptions options) : IDatasetWriter
 {
     private const int Void = 0;
@@ -37,7 +39,8 @@ internal sealed class CocoPanopticWriter(ExportOptions options) : IDatasetWriter
         return new WrittenObjects(seen.Length);
     }
 
-    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => CocoJson.Files("panoptic", options, StuffOf(options));
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
+        CocoJson.Files("panoptic", options, StuffOf(options));
 
     /// <summary>The categories that are no objects: posts only where they are not part of their signs and lights.</summary>
     public static IEnumerable<Stuff> StuffOf(ExportOptions options) =>
@@ -71,7 +74,8 @@ internal sealed class CocoPanopticWriter(ExportOptions options) : IDatasetWriter
         json.WriteStartObject();
         json.WriteNumber("id", segment.Id);
         json.WriteNumber("category_id", category);
-        json.Numbers("bbox", [segment.Left, segment.Top, segment.Right - segment.Left, segment.Bottom - segment.Top], CocoJson.PixelDecimals);
+        json.Numbers("bbox", [segment.Left, segment.Top, segment.Right - segment.Left, segment.Bottom - segment.Top],
+            CocoJson.PixelDecimals);
         json.WriteNumber("area", segment.Area);
         json.WriteNumber("iscrowd", 0);
         json.WriteEndObject();

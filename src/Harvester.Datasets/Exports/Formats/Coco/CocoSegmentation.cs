@@ -40,7 +40,9 @@ internal sealed class CocoSegmentation
     /// <summary>Number of pixels; null without a mask.</summary>
     public int? Area { get; }
 
-    /// <summary>The segmentation of a region: the pixels of what it shows, or else all of its box. The format describes crowds by run lengths.</summary>
+    /// <summary>
+    /// The segmentation of a region: the pixels of what it shows, or else all of its box. The format describes crowds by run lengths.
+    /// </summary>
     public static CocoSegmentation OfRegion(ExportRegion region, ExportFrame frame) =>
         frame.Mask is null ? new CocoSegmentation(SegmentationKind.Rle, null)
         : region.Label is { } label && frame.PixelsOf(label) is { } pixels ? new CocoSegmentation(SegmentationKind.Rle, pixels)

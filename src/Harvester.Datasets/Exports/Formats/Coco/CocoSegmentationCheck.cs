@@ -22,7 +22,8 @@ internal static class CocoSegmentationCheck
 
         double[] xs = [.. polygons.SelectMany(polygon => polygon.Where((_, i) => i % 2 == 0))];
         double[] ys = [.. polygons.SelectMany(polygon => polygon.Where((_, i) => i % 2 == 1))];
-        return polygons.Length == 0 || IsSame(box, new Box2D(xs.Min(), ys.Min(), xs.Max(), ys.Max())) ? null : "its polygons do not span its box.";
+        return polygons.Length == 0 || IsSame(box, new Box2D(xs.Min(), ys.Min(), xs.Max(), ys.Max())) ? null
+            : "its polygons do not span its box.";
     }
 
     /// <summary>Uncompressed run lengths: column by column, what is outside first.</summary>
@@ -30,7 +31,8 @@ internal static class CocoSegmentationCheck
     {
         double[] size = segmentation.Numbers("size", 2);
         double[] counts = segmentation.Numbers("counts");
-        if (size[0] != image.Height || size[1] != image.Width || counts.Any(count => count < 0 || count != Math.Floor(count)) || counts.Sum() != image.PixelCount)
+        if (size[0] != image.Height || size[1] != image.Width || counts.Any(count => count < 0 || count != Math.Floor(count))
+            || counts.Sum() != image.PixelCount)
         {
             return $"its run lengths are not those of an image of {image.Width} x {image.Height}.";
         }

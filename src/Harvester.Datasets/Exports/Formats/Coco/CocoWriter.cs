@@ -30,7 +30,8 @@ internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
             if (frame.Mask is null || pixels is not null)
             {
                 var segmentation = new CocoSegmentation(options.Segmentation, pixels);
-                output.Part($"annotations {frame.Split}", Annotation(frame, item.Label.Id, item.Class, item.Box, isCrowd: false, segmentation, item.Label));
+                output.Part($"annotations {frame.Split}",
+                    Annotation(frame, item.Label.Id, item.Class, item.Box, isCrowd: false, segmentation, item.Label));
                 objects++;
             }
         }
@@ -42,7 +43,8 @@ internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
             {
                 CocoSegmentation segmentation = CocoSegmentation.OfRegion(region, frame);
                 int id = region.Label?.Id ?? FirstRegion + ignored;
-                output.Part($"annotations {frame.Split}", Annotation(frame, id, kind, region.Box, isCrowd: true, segmentation, region.Label));
+                output.Part($"annotations {frame.Split}",
+                    Annotation(frame, id, kind, region.Box, isCrowd: true, segmentation, region.Label));
                 ignored++;
             }
         }
@@ -53,7 +55,8 @@ internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => CocoJson.Files("instances", options);
 
     private static string Annotation(
-        ExportFrame frame, int id, DatasetClass kind, Box2D box, bool isCrowd, CocoSegmentation segmentation, ObjectLabel? label) => JsonLine.Of(json =>
+        ExportFrame frame, int id, DatasetClass kind, Box2D box, bool isCrowd, CocoSegmentation segmentation, ObjectLabel? label) =>
+            JsonLine.Of(json =>
     {
         json.WriteStartObject();
         json.WriteNumber("id", (frame.Index * IdsPerFrame) + id);

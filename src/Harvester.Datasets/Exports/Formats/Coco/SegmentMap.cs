@@ -5,7 +5,9 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;
 
-/// <summary>A panoptic picture, whose colours are the numbers of segments: red + 256 green + 65536 blue, black where there is none.</summary>
+/// <summary>
+/// A panoptic picture, whose colours are the numbers of segments: red + 256 green + 65536 blue, black where there is none.
+/// </summary>
 internal sealed class SegmentMap
 {
     /// <summary>Takes a picture.</summary>

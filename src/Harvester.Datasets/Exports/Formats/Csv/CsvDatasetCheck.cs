@@ -13,7 +13,9 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Exports.Formats.Csv;
 
-/// <summary>What must hold for the flat tables: their columns, frames with their images, and objects that belong to a frame and lie in it.</summary>
+/// <summary>
+/// What must hold for the flat tables: their columns, frames with their images, and objects that belong to a frame and lie in it.
+/// </summary>
 internal sealed class CsvDatasetCheck
 {
     private const string Frames = "frames.csv";
@@ -57,14 +59,16 @@ internal sealed class CsvDatasetCheck
         }
 
         using TextReader file = InputFile.OpenText(_dataset.PathOf(name));
-        using var csv = new CsvParser(file, new CsvConfiguration(CultureInfo.InvariantCulture) { MaxFieldSize = MaxFieldCharacters, BadDataFound = null });
+        using var csv = new CsvParser(
+            file, new CsvConfiguration(CultureInfo.InvariantCulture) { MaxFieldSize = MaxFieldCharacters, BadDataFound = null });
         string? damage;
         while (TryRead(csv, out damage))
         {
             string[] fields = csv.Record!;
             string? problem = csv.Row == 1 ? fields.SequenceEqual(columns) ? null : "its columns are not those of the format."
                 : fields.Length != columns.Length ? $"it has {fields.Length} fields instead of {columns.Length}."
-                : columns.Zip(fields).FirstOrDefault(pair => !Texts.Contains(pair.First) && !IsNumber(pair.Second)) is { First: { } column } ? $"{column} is not a number."
+                : columns.Zip(fields).FirstOrDefault(
+                    pair => !Texts.Contains(pair.First) && !IsNumber(pair.Second)) is { First: { } column } ? $"{column} is not a number."
                 : problemOf(columns.Zip(fields).ToDictionary(pair => pair.First, pair => pair.Second));
             if (problem is not null)
             {
@@ -87,7 +91,8 @@ internal sealed class CsvDatasetCheck
         }
         catch (CsvHelperException e)
         {
-            damage = e is MaxFieldSizeException ? $"a field has more than {MaxFieldCharacters} characters." : "it cannot be read from here on.";
+            damage = e is MaxFieldSizeException ? $"a field has more than {MaxFieldCharacters} characters."
+                : "it cannot be read from here on.";
             return false;
         }
     }
@@ -113,15 +118,18 @@ internal sealed class CsvDatasetCheck
         _dataset.Found(CsvText.Read(row["split"]));
         ImageHeader? header = _dataset.Header(row["image"]);
         return !_dataset.Has(row["image"]) ? $"its image '{row["image"]}' is missing."
-            : header is not null && header.Size != size ? $"its image is {header.Size.Width} x {header.Size.Height}, not {size.Width} x {size.Height}."
-            : TimeSpan.TryParseExact(row["time_of_day"], @"hh\:mm\:ss", CultureInfo.InvariantCulture, out _) ? null : "time_of_day is not a time as 13:05:00.";
+            : header is not null && header.Size != size
+                ? $"its image is {header.Size.Width} x {header.Size.Height}, not {size.Width} x {size.Height}."
+            : TimeSpan.TryParseExact(row["time_of_day"], @"hh\:mm\:ss", CultureInfo.InvariantCulture, out _) ? null
+                : "time_of_day is not a time as 13:05:00.";
     }
 
     private string? ObjectProblem(Dictionary<string, string> row)
     {
         return RegionProblem(row) is { } problem ? problem
             : !_objects.Add((row["frame"], row["id"])) ? $"object {row["id"]} is there twice in frame {row["frame"]}."
-            : row.Where(pair => pair.Key.EndsWith("_fraction", StringComparison.Ordinal) && pair.Value.Length > 0).FirstOrDefault(pair => Number(pair.Value) is < 0 or > 1)
+            : row.Where(pair => pair.Key.EndsWith("_fraction", StringComparison.Ordinal) && pair.Value.Length > 0)
+                .FirstOrDefault(pair => Number(pair.Value) is < 0 or > 1)
                 is { Key: { } fraction } ? $"{fraction} is not 0 to 1."
             : null;
     }

@@ -12,7 +12,9 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Exports.Formats.Csv;
 
-/// <summary>Flat tables, frames.csv, objects.csv and ignore_regions.csv (RFC 4180 with LF), and the images. See docs/exports/csv.md.</summary>
+/// <summary>
+/// Flat tables, frames.csv, objects.csv and ignore_regions.csv (RFC 4180 with LF), and the images. See docs/exports/csv.md.
+/// </summary>
 internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
 {
     private const int Metres = 4;
@@ -37,7 +39,8 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
     [
         "frame", "id", "class", "model", "name", .. BoxColumns("box2d"), .. BoxColumns("box2d_amodal"), .. BoxColumns("box2d_visible"),
         "truncated_fraction", "occluded_fraction", "visible_fraction", .. VectorColumns("centre"), .. VectorColumns("half_extents"),
-        .. VectorColumns("right"), .. VectorColumns("forward"), .. VectorColumns("up"), "distance_metres", .. VectorColumns("velocity"), "parent", "mutcd", "light_state", "has_rider",
+        .. VectorColumns("right"), .. VectorColumns("forward"), .. VectorColumns("up"), "distance_metres",
+            .. VectorColumns("velocity"), "parent", "mutcd", "light_state", "has_rider",
     ];
 
     /// <summary>Columns of ignore_regions.csv.</summary>
@@ -59,7 +62,8 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
         {
             output.Part("regions", Line(
             [
-                Numbers.Text(frame.Index), JsonName.Of(region.Reason), CsvText.Of(_classes.Of(region.Class)!.Name), .. Of(region.Box2D), .. Of(Metres, region.DistanceMetres),
+                Numbers.Text(frame.Index), JsonName.Of(region.Reason), CsvText.Of(_classes.Of(region.Class)!.Name), .. Of(region.Box2D),
+                    .. Of(Metres, region.DistanceMetres),
             ]));
         }
 
@@ -84,7 +88,8 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
         return
         [
             Numbers.Text(frame.Index), CsvText.Of(frame.Split), Numbers.Text(frame.SessionIndex), Numbers.Text(label.Frame), image,
-            .. Of(Seconds, label.TimeSeconds), CsvText.Of(label.Environment.Weather), label.Environment.TimeOfDay.ToString(@"hh\:mm\:ss", CultureInfo.InvariantCulture),
+            .. Of(Seconds, label.TimeSeconds), CsvText.Of(label.Environment.Weather),
+                label.Environment.TimeOfDay.ToString(@"hh\:mm\:ss", CultureInfo.InvariantCulture),
             Numbers.Text(camera.Width), Numbers.Text(camera.Height),
             .. Of(Intrinsics, camera.Fx, camera.Fy, camera.Cx, camera.Cy), .. Of(Axis, camera.Distortion.K1, camera.Distortion.K2),
             .. Of(camera.Pose.Position, Metres), .. Of(camera.Pose.Axes),
@@ -106,11 +111,14 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
         ];
     }
 
-    /// <summary>The session's own numbers: computed again from the other fractions, which are rounded, they could differ in the last decimal.</summary>
+    /// <summary>
+    /// The session's own numbers: computed again from the other fractions, which are rounded, they could differ in the last decimal.
+    /// </summary>
     private static Dictionary<int, double?> VisibleFractions(string line)
     {
         using JsonDocument label = JsonDocument.Parse(line);
-        return new JsonFields(label.RootElement).List("objects").ToDictionary(item => item.Integer("id"), item => item.OptionalNumber("visibleFraction"));
+        return new JsonFields(label.RootElement).List("objects")
+            .ToDictionary(item => item.Integer("id"), item => item.OptionalNumber("visibleFraction"));
     }
 
     private static string Of(bool? truth) => truth switch { true => "1", false => "0", null => "" };

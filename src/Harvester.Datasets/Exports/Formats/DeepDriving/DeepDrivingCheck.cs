@@ -9,7 +9,9 @@ using Harvester.Geometry.Lanes;
 
 namespace Harvester.Datasets.Exports.Formats.DeepDriving;
 
-/// <summary>What must hold for DeepDriving: images of the network's size, thirteen numbers a file, and a table that says the same.</summary>
+/// <summary>
+/// What must hold for DeepDriving: images of the network's size, thirteen numbers a file, and a table that says the same.
+/// </summary>
 internal static class DeepDrivingCheck
 {
     private const string Table = "indicators.csv";
@@ -71,7 +73,8 @@ internal static class DeepDrivingCheck
         }
 
         dataset.Found(split);
-        return dataset.Header(image) is { } header && header.Size != DeepDrivingWriter.Size ? $"its image is {header.Size.Width} x {header.Size.Height}."
+        return dataset.Header(image) is { } header && header.Size != DeepDrivingWriter.Size
+            ? $"its image is {header.Size.Width} x {header.Size.Height}."
             : !JsonNames.TryRead(status, out LaneStatus _) || fast is not ("0" or "1") ? "its status or fast is not one of the format's."
             : Numbers.Parse(row.Skip(LeadingColumns)) is not { } numbers ? "a value is not a number."
             : ValueProblem(dataset, Path.GetFileNameWithoutExtension(image), fast == "1", numbers);
@@ -89,7 +92,8 @@ internal static class DeepDrivingCheck
         }
 
         double[] expected = [.. DeepDrivingWriter.Normalised(values[(2 * count)..(3 * count)]), DeepDrivingNormalisation.Fast(isFast)];
-        int wrong = Array.FindIndex([.. expected.Zip(values.Skip(3 * count), (a, b) => Math.Abs(a - b))], difference => difference > Rounding);
+        int wrong = Array.FindIndex(
+            [.. expected.Zip(values.Skip(3 * count), (a, b) => Math.Abs(a - b))], difference => difference > Rounding);
         return wrong >= 0 ? $"normalised_{DeepDrivingWriter.Columns.Append("fast").ElementAt(wrong)} is not the map of its value."
             : Math.Abs(metres[0]) > Math.PI + Rounding ? "angle is not from -pi to pi."
             : FileProblem(dataset, $"indicators/{stem}.txt", metres) ?? FileProblem(dataset, $"normalised/{stem}.txt", normalised);

@@ -70,7 +70,8 @@ internal sealed class DeepDrivingWriter : IDatasetWriter
         [new("indicators.csv", [AggregateSection.Literal(Header), AggregateSection.Lines("rows")])];
 
     /// <summary>The loss layer's maps of values in the order of the indicators.</summary>
-    public static double[] Normalised(double[] torcs) => [.. torcs.Zip(IndicatorTable.All, (value, indicator) => indicator.Normalise(value))];
+    public static double[] Normalised(double[] torcs) =>
+        [.. torcs.Zip(IndicatorTable.All, (value, indicator) => indicator.Normalise(value))];
 
     private static string Text(double value) => InvariantNumber.Format(value, Decimals);
 

@@ -37,7 +37,10 @@ internal sealed class KittiBox
     /// <summary>Its box in the image.</summary>
     public Box2D Box { get; }
 
-    /// <summary>By how much the sides of the projected upright box miss those of the projected cuboid, pixels; 0 where the cuboid reaches behind the camera.</summary>
+    /// <summary>
+    /// By how much the sides of the projected upright box miss those of the projected cuboid, pixels; 0 where the cuboid reaches behind the
+    /// camera.
+    /// </summary>
     public double MissPixels => _upright.MissPixels;
 
     /// <summary>By how much the upright box stands beside the cuboid, metres.</summary>
@@ -78,7 +81,8 @@ internal sealed class KittiBox
         ' ',
         Numbers.Row(KittiDecimals.Angle, _upright.Alpha),
         Sides(Box),
-        Numbers.Row(KittiDecimals.Metres, _upright.Height, _upright.Width, _upright.Length, _upright.Location.X, _upright.Location.Y, _upright.Location.Z),
+        Numbers.Row(KittiDecimals.Metres, _upright.Height, _upright.Width, _upright.Length, _upright.Location.X, _upright.Location.Y,
+            _upright.Location.Z),
         Numbers.Row(KittiDecimals.Angle, _upright.RotationY));
 
     /// <summary>The four fields of a box in the image.</summary>

@@ -32,11 +32,13 @@ internal static class KittiCheck
     private static IEnumerable<SessionProblem> ProblemsOf(DatasetContent dataset, string image, IReadOnlyDictionary<string, double> misses)
     {
         string frame = Path.GetFileNameWithoutExtension(image);
-        var calibration = new KittiCalibrationCheck(dataset, $"{Calibrations}/{frame}.txt", "R0_rect:", "Tr_velo_to_cam:", "Tr_imu_to_velo:");
+        var calibration = new KittiCalibrationCheck(
+            dataset, $"{Calibrations}/{frame}.txt", "R0_rect:", "Tr_velo_to_cam:", "Tr_imu_to_velo:");
         ImageHeader? header = dataset.Header(image);
         var columns = new KittiColumns(dataset.Options.Boxes ?? BoxKind.Cuboid);
         return calibration.Problems.Concat(LabelFiles.Problems(dataset, $"{Labels}/{frame}.txt", (number, words) =>
-            ProblemOf(words, header?.Size, calibration.P2, columns, misses.GetValueOrDefault($"{frame}.txt,{number}", KittiLeaning.MaxMissPixels))));
+            ProblemOf(words, header?.Size, calibration.P2, columns,
+                misses.GetValueOrDefault($"{frame}.txt,{number}", KittiLeaning.MaxMissPixels))));
     }
 
     private static string? ProblemOf(string[] words, ImageSize? image, double[]? projection, KittiColumns columns, double missPixels) =>

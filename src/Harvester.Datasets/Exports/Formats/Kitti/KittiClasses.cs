@@ -16,7 +16,8 @@ internal static class KittiClasses
     private const int UnknownOcclusion = 3;
 
     /// <summary>The types of objects.</summary>
-    public static IReadOnlyCollection<string> Types { get; } = ["Car", "Van", "Truck", "Pedestrian", "Person_sitting", "Cyclist", "Tram", "Misc"];
+    public static IReadOnlyCollection<string> Types { get; } =
+        ["Car", "Van", "Truck", "Pedestrian", "Person_sitting", "Cyclist", "Tram", "Misc"];
 
     /// <summary>The type of ignore regions.</summary>
     public const string DontCare = "DontCare";
@@ -27,7 +28,8 @@ internal static class KittiClasses
     /// <summary>The type of an object.</summary>
     /// <param name="label">The object, of a class that KITTI labels.</param>
     /// <param name="names">Types of classes, where they are not these.</param>
-    public static string TypeOf(ObjectLabel label, IReadOnlyDictionary<ObjectClass, string> names) => names.TryGetValue(label.Class, out string? name)
+    public static string TypeOf(ObjectLabel label, IReadOnlyDictionary<ObjectClass, string> names) =>
+        names.TryGetValue(label.Class, out string? name)
         ? name
         : label.Class switch
         {

@@ -27,7 +27,9 @@ internal sealed class KittiColumns(BoxKind boxes)
     /// <summary>What lies nearer is spread over the image by the projection.</summary>
     private const double MinDepthMetres = 2;
 
-    /// <summary>Visible pixels may lie beyond the cuboid where a mask of another tool was imported, by this share of the cuboid's side.</summary>
+    /// <summary>
+    /// Visible pixels may lie beyond the cuboid where a mask of another tool was imported, by this share of the cuboid's side.
+    /// </summary>
     private const double MaxOverhangFraction = 0.25;
 
     /// <summary>What is wrong with an object or a region; null for nothing.</summary>
@@ -86,7 +88,8 @@ internal sealed class KittiColumns(BoxKind boxes)
         }
 
         Vector2D[] points = [.. corners.Select(corner => Project(corner, p))];
-        var around = new Box2D(points.Min(point => point.X), points.Min(point => point.Y), points.Max(point => point.X), points.Max(point => point.Y));
+        var around = new Box2D(
+            points.Min(point => point.X), points.Min(point => point.Y), points.Max(point => point.X), points.Max(point => point.Y));
         var whole = new Box2D(0, 0, image.Width - 1, image.Height - 1);
         if (around.Intersect(whole) is not { } seen)
         {
@@ -99,7 +102,8 @@ internal sealed class KittiColumns(BoxKind boxes)
             && (boxes == BoxKind.Visible || !whole.Contains(around, 0) || box.Contains(seen, rounding));
     }
 
-    private static Box2D Grown(Box2D box, double across, double down) => new(box.XMin - across, box.YMin - down, box.XMax + across, box.YMax + down);
+    private static Box2D Grown(Box2D box, double across, double down) =>
+        new(box.XMin - across, box.YMin - down, box.XMax + across, box.YMax + down);
 
     private static Vector2D Project(Vector3D point, double[] p) => new(
         ((p[0] * point.X) + (p[2] * point.Z) + p[3]) / (point.Z + p[11]), ((p[5] * point.Y) + (p[6] * point.Z) + p[7]) / (point.Z + p[11]));

@@ -4,7 +4,10 @@ using Harvester.Geometry;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
-/// <summary>The corners of an upright box, as KITTI's development kit has them: length along x, height against y, width along z, before the turn about y.</summary>
+/// <summary>
+/// The corners of an upright box, as KITTI's development kit has them: length along x, height against y, width along z, before the turn
+/// about y.
+/// </summary>
 internal static class KittiCorners
 {
     /// <summary>The eight corners in the camera's frame (x right, y down, z forward), metres.</summary>

@@ -5,7 +5,8 @@ using System.Linq;
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
 /// <summary>
-/// The table of objects that lean so far in the camera's frame that their upright boxes, projected, miss theirs by more than a limit. It is our own
+/// The table of objects that lean so far in the camera's frame that their upright boxes, projected, miss theirs by more than a limit. It is
+/// our own
 /// file beside the format's.
 /// </summary>
 internal static class KittiLeaning
@@ -39,7 +40,10 @@ internal static class KittiLeaning
     /// <summary>The table.</summary>
     public static AggregateFile Table() => new(File, [AggregateSection.Literal(Header), AggregateSection.Lines(Part)]);
 
-    /// <summary>By how much the objects of a label file may miss, pixels, by what identifies their lines; what is not listed may miss by <see cref="MaxMissPixels"/>.</summary>
+    /// <summary>
+    /// By how much the objects of a label file may miss, pixels, by what identifies their lines; what is not listed may miss by
+    /// <see cref="MaxMissPixels"/>.
+    /// </summary>
     public static IReadOnlyDictionary<string, double> MissesOf(DatasetContent dataset)
     {
         var misses = new Dictionary<string, double>();

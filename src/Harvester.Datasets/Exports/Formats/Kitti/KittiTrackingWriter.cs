@@ -5,7 +5,9 @@ using Harvester.Geometry;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
-/// <summary>KITTI tracking: a sequence for each session, with one label and one calibration file each. See docs/exports/kitti-tracking.md.</summary>
+/// <summary>
+/// KITTI tracking: a sequence for each session, with one label and one calibration file each. See docs/exports/kitti-tracking.md.
+/// </summary>
 internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWriter
 {
     private const string FramePrefix = "frame ";
@@ -24,7 +26,8 @@ internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWrite
         output.Part($"{FramePrefix}{frame.Split} {sequence}", number);
         if (frame.FrameInSession == 0)
         {
-            output.Text($"training/calib/{sequence}.txt", KittiCalibration.Text(frame.Label.Camera, "R_rect", "Tr_velo_cam", "Tr_imu_velo"));
+            output.Text($"training/calib/{sequence}.txt",
+                KittiCalibration.Text(frame.Label.Camera, "R_rect", "Tr_velo_cam", "Tr_imu_velo"));
             output.Part(ListPrefix + frame.Split, sequence);
         }
 
@@ -42,7 +45,8 @@ internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWrite
         Box2D[] ignored = [.. KittiBox.IgnoredIn(frame)];
         foreach (Box2D box in ignored)
         {
-            output.Part(LabelPrefix + sequence, $"{number} -1 {KittiClasses.DontCare} -1 -1 -10 {KittiBox.Sides(box)} -1000 -1000 -1000 -10 -1 -1 -1");
+            output.Part(LabelPrefix
+                + sequence, $"{number} -1 {KittiClasses.DontCare} -1 -1 -10 {KittiBox.Sides(box)} -1000 -1000 -1000 -10 -1 -1 -1");
         }
 
         return new WrittenObjects(objects, ignored.Length);
@@ -54,9 +58,11 @@ internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWrite
         (string Split, string Sequence, int Frames)[] sequences =
         [
             .. parts.Where(part => part.Key.StartsWith(FramePrefix, StringComparison.Ordinal))
-                .Select(part => (part.Key.Split(' ')[1], part.Key.Split(' ')[2], part.Value)).OrderBy(sequence => sequence.Item2, StringComparer.Ordinal),
+                .Select(part => (part.Key.Split(' ')[1], part.Key.Split(' ')[2], part.Value))
+                    .OrderBy(sequence => sequence.Item2, StringComparer.Ordinal),
         ];
-        return sequences.Select(sequence => new AggregateFile($"training/label_02/{sequence.Sequence}.txt", [AggregateSection.Lines(LabelPrefix + sequence.Sequence)]))
+        return sequences.Select(sequence =>
+            new AggregateFile($"training/label_02/{sequence.Sequence}.txt", [AggregateSection.Lines(LabelPrefix + sequence.Sequence)]))
             .Concat(sequences.GroupBy(sequence => sequence.Split).SelectMany(split => ListsOf(split.Key, split)))
             .Concat(sequences.Any(sequence => sequence.Split == WholeSet) ? [] : [Seqmap(WholeSet, sequences)])
             .Append(KittiLeaning.Table());
@@ -65,7 +71,10 @@ internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWrite
     private static IEnumerable<AggregateFile> ListsOf(string split, IEnumerable<(string Split, string Sequence, int Frames)> sequences) =>
         [new($"ImageSets/{split}.txt", [AggregateSection.Lines(ListPrefix + split)]), Seqmap(split, sequences)];
 
-    /// <summary>As the benchmark's and TrackEval's evaluation read it: sequence, a word that is not used, first frame, number of frames.</summary>
+    /// <summary>
+    /// As the benchmark's and TrackEval's evaluation read it: sequence, a word that is not used, first frame, number of frames.
+    /// </summary>
     private static AggregateFile Seqmap(string set, IEnumerable<(string Split, string Sequence, int Frames)> sequences) => new(
-        SeqmapPrefix + set, [AggregateSection.Literal(string.Concat(sequences.Select(sequence => $"{sequence.Sequence} empty 000000 {sequence.Frames:D6}\n")))]);
+        SeqmapPrefix + set, [AggregateSection.Literal(
+            string.Concat(sequences.Select(sequence => $"{sequence.Sequence} empty 000000 {sequence.Frames:D6}\n")))]);
 }

@@ -5,7 +5,9 @@ using Harvester.Geometry;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
-/// <summary>KITTI object detection: training/image_2, label_2 and calib, a file a frame, and lists of the splits. See docs/exports/kitti.md.</summary>
+/// <summary>
+/// KITTI object detection: training/image_2, label_2 and calib, a file a frame, and lists of the splits. See docs/exports/kitti.md.
+/// </summary>
 internal sealed class KittiWriter(ExportOptions options) : IDatasetWriter
 {
     private const string ListPrefix = "list ";
@@ -19,7 +21,8 @@ internal sealed class KittiWriter(ExportOptions options) : IDatasetWriter
         foreach (KittiBox box in KittiBox.Of(frame, options.Names))
         {
             string truncated = Numbers.Row(KittiDecimals.Fraction, box.Label.TruncatedFraction);
-            lines.Append(box.Type).Append(' ').Append(truncated).Append(' ').Append(KittiClasses.OcclusionOf(box.Label)).Append(' ').Append(box.Fields()).Append('\n');
+            lines.Append(box.Type).Append(' ').Append(truncated).Append(' ').Append(KittiClasses.OcclusionOf(box.Label)).Append(' ')
+                .Append(box.Fields()).Append('\n');
             objects++;
             KittiLeaning.Add(output, $"{name}.txt", Numbers.Text(objects), box);
         }
@@ -27,11 +30,13 @@ internal sealed class KittiWriter(ExportOptions options) : IDatasetWriter
         Box2D[] ignored = [.. KittiBox.IgnoredIn(frame)];
         foreach (Box2D box in ignored)
         {
-            lines.Append(KittiClasses.DontCare).Append(" -1 -1 -10 ").Append(KittiBox.Sides(box)).Append(" -1 -1 -1 -1000 -1000 -1000 -10\n");
+            lines.Append(KittiClasses.DontCare).Append(" -1 -1 -10 ").Append(KittiBox.Sides(box))
+                .Append(" -1 -1 -1 -1000 -1000 -1000 -10\n");
         }
 
         output.Text($"training/label_2/{name}.txt", lines.ToString());
-        output.Text($"training/calib/{name}.txt", KittiCalibration.Text(frame.Label.Camera, "R0_rect:", "Tr_velo_to_cam:", "Tr_imu_to_velo:"));
+        output.Text($"training/calib/{name}.txt",
+            KittiCalibration.Text(frame.Label.Camera, "R0_rect:", "Tr_velo_to_cam:", "Tr_imu_to_velo:"));
         output.Part(ListPrefix + frame.Split, name);
         return new WrittenObjects(objects, ignored.Length);
     }

@@ -25,7 +25,8 @@ internal sealed class TrackCheck
         _frame = frame;
         return type == KittiClasses.DontCare ? null
             : !_inFrame.Add(track) ? $"track {track} is there twice in frame {frame}."
-            : !_types.TryAdd(track, type) && _types[track] != type ? $"track {track} is {type}, but was {_types[track]} in an earlier frame."
+            : !_types.TryAdd(track, type) && _types[track] != type
+                ? $"track {track} is {type}, but was {_types[track]} in an earlier frame."
             : null;
     }
 }

@@ -7,8 +7,10 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
 /// <summary>
-/// A cuboid as a box that stands upright in the camera's frame (x right, y down, z forward), which is all that KITTI can represent. Size, depth and
-/// turn are the cuboid's; sideways and in height it is placed so that its projection has the centre of the cuboid's, which makes the largest error of
+/// A cuboid as a box that stands upright in the camera's frame (x right, y down, z forward), which is all that KITTI can represent. Size,
+/// depth and
+/// turn are the cuboid's; sideways and in height it is placed so that its projection has the centre of the cuboid's, which makes the
+/// largest error of
 /// the projection's sides as small as a shift can make it.
 /// </summary>
 internal sealed record UprightBox
@@ -51,7 +53,10 @@ internal sealed record UprightBox
     /// <summary>The turn less the direction in which the object is seen, radians.</summary>
     public double Alpha => Angles.WrapRadians(RotationY - Math.Atan2(Location.X, Location.Z));
 
-    /// <summary>By how much the sides of the projection miss those of the cuboid's at most, pixels; 0 where the cuboid reaches too near to the camera.</summary>
+    /// <summary>
+    /// By how much the sides of the projection miss those of the cuboid's at most, pixels; 0 where the cuboid reaches too near to the
+    /// camera.
+    /// </summary>
     public double MissPixels { get; private init; }
 
     /// <summary>By how much it stands beside the cuboid, metres.</summary>
@@ -65,7 +70,8 @@ internal sealed record UprightBox
     {
         var upright = new UprightBox(cuboid, camera);
         UprightBox box = upright;
-        if (Projection([.. Enumerable.Range(0, Corners).Select(number => InKitti(camera.Pose.ToLocal(cuboid.Corner(number))))], camera) is not { } aim)
+        if (Projection([.. Enumerable.Range(0, Corners).Select(number => InKitti(camera.Pose.ToLocal(cuboid.Corner(number))))],
+            camera) is not { } aim)
         {
             return box;
         }
@@ -84,7 +90,8 @@ internal sealed record UprightBox
             seen = box.Seen(camera);
         }
 
-        return seen is { } placed ? box with { MissPixels = MissOf(placed, aim), MovedMetres = (box.Location - upright.Location).Length } : upright;
+        return seen is { } placed ? box with { MissPixels = MissOf(placed, aim), MovedMetres = (box.Location - upright.Location).Length }
+            : upright;
     }
 
     private static double MissOf(Box2D box, Box2D aim) => new[]

@@ -11,7 +11,9 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Exports.Formats.Lanes;
 
-/// <summary>What must hold for OpenLane: every listed image has its labels, matrices are a camera's, and points, projected, fall onto their pixels.</summary>
+/// <summary>
+/// What must hold for OpenLane: every listed image has its labels, matrices are a camera's, and points, projected, fall onto their pixels.
+/// </summary>
 internal static class OpenLaneCheck
 {
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset)
@@ -19,7 +21,8 @@ internal static class OpenLaneCheck
         Dictionary<string, int> images = Below(dataset, "images").ToDictionary(name => name, _ => 1);
         HashSet<string> stems = [.. images.Keys.Select(LabelsOf)];
         return SplitLists.Problems(dataset, split => $"{split}.txt", images)
-            .Concat(images.Keys.SelectMany(image => Problem(dataset, image) is { } problem ? [new SessionProblem(LabelsOf(image), null, problem)] : Array.Empty<SessionProblem>()))
+            .Concat(images.Keys.SelectMany(image => Problem(dataset, image) is { } problem
+                ? [new SessionProblem(LabelsOf(image), null, problem)] : Array.Empty<SessionProblem>()))
             .Concat(Below(dataset, "lane3d").Select(name => "lane3d/" + name).Where(name => !stems.Contains(name))
                 .Select(name => new SessionProblem(name, null, "its image is missing.")));
     }
@@ -66,7 +69,8 @@ internal static class OpenLaneCheck
             : !IsMotion(extrinsic) ? "extrinsic is not a rotation and a displacement."
             : !(extrinsic[2][3] > 0) ? "extrinsic puts the camera below the road."
             : size is not { } known ? null
-            : frame.List("lane_lines").Select((line, index) => OpenLaneLine.Problem(line, intrinsic, known) is { } problem ? $"lane_lines[{index}]: {problem}" : null)
+            : frame.List("lane_lines").Select(
+                (line, index) => OpenLaneLine.Problem(line, intrinsic, known) is { } problem ? $"lane_lines[{index}]: {problem}" : null)
                 .FirstOrDefault(problem => problem is not null);
     }
 

@@ -9,7 +9,10 @@ namespace Harvester.Datasets.Exports.Formats.Lanes;
 /// <summary>What must hold for one lane line of OpenLane.</summary>
 internal static class OpenLaneLine
 {
-    /// <summary>The format says nothing of a lens, and pixels are with its bend: a strong one moves a point by a fifth of its distance from the principal point.</summary>
+    /// <summary>
+    /// The format says nothing of a lens, and pixels are with its bend: a strong one moves a point by a fifth of its distance from the
+    /// principal point.
+    /// </summary>
     private const double MaxBendFraction = 0.2;
 
     /// <summary>The bend is radial in normalised coordinates, and in pixels as far as both focal lengths are the same.</summary>
@@ -44,7 +47,8 @@ internal static class OpenLaneLine
             return "its attribute, category or track_id is not one of the format's.";
         }
 
-        return Enumerable.Range(0, visibility.Length).Select(i => PointProblem(i, uv, xyz, intrinsic, image)).FirstOrDefault(problem => problem is not null);
+        return Enumerable.Range(0, visibility.Length).Select(i => PointProblem(i, uv, xyz, intrinsic, image))
+            .FirstOrDefault(problem => problem is not null);
     }
 
     private static string? PointProblem(int i, double[][] uv, double[][] xyz, double[][] k, ImageSize image)
@@ -68,7 +72,8 @@ internal static class OpenLaneLine
         double along = seen.Dot(ideal) / radius;
         double across = seen.Cross(ideal) / radius;
         double rounding = RoundingPixels + (k[0][0] * RoundingMetres * (1 + (radius / k[0][0])) / forward);
-        return Math.Abs(along - ideal.Length) <= (MaxBendFraction * ideal.Length) + rounding && Math.Abs(across) <= (AspectFraction * ideal.Length) + rounding
+        return Math.Abs(along - ideal.Length) <= (MaxBendFraction * ideal.Length) + rounding
+            && Math.Abs(across) <= (AspectFraction * ideal.Length) + rounding
             ? null
             : $"point {i}, projected with intrinsic, does not fall onto its pixel.";
     }

@@ -97,7 +97,8 @@ internal sealed class OpenLaneWriter : IDatasetWriter
         int[] left = [.. markings.Where(view => view.IsLeftOfCar).Select(view => view.Index).Distinct().OrderDescending()];
         int[] right = [.. markings.Where(view => !view.IsLeftOfCar).Select(view => view.Index).Distinct().Order()];
         return markings.Select(view => view.Index).Distinct().ToDictionary(
-            index => index, index => Array.IndexOf(left, index) switch { 0 => 2, 1 => 1, _ => Array.IndexOf(right, index) switch { 0 => 3, 1 => 4, _ => 0 } });
+            index => index, index =>
+                Array.IndexOf(left, index) switch { 0 => 2, 1 => 1, _ => Array.IndexOf(right, index) switch { 0 => 3, 1 => 4, _ => 0 } });
     }
 
     /// <summary>From the camera (x forward, y left, z up) to the vehicle (the same), row by row.</summary>

@@ -8,7 +8,9 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Formats.Lanes;
 
-/// <summary>What must hold for TuSimple's lanes: every line is a frame with its image, and every lane has a column, or -2, for each row.</summary>
+/// <summary>
+/// What must hold for TuSimple's lanes: every line is a frame with its image, and every lane has a column, or -2, for each row.
+/// </summary>
 internal static class TuSimpleCheck
 {
     private const int Absent = -2;
@@ -75,7 +77,8 @@ internal static class TuSimpleCheck
                 ? $"h_samples are not rising rows of the image of {header.Size.Width} x {header.Size.Height}."
             : lanes.Any(lane => lane.Length != rows.Length) ? $"a lane does not have {rows.Length} columns, one for each of h_samples."
             : lanes.Any(lane => lane.All(column => column == Absent)) ? "a lane is nowhere."
-            : lanes.SelectMany(lane => lane).Any(column => column != Absent && !(column >= 0 && column < header.Size.Width && column == Math.Floor(column)))
+            : lanes.SelectMany(lane => lane)
+                .Any(column => column != Absent && !(column >= 0 && column < header.Size.Width && column == Math.Floor(column)))
                 ? $"a lane has a column that is neither -2 nor one of the image of {header.Size.Width} x {header.Size.Height}."
             : null;
     }

@@ -8,7 +8,9 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Formats.Lanes;
 
-/// <summary>TuSimple lanes: for rows every ten pixels the column of each marking, a JSON line a frame. See docs/exports/tusimple.md.</summary>
+/// <summary>
+/// TuSimple lanes: for rows every ten pixels the column of each marking, a JSON line a frame. See docs/exports/tusimple.md.
+/// </summary>
 internal sealed class TuSimpleWriter(ExportOptions options) : IDatasetWriter
 {
     private const int RowStep = 10;

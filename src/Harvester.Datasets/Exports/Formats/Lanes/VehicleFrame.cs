@@ -3,11 +3,15 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Formats.Lanes;
 
-/// <summary>The frame of a vehicle as OpenLane and Waymo have it: fixed to the body, with its pitch and roll, its origin on the road below the model's origin.</summary>
+/// <summary>
+/// The frame of a vehicle as OpenLane and Waymo have it: fixed to the body, with its pitch and roll, its origin on the road below the
+/// model's origin.
+/// </summary>
 internal static class VehicleFrame
 {
     /// <summary>The pose of the frame, with axes right, forward, up.</summary>
-    /// <param name="ego">The vehicle. Sessions of earlier versions know its heading alone: their frame is level and at the model's origin.</param>
+    /// <param name="ego">The vehicle. Sessions of earlier versions know its heading alone: their frame is level and at the model's
+    /// origin.</param>
     public static Pose Of(EgoLabel ego)
     {
         Axes axes = ego.Axes ?? Axes.FromHeading(ego.HeadingDegrees);

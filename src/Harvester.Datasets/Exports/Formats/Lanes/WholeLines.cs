@@ -5,7 +5,10 @@ using Harvester.Geometry.Lanes;
 
 namespace Harvester.Datasets.Exports.Formats.Lanes;
 
-/// <summary>Makes one line of the runs of a line that leaves the image and comes back. One whose paint ends and begins again within the image stays in pieces.</summary>
+/// <summary>
+/// Makes one line of the runs of a line that leaves the image and comes back. One whose paint ends and begins again within the image stays
+/// in pieces.
+/// </summary>
 internal static class WholeLines
 {
     /// <summary>Pixels have three decimals.</summary>
@@ -19,7 +22,8 @@ internal static class WholeLines
         var lines = new List<LaneLineView>();
         foreach (LaneLineView run in runs)
         {
-            int last = lines.FindLastIndex(line => line.Index == run.Index && line.IsLeftOfCar == run.IsLeftOfCar && line.Paint == run.Paint);
+            int last = lines.FindLastIndex(
+                line => line.Index == run.Index && line.IsLeftOfCar == run.IsLeftOfCar && line.Paint == run.Paint);
             if (last >= 0 && IsOnBorder(lines[last].Points[^1], image) && IsOnBorder(run.Points[0], image))
             {
                 lines[last] = lines[last] with { Points = [.. lines[last].Points.Concat(run.Points)] };

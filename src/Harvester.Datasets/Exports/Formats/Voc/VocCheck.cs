@@ -9,7 +9,9 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Formats.Voc;
 
-/// <summary>What must hold for Pascal VOC: every image has its annotation and its place in a list, and boxes lie in the image, counted from 1.</summary>
+/// <summary>
+/// What must hold for Pascal VOC: every image has its annotation and its place in a list, and boxes lie in the image, counted from 1.
+/// </summary>
 internal static class VocCheck
 {
     private const string Images = "JPEGImages";
@@ -30,7 +32,8 @@ internal static class VocCheck
     private static IEnumerable<SessionProblem> LabelMapProblems(DatasetContent dataset, HashSet<string> classes)
     {
         HashSet<string> listed = [.. dataset.Lines(VocWriter.LabelMapFile).Select(line => line.Text.Split(':')[0])];
-        return classes.Where(name => !listed.Contains(name)).Select(name => new SessionProblem(VocWriter.LabelMapFile, null, $"the class '{name}' is missing."));
+        return classes.Where(name => !listed.Contains(name))
+            .Select(name => new SessionProblem(VocWriter.LabelMapFile, null, $"the class '{name}' is missing."));
     }
 
     private static IEnumerable<SessionProblem> ProblemsOf(DatasetContent dataset, string image, HashSet<string> classes)
@@ -44,7 +47,8 @@ internal static class VocCheck
         try
         {
             XElement annotation = XDocument.Load(dataset.PathOf(name), LoadOptions.SetLineInfo).Root!;
-            return [.. FrameProblems(dataset, image, annotation).Concat(annotation.Elements("object").SelectMany(item => ObjectProblems(item, annotation, classes)))
+            return [.. FrameProblems(dataset, image, annotation)
+                .Concat(annotation.Elements("object").SelectMany(item => ObjectProblems(item, annotation, classes)))
                 .Select(found => new SessionProblem(name, ((IXmlLineInfo)found.At).LineNumber, found.Message))];
         }
         catch (XmlException e)
@@ -81,7 +85,8 @@ internal static class VocCheck
 
         XElement box = item.Element("bndbox") ?? item;
         XElement size = annotation.Element("size") ?? annotation;
-        if (!IsRange(Whole(box, "xmin"), Whole(box, "xmax"), Whole(size, "width")) || !IsRange(Whole(box, "ymin"), Whole(box, "ymax"), Whole(size, "height")))
+        if (!IsRange(Whole(box, "xmin"), Whole(box, "xmax"), Whole(size, "width"))
+            || !IsRange(Whole(box, "ymin"), Whole(box, "ymax"), Whole(size, "height")))
         {
             yield return (box, "its box does not lie in the image.");
         }

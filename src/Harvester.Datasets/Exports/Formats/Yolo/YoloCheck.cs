@@ -26,7 +26,8 @@ internal static class YoloCheck
         int exported = new ClassCatalogue(dataset.Options).All.Count;
         int classes = dataset.Lines(DataFile).Count(line => line.Text.StartsWith("  ", StringComparison.Ordinal));
         var stems = new HashSet<string>(StringComparer.Ordinal);
-        return DataProblems(dataset, classes, exported).Concat(dataset.Splits.SelectMany(split => SplitProblems(dataset, split, stems, words => ProblemOf(words, classes, shapeProblem))));
+        return DataProblems(dataset, classes, exported).Concat(
+            dataset.Splits.SelectMany(split => SplitProblems(dataset, split, stems, words => ProblemOf(words, classes, shapeProblem))));
     }
 
     private static IEnumerable<SessionProblem> DataProblems(DatasetContent dataset, int classes, int exported)
@@ -50,7 +51,8 @@ internal static class YoloCheck
         }
     }
 
-    private static IEnumerable<SessionProblem> SplitProblems(DatasetContent dataset, string split, HashSet<string> stems, Func<string[], string?> problemOf)
+    private static IEnumerable<SessionProblem> SplitProblems(
+        DatasetContent dataset, string split, HashSet<string> stems, Func<string[], string?> problemOf)
     {
         var own = new List<string>();
         foreach (string image in dataset.Files($"images/{split}"))
@@ -77,7 +79,8 @@ internal static class YoloCheck
 
     private static string? ProblemOf(string[] words, int classes, Func<double[], string?> shapeProblem) =>
         Numbers.Parse(words) is not { } numbers ? "a word is not a number."
-            : !(numbers[0] >= 0 && numbers[0] < classes && numbers[0] == Math.Floor(numbers[0])) ? $"class {words[0]} is none of the {classes} in data.yaml."
+            : !(numbers[0] >= 0 && numbers[0] < classes && numbers[0] == Math.Floor(numbers[0]))
+                ? $"class {words[0]} is none of the {classes} in data.yaml."
             : numbers.Skip(1).Any(number => number is < 0 or > 1) ? "a place is not 0 to 1."
             : shapeProblem(numbers[1..]);
 
@@ -88,10 +91,12 @@ internal static class YoloCheck
             return $"a box has {BoxNumbers} numbers, not {box.Length}.";
         }
 
-        return box[2] > 0 && box[3] > 0 && IsInImage(box[0], box[2]) && IsInImage(box[1], box[3]) ? null : "its box does not lie in the image, or has no area.";
+        return box[2] > 0 && box[3] > 0 && IsInImage(box[0], box[2]) && IsInImage(box[1], box[3]) ? null
+            : "its box does not lie in the image, or has no area.";
     }
 
-    private static bool IsInImage(double centre, double size) => centre - (size / 2) >= -RoundingShare && centre + (size / 2) <= 1 + RoundingShare;
+    private static bool IsInImage(double centre, double size) =>
+        centre - (size / 2) >= -RoundingShare && centre + (size / 2) <= 1 + RoundingShare;
 
     private static string? OutlineProblem(double[] corners)
     {

@@ -6,7 +6,8 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Datasets.Exports.Formats.Yolo;
 
 /// <summary>
-/// Ultralytics YOLO with outlines: a class and the corners of one polygon a line, which joins the pieces of an object. See docs/exports/yolo.md.
+/// Ultralytics YOLO with outlines: a class and the corners of one polygon a line, which joins the pieces of an object. See
+/// docs/exports/yolo.md.
 /// </summary>
 internal sealed class YoloSegmentWriter(ExportOptions options) : IDatasetWriter
 {
@@ -31,7 +32,8 @@ internal sealed class YoloSegmentWriter(ExportOptions options) : IDatasetWriter
     private static string Line(DatasetClass kind, InstancePixels pixels)
     {
         ImageSize image = pixels.Map.Image;
-        IEnumerable<string> corners = pixels.Contour().Select(corner => Numbers.Row(YoloFiles.Decimals, corner.X / image.Width, corner.Y / image.Height));
+        IEnumerable<string> corners = pixels.Contour()
+            .Select(corner => Numbers.Row(YoloFiles.Decimals, corner.X / image.Width, corner.Y / image.Height));
         return Numbers.Text(kind.Number) + " " + string.Join(' ', corners);
     }
 }

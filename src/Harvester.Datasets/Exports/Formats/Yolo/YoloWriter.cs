@@ -10,7 +10,8 @@ internal sealed class YoloWriter(ExportOptions options) : IDatasetWriter
 {
     private readonly YoloFiles _files = new(options);
 
-    public WrittenObjects Write(ExportFrame frame, FrameOutput output) => YoloFiles.Write(frame, output, [.. frame.Objects.Select(item => Line(item, frame.Label.Camera))]);
+    public WrittenObjects Write(ExportFrame frame, FrameOutput output) =>
+        YoloFiles.Write(frame, output, [.. frame.Objects.Select(item => Line(item, frame.Label.Camera))]);
 
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => [_files.DataFile()];
 
@@ -19,6 +20,7 @@ internal sealed class YoloWriter(ExportOptions options) : IDatasetWriter
         Box2D box = item.Box;
         return Numbers.Text(item.Class.Number) + " " + Numbers.Row(
             YoloFiles.Decimals,
-            (box.XMin + box.XMax) / 2 / camera.Width, (box.YMin + box.YMax) / 2 / camera.Height, box.Width / camera.Width, box.Height / camera.Height);
+            (box.XMin + box.XMax) / 2 / camera.Width, (box.YMin + box.YMax) / 2 / camera.Height, box.Width / camera.Width,
+                box.Height / camera.Height);
     }
 }
