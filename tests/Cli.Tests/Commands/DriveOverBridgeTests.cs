@@ -159,7 +159,7 @@ public sealed class DriveOverBridgeTests : IDisposable
     [InlineData(
         "no token", "0.0.0.0 is reachable from other machines; set a --token", "--bridge", "socket", "--role", "game", "--at",
         "0.0.0.0:4567")]
-    [InlineData("no bridge", "--token needs a bridge", "--token", "sesame")]
+    [InlineData("no bridge", "--token needs --bridge", "--token", "sesame")]
     [InlineData("--patience", "--patience takes a number greater than 0", "--bridge", "socket", "--patience", "0")]
     public void Impossible_options_are_refused(string what, string message, params string[] options)
     {

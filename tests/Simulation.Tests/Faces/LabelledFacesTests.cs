@@ -31,7 +31,7 @@ public sealed class LabelledFacesTests
 
     [Fact]
     public void Labelled_faces_are_the_visible_ones_and_lights_are_read() =>
-        Judge(StreetOfFaces.Harvest(20, firstSeed: 1), fewestFaces: 100, fewestHeads: 10);
+        Judge(StreetOfFaces.Harvest(60, firstSeed: 1), fewestFaces: 300, fewestHeads: 30);
 
     [Fact]
     [Trait("Category", "Heavy")]
