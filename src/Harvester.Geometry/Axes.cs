@@ -42,8 +42,7 @@ public readonly record struct Axes
     /// <summary>
     /// Takes three nearly orthonormal vectors, as single-precision sources give them, and makes them exactly so:
     /// forward keeps its direction, right is made square to it, up follows. Vectors that are orthonormal but for the rounding of doubles
-    /// are
-    /// taken as they are, so that an orientation that was written in full is read as it was.
+    /// are taken as they are, so that an orientation that was written in full is read as it was.
     /// </summary>
     /// <exception cref="ArgumentException">The vectors are not unit, not square to each other or left-handed, by more than
     /// 0.001.</exception>

@@ -15,8 +15,7 @@ public readonly record struct ScaledPose(Pose Pose, Vector3D Scale)
 
     /// <summary>
     /// Splits a matrix into a rotation and a scale along the axes of its own frame. Lengths within 0.001 of 1 are taken for 1, so that a
-    /// rigid
-    /// matrix gives the pose that it always gave.
+    /// rigid matrix gives the pose that it always gave.
     /// </summary>
     /// <param name="right">The matrix' vector for x, in the world.</param>
     /// <param name="forward">The matrix' vector for y, in the world.</param>

@@ -5,8 +5,7 @@ namespace Harvester.Capture.Calibration;
 
 /// <summary>
 /// Which markers are shown in which of seven pictures. Each marker has a combination of exactly three pictures of its own, which identifies
-/// it.
-/// A spot in fewer or more pictures is not a marker, or a marker that is partly hidden.
+/// it. A spot in fewer or more pictures is not a marker, or a marker that is partly hidden.
 /// </summary>
 internal static class MarkerCode
 {

@@ -9,8 +9,7 @@ namespace Harvester.Capture.Harvesting;
 /// <summary>
 /// Measures by how many ticks the picture is behind the state: it freezes a moving game, watches both, and finds the shift by which the
 /// changes of the picture follow the movement (<see cref="LagRecord"/>). What a single freeze shows may deceive, as where the world creeps
-/// on
-/// by less than a picture shows, so the same lag must be found several times, and more often than all others.
+/// on by less than a picture shows, so the same lag must be found several times, and more often than all others.
 /// </summary>
 internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneReader reader, PixelBufferPool pool)
 {

@@ -8,9 +8,8 @@ namespace Harvester.Capture.Harvesting;
 
 /// <summary>
 /// States and changes of the picture, tick by tick, of a game that came to stand. The lag is the shift by which the changes fit the
-/// movement
-/// best (<see cref="LagAlignment"/>), of camera and entities together: a world that creeps on after the freeze, seen or not, moves both
-/// alike, while the last change alone would tell the end of the creep from a lag by the smallest movement that can be seen.
+/// movement best (<see cref="LagAlignment"/>), of camera and entities together: a world that creeps on after the freeze, seen or not, moves
+/// both alike, while the last change alone would tell the end of the creep from a lag by the smallest movement that can be seen.
 /// </summary>
 internal sealed class LagRecord
 {

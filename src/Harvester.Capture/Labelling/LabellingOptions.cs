@@ -42,15 +42,13 @@ public record LabellingOptions
 
     /// <summary>
     /// Rays that a frame may take in all, 0 to 10,000,000: for the mask first, then for objects, faces, ignore regions and lanes. When they
-    /// are
-    /// used up the mask is finished from what is known, and what is left is not determined.
+    /// are used up the mask is finished from what is known, and what is left is not determined.
     /// </summary>
     public int RayBudget { get; init => field = OptionCheck.InRange(value, 0, MaxRays, nameof(RayBudget)); } = 50_000;
 
     /// <summary>
     /// Distance beyond which the game's rays are known not to meet entities, metres; greater than 0. Whether those are seen is not
-    /// determined:
-    /// they are marked by ignore regions.
+    /// determined: they are marked by ignore regions.
     /// </summary>
     public double RayReachMetres { get; init => field = OptionCheck.Positive(value, nameof(RayReachMetres)); } = 1_000;
 

@@ -10,8 +10,7 @@ public interface ILights
 {
     /// <summary>
     /// The state that a light was set to and that it shows in the picture of a frame; null for a light that the real game drives, and
-    /// around
-    /// a change, when the picture may show either state.
+    /// around a change, when the picture may show either state.
     /// </summary>
     /// <param name="entity">Handle of the light's entity.</param>
     /// <param name="gameFrame">The game's count of frames when the scene was read.</param>

@@ -162,7 +162,7 @@ internal static class HarvestCommand
     {
         using FolderLock held = FolderLock.Take(plan.Folder);
         OutputFolder.Check(plan.Folder, plan.Overwrite);
-        terminal.Out.WriteLine($"Harvesting {(plan.Shard.Count > 1 ? $"shard {plan.Shard} of " : "")}{Counted.Of(plan.Frames, "frame")} of {plan.Image.Width} x {plan.Image.Height}, seed {plan.Seed}, to {plan.Folder}");
+        terminal.Out.WriteLine($"Harvesting {(plan.Options.Shard.Count > 1 ? $"shard {plan.Options.Shard} of " : "")}{Counted.Of(plan.Frames, "frame")} of {plan.Options.Image.Width} x {plan.Options.Image.Height}, seed {plan.Seed}, to {plan.Folder}");
         terminal.Out.Flush();
         SimulatedHarvest harvest = SimulatedHarvest.Build(plan, terminal.WriteError);
         OutputFolder.Clear(plan.Folder);
@@ -180,7 +180,7 @@ internal static class HarvestCommand
         }
 
         var session = new SessionReader(plan.Folder);
-        string? page = withReport && !outcome.IsCancelled && plan.Shard.Count == 1 ? Path.Combine(plan.Folder, ReportWriter.FileName)
+        string? page = withReport && !outcome.IsCancelled && plan.Options.Shard.Count == 1 ? Path.Combine(plan.Folder, ReportWriter.FileName)
             : null;
         if (page is not null)
         {
@@ -198,21 +198,15 @@ internal static class HarvestCommand
 
     private static HarvestPlan PlanOf(ParseResult parsed)
     {
-        ImageFormat format = parsed.GetValue(Format) ?? ImageFormat.Png;
         string weather = parsed.GetRequiredValue(WeatherName);
         return new HarvestPlan
         {
             Folder = parsed.GetRequiredValue(Out),
             Overwrite = parsed.GetValue(Overwrite),
+            Options = OptionsOf(parsed),
             Frames = parsed.GetValue(Frames),
             Seed = parsed.GetValue(Seed),
-            Image = parsed.GetValue(Size),
-            Format = format,
-            JpegQuality = ImageFormatOption.QualityOf(parsed, Quality, format),
             FovDegrees = parsed.GetValue(Fov),
-            Lens = LensOf.Parse(parsed),
-            MaxCameraErrorPixels = parsed.GetValue(MaxCameraError) is > 0 and var error ? error : null,
-            RateHz = parsed.GetValue(Hz),
             Roads = parsed.GetValue(Roads)?.FullName,
             Props = [.. parsed.GetRequiredValue(Props).Select(file => file.FullName)],
             Faces = parsed.GetValue(Faces) is { } spaces ? Path.TrimEndingDirectorySeparator(spaces.FullName) : null,
@@ -221,21 +215,36 @@ internal static class HarvestCommand
                 ? weather
                 : throw new UsageException($"--weather takes one of {string.Join(", ", WeatherNames.All)}, not '{weather}'."),
             TimeOfDay = parsed.GetValue(Time) ?? Noon,
-            Masks = parsed.GetValue(Masks),
-            RayBudget = parsed.GetValue(Rays),
-            RayReachMetres = parsed.GetValue(RayReach),
-            Scenes = !parsed.GetValue(NoScenes),
-            Shard = parsed.GetValue(ShardOf),
-            RangeMetres = parsed.GetValue(Range),
-            IgnoreRangeMetres = parsed.GetValue(IgnoreRange),
             LookAhead = parsed.GetValue(LaneLookAhead),
             LaneWidth = parsed.GetValue(LaneWidth),
             NarrowLaneWidth = parsed.GetValue(NarrowLaneWidth),
-            Classes = ClassList.Parse(parsed.GetValue(Classes)),
             Quirks = QuirkList.Parse(parsed.GetValue(Quirks)),
+            QuirksAsked = parsed.GetValue(Quirks),
+        };
+    }
+
+    private static HarvestOptions OptionsOf(ParseResult parsed)
+    {
+        ImageFormat format = parsed.GetValue(Format) ?? ImageFormat.Png;
+        return new HarvestOptions
+        {
+            Image = parsed.GetValue(Size),
+            Format = format,
+            JpegQuality = ImageFormatOption.QualityOf(parsed, Quality, format),
+            MaxFrames = parsed.GetValue(Frames),
+            Shard = parsed.GetValue(ShardOf),
+            RateHz = parsed.GetValue(Hz),
+            RangeMetres = parsed.GetValue(Range),
+            IgnoreRangeMetres = parsed.GetValue(IgnoreRange),
+            Classes = ClassList.Parse(parsed.GetValue(Classes)),
+            Masks = parsed.GetValue(Masks),
+            RayBudget = parsed.GetValue(Rays),
+            RayReachMetres = parsed.GetValue(RayReach),
+            Lens = LensOf.Parse(parsed),
+            MaxCalibrationErrorPixels = parsed.GetValue(MaxCameraError) is > 0 and var error ? error : null,
             MaxPictureLagTicks = parsed.GetValue(MaxPictureLag),
             FreezeBy = FreezeOption.Parse(parsed.GetRequiredValue(FreezeBy)),
-            QuirksAsked = parsed.GetValue(Quirks),
+            Scenes = !parsed.GetValue(NoScenes),
         };
     }
 

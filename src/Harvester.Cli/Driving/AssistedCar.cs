@@ -9,8 +9,7 @@ namespace Harvester.Cli.Driving;
 
 /// <summary>
 /// The simulated car behind a bridge: in junctions and where it has to give way its own driver drives, whatever the client says, as long as
-/// a
-/// client is there. Without one it brakes everywhere.
+/// a client is there. Without one it brakes everywhere.
 /// </summary>
 /// <param name="game">The game with the car.</param>
 /// <param name="roads">Its roads.</param>

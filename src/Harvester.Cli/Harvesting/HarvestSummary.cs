@@ -40,7 +40,7 @@ internal static class HarvestSummary
             terminal.Out.WriteLine($"report   {report}");
         }
 
-        terminal.Out.WriteLine(plan.Shard.Count > 1
+        terminal.Out.WriteLine(plan.Options.Shard.Count > 1
             ? $"next     {Command()} merge {ShellWord.Of(plan.Folder)} OTHER SHARDS... --out DIR"
             : $"next     {Command()} validate {ShellWord.Of(plan.Folder)}");
     }

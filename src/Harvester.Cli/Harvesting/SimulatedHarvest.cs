@@ -13,6 +13,7 @@ using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
+using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Files;
@@ -50,6 +51,7 @@ internal sealed class SimulatedHarvest
         RoadNetwork? roads = plan.Roads is null ? null : RoadImporter.Import(plan.Roads).Network;
         FaceTable faces = FaceFile.AsWritten(
             plan.Faces is null ? ModelFaces.Table : ModelFaces.Table.OverriddenBy(FaceFile.ReadGood(plan.Faces, warn)));
+        Lens lens = plan.Options.Lens;
         List<PropPlacement> props = [.. plan.Props.SelectMany(PropPlacementImporter.Import)];
         try
         {
@@ -62,8 +64,8 @@ internal sealed class SimulatedHarvest
                 Weather = plan.Weather,
                 TimeOfDay = plan.TimeOfDay,
                 VerticalFovDegrees = plan.FovDegrees,
-                WindowAspect = plan.Image.Aspect,
-                Lens = new RenderLens(plan.Lens.FocalScale, plan.Lens.CentreOffsetX, plan.Lens.CentreOffsetY, plan.Lens.K1, plan.Lens.K2),
+                WindowAspect = plan.Options.Image.Aspect,
+                Lens = new RenderLens(lens.FocalScale, lens.CentreOffsetX, lens.CentreOffsetY, lens.K1, lens.K2),
                 Quirks = plan.Quirks,
             }), faces);
         }
@@ -82,7 +84,7 @@ internal sealed class SimulatedHarvest
         var clock = Stopwatch.StartNew();
         using var writer = new SessionWriter(_plan.Folder, Origin());
         RoadNetwork roads = _plan.Roads is null ? KeepRoads(_game.Roads) : _game.Roads;
-        using var session = new HarvestSession(Options(), Ports(roads), writer);
+        using var session = new HarvestSession(_plan.Options with { Faces = _faces }, Ports(roads), writer);
         do
         {
             // The game waits for the disk, not the other way round: otherwise its course would depend on the disk's speed.
@@ -116,7 +118,7 @@ internal sealed class SimulatedHarvest
     /// </summary>
     private RoadNetwork KeepRoads(RoadNetwork town)
     {
-        if (!_plan.Scenes)
+        if (!_plan.Options.Scenes)
         {
             return town;
         }
@@ -135,28 +137,6 @@ internal sealed class SimulatedHarvest
             Roads = new FixedRoads(
             roads, _plan.Roads is null ? "simulation" : "roadFile", _plan.LookAhead, _plan.LaneWidth, _plan.NarrowLaneWidth)
         };
-
-    private HarvestOptions Options() => new()
-    {
-        Image = _plan.Image,
-        Format = _plan.Format,
-        JpegQuality = _plan.JpegQuality,
-        MaxFrames = _plan.Frames,
-        Shard = _plan.Shard,
-        RateHz = _plan.RateHz,
-        RangeMetres = _plan.RangeMetres,
-        IgnoreRangeMetres = _plan.IgnoreRangeMetres,
-        Classes = _plan.Classes,
-        Masks = _plan.Masks,
-        RayBudget = _plan.RayBudget,
-        RayReachMetres = _plan.RayReachMetres,
-        Lens = _plan.Lens,
-        MaxCalibrationErrorPixels = _plan.MaxCameraErrorPixels,
-        MaxPictureLagTicks = _plan.MaxPictureLagTicks,
-        FreezeBy = _plan.FreezeBy,
-        Scenes = _plan.Scenes,
-        Faces = _faces,
-    };
 
     private SessionOrigin Origin() => new()
     {
@@ -198,9 +178,9 @@ internal sealed class SimulatedHarvest
             yield return new("near", string.Create(CultureInfo.InvariantCulture, $"{near.X},{near.Y}"));
         }
 
-        if (_plan.Shard.Count > 1)
+        if (_plan.Options.Shard.Count > 1)
         {
-            yield return new("shard", _plan.Shard.ToString());
+            yield return new("shard", _plan.Options.Shard.ToString());
         }
     }
 }

@@ -6,8 +6,7 @@ namespace Harvester.Datasets.Exports;
 
 /// <summary>
 /// Deals frames out to splits. Each block of frames draws its split by a hash of seed, session and block: which split a frame is in does
-/// not
-/// depend on other frames, on shards or on filters, and the shares are met on average, not exactly.
+/// not depend on other frames, on shards or on filters, and the shares are met on average, not exactly.
 /// </summary>
 public sealed class SplitPlan
 {

@@ -36,6 +36,7 @@ internal sealed class JsonListReader : IDisposable
 
     /// <summary>Goes to the next element; false when there is none.</summary>
     /// <exception cref="JsonException">The file is not JSON.</exception>
+    /// <exception cref="DatasetFormatException">A name or text in it is not Unicode, or an element is too large.</exception>
     public bool Read()
     {
         while (true)
@@ -88,9 +89,21 @@ internal sealed class JsonListReader : IDisposable
 
             if (reader.CurrentDepth == 1)
             {
-                List = reader.TokenType == JsonTokenType.PropertyName ? reader.GetString()! : List;
+                List = reader.TokenType == JsonTokenType.PropertyName ? NameOf(reader) : List;
                 _isInList = reader.TokenType == JsonTokenType.StartArray;
             }
+        }
+    }
+
+    private static string NameOf(in Utf8JsonReader reader)
+    {
+        try
+        {
+            return reader.GetString()!;
+        }
+        catch (InvalidOperationException e)
+        {
+            throw new DatasetFormatException("a name in it is not Unicode text.", e);
         }
     }
 

@@ -5,8 +5,7 @@ namespace Harvester.Datasets.Statistics;
 
 /// <summary>
 /// Finds medians without keeping the numbers: it counts them in bins that are 1/4096 of their numbers wide, so that their number depends on
-/// how far
-/// the numbers spread, not on how many there are.
+/// how far the numbers spread, not on how many there are.
 /// </summary>
 internal sealed class QuantileSketch
 {

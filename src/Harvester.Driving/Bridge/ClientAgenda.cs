@@ -6,8 +6,7 @@ namespace Harvester.Driving.Bridge;
 
 /// <summary>
 /// What the client has said and the drive has not done yet: commands that wait for a step's end, and the newest controls or indicators.
-/// Those
-/// that came before a reset are void with it, those that came behind it wait until it is done.
+/// Those that came before a reset are void with it, those that came behind it wait until it is done.
 /// </summary>
 /// <param name="bridge">The bridge to the client.</param>
 /// <param name="report">Receives a message for each fault of the client.</param>

@@ -5,11 +5,9 @@ namespace Harvester.Driving.Bridge;
 
 /// <summary>
 /// What the one client that counts has said, until the game takes it: commands in their order, of controls and indicators only the newest.
-/// A
-/// reset voids those that came before it.
-/// Each word comes with who says it, under one lock with who counts. So once a client is gone or another has its place, nothing that it
-/// said
-/// is given out any more, and the game is told so by a <see cref="ClientGoneMessage"/> before anything that comes after.
+/// A reset voids those that came before it. Each word comes with who says it, under one lock with who counts. So once a client is gone or
+/// another has its place, nothing that it said is given out any more, and the game is told so by a <see cref="ClientGoneMessage"/> before
+/// anything that comes after.
 /// </summary>
 /// <typeparam name="TClient">Clients; one and the same object is one and the same client.</typeparam>
 internal sealed class ClientInbox<TClient>

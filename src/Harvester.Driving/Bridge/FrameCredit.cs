@@ -2,8 +2,7 @@ namespace Harvester.Driving.Bridge;
 
 /// <summary>
 /// Says when a client may be sent a frame: when it has answered the last one, or has asked for one. What has been sent waits in the buffers
-/// of
-/// two machines and cannot be taken back, so a second frame behind one that is not answered would be old by the time it is read.
+/// of two machines and cannot be taken back, so a second frame behind one that is not answered would be old by the time it is read.
 /// </summary>
 internal sealed class FrameCredit
 {
@@ -13,8 +12,7 @@ internal sealed class FrameCredit
 
     /// <summary>
     /// Takes it that a frame is sent now, where it may be. One that was asked for needs no answer: the client has said that it wants it,
-    /// and a
-    /// world that stands may show it what it has seen and answered already.
+    /// and a world that stands may show it what it has seen and answered already.
     /// </summary>
     public bool TrySpend(BridgeState state)
     {
@@ -38,8 +36,8 @@ internal sealed class FrameCredit
 
     /// <summary>
     /// Hears a word of the client's. It answers the frame that it names and those before, or all that were sent if it names none. A step
-    /// and a
-    /// request answer nothing: they bring the frame that they ask for, and another with it would be one more than the client waits for.
+    /// and a request answer nothing: they bring the frame that they ask for, and another with it would be one more than the client waits
+    /// for.
     /// </summary>
     public void Hear(ClientMessage word)
     {

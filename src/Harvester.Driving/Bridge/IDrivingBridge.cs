@@ -23,8 +23,8 @@ public interface IDrivingBridge : IDisposable
 
     /// <summary>
     /// The next message of the client. Of controls and indicators only the newest is kept; commands come in their order. When the client is
-    /// gone
-    /// or replaced a <see cref="ClientGoneMessage"/> comes before anything that another says, and nothing of the earlier one's after it.
+    /// gone or replaced a <see cref="ClientGoneMessage"/> comes before anything that another says, and nothing of the earlier one's after
+    /// it.
     /// </summary>
     bool TryReceive([NotNullWhen(true)] out ClientMessage? message);
 }

@@ -13,8 +13,7 @@ namespace Harvester.Driving.Bridge;
 /// A bridge over TCP, to one client at a time: a newer client takes the place of the older, once it has shown the token where one is asked
 /// for. Frames go out as a JSON header and a PNG, messages come in as JSON headers; docs/bridge.md has the protocol. Threads of its own do
 /// all the waiting, and a client that sends nonsense or does not take a frame is cut off, never waited for. A client is sent the newest
-/// frame when
-/// it has answered the last one.
+/// frame when it has answered the last one.
 /// </summary>
 public sealed class SocketBridge : IDrivingBridge
 {

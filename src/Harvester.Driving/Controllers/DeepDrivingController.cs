@@ -49,8 +49,7 @@ public sealed class DeepDrivingController : IController
     /// <param name="steeringLockRadians">Angle of the car's front wheels at full lock, radians; that of TORCS unless given.</param>
     /// <param name="vehicleAllowanceMetres">
     /// Taken off the distances to vehicles, metres: the published controller stops 5 m from a vehicle, centre to centre, which is right for
-    /// the
-    /// short cars of TORCS only.
+    /// the short cars of TORCS only.
     /// </param>
     /// <param name="mostSpeed">Speed on a free straight road, m/s, greater than 0; 20 as published unless given.</param>
     public DeepDrivingController(

@@ -18,8 +18,7 @@ internal sealed class PlaceBesideLine
 
     /// <summary>
     /// Takes a frame. The leftmost marking of the car's direction that is seen is taken for the line. On a road of two directions that is
-    /// what
-    /// it is, but for half of the median; on a one-way road the line is in the middle of the lanes, but those have few sharp bends.
+    /// what it is, but for half of the median; on a one-way road the line is in the middle of the lanes, but those have few sharp bends.
     /// </summary>
     public void Observe(LaneIndicators at)
     {

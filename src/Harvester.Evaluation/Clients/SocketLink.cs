@@ -1,11 +1,11 @@
 using System;
 using System.Buffers.Binary;
-using System.Collections.Generic;
 using System.IO;
-using System.Linq;
 using System.Net.Sockets;
+using System.Text;
 using System.Text.Json;
 using Harvester.Capture.Ports;
+using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
@@ -67,11 +67,9 @@ public sealed class SocketLink : IBridgeLink
 
         try
         {
-            using JsonDocument message = JsonDocument.Parse(newest);
-            return FrameOf(message.RootElement);
+            return FrameOf(JsonFields.Parse(Encoding.UTF8.GetString(newest)));
         }
-        catch (Exception e)
-            when (e is JsonException or KeyNotFoundException or InvalidOperationException or FormatException or ArgumentException)
+        catch (BridgeException e)
         {
             throw new IOException($"The game sent an invalid frame: {e.Message}", e);
         }
@@ -90,32 +88,28 @@ public sealed class SocketLink : IBridgeLink
     /// <inheritdoc/>
     public void Dispose() => _connection.Dispose();
 
-    private static ClientFrame FrameOf(JsonElement root)
+    private static ClientFrame FrameOf(JsonFields header)
     {
-        if (root.GetProperty("type").GetString() == "error")
+        if (header.Text("type") == "error")
         {
-            throw new IOException($"The game has closed the bridge: {root.GetProperty("reason").GetString()}");
+            throw new IOException($"The game has closed the bridge: {header.Text("reason")}");
         }
 
-        double[] torcs = Numbers(root, "torcsEquivalent");
-        double[] metres = Numbers(root, "indicators");
-        double[] position = Numbers(root, "position");
+        double[] torcs = header.Numbers("torcsEquivalent", IndicatorTable.All.Count);
+        double[] metres = header.Numbers("indicators", IndicatorTable.All.Count);
+        double[] position = header.Numbers("position", 3);
         LaneIndicators indicators = ClientIndicators.Of(torcs);
         DrivingState seen = new(
             ClientIndicators.InMetres(indicators, ClientIndicators.SectionOf(torcs, metres), angleAhead: metres[0]),
             indicators,
-            root.GetProperty("fast").GetBoolean(),
-            root.GetProperty("speedMetresPerSecond").GetDouble())
+            header.Boolean("fast"),
+            header.Number("speedMetresPerSecond"))
         {
-            HeadingRadians = Angles.ToRadians(root.GetProperty("headingDegrees").GetDouble()),
+            HeadingRadians = Angles.ToRadians(header.Number("headingDegrees")),
         };
         return new ClientFrame(
-            root.GetProperty("frame").GetInt64(), root.GetProperty("timeSeconds").GetDouble(), seen,
-                new Vector3D(position[0], position[1], position[2]));
+            (long)header.Number("frame"), header.Number("timeSeconds"), seen, new Vector3D(position[0], position[1], position[2]));
     }
-
-    private static double[] Numbers(JsonElement root, string name) =>
-        [.. root.GetProperty(name).EnumerateArray().Select(value => value.GetDouble())];
 
     private void Connect(string host, int port, TimeSpan patience)
     {

@@ -7,8 +7,7 @@ namespace Harvester.Geometry.Calibration;
 
 /// <summary>
 /// Finds the likely cause of a disagreement: each cause moves points in a pattern of its own, to the first order; the one whose pattern
-/// explains
-/// most of the squared distances is named, if it explains half of them.
+/// explains most of the squared distances is named, if it explains half of them.
 /// </summary>
 public static class MisfitFinder
 {

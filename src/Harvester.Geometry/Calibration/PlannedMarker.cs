@@ -8,8 +8,8 @@ public readonly record struct PlannedMarker(Vector3D Centre, double RadiusMetres
 {
     /// <summary>
     /// The point whose image is the centre of the ball's image. A ball at (X, Y) and depth Z shows as an ellipse about (X, Y) Z / (Z² - R²)
-    /// in normalised
-    /// coordinates, which is the image of the point at the depth Z - R² / Z: farther from the axis than the image of the ball's own centre.
+    /// in normalised coordinates, which is the image of the point at the depth Z - R² / Z: farther from the axis than the image of the
+    /// ball's own centre.
     /// </summary>
     /// <param name="camera">The camera's pose.</param>
     public Vector3D CentreOfImage(Pose camera)

@@ -11,8 +11,7 @@ namespace Harvester.Geometry.PixelMaps;
 /// <param name="InterpolatedPixels">The number of pixels within the targets' boxes through which no ray was cast.</param>
 /// <param name="Sights">
 /// For each target's number whether it is seen: a target that is has a pixel, and one that is not asked may have been left over when the
-/// map
-/// was stopped. Targets beyond the reach of rays are undetermined.
+/// map was stopped. Targets beyond the reach of rays are undetermined.
 /// </param>
 public sealed record AdaptivePixelMap(
     InstanceMap Map,

@@ -4,8 +4,7 @@ namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
 /// Takes back what is drawn without evidence: pixels of objects that no ray has met, which are guessed from their cuboids, and pixels
-/// between
-/// rays where an object cannot be, since an outline drawn across a cell may reach beyond the box of the object's cuboid.
+/// between rays where an object cannot be, since an outline drawn across a cell may reach beyond the box of the object's cuboid.
 /// </summary>
 internal static class Evidence
 {

@@ -43,8 +43,7 @@ public sealed class PlayerMessages
 
     /// <summary>
     /// Tells the player that something failed, and the log why; the same again within five seconds only once as long as nothing but
-    /// failures
-    /// is told: what fails in every tick does not fill the disk.
+    /// failures is told: what fails in every tick does not fill the disk.
     /// </summary>
     public void TellFailure(string what, Exception exception)
     {

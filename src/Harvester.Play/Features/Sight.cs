@@ -8,8 +8,7 @@ namespace Harvester.Play.Features;
 
 /// <summary>
 /// What the overlay sees of the game. Labels ask for everything in every tick; boxes over the game need not: a model is asked for once,
-/// what cannot be
-/// seen seldom, and what seldom changes now and then.
+/// what cannot be seen seldom, and what seldom changes now and then.
 /// </summary>
 /// <param name="reader">The game.</param>
 public sealed class Sight(ISightReader reader)

@@ -5,8 +5,7 @@ namespace Harvester.Play.Features;
 
 /// <summary>
 /// The distribution of times of ticks, in constant memory: a histogram with <see cref="PerDecade"/> classes for each power of ten, so that
-/// a
-/// percentile is at most 5 % above the true one.
+/// a percentile is at most 5 % above the true one.
 /// </summary>
 public sealed class TickTimes
 {

@@ -10,9 +10,8 @@ internal static class KeptFaces
 {
     /// <summary>
     /// The faces of a sign that a survey found, and after them those that it could not find: the known ones to whose side none of the found
-    /// ones
-    /// looks, if they were measured before, or look another way than the model's first. Heads of lights are found by their bones, all of
-    /// them, and none is kept. A kept face keeps its number where that is free.
+    /// ones looks, if they were measured before, or look another way than the model's first. Heads of lights are found by their bones, all
+    /// of them, and none is kept. A kept face keeps its number where that is free.
     /// </summary>
     /// <param name="found">What was found, at least one face.</param>
     /// <param name="known">The model's faces as known before.</param>

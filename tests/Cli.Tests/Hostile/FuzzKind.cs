@@ -38,7 +38,7 @@ internal sealed record FuzzKind(string Name, string File, params string[] Comman
         new("csv-objects", "csv/objects.csv", "validate {0}/csv"),
         new("coco", "coco/annotations/instances_train.json", "validate {0}/coco"),
         new("panoptic", "coco-panoptic/annotations/panoptic_train.json", "validate {0}/coco-panoptic"),
-        new("kitti", "kitti/training/label_2/00000000.txt", "validate {0}/kitti"),
+        new("kitti", "kitti/training/label_2/000000.txt", "validate {0}/kitti"),
         new("voc", "voc/Annotations/00000000.xml", "validate {0}/voc"),
         new("yolo", "yolo/labels/train/00000000.txt", "validate {0}/yolo"),
         new("webdataset", "webdataset/train-000000.tar", "validate {0}/webdataset"),

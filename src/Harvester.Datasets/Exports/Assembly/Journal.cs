@@ -12,8 +12,7 @@ namespace Harvester.Datasets.Exports.Assembly;
 
 /// <summary>
 /// The frames that one shard has done, a line each, by rising number. A frame is part of the dataset when its line is complete; half a line
-/// is
-/// what a killed export leaves, and is taken away when the export goes on. The last line of a finished shard says so.
+/// is what a killed export leaves, and is taken away when the export goes on. The last line of a finished shard says so.
 /// </summary>
 internal sealed class Journal : IDisposable
 {

@@ -8,8 +8,7 @@ namespace Harvester.Datasets.Images.Jpeg;
 
 /// <summary>
 /// Reads baseline JPEG pictures (ITU-T T.81, 8 bits, Huffman codes) in grey or YCbCr. Pictures without chroma subsampling, as sessions have
-/// them,
-/// have the pixels that libjpeg gives; with subsampling each colour stands for its whole area, without interpolation.
+/// them, have the pixels that libjpeg gives; with subsampling each colour stands for its whole area, without interpolation.
 /// </summary>
 public static class JpegDecoder
 {

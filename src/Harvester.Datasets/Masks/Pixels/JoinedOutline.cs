@@ -6,8 +6,7 @@ namespace Harvester.Datasets.Masks.Pixels;
 
 /// <summary>
 /// Makes one closed polygon of several, for formats that have one for each object: pieces and holes are joined by the shortest ways between
-/// their corners,
-/// gone there and back, which have no area. Filled by the even-odd rule, the polygon covers what the outlines together do.
+/// their corners, gone there and back, which have no area. Filled by the even-odd rule, the polygon covers what the outlines together do.
 /// </summary>
 internal static class JoinedOutline
 {

@@ -12,8 +12,7 @@ namespace Harvester.Datasets.Masks.Pixels;
 
 /// <summary>
 /// The pixels of faces and heads, which masks give to the objects that they are parts of: a pixel of the whole that lies within the
-/// silhouette of a
-/// part's cuboid is the part's, the nearest one's where several overlap.
+/// silhouette of a part's cuboid is the part's, the nearest one's where several overlap.
 /// </summary>
 internal static class PartPixels
 {

@@ -6,8 +6,7 @@ namespace Harvester.Sessions.Imaging.Jpeg;
 
 /// <summary>
 /// Bits of a scan, the highest first. Copied into a local variable while a block is written, so that its fields stay in registers; of two
-/// copies
-/// only one goes on being used.
+/// copies only one goes on being used.
 /// </summary>
 internal struct BitSink
 {

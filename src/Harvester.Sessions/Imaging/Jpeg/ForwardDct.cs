@@ -2,8 +2,7 @@ namespace Harvester.Sessions.Imaging.Jpeg;
 
 /// <summary>
 /// The discrete cosine transform of eight values after Loeffler, Ligtenberg and Moschytz (1989), with 13 bits of fraction, as libjpeg's
-/// "islow":
-/// once along the rows of a block, once along its columns. The results are 8 times the coefficients of T.81.
+/// "islow": once along the rows of a block, once along its columns. The results are 8 times the coefficients of T.81.
 /// </summary>
 /// <typeparam name="T">An integer, or a vector of integers that are transformed side by side.</typeparam>
 /// <typeparam name="TLanes">Its arithmetic.</typeparam>

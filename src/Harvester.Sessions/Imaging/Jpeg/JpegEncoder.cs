@@ -6,10 +6,9 @@ namespace Harvester.Sessions.Imaging.Jpeg;
 
 /// <summary>
 /// Writes baseline JPEG pictures (ITU-T T.81) in a JFIF file: YCbCr without chroma subsampling, so that small lights keep their colours,
-/// and the
-/// Huffman tables of the standard's annex K. All arithmetic is in integers and follows the accurate ("islow") method of libjpeg: every
-/// runtime
-/// writes the same bytes, and they are those of libjpeg at the same quality. One encoder serves one thread; its buffers are reused.
+/// and the Huffman tables of the standard's annex K. All arithmetic is in integers and follows the accurate ("islow") method of libjpeg:
+/// every runtime writes the same bytes, and they are those of libjpeg at the same quality. One encoder serves one thread; its buffers are
+/// reused.
 /// </summary>
 public sealed class JpegEncoder
 {

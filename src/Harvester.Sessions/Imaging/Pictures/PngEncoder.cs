@@ -9,8 +9,7 @@ namespace Harvester.Sessions.Imaging.Pictures;
 
 /// <summary>
 /// Writes PNG pictures (ISO/IEC 15948): 8-bit red, green, blue, and grey of 16 or 8 bits. Rows of colours are filtered with Sub and those
-/// of
-/// maps with Up, which cost least of the filters that help. One encoder serves one thread; its buffers are used again.
+/// of maps with Up, which cost least of the filters that help. One encoder serves one thread; its buffers are used again.
 /// </summary>
 #pragma warning disable CA1001 // A memory stream holds nothing to dispose.
 public sealed class PngEncoder

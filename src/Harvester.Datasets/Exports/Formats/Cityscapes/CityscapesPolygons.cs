@@ -10,10 +10,8 @@ namespace Harvester.Datasets.Exports.Formats.Cityscapes;
 
 /// <summary>
 /// A map of instances as polygons to be drawn one over the other, the largest first. Their corners are pixels that belong to them, as the
-/// benchmark's
-/// scripts draw polygons with their edges. Every piece that hangs together has a polygon of its own, without its holes; what is unlabeled
-/// has polygons
-/// where it may lie in such a hole.
+/// benchmark's scripts draw polygons with their edges. Every piece that hangs together has a polygon of its own, without its holes; what is
+/// unlabeled has polygons where it may lie in such a hole.
 /// </summary>
 internal static class CityscapesPolygons
 {

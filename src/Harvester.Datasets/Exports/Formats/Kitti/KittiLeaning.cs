@@ -6,8 +6,7 @@ namespace Harvester.Datasets.Exports.Formats.Kitti;
 
 /// <summary>
 /// The table of objects that lean so far in the camera's frame that their upright boxes, projected, miss theirs by more than a limit. It is
-/// our own
-/// file beside the format's.
+/// our own file beside the format's.
 /// </summary>
 internal static class KittiLeaning
 {

@@ -8,10 +8,8 @@ namespace Harvester.Datasets.Exports.Formats.Kitti;
 
 /// <summary>
 /// A cuboid as a box that stands upright in the camera's frame (x right, y down, z forward), which is all that KITTI can represent. Size,
-/// depth and
-/// turn are the cuboid's; sideways and in height it is placed so that its projection has the centre of the cuboid's, which makes the
-/// largest error of
-/// the projection's sides as small as a shift can make it.
+/// depth and turn are the cuboid's; sideways and in height it is placed so that its projection has the centre of the cuboid's, which makes
+/// the largest error of the projection's sides as small as a shift can make it.
 /// </summary>
 internal sealed record UprightBox
 {
