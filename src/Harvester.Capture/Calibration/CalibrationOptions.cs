@@ -1,6 +1,6 @@
 using System.Collections.Generic;
-using Harvester.Geometry.Cameras;
 using Harvester.Capture.Ports;
+using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Calibration;

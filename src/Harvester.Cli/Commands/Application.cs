@@ -6,10 +6,10 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
+using Harvester.Cli.Arguments;
+using Harvester.Cli.Commands.Faces;
 using Harvester.Cli.Commands.Masks;
 using Harvester.Cli.Commands.Roads;
-using Harvester.Cli.Commands.Faces;
-using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 

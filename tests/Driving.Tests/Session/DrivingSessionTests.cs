@@ -1,8 +1,8 @@
 using Harvester.Capture.Ports;
-using Harvester.Driving.Tests.Doubles;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
 using Harvester.Driving.Session;
+using Harvester.Driving.Tests.Doubles;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
