@@ -14,6 +14,9 @@ import zlib
 from drive_loop import receive, send
 
 
+SUB, UP = 1, 2
+
+
 def load(path):
     spec = importlib.util.spec_from_file_location("model", path)
     module = importlib.util.module_from_spec(spec)
@@ -22,7 +25,7 @@ def load(path):
 
 
 def decode(png):
-    """Decodes a PNG as the bridge sends it: 8-bit RGB, not interlaced, every line filtered with Up."""
+    """Decodes a PNG as the bridge sends it: 8-bit RGB, not interlaced, each line filtered with Sub or Up."""
     at, compressed = 8, b""
     while at < len(png):
         length, kind = struct.unpack(">I4s", png[at:at + 8])
@@ -34,18 +37,32 @@ def decode(png):
         at += length + 12
     data, stride = zlib.decompress(compressed), width * 3
     lines = [data[row * (stride + 1):(row + 1) * (stride + 1)] for row in range(height)]
-    if any(line[0] != 2 for line in lines):
-        raise ValueError("the image has a line that is not filtered with Up; images of the bridge are")
+    if any(line[0] not in (SUB, UP) for line in lines):
+        raise ValueError("the image has a line that is filtered with neither Sub nor Up; images of the bridge have none")
     try:
         import numpy
     except ImportError:
-        above, picture = bytes(stride), []
-        for line in lines:
-            above = bytes((a + b) & 255 for a, b in zip(above, line[1:]))
-            picture.append(above)
-        return picture
-    filtered = numpy.frombuffer(data, numpy.uint8).reshape(height, stride + 1)[:, 1:]
-    return numpy.cumsum(filtered, axis=0, dtype=numpy.uint8).reshape(height, width, 3)
+        return decode_slowly(lines, stride)
+    picture = numpy.zeros((height, stride), numpy.uint8)
+    for row, line in enumerate(lines):
+        differences = numpy.frombuffer(line, numpy.uint8, offset=1)
+        if line[0] == SUB:
+            picture[row] = numpy.cumsum(differences.reshape(width, 3), axis=0, dtype=numpy.uint8).reshape(stride)
+        else:
+            picture[row] = differences + picture[row - 1] if row else differences
+    return picture.reshape(height, width, 3)
+
+
+def decode_slowly(lines, stride):
+    above, picture = bytes(stride), []
+    for line in lines:
+        current = bytearray(line[1:])
+        for at in range(stride):
+            before = above[at] if line[0] == UP else current[at - 3] if at >= 3 else 0
+            current[at] = (current[at] + before) & 255
+        above = bytes(current)
+        picture.append(above)
+    return picture
 
 
 def look(stream):
