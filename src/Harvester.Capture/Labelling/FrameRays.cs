@@ -6,7 +6,7 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Capture.Labelling;
 
 /// <summary>
-/// The rays of one frame: counted by what they are cast for, and bounded. Who casts asks before whether the rays are to be had.
+/// The rays of one frame, counted by their purpose and limited by a budget. Callers check the budget before they cast.
 /// </summary>
 /// <param name="rays">What rays meet.</param>
 /// <param name="budget">Rays that a frame may take.</param>

@@ -26,7 +26,7 @@ public interface IRoadSource
     SurveyedProperties? ReadProperties(Vector3D place);
 
     /// <summary>
-    /// The link closest to a place, of any length and number of lanes, those without traffic included; null when there is none.
+    /// The link closest to a position, of any length and number of lanes, including links without traffic; null if there are no links.
     /// </summary>
     /// <param name="place">Metres, world.</param>
     SurveyedRoad? ClosestRoad(Vector3D place);

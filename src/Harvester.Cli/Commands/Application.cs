@@ -19,7 +19,7 @@ namespace Harvester.Cli.Commands;
 internal static class Application
 {
     /// <summary>
-    /// What the runtime puts in the place of bytes in an argument that are no UTF-8; which file they name can no longer be told.
+    /// The runtime puts this in the place of bytes of an argument that are not UTF-8. The name of the file is then lost.
     /// </summary>
     private const string ReplacementCharacter = "\uFFFD";
 
@@ -62,8 +62,8 @@ internal static class Application
             return Fail(terminal, ExitCode.Usage, $"{MessageOf(parsed)} See '{HelpOf(parsed.CommandResult)}'.");
         }
 
-        Terminal told = QuietOption.TerminalFor(parsed, quiet, terminal);
-        return await RunAsync(told == terminal ? parsed : CreateRoot(told, quiet).Parse(arguments), told, cancellation)
+        Terminal chosen = QuietOption.TerminalFor(parsed, quiet, terminal);
+        return await RunAsync(chosen == terminal ? parsed : CreateRoot(chosen, quiet).Parse(arguments), chosen, cancellation)
             .ConfigureAwait(false);
     }
 

@@ -18,7 +18,7 @@ namespace Harvester.Cli.Driving;
 
 /// <summary>Sets up the sides of a bridge that a plan asks for.</summary>
 /// <param name="plan">What is asked for.</param>
-/// <param name="messages">Is told where a client is waited for.</param>
+/// <param name="messages">Receives a line that says where the drive waits for a client.</param>
 internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
 {
     /// <summary>The simulated game goes on by so much with each answer of a client of its own: ten frames a second.</summary>

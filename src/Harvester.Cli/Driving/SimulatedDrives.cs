@@ -17,7 +17,7 @@ namespace Harvester.Cli.Driving;
 
 /// <summary>Builds the simulated games of a plan, one for each start, and has them driven through.</summary>
 /// <param name="plan">What is asked for.</param>
-/// <param name="messages">Is told where a client is waited for.</param>
+/// <param name="messages">Receives a line that says where the drive waits for a client.</param>
 internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
 {
     private readonly List<DriveSample> _samples = [];

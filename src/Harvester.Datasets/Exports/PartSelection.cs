@@ -1,7 +1,7 @@
 namespace Harvester.Datasets.Exports;
 
 /// <summary>
-/// Which objects are exported by what they are parts of: the face of a sign and the head of a traffic light are objects with a parent.
+/// Whether parts, their parents or both are exported. The face of a sign and the head of a traffic light are parts.
 /// </summary>
 public enum PartSelection
 {

@@ -88,7 +88,7 @@ public sealed class SplitPlan
     }
 
     /// <summary>
-    /// The largest block, smaller than this plan's, with which each split gets some of the frames; null when there is none.
+    /// The largest block size below this plan's that gives every split some of the frames; null if there is none.
     /// </summary>
     /// <param name="frames">The frames.</param>
     internal int? LargestFullBlock(IReadOnlyCollection<FramePlace> frames)

@@ -6,10 +6,10 @@ using System.Threading.Tasks;
 namespace Harvester.Datasets.Files;
 
 /// <summary>
-/// A stream that tells how many bytes it has given after each read, so that too many can be refused: against compressed bombs.
+/// A stream that reports its total number of bytes after each read, so that a decompression bomb can be refused.
 /// </summary>
 /// <param name="inner">The stream.</param>
-/// <param name="passed">Is told the number of bytes so far.</param>
+/// <param name="passed">Receives the number of bytes so far.</param>
 /// <param name="limit">Looks at the bytes; null for nobody.</param>
 internal sealed class CountedStream(Stream inner, Action<long> passed, IByteLimit? limit = null) : Stream
 {

@@ -15,7 +15,7 @@ internal static class DeclaredSize
         Problem(width, height) is { } problem ? throw new DatasetFormatException($"its header gives {problem}.")
             : new ImageSize((int)width, (int)height);
 
-    /// <summary>Why a size, pixels, is none of a picture; null when it is one.</summary>
+    /// <summary>Why a size, pixels, cannot be that of an image; null if it can.</summary>
     public static string? Problem(long width, long height) =>
         width is >= 1 and <= ushort.MaxValue && height is >= 1 and <= ushort.MaxValue && width * height <= MaxPixelCount
             ? null

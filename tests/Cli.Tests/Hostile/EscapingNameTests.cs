@@ -13,7 +13,7 @@ public sealed class EscapingNameTests(SmallSession session) : IClassFixture<Smal
 
     [Theory]
     [InlineData("../.bashrc")]
-    [InlineData("/tmp/harvester-escaped-name")]
+    [InlineData("ABSOLUTE")]
     [InlineData("images/../../.bashrc")]
     [InlineData("..\\\\.bashrc")]
     public void Merge_writes_no_file_that_a_journal_names_outside(string name)
@@ -22,12 +22,14 @@ public sealed class EscapingNameTests(SmallSession session) : IClassFixture<Smal
         File.WriteAllText(_hostile.PathOf("shards/.bashrc"), Secret);
         Directory.CreateDirectory(_hostile.PathOf("b"));
         File.WriteAllText(_hostile.PathOf("b/.bashrc"), "mine");
-        EditJournal(shards[0], "\"images/00000000.png\"", $"\"{name}\"");
+        string absolute = _hostile.PathOf("absolute").Replace('\\', '/');
+        string named = name.Replace("ABSOLUTE", absolute, StringComparison.Ordinal);
+        EditJournal(shards[0], "\"images/00000000.png\"", $"\"{named}\"");
 
         HostileSession.AssertRefused("points out of", ["merge", .. shards, "--out", _hostile.PathOf("b/out")]);
 
         Assert.Equal("mine", File.ReadAllText(_hostile.PathOf("b/.bashrc")));
-        Assert.False(File.Exists("/tmp/harvester-escaped-name"));
+        Assert.False(File.Exists(absolute));
     }
 
     [Fact]

@@ -11,6 +11,7 @@ using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
+using static Harvester.Datasets.Tests.Relabelling.LabelContent;
 
 namespace Harvester.Datasets.Tests.Relabelling;
 
@@ -294,24 +295,4 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
 
     private static System.Text.Json.JsonElement SessionHeader(SessionReader session) =>
         System.Text.Json.JsonDocument.Parse(File.ReadAllBytes(session.PathOf(SessionInfo.FileName))).RootElement;
-
-    private static HashSet<IgnoreRegion> Seen(FrameLabel label) =>
-        [.. label.IgnoreRegions.Where(region => region.Reason == IgnoreReason.BeyondRange)];
-
-    private static bool IsBeyondBoth(IgnoreRegion region) => region.DistanceMetres > 155;
-
-    // A light's state is read from the picture within its box where it is known to be in sight, which only rays tell.
-    private static ObjectLabel Unlit(ObjectLabel item) =>
-        item.Face?.Light is null ? item : item with { Face = item.Face with { Light = LightLabel.Unknown } };
-
-    private static IEnumerable<LaneLinePoint> Points(FrameLabel label) => label.Lanes?.Boundaries.SelectMany(line => line.Points) ?? [];
-
-    private static IEnumerable<LaneLinePoint> Paint(FrameLabel label) => label.Lanes?.Markings?.SelectMany(line => line.Points) ?? [];
-
-    private static HashSet<Vector3D> Places(FrameLabel label) => [.. label.Objects.Select(item => item.Box3D.Centre)];
-
-    private static Dictionary<int, string> Models(SessionReader session) => session.ReadLabels()
-        .SelectMany(label => label.Objects)
-        .DistinctBy(item => item.Id)
-        .ToDictionary(item => item.Id, item => item.Model);
 }

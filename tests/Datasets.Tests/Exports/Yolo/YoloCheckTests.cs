@@ -5,8 +5,8 @@ public sealed class YoloCheckTests(SimulatedSession simulated) : CheckTests(simu
     private const string Label = "labels/train/00000002.txt";
 
     [Theory]
-    [InlineData("^\\S+", "10", "class 10 is none of the 10 in data.yaml.")]
-    [InlineData("^\\S+", "0.5", "class 0.5 is none of the 10 in data.yaml.")]
+    [InlineData("^\\S+", "10", "class 10 is not one of the 10 classes in data.yaml.")]
+    [InlineData("^\\S+", "0.5", "class 0.5 is not one of the 10 classes in data.yaml.")]
     [InlineData(" \\S+$", " x", "a word is not a number.")]
     [InlineData(" \\S+$", " 1.1", "a place is not 0 to 1.")]
     [InlineData(" \\S+$", "", "a box has 4 numbers, not 3.")]

@@ -63,7 +63,7 @@ internal static class CityscapesLabels
         });
 
     /// <summary>
-    /// The label of an instance id, which is the label id itself for labels without instances; null when there is none of such an id.
+    /// The label of an instance id, which is the label id itself for labels without instances; null for an unknown id.
     /// </summary>
     public static CityscapesLabel? OfInstance(ushort instance) => instance >= InstancesPerLabel
         ? Labels.FirstOrDefault(label => label.HasInstances && label.Id == instance / InstancesPerLabel)

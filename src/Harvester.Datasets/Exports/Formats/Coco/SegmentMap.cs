@@ -6,7 +6,7 @@ using Harvester.Sessions.Imaging;
 namespace Harvester.Datasets.Exports.Formats.Coco;
 
 /// <summary>
-/// A panoptic picture, whose colours are the numbers of segments: red + 256 green + 65536 blue, black where there is none.
+/// A panoptic image: the colour of a pixel is the id of its segment, red + 256 green + 65536 blue. Black is no segment.
 /// </summary>
 internal sealed class SegmentMap
 {
