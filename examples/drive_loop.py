@@ -5,11 +5,10 @@ def receive(stream):
     sizes = stream.read(8) or sys.exit("The game has closed the bridge.")
     header, picture_png = (stream.read(size) for size in struct.unpack(">II", sizes))
     state = json.loads(header)
-    return (state, picture_png) if state["type"] == "frame" else sys.exit(f"The game refuses: {state['reason']}")
+    return (state, picture_png) if state["type"] != "error" else sys.exit(f"The game refuses: {state['reason']}")
 
 def send(stream, **message):
-    header = json.dumps(message).encode()
-    stream.write(struct.pack(">II", len(header), 0) + header)
+    stream.write(struct.pack(">II", len(header := json.dumps(message).encode()), 0) + header)
     stream.flush()
 
 def keep_lane(state):
@@ -21,7 +20,9 @@ def keep_lane(state):
 if __name__ == "__main__":
     port, seconds = (sys.argv[1:] + ["4567", "60"][len(sys.argv) - 1:])[:2]
     try:
-        stream, end = socket.create_connection(("127.0.0.1", int(port))).makefile("rwb"), time.monotonic() + float(seconds)
+        stream = socket.create_connection(("127.0.0.1", int(port))).makefile("rwb")
+        send(stream, type="hello", version=1)
+        hello, end = receive(stream), time.monotonic() + float(seconds)
         while time.monotonic() < end:
             state, picture_png = receive(stream)
             send(stream, type="controls", frame=state["frame"], **keep_lane(state))

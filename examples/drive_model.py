@@ -77,8 +77,8 @@ def look(stream):
 def drive(predict, host, port, seconds, token):
     end = time.monotonic() + seconds
     with socket.create_connection((host, port)).makefile("rwb") as stream:
-        if token:
-            send(stream, type="hello", token=token)
+        send(stream, type="hello", version=1, **({"token": token} if token else {}))
+        receive(stream)  # The hello of the game.
         while time.monotonic() < end:
             state, picture = look(stream)
             send(stream, type="indicators", frame=state["frame"], values=[float(value) for value in predict(picture)])

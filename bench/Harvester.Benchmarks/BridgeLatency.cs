@@ -78,6 +78,7 @@ internal sealed class BridgeLatency : IDrivenCar, IScreen
         connection.Connect(place);
         NetworkStream stream = connection.GetStream();
         byte[] lengths = new byte[8];
+        Send("{\"type\":\"hello\",\"version\":1}");
         while (stream.ReadAtLeast(lengths, lengths.Length, throwOnEndOfStream: false) == lengths.Length)
         {
             byte[] header = new byte[BinaryPrimitives.ReadInt32BigEndian(lengths)];
@@ -85,12 +86,23 @@ internal sealed class BridgeLatency : IDrivenCar, IScreen
             stream.ReadExactly(header);
             stream.ReadExactly(picture);
             using JsonDocument state = JsonDocument.Parse(header);
-            double steering = state.RootElement.GetProperty("frame").GetInt64() % Frames / (double)Frames;
-            byte[] answer = Encoding.UTF8.GetBytes(string.Create(
+            if (!state.RootElement.TryGetProperty("frame", out JsonElement frame))
+            {
+                // The game's hello.
+                continue;
+            }
+
+            double steering = frame.GetInt64() % Frames / (double)Frames;
+            Send(string.Create(
                 CultureInfo.InvariantCulture, $"{{\"type\":\"controls\",\"steering\":{steering},\"throttle\":0,\"brake\":0}}"));
-            BinaryPrimitives.WriteInt32BigEndian(lengths, answer.Length);
+        }
+
+        void Send(string json)
+        {
+            byte[] message = Encoding.UTF8.GetBytes(json);
+            BinaryPrimitives.WriteInt32BigEndian(lengths, message.Length);
             BinaryPrimitives.WriteInt32BigEndian(lengths.AsSpan(4), 0);
-            stream.Write([.. lengths, .. answer]);
+            stream.Write([.. lengths, .. message]);
         }
     }
 

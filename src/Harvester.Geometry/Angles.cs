@@ -7,13 +7,13 @@ public static class Angles
 {
     private const double RadiansPerDegree = Math.PI / 180;
 
-    /// <summary>Radians of an angle in degrees.</summary>
+    /// <summary>Converts degrees to radians.</summary>
     public static double ToRadians(double degrees) => degrees * RadiansPerDegree;
 
-    /// <summary>Degrees of an angle in radians.</summary>
+    /// <summary>Converts radians to degrees.</summary>
     public static double ToDegrees(double radians) => radians / RadiansPerDegree;
 
-    /// <summary>The same angle in (-pi, pi], radians.</summary>
+    /// <summary>The equivalent angle in (-pi, pi], radians.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The angle is not finite.</exception>
     public static double WrapRadians(double radians)
     {
@@ -21,7 +21,7 @@ public static class Angles
         return wrapped <= -Math.PI ? Math.PI : wrapped;
     }
 
-    /// <summary>The same angle in [0, 360), degrees: the range of the game's headings.</summary>
+    /// <summary>The equivalent angle in [0, 360), degrees: the range of the game's headings.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The angle is not finite.</exception>
     public static double WrapHeadingDegrees(double degrees)
     {

@@ -9,12 +9,12 @@ namespace Harvester.Geometry;
 public readonly record struct Axes
 {
     /// <summary>
-    /// How far a given vector's length, or the cosine between two, may be off before it is refused: single precision from the game, with
+    /// Maximum deviation of a given vector's length from 1, or of the cosine between two from 0: the single precision of the game, with
     /// room.
     /// </summary>
     private const double OrthonormalTolerance = 1e-3;
 
-    /// <summary>What the rounding of doubles leaves of orthonormality.</summary>
+    /// <summary>Deviation from orthonormality that the rounding of doubles may cause.</summary>
     private const double RoundingTolerance = 1e-14;
 
     private Axes(Vector3D right, Vector3D forward, Vector3D up)
@@ -24,28 +24,28 @@ public readonly record struct Axes
         Up = up;
     }
 
-    /// <summary>Right is east, forward is north, up is up.</summary>
+    /// <summary>Right is east, forward is north, up is up: the world's own axes.</summary>
     public static Axes Identity { get; } = new(new(1, 0, 0), new(0, 1, 0), new(0, 0, 1));
 
-    /// <summary>Whether this was made by a factory and not by default, which is no orientation.</summary>
+    /// <summary>Whether this is an orientation; false for the default value.</summary>
     internal bool IsOrientation => Forward != Vector3D.Zero;
 
     /// <summary>Unit vector to the right, in the world.</summary>
     public Vector3D Right { get; }
 
-    /// <summary>Unit vector ahead, in the world.</summary>
+    /// <summary>Unit vector forward, in the world.</summary>
     public Vector3D Forward { get; }
 
     /// <summary>Unit vector upward, in the world.</summary>
     public Vector3D Up { get; }
 
     /// <summary>
-    /// Takes three nearly orthonormal vectors, as single-precision sources give them, and makes them exactly so:
-    /// forward keeps its direction, right is made square to it, up follows. Vectors that are orthonormal but for the rounding of doubles
-    /// are taken as they are, so that an orientation that was written in full is read as it was.
+    /// Makes an orientation from three nearly orthonormal vectors, as single-precision sources give them: forward keeps its direction,
+    /// right is made perpendicular to it, up follows. Vectors that are orthonormal up to the rounding of doubles are kept unchanged, so
+    /// that an orientation written in full is read back exactly.
     /// </summary>
-    /// <exception cref="ArgumentException">The vectors are not unit, not square to each other or left-handed, by more than
-    /// 0.001.</exception>
+    /// <exception cref="ArgumentException">The vectors deviate from unit length or from right angles by more than 0.001, or are
+    /// left-handed.</exception>
     public static Axes FromVectors(Vector3D right, Vector3D forward, Vector3D up)
     {
         Guard.Finite(right, nameof(right));
@@ -55,7 +55,7 @@ public readonly record struct Axes
             ?? throw new ArgumentException("The axes must be unit vectors, square to each other and right-handed (right × forward = up).");
     }
 
-    /// <summary>As <see cref="FromVectors"/>; null for vectors that it refuses.</summary>
+    /// <summary>As <see cref="FromVectors"/>; null for vectors that it rejects.</summary>
     internal static Axes? TryFromVectors(Vector3D right, Vector3D forward, Vector3D up)
     {
         if (!IsUnit(right) || !IsUnit(forward) || !IsUnit(up)
@@ -96,8 +96,8 @@ public readonly record struct Axes
     public static Axes FromHeading(double headingDegrees) => FromEuler(new EulerAngles(0, 0, headingDegrees));
 
     /// <summary>
-    /// The game's Euler angles of this orientation: pitch in [-90, 90], roll and yaw in (-180, 180] degrees.
-    /// Looking straight up or down, roll and yaw turn about the same axis and all of the turn is given to yaw.
+    /// The game's Euler angles of this orientation: pitch in [-90, 90], roll and yaw in (-180, 180] degrees. Looking straight up or down,
+    /// roll and yaw turn about the same axis; roll is then 0.
     /// </summary>
     public EulerAngles ToEuler()
     {
@@ -110,16 +110,16 @@ public readonly record struct Axes
             return new EulerAngles(Angles.ToDegrees(pitch), 0, Angles.ToDegrees(Math.Atan2(Right.Y, Right.X)));
         }
 
-        // 0 - x and not -x: the arctangent of a minus zero would give -180 where the range says 180.
+        // 0 - x instead of -x: the arctangent of a negative zero would give -180, which is outside the range.
         double roll = Math.Atan2(0 - Right.Z, Up.Z);
         double yaw = Math.Atan2(0 - Forward.X, Forward.Y);
         return new EulerAngles(Angles.ToDegrees(pitch), Angles.ToDegrees(roll), Angles.ToDegrees(yaw));
     }
 
-    /// <summary>Turns a direction of this frame (x right, y forward, z up) into the world's.</summary>
+    /// <summary>Transforms a direction of this frame (x right, y forward, z up) to the world.</summary>
     public Vector3D ToWorld(Vector3D local) => (Right * local.X) + (Forward * local.Y) + (Up * local.Z);
 
-    /// <summary>Turns a direction of the world into this frame's (x right, y forward, z up).</summary>
+    /// <summary>Transforms a direction of the world to this frame (x right, y forward, z up).</summary>
     public Vector3D ToLocal(Vector3D world) => new(Right.Dot(world), Forward.Dot(world), Up.Dot(world));
 
     private static bool IsUnit(Vector3D vector) => Math.Abs(vector.Length - 1) <= OrthonormalTolerance;

@@ -2,9 +2,7 @@ using System;
 
 namespace Harvester.Geometry;
 
-/// <summary>
-/// A rectangle of the image with sides along its axes, in continuous pixels: the pixel (i, j) covers [i, i+1) × [j, j+1).
-/// </summary>
+/// <summary>A rectangle of the image with sides along its axes, in continuous pixels: pixel (i, j) covers [i, i+1) × [j, j+1).</summary>
 /// <param name="XMin">Left side.</param>
 /// <param name="YMin">Upper side.</param>
 /// <param name="XMax">Right side, at least <paramref name="XMin"/>.</param>
@@ -32,7 +30,7 @@ public readonly record struct Box2D(double XMin, double YMin, double XMax, doubl
     public Box2D Union(Box2D other) =>
         new(Math.Min(XMin, other.XMin), Math.Min(YMin, other.YMin), Math.Max(XMax, other.XMax), Math.Max(YMax, other.YMax));
 
-    /// <summary>Intersection over union of two boxes, 0 to 1; 0 when they share no area.</summary>
+    /// <summary>Intersection over union of two boxes, 0 to 1; 0 if they share no area.</summary>
     public double IntersectionOverUnion(Box2D other) =>
         Intersect(other) is { } shared ? shared.Area / (Area + other.Area - shared.Area) : 0;
 

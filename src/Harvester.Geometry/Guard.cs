@@ -2,7 +2,7 @@ using System;
 
 namespace Harvester.Geometry;
 
-/// <summary>The checks of arguments at the library's public edge; not-a-number and infinity never enter.</summary>
+/// <summary>Argument checks of the public API; NaN and infinity are rejected there.</summary>
 internal static class Guard
 {
     public static double Finite(double value, string name)
@@ -25,10 +25,10 @@ internal static class Guard
         return value;
     }
 
-    public static int AtLeast(int value, int least, string name) =>
-        value >= least
+    public static int AtLeast(int value, int minimum, string name) =>
+        value >= minimum
             ? value
-            : throw new ArgumentOutOfRangeException(name, value, FormattableString.Invariant($"{name} must be at least {least}."));
+            : throw new ArgumentOutOfRangeException(name, value, FormattableString.Invariant($"{name} must be at least {minimum}."));
 
     public static double InOpenRange(double value, double low, double high, string name)
     {

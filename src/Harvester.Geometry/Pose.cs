@@ -1,19 +1,17 @@
 namespace Harvester.Geometry;
 
-/// <summary>
-/// Where something is and how it is turned: the rigid motion from its own frame (x right, y forward, z up) to the world's.
-/// </summary>
+/// <summary>Position and orientation: the rigid transform from a frame of its own (x right, y forward, z up) to the world.</summary>
 /// <param name="Position">Origin of the frame in the world, metres.</param>
 /// <param name="Axes">Orientation of the frame.</param>
 public readonly record struct Pose(Vector3D Position, Axes Axes)
 {
-    /// <summary>A point of this frame, in the world.</summary>
+    /// <summary>Transforms a point of this frame to the world.</summary>
     public Vector3D ToWorld(Vector3D local) => Position + Axes.ToWorld(local);
 
-    /// <summary>A point of the world, in this frame.</summary>
+    /// <summary>Transforms a point of the world to this frame.</summary>
     public Vector3D ToLocal(Vector3D world) => Axes.ToLocal(world - Position);
 
-    /// <summary>A pose given in this frame, in the world: a camera mounted on a car, say.</summary>
+    /// <summary>Transforms a pose in this frame to the world, for example that of a camera mounted on a car.</summary>
     public Pose Compose(Pose local) =>
         new(
             ToWorld(local.Position),

@@ -1,8 +1,8 @@
 namespace Harvester.Geometry;
 
 /// <summary>
-/// Steps of the R2 sequence (Roberts): the fractions of their multiples spread evenly over the unit square. They are the first two powers
-/// of the inverse of the plastic number 1.3247...
+/// Steps of the R2 sequence (Roberts): the fractional parts of their multiples are spread evenly over the unit square. They are the first
+/// two powers of the inverse of the plastic number 1.3247...
 /// </summary>
 internal static class R2Sequence
 {

@@ -5,7 +5,7 @@ namespace Harvester.Geometry;
 /// <summary>A half-line in the world. A point at distance t, in metres, is Origin + t · Direction.</summary>
 public readonly record struct Ray
 {
-    /// <summary>Makes a ray; the direction is scaled to unit length.</summary>
+    /// <summary>Creates a ray; the direction is scaled to unit length.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The origin is not finite.</exception>
     /// <exception cref="InvalidOperationException">The direction is zero or not finite.</exception>
     public Ray(Vector3D origin, Vector3D direction)

@@ -14,7 +14,7 @@ public readonly record struct Vector3D(double X, double Y, double Z)
     /// <summary>The origin.</summary>
     public static Vector3D Zero => default;
 
-    /// <summary>Whether no component is infinite or not a number.</summary>
+    /// <summary>Whether all components are finite.</summary>
     public bool IsFinite => IsFiniteNumber(X) && IsFiniteNumber(Y) && IsFiniteNumber(Z);
 
     /// <summary>Square of the Euclidean length.</summary>

@@ -7,11 +7,11 @@ using GTA;
 namespace Harvester.Mod;
 
 /// <summary>
-/// The running game: its edition and build, and what it cannot do with the installed scripting API. Both come from the game's program
-/// file, because the API's own enumeration of builds has no names for new ones and is deprecated.
+/// The running game: its edition and build, and what it cannot do with the installed scripting API. Both come from the game's program file,
+/// because the API's own enumeration of builds lacks new ones and is deprecated.
 /// </summary>
 /// <param name="program">File name of the game's program.</param>
-/// <param name="fileVersion">File version of the program; null when it cannot be read.</param>
+/// <param name="fileVersion">File version of the program; null if it cannot be read.</param>
 internal sealed class GameBuild(string program, Version? fileVersion)
 {
     private const string EnhancedProgram = "GTA5_Enhanced.exe";
@@ -37,21 +37,20 @@ internal sealed class GameBuild(string program, Version? fileVersion)
     /// <summary>The game's name with its edition and build.</summary>
     public string Name => $"GTA V {Edition} {Build}";
 
-    /// <summary>Why no camera can be mounted; null when one can. An unknown native would crash the game.</summary>
+    /// <summary>Why no camera can be mounted; null if one can. An unknown native would crash the game.</summary>
     public string? MountProblem => !IsEnhanced && fileVersion is not null && fileVersion < FirstWithRigidCameras
         ? "This build of the game is older than 1.0.2189 and cannot attach a camera rigidly. Update the game."
         : null;
 
     /// <summary>
-    /// Why nearby entities cannot be listed; null when they can. The API reads them from memory, and in a build that it does not know that
-    /// may crash the game.
+    /// Why nearby entities cannot be listed; null if they can. The API reads them from memory; in an unknown build that may crash the game.
     /// </summary>
     public string? ListProblem =>
         !IsEnhanced && fileVersion is not null && fileVersion >= FirstUnknownToRelease && Api < FirstApiForNewerBuilds
         ? "This build of the game is newer than ScriptHookVDotNet 3.6.0 knows."
         : null;
 
-    /// <summary>The game as a session records it.</summary>
+    /// <summary>The settings of the game that a session records.</summary>
     public IReadOnlyList<KeyValuePair<string, string>> Settings =>
     [
         new("gameEdition", Edition),
@@ -61,7 +60,7 @@ internal sealed class GameBuild(string program, Version? fileVersion)
 
     private bool IsEnhanced => string.Equals(program, EnhancedProgram, StringComparison.OrdinalIgnoreCase);
 
-    /// <summary>The game that this process runs.</summary>
+    /// <summary>The game of this process.</summary>
     public static GameBuild OfThisProcess()
     {
         try

@@ -2,7 +2,7 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Mod;
 
-/// <summary>What the mod has asked of the game.</summary>
+/// <summary>Counts the calls of the mod to the game.</summary>
 /// <param name="rays">Counts the rays.</param>
 internal sealed class GameCalls(GameRays rays) : ICallCounter
 {

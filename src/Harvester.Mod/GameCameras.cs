@@ -21,7 +21,8 @@ internal sealed class GameCameras(GameBuild build) : ICameras
             (float)angles.PitchDegrees, (float)angles.RollDegrees, (float)angles.YawDegrees, (float)verticalFovDegrees, true,
                 Natives.RotationOrder);
 
-        // Not asked whether it exists: where that failed, nobody would know of the camera and take it away. There is none at -1.
+        // Whether it exists is not checked: if the check failed, the camera would be unknown and never removed. -1 means that there is
+        // none.
         return Math.Max(camera, 0);
     }
 

@@ -14,14 +14,14 @@ internal sealed class GameCarControls : ICarControls
     private const int Brake = 72;
     private const int Handbrake = 76;
 
-    /// <summary>After so many ticks what was set here is held no longer: one, and one more for a game that is late.</summary>
+    /// <summary>Number of ticks after which a value set here no longer applies: one, and one more for a game that is late.</summary>
     private const int TicksOfASetControl = 2;
 
-    // Other controls on the same keys, buttons and sticks, as what is set is read back as if the player held it: steer left and
-    // right, leave the vehicle, and of aircraft throttle up and down.
+    // Other controls on the same keys, buttons and sticks, since values set here are read back as if the player held them: steer left and
+    // right, leave the vehicle, and throttle up and down of aircraft.
     private static readonly int[] PlayersControls = [63, 64, 75, 87, 88];
 
-    // The handbrake has no other control on its button: it is the player's when it was not set here of late.
+    // No other control shares the handbrake's button: it is the player's if it was not set here recently.
     private int _ticksWithoutHandbrake = TicksOfASetControl;
 
     /// <inheritdoc/>

@@ -29,7 +29,7 @@ internal sealed class GameDisplay : IDisplay
         Natives.Call(Hash.END_TEXT_COMMAND_DISPLAY_TEXT, (float)left, (float)top, 0);
     }
 
-    /// <summary>Draws the game's sphere without a texture, as large as its scale is its radius.</summary>
+    /// <summary>Draws the game's sphere without a texture; its scale is its radius.</summary>
     public void Ball(Vector3D centre, double radiusMetres, Colour colour)
     {
         const int sphere = 28;

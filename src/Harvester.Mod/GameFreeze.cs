@@ -3,10 +3,10 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Mod;
 
-/// <summary>The two ways in which the game's world stands still while scripts run.</summary>
+/// <summary>The two methods by which the game's world is frozen while scripts run.</summary>
 internal static class GameFreeze
 {
-    /// <summary>Stops the world in one of them, or lets it go on.</summary>
+    /// <summary>Freezes or resumes the world by one of them.</summary>
     public static void Set(FreezeMethod method, bool isFrozen)
     {
         const float standing = 0;

@@ -6,26 +6,26 @@ using Harvester.Geometry.Visibility;
 
 namespace Harvester.Mod;
 
-/// <summary>The game's rays. They see collision bounds, which are coarser than the picture.</summary>
+/// <summary>Casts rays in the game. They hit collision bounds, which are coarser than the picture.</summary>
 internal sealed class GameRays : IRayCaster
 {
     // Map 1, vehicles 2, bodies of peds 8 (not their capsules, 4), objects 16, foliage 256.
     private const int WhatHides = 1 | 2 | 8 | 16 | 256;
 
-    // Through glass 1, what can be seen through 2, and what has no collision 4.
+    // Ignore glass 1, ignore what can be seen through 2, ignore what has no collision 4.
     private const int PassThrough = 1 | 2 | 4;
 
     private const int NoEntity = 0;
     private readonly HashSet<int> _entities = [];
 
-    /// <summary>Rays cast so far.</summary>
+    /// <summary>Number of rays cast so far.</summary>
     public long Casts { get; private set; }
 
-    /// <summary>Tells which handles are entities of the scene, so that the game need not be asked for each hit.</summary>
+    /// <summary>Adds an entity of the scene, so that the game need not be asked for each hit.</summary>
     public void Know(int entity) => _entities.Add(entity);
 
     /// <summary>
-    /// What a line meets. The synchronous probe answers in the same frame; its arguments go as ints, because enums are slow.
+    /// Casts a ray. The synchronous probe answers in the same frame; its arguments are passed as ints, because enums are slow.
     /// </summary>
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
     {
@@ -62,7 +62,7 @@ internal sealed class GameRays : IRayCaster
             return handle != NoEntity;
         }
 
-        // A ped, a vehicle or a prop; buildings are of no type, and thousands of script handles for them would fill the game's pool.
+        // A ped, a vehicle or a prop; buildings have no type, and thousands of script handles for them would fill the game's pool.
         if (Natives.Call<int>(Hash.GET_ENTITY_TYPE, handle) != NoEntity)
         {
             return true;

@@ -26,7 +26,7 @@ internal sealed class GameRoadSource : IRoadSource
             Hash.GET_NTH_CLOSEST_VEHICLE_NODE_ID,
             (float)place.X, (float)place.Y, (float)place.Z, number, withSwitchedOffAndBoats, weightOfHeight, freeHeight);
 
-        // The game ends when it is asked for the place of a node that is none.
+        // The game crashes if it is asked for the position of an invalid node.
         if (node == 0)
         {
             return null;
@@ -47,11 +47,11 @@ internal sealed class GameRoadSource : IRoadSource
             : null;
     }
 
-    /// <summary>The piece of road closest to a point, of any length and number of lanes.</summary>
+    /// <summary>The link closest to a position, of any length and number of lanes.</summary>
     public SurveyedRoad? ClosestRoad(Vector3D place)
     {
         const float shortestMetres = 0;
-        const int fewestLanes = 0;
+        const int minLanes = 0;
         const bool ignoreSwitchedOff = false;
         using var first = new NativeOutput();
         using var second = new NativeOutput();
@@ -60,7 +60,7 @@ internal sealed class GameRoadSource : IRoadSource
         using var median = new NativeOutput();
         return Natives.Call<bool>(
             Hash.GET_CLOSEST_ROAD,
-            (float)place.X, (float)place.Y, (float)place.Z, shortestMetres, fewestLanes, first, second, toFirst, toSecond, median,
+            (float)place.X, (float)place.Y, (float)place.Z, shortestMetres, minLanes, first, second, toFirst, toSecond, median,
                 ignoreSwitchedOff)
             ? new SurveyedRoad(first.Vector, second.Vector, toFirst.Integer, toSecond.Integer, median.Single)
             : null;

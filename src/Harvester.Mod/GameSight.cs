@@ -5,9 +5,9 @@ using Harvester.Play.Features;
 
 namespace Harvester.Mod;
 
-/// <summary>What the overlay asks of the game, fact by fact.</summary>
+/// <summary>Reads from the game what the overlay needs, value by value.</summary>
 /// <param name="mount">The camera and the vehicle that carries it.</param>
-/// <param name="world">Lists what is near and knows the models.</param>
+/// <param name="world">Lists nearby entities and knows the models.</param>
 internal sealed class GameSight(CameraMount mount, GameWorld world) : ISightReader
 {
     /// <inheritdoc/>

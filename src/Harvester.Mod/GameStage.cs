@@ -9,7 +9,7 @@ using Harvester.Surveys.Faces;
 
 namespace Harvester.Mod;
 
-/// <summary>Puts models up in the air over the player, where nothing stands and nobody walks, by the game's natives.</summary>
+/// <summary>Places models in the air above the player, where nothing else is, by the game's natives.</summary>
 internal sealed class GameStage(IModels models, GameRays rays) : ISurveyStage
 {
     private const double MetresOverPlayer = 40;

@@ -20,7 +20,7 @@ internal sealed class GameVehicles : IVehicles
         Vector3 place = Natives.Call<Vector3>(Hash.GET_OFFSET_FROM_ENTITY_IN_WORLD_COORDS, player, (float)metresBeside, 0f, 0f);
         float heading = Natives.Call<float>(Hash.GET_ENTITY_HEADING, player);
 
-        // Not asked whether it exists: where that failed, nobody would know of the vehicle and take it away.
+        // Whether it exists is not checked: if the check failed, the vehicle would be unknown and never removed.
         return Natives.Call<int>(Hash.CREATE_VEHICLE, model, place.X, place.Y, place.Z, heading, false, false, false);
     }
 

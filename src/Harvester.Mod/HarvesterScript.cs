@@ -18,8 +18,8 @@ using Harvester.Surveys.Roads;
 namespace Harvester.Mod;
 
 /// <summary>
-/// The script that the game's loader starts: it binds the keys to the features and lets no exception of theirs out. A feature that
-/// fails is stopped with a message; the others go on.
+/// The script that the game's loader starts. It binds the keys to the features and catches all their exceptions. A feature that fails is
+/// stopped with a message; the others continue.
 /// </summary>
 #pragma warning disable CA1001 // The loader ends a script by Aborted, which disposes the harvest.
 public sealed class HarvesterScript : Script
@@ -38,7 +38,7 @@ public sealed class HarvesterScript : Script
     private bool _greeted;
     private int _aborted;
 
-    /// <summary>Reads the settings; the game is not asked for anything yet.</summary>
+    /// <summary>Reads the settings; the game is not used yet.</summary>
     public HarvesterScript()
         : this(GameWindowScreen.OfThisProcess(), new PlayerClock(), GameBuild.OfThisProcess())
     {
@@ -126,7 +126,7 @@ public sealed class HarvesterScript : Script
         Aborted += OnAborted;
     }
 
-    /// <summary>Whether work goes on on another thread.</summary>
+    /// <summary>Whether work continues on another thread.</summary>
     internal bool IsBusy => _features.IsBusy;
 
     private void BindKeys(
@@ -160,7 +160,7 @@ public sealed class HarvesterScript : Script
         _features.Tick();
     }
 
-    // Key up and not key down: Windows repeats the latter as long as a key is held.
+    // Key up instead of key down: Windows repeats the latter as long as a key is held.
     private void OnKeyUp(object? sender, KeyEventArgs e)
     {
         if (_aborted == 0)
@@ -169,7 +169,7 @@ public sealed class HarvesterScript : Script
         }
     }
 
-    // The player's hand must be felt whatever the game makes of its controls.
+    // The player's input must be noticed whatever the game does with its controls.
     private void OnKeyDown(object? sender, KeyEventArgs e)
     {
         if (_aborted == 0)
@@ -178,8 +178,8 @@ public sealed class HarvesterScript : Script
         }
     }
 
-    // The loader may raise this twice, and on another thread while the script's own is stopped in the middle of a tick: so no lock,
-    // which that thread might hold for ever, but a flag that only one caller finds unset.
+    // The loader may raise this twice, and on another thread while the script's own is stopped in the middle of a tick. So this takes no
+    // lock, which that thread might hold for ever, but sets a flag that only one caller finds unset.
     private void OnAborted(object? sender, EventArgs e)
     {
         if (Interlocked.Exchange(ref _aborted, 1) == 0)

@@ -11,10 +11,10 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Mod;
 
 /// <summary>
-/// The entities near the camera by the game's natives, where the API's lists fail: what the people around know of, the closest
-/// prop of each model, and what rays through the picture meet. What was found once is remembered as long as it exists, so that more is
-/// known with every stretch that is driven. While the game's time stands still nothing new is looked for: a frozen frame has the same
-/// entities each time it is read.
+/// Lists the entities near the camera by the game's natives, for when the API's lists fail: those known to the people around, the closest
+/// prop of each model, and what rays through the image hit. What was found is remembered as long as it exists, so the list becomes more
+/// complete during the drive. While the game's time stands still nothing new is searched: a frozen frame has the same entities each time it
+/// is read.
 /// </summary>
 /// <param name="time">The game's time.</param>
 /// <param name="rays">The game's rays.</param>
@@ -22,16 +22,18 @@ internal sealed class NativeLists(GameTime time, GameRays rays)
 {
     private const double SecondsBetweenSearches = 0.2;
 
-    /// <summary>The people who are asked what is near them: the player first, then those whom others named.</summary>
+    /// <summary>Maximum number of people who are asked for what is near them: the player first, then those whom others named.</summary>
     private const int MaxPeopleAsked = 24;
 
-    /// <summary>Room for one answer. The game itself names fewer.</summary>
+    /// <summary>Capacity of one answer. The game itself names fewer.</summary>
     private const int MaxNamed = 64;
 
     private const int RayColumns = 16;
     private const int RayRows = 9;
 
-    /// <summary>Where props are looked for, ahead of the camera: each place gives the closest one of a model.</summary>
+    /// <summary>
+    /// Distances ahead of the camera at which props are searched, metres: at each, the closest one of a model is returned.
+    /// </summary>
     private static readonly double[] MetresAhead = [0, 30, 60, 90];
 
     private readonly Dictionary<int, EntityKind> _found = [];
@@ -43,7 +45,7 @@ internal sealed class NativeLists(GameTime time, GameRays rays)
     /// <param name="kind">What to list.</param>
     /// <param name="centre">The point, metres.</param>
     /// <param name="radius">The radius, metres.</param>
-    /// <param name="models">Models of props to look for, by hash.</param>
+    /// <param name="models">Models of props to search for, by hash.</param>
     public IReadOnlyList<int> Near(EntityKind kind, Vector3D centre, double radius, IReadOnlyList<int> models)
     {
         if (kind != EntityKind.Prop && IsDue(ref _peopleAskedAt))
@@ -69,7 +71,7 @@ internal sealed class NativeLists(GameTime time, GameRays rays)
     }
 
     /// <summary>
-    /// Whether the player knows of a vehicle or person near a point, or a prop of a model is there: enough to doubt an empty list.
+    /// Whether the player knows of a vehicle or person near a point, or a prop of a model exists: enough to doubt an empty list.
     /// </summary>
     public static bool HasAny(EntityKind kind, Vector3D centre, double radius, int model)
     {
@@ -169,7 +171,7 @@ internal sealed class NativeLists(GameTime time, GameRays rays)
         return Named(list, Natives.Call<int>(Hash.GET_PED_NEARBY_PEDS, ped, list, nobody));
     }
 
-    /// <summary>The first slot of a list is its room, each further one a handle.</summary>
+    /// <summary>The first slot of a list is its capacity, each further one a handle.</summary>
     private static int[] Named(NativeOutput list, int count) =>
         [.. Enumerable.Range(1, Math.Min(count, MaxNamed)).Select(list.IntegerAt).Where(Natives.EntityExists)];
 }

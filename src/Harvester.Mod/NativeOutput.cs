@@ -6,19 +6,19 @@ using Harvester.Geometry;
 namespace Harvester.Mod;
 
 /// <summary>
-/// Memory that a native writes results to, zero until it does. The API's own OutputArgument holds garbage beyond its first eight bytes at
-/// best, reads a bool from eight bytes where natives write one or four, and takes no int to begin with.
+/// Memory to which a native writes results, initially zero. The API's own OutputArgument contains garbage beyond its first eight bytes,
+/// reads a bool from eight bytes where natives write one or four, and cannot be initialised with an int.
 /// </summary>
 internal sealed class NativeOutput : IDisposable
 {
-    /// <summary>What natives take for an int, a float or a component of a vector.</summary>
+    /// <summary>Size of an int, a float or a component of a vector in a native's output.</summary>
     private const int SlotBytes = 8;
 
     private const int SlotsOfAVector = 3;
     private IntPtr _memory;
 
-    /// <summary>Makes zeroed memory.</summary>
-    /// <param name="slots">Its size, in slots of eight bytes; as much as a vector needs unless said otherwise.</param>
+    /// <summary>Allocates zeroed memory.</summary>
+    /// <param name="slots">Its size, in slots of eight bytes; by default that of a vector.</param>
     public NativeOutput(int slots = SlotsOfAVector)
     {
         _memory = Marshal.AllocHGlobal(slots * SlotBytes);
@@ -28,23 +28,23 @@ internal sealed class NativeOutput : IDisposable
         }
     }
 
-    /// <summary>Whether the BOOL that was written is true. The rest of its slot is zero, however few bytes the native wrote.</summary>
+    /// <summary>Whether the BOOL written is true. The rest of its slot is zero, however few bytes the native wrote.</summary>
     public bool IsTrue => Integer != 0;
 
-    /// <summary>The int, hash or handle that was written.</summary>
+    /// <summary>The int, hash or handle written.</summary>
     public int Integer => IntegerAt(0);
 
-    /// <summary>The float that was written.</summary>
+    /// <summary>The float written.</summary>
     public float Single => SingleAt(0);
 
-    /// <summary>The vector that was written.</summary>
+    /// <summary>The vector written.</summary>
     public Vector3D Vector => new(SingleAt(0), SingleAt(1), SingleAt(2));
 
     private IntPtr Memory => _memory != IntPtr.Zero ? _memory : throw new ObjectDisposedException(nameof(NativeOutput));
 
     public static implicit operator InputArgument(NativeOutput output) => output.Memory;
 
-    /// <summary>Memory that holds an int or a handle which the native reads first.</summary>
+    /// <summary>Memory with an int or a handle that the native reads first.</summary>
     public static NativeOutput Holding(int value, int slots = SlotsOfAVector)
     {
         var output = new NativeOutput(slots);

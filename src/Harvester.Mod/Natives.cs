@@ -6,15 +6,15 @@ using Harvester.Geometry;
 namespace Harvester.Mod;
 
 /// <summary>
-/// The game's native functions, and those about entities that several adapters call. Natives hold on every build that ScriptHookV
-/// serves, where the API's own members that read memory do not.
+/// The game's native functions, and those about entities that several adapters call. Natives work on every build that ScriptHookV supports;
+/// the API's own members that read memory do not.
 /// </summary>
 internal static class Natives
 {
     /// <summary>The game's order of rotations: roll, then pitch, then yaw.</summary>
     public const int RotationOrder = 2;
 
-    /// <summary>Calls so far, over the life of the script's domain.</summary>
+    /// <summary>Number of calls so far, over the life of the script's domain.</summary>
     public static long Calls { get; private set; }
 
     public static int PlayerPed() => Call<int>(Hash.PLAYER_PED_ID);
@@ -29,13 +29,14 @@ internal static class Natives
 
     public static Vector3D EntityVelocity(int entity) => ToWorld(Call<Vector3>(Hash.GET_ENTITY_VELOCITY, entity));
 
-    /// <summary>Where an entity is and how it is turned, without a scale of its matrix.</summary>
-    /// <exception cref="InvalidOperationException">Its matrix is sheared or mirrored, or the entity is gone.</exception>
+    /// <summary>Position and orientation of an entity, without the scale of its matrix.</summary>
+    /// <exception cref="InvalidOperationException">Its matrix is sheared or mirrored, or the entity no longer exists.</exception>
     public static Pose EntityPose(int entity) => EntityMatrix(entity)?.Pose
-        ?? throw new InvalidOperationException("The game gave a matrix that is sheared or mirrored, perhaps by another mod. Use another vehicle.");
+        ?? throw new InvalidOperationException(
+            "The game returned a sheared or mirrored matrix, possibly because of another mod. Use another vehicle.");
 
     /// <summary>
-    /// The four vectors of an entity's matrix in one call, so that they belong together; null when no rotation and scale make it.
+    /// The four vectors of an entity's matrix in one call, so that they are consistent; null if no rotation and scale give it.
     /// </summary>
     public static ScaledPose? EntityMatrix(int entity)
     {
@@ -47,24 +48,29 @@ internal static class Natives
         return ScaledPose.FromMatrix(right.Vector, forward.Vector, up.Vector, position.Vector);
     }
 
-    /// <summary>Whether a ped is a person, and not the player.</summary>
-    public static bool IsPerson(int ped) => ped != PlayerPed() && Call<bool>(Hash.IS_PED_HUMAN, ped);
+    /// <summary>Whether a ped is a person, not an animal.</summary>
+    public static bool IsHuman(int ped) => Call<bool>(Hash.IS_PED_HUMAN, ped);
+
+    /// <summary>Whether a ped is a person other than the player.</summary>
+    public static bool IsPerson(int ped) => ped != PlayerPed() && IsHuman(ped);
 
     public static bool IsInVehicle(int ped) => Call<bool>(Hash.IS_PED_IN_ANY_VEHICLE, ped, false);
 
     /// <summary>The vehicle that a ped sits in, or 0.</summary>
-    public static int VehicleOf(int ped) =>
-        IsInVehicle(ped) ? Call<int>(Hash.GET_VEHICLE_PED_IS_IN, ped, false) : 0;
+    public static int VehicleOf(int ped) => IsInVehicle(ped) ? VehicleSeating(ped) : 0;
 
-    /// <summary>Puts a vehicle onto all its wheels.</summary>
+    /// <summary>The vehicle of a ped that sits in one.</summary>
+    public static int VehicleSeating(int ped) => Call<int>(Hash.GET_VEHICLE_PED_IS_IN, ped, false);
+
+    /// <summary>Places a vehicle on all its wheels.</summary>
     public static void PlaceOnGround(int vehicle)
     {
-        // What the game's own scripts pass.
+        // As in the game's own scripts.
         const float distance = 5;
         Call(Hash.SET_VEHICLE_ON_GROUND_PROPERLY, vehicle, distance);
     }
 
-    /// <summary>Deletes an entity by the native for its kind; the game deletes only what belongs to a script.</summary>
+    /// <summary>Deletes an entity by the native for its kind; the game deletes only entities of scripts.</summary>
     public static void Delete(int entity, Hash native)
     {
         Call(Hash.SET_ENTITY_AS_MISSION_ENTITY, entity, false, true);
@@ -72,7 +78,7 @@ internal static class Natives
         Call(native, handle);
     }
 
-    // An array on purpose: the API's overloads by number of arguments are not the same in all versions.
+    // An array on purpose: the API's overloads by number of arguments differ between versions.
     public static T Call<T>(Hash native, params InputArgument[] arguments)
     {
         Calls++;

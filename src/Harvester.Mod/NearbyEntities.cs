@@ -11,25 +11,25 @@ using Harvester.Play.Features;
 namespace Harvester.Mod;
 
 /// <summary>
-/// The entities near a point, from the API's lists as long as these work. The API reads them from the game's memory: updates of the game
-/// have broken single lists, which then throw or stay empty. From then on natives take the place of that list.
+/// The entities near a point, from the API's lists while these work. The API reads them from the game's memory; updates of the game have
+/// broken single lists, which then throw or stay empty. From then on natives replace that list.
 /// </summary>
-/// <param name="build">Whether the installed API can read this game's memory at all.</param>
-/// <param name="natives">What takes the place of a list that fails.</param>
-/// <param name="reading">Keeps which lists have failed.</param>
-/// <param name="messages">The player is told once for each list.</param>
+/// <param name="build">Whether the installed API can read this game's memory.</param>
+/// <param name="natives">Replace a list that fails.</param>
+/// <param name="reading">Records which lists have failed.</param>
+/// <param name="messages">Shows one message for each list.</param>
 internal sealed class NearbyEntities(GameBuild build, NativeLists natives, ReadingRecord reading, PlayerMessages messages)
 {
     private int _doubted;
 
-    /// <summary>The models of props that are looked for, by hash.</summary>
+    /// <summary>The models of props to list, by hash.</summary>
     public IReadOnlyList<int> PropModels { get; set; } = [];
 
     /// <summary>The vehicles within a radius of a point.</summary>
     public IReadOnlyList<int> Vehicles(Vector3D centre, double radius) =>
         List(EntityKind.Vehicle, centre, radius, static (place, within) => World.GetNearbyVehicles(place, within));
 
-    /// <summary>The people and animals within a radius of a point, the player among them.</summary>
+    /// <summary>The people and animals within a radius of a point, including the player.</summary>
     public IReadOnlyList<int> Peds(Vector3D centre, double radius) =>
         List(EntityKind.Ped, centre, radius, static (place, within) => World.GetNearbyPeds(place, within));
 
@@ -42,7 +42,7 @@ internal sealed class NearbyEntities(GameBuild build, NativeLists natives, Readi
             : List(EntityKind.Prop, centre, radius, (place, within) => World.GetNearbyProps(place, within, models));
     }
 
-    /// <summary>The props of any model within a radius of a point. Natives know those only that rays meet.</summary>
+    /// <summary>The props of any model within a radius of a point. Natives find only those that rays hit.</summary>
     public IReadOnlyList<int> AllProps(Vector3D centre, double radius) =>
         List(EntityKind.Prop, centre, radius, static (place, within) => World.GetNearbyProps(place, within));
 
@@ -55,7 +55,7 @@ internal sealed class NearbyEntities(GameBuild build, NativeLists natives, Readi
 
         if (reading.SourceOf(kind) == ListSource.Api)
         {
-            string failure = $"ScriptHookVDotNet lists no {kind}s though there are some.";
+            string failure = $"ScriptHookVDotNet lists no {kind}s although there are some.";
             try
             {
                 int[] listed = [.. byApi(new Vector3((float)centre.X, (float)centre.Y, (float)centre.Z), (float)radius)
@@ -67,7 +67,7 @@ internal sealed class NearbyEntities(GameBuild build, NativeLists natives, Readi
             }
             catch (Exception exception) when (exception is not (ThreadAbortException or InvalidOperationException))
             {
-                // An invalid operation is a full pool of handles, of which natives need as many.
+                // An invalid operation means a full pool of handles; natives need as many.
                 failure = $"ScriptHookVDotNet cannot list {kind}s ({exception.Message}).";
             }
 
@@ -77,7 +77,7 @@ internal sealed class NearbyEntities(GameBuild build, NativeLists natives, Readi
         return natives.Near(kind, centre, radius, PropModels);
     }
 
-    /// <summary>An empty list of props is doubted by one model a time, which costs one native.</summary>
+    /// <summary>Checks an empty list of props by one model at a time, which costs one native.</summary>
     private int NextModel() => PropModels.Count == 0 ? 0 : PropModels[_doubted++ % PropModels.Count];
 
     private void FallBack(string why, params EntityKind[] kinds)
@@ -87,6 +87,8 @@ internal sealed class NearbyEntities(GameBuild build, NativeLists natives, Readi
             reading.ListByNatives(kind);
         }
 
-        messages.Tell($"{why} The game's natives are asked instead; they return fewer entities, so distant objects may lack labels. Look for an update of ScriptHookVDotNet.");
+        messages.Tell(
+            $"{why} The game's natives are used instead; they list fewer entities, so distant objects may lack labels. "
+            + "Look for an update of ScriptHookVDotNet.");
     }
 }

@@ -5,7 +5,7 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Mod;
 
-/// <summary>The camera that the game rendered last, be it ours, the game's own or another mod's.</summary>
+/// <summary>The camera that the game rendered last, whether of this mod, of the game or of another mod.</summary>
 internal static class RenderedCamera
 {
     public static Pose Pose
@@ -25,6 +25,6 @@ internal static class RenderedCamera
 
     public static double WindowAspect => Natives.Call<float>(Hash.GET_ASPECT_RATIO, false);
 
-    /// <summary>Reads all of it.</summary>
+    /// <summary>Reads all its properties.</summary>
     public static CameraState Read() => new(Pose, VerticalFovDegrees, NearClip, WindowAspect);
 }

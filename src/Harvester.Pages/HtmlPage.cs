@@ -4,14 +4,14 @@ using System.Text;
 
 namespace Harvester.Pages;
 
-/// <summary>An HTML page in the project's style that needs no other file and no network.</summary>
+/// <summary>An HTML page in the project's style that needs no other files and no network.</summary>
 public static class HtmlPage
 {
     /// <summary>Writes a page.</summary>
     /// <param name="stream">Receives UTF-8; stays open.</param>
     /// <param name="title">Title of the browser's tab.</param>
     /// <param name="style">Style sheet, in addition to the common one.</param>
-    /// <param name="writeBody">Writes what the body element holds.</param>
+    /// <param name="writeBody">Writes the content of the body element.</param>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     public static void Write(Stream stream, string title, string style, Action<MarkupWriter> writeBody)
     {

@@ -12,13 +12,13 @@ namespace Harvester.Pages;
 
 /// <summary>
 /// Writes HTML and SVG elements to a stream. Text and attribute values are escaped here and nowhere else; element and attribute names are
-/// the caller's constants. Nothing but the names of open elements is held in memory.
+/// constants of the caller. Only the names of open elements are held in memory.
 /// </summary>
 public sealed class MarkupWriter : IDisposable
 {
     private const int PixelDecimals = 1;
 
-    /// <summary>HTML elements that have no end tag. SVG elements may always close themselves.</summary>
+    /// <summary>HTML elements without end tag. SVG elements may always be self-closing.</summary>
     private static readonly FrozenSet<string> VoidElements = FrozenSet.Create(
         StringComparer.Ordinal, "br", "hr", "img", "input", "link", "meta");
 
@@ -38,7 +38,7 @@ public sealed class MarkupWriter : IDisposable
 
     /// <summary>Starts writing.</summary>
     /// <param name="stream">Receives UTF-8 without a byte order mark; stays open.</param>
-    /// <param name="xmlNamespace">Namespace of all elements; empty for HTML, whose parser knows SVG without it.</param>
+    /// <param name="xmlNamespace">Namespace of all elements; empty for HTML, whose parser knows SVG.</param>
     internal MarkupWriter(Stream stream, string xmlNamespace)
     {
         _stream = stream;
@@ -73,7 +73,7 @@ public sealed class MarkupWriter : IDisposable
         return this;
     }
 
-    /// <summary>Writes an element that holds only text.</summary>
+    /// <summary>Writes an element that contains only text.</summary>
     public MarkupWriter Element(string element, string text) => Start(element).Text(text).End();
 
     /// <summary>Adds an attribute to the element just opened.</summary>
@@ -83,7 +83,7 @@ public sealed class MarkupWriter : IDisposable
         return this;
     }
 
-    /// <summary>Adds a number as an attribute, rounded to tenths unless more decimals are asked for.</summary>
+    /// <summary>Adds a number as an attribute, by default rounded to tenths.</summary>
     public MarkupWriter With(string attribute, double value, int decimals = PixelDecimals) =>
         With(attribute, InvariantNumber.Format(value, decimals));
 
@@ -103,7 +103,7 @@ public sealed class MarkupWriter : IDisposable
         return this;
     }
 
-    /// <summary>Adds the attribute "d" of a path: one open line after the other, pixels.</summary>
+    /// <summary>Adds the attribute "d" of a path that consists of open lines, pixels.</summary>
     public MarkupWriter WithLines(IEnumerable<IEnumerable<Vector2D>> lines)
     {
         ArgumentNullException.ThrowIfNull(lines);
@@ -122,10 +122,10 @@ public sealed class MarkupWriter : IDisposable
         return this;
     }
 
-    /// <summary>Adds a file's content as an attribute, so that the page needs no other file.</summary>
-    /// <param name="attribute">Usually "src" or "href".</param>
-    /// <param name="mediaType">Such as image/png.</param>
-    /// <param name="content">The file's bytes.</param>
+    /// <summary>Adds the content of a file as a data URL, so that the page needs no other file.</summary>
+    /// <param name="attribute">The attribute, usually "src" or "href".</param>
+    /// <param name="mediaType">The media type, such as image/png.</param>
+    /// <param name="content">The content of the file.</param>
     public MarkupWriter WithData(string attribute, string mediaType, byte[] content)
     {
         ArgumentNullException.ThrowIfNull(content);
@@ -151,24 +151,24 @@ public sealed class MarkupWriter : IDisposable
         return this;
     }
 
-    /// <summary>Ends a line of the file, which changes nothing in what is shown.</summary>
+    /// <summary>Writes a line end, which does not change what is shown.</summary>
     public MarkupWriter NewLine()
     {
         _xml.WriteWhitespace("\n");
         return this;
     }
 
-    /// <summary>Writes markup of the program's own as it is.</summary>
+    /// <summary>Writes markup unescaped; it must be the program's own.</summary>
     public MarkupWriter Markup(string markup)
     {
         _xml.WriteRaw(markup);
         return this;
     }
 
-    /// <summary>Writes a style sheet or a script of the program's own.</summary>
+    /// <summary>Writes the program's own style sheet or script.</summary>
     /// <param name="element">"style" or "script".</param>
     /// <param name="code">The code; it cannot contain the element's end tag, which HTML would not unescape.</param>
-    /// <exception cref="ArgumentException">It contains the end tag.</exception>
+    /// <exception cref="ArgumentException">The code contains the end tag.</exception>
     public MarkupWriter Code(string element, string code)
     {
         ArgumentNullException.ThrowIfNull(code);
@@ -209,7 +209,7 @@ public sealed class MarkupWriter : IDisposable
         return text.ToString();
     }
 
-    /// <summary>Replaces what XML and HTML do not allow even escaped: control characters and halves of surrogate pairs.</summary>
+    /// <summary>Replaces characters that XML and HTML do not allow even if escaped: control characters and unpaired surrogates.</summary>
     private static string Valid(string text)
     {
         ArgumentNullException.ThrowIfNull(text);

@@ -5,7 +5,7 @@ namespace Harvester.Architecture.Tests;
 /// <summary>The names of the tests of all projects, read from their sources.</summary>
 public sealed partial class TestNameTests
 {
-    // What CONTRIBUTING.md asks for: a longer name states more than one behaviour or is not read to its end.
+    // As CONTRIBUTING.md requires: a longer name states more than one behaviour or is not read to its end.
     private const int MaxLength = 60;
 
     public static TheoryData<string> Projects => new(Directory

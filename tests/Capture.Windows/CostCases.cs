@@ -31,7 +31,7 @@ internal static class CostCases
     private static void Allocation()
     {
         // The facts of some windows and monitors, read twice; a picture of this window would be 230,400 bytes.
-        const long mostBytesPerGrab = 20_000;
+        const long maxBytesPerGrab = 20_000;
         using var window = new PatternWindow(new(10, 10, 320, 240), Pattern.Distinct(2));
         using var screen = GameWindowScreen.OfThisProcess();
         var buffer = new PixelBuffer(new(200, 150));
@@ -40,7 +40,7 @@ internal static class CostCases
         long before = GC.GetAllocatedBytesForCurrentThread();
         GrabAll(screen, buffer);
         long perGrab = (GC.GetAllocatedBytesForCurrentThread() - before) / Grabs;
-        Expect.That(perGrab <= mostBytesPerGrab, $"{perGrab} bytes a grab");
+        Expect.That(perGrab <= maxBytesPerGrab, $"{perGrab} bytes a grab");
     }
 
     private static void Handles()

@@ -15,14 +15,14 @@ internal static class DrawingCases
     /// By how much a channel of a decoded JPEG may differ from the screenshot: at quality 95 no divisor is above 10, so a smooth picture
     /// loses about 5, and decoders round in their own ways.
     /// </summary>
-    private const int GreatestLoss = 8;
+    private const int MaxLoss = 8;
 
     public static IEnumerable<CaptureCase> All =>
     [
         new("a grab has the pixels that GDI+ copies from the screen", Grab),
-        new("GDI+ reads the pixels of a PNG", () => Decoded(ScreenshotFormat.Png, greatestLoss: 0)),
-        new("GDI+ reads the pixels of a BMP", () => Decoded(ScreenshotFormat.Bmp, greatestLoss: 0)),
-        new("GDI+ reads the pixels of a JPEG, nearly", () => Decoded(ScreenshotFormat.Jpeg, GreatestLoss)),
+        new("GDI+ reads the pixels of a PNG", () => Decoded(ScreenshotFormat.Png, maxLoss: 0)),
+        new("GDI+ reads the pixels of a BMP", () => Decoded(ScreenshotFormat.Bmp, maxLoss: 0)),
+        new("GDI+ reads the pixels of a JPEG, nearly", () => Decoded(ScreenshotFormat.Jpeg, MaxLoss)),
     ];
 
     private static void Grab()
@@ -33,10 +33,10 @@ internal static class DrawingCases
         var buffer = new PixelBuffer(new(window.Client.Width, window.Client.Height));
         Expect.Good(screen.Grab(buffer));
         using Bitmap copy = CopyFromScreen(window.Client);
-        ExpectSame(buffer.Bytes, Pixels(copy), greatestLoss: 0);
+        ExpectSame(buffer.Bytes, Pixels(copy), maxLoss: 0);
     }
 
-    private static void Decoded(ScreenshotFormat format, int greatestLoss)
+    private static void Decoded(ScreenshotFormat format, int maxLoss)
     {
         PixelBuffer picture = Smooth();
         using var file = new MemoryStream();
@@ -45,7 +45,7 @@ internal static class DrawingCases
         using var bitmap = new Bitmap(file);
         Expect.That(
             bitmap.Width == picture.Size.Width && bitmap.Height == picture.Size.Height, $"GDI+ reads {bitmap.Width} x {bitmap.Height}");
-        ExpectSame(picture.Bytes, Pixels(bitmap), greatestLoss);
+        ExpectSame(picture.Bytes, Pixels(bitmap), maxLoss);
     }
 
     private static Bitmap CopyFromScreen(Area area)
@@ -95,11 +95,11 @@ internal static class DrawingCases
         return pixels;
     }
 
-    private static void ExpectSame(byte[] expected, byte[] actual, int greatestLoss)
+    private static void ExpectSame(byte[] expected, byte[] actual, int maxLoss)
     {
         for (int i = 0; i < expected.Length; i++)
         {
-            Expect.That(Math.Abs(expected[i] - actual[i]) <= greatestLoss, $"byte {i} is {actual[i]}, expected {expected[i]}");
+            Expect.That(Math.Abs(expected[i] - actual[i]) <= maxLoss, $"byte {i} is {actual[i]}, expected {expected[i]}");
         }
     }
 }

@@ -10,7 +10,7 @@ internal sealed class PatternWindow : IDisposable
     private const string ClassName = "HarvesterPattern";
 
     /// <summary>Only a screen that shows something else takes so long.</summary>
-    private static readonly TimeSpan LongestWaitForTheScreen = TimeSpan.FromSeconds(30);
+    private static readonly TimeSpan MaxWaitForScreen = TimeSpan.FromSeconds(30);
 
     private static readonly Native.WindowProcedure Procedure = HandleMessage;
     private static readonly Dictionary<IntPtr, PatternWindow> Windows = [];
@@ -59,7 +59,7 @@ internal sealed class PatternWindow : IDisposable
     {
         using var pixels = PhysicalThread.Enter();
         long start = Stopwatch.GetTimestamp();
-        while (!IsOnScreen(client, pattern) && Stopwatch.GetElapsedTime(start) < LongestWaitForTheScreen)
+        while (!IsOnScreen(client, pattern) && Stopwatch.GetElapsedTime(start) < MaxWaitForScreen)
         {
             Settle();
         }

@@ -3,7 +3,7 @@ using Harvester.Cli.Terminals;
 
 namespace Harvester.Cli.Tests;
 
-/// <summary>One run of the command within the test's process, with what it wrote.</summary>
+/// <summary>The output of one run of the command within the test's process.</summary>
 internal sealed record CliRun(int ExitCode, string Out, string Error)
 {
     public static CliRun Of(params string[] arguments) => WithInput("", arguments);

@@ -1,12 +1,14 @@
 using System.Diagnostics;
 using System.Globalization;
 using Harvester.Cli.Terminals;
+using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests;
 
-/// <summary>What only shows in a process of its own: signals, the bytes of arguments, the current folder.</summary>
+/// <summary>Behaviour that needs a process of its own: signals, the bytes of arguments, the current folder.</summary>
 public sealed class ProcessTests : IDisposable
 {
+    private static readonly TimeSpan GenerousDeadline = TimeSpan.FromMinutes(1);
     private static readonly string Program = Path.Combine(AppContext.BaseDirectory, "harvester.dll");
     private readonly TemporaryFolder _folder = new();
 
@@ -17,11 +19,19 @@ public sealed class ProcessTests : IDisposable
     [InlineData("INT", 130)]
     public void Signal_ends_a_command_with_its_exit_code(string signal, int code)
     {
-        using Process serve = Start("exec dotnet \"$0\" serve --port 0 --traffic 0 --size 80x60", Program);
+        using Process serve = Start(
+            HeededSignals.Script + "exec $heeding dotnet \"$0\" serve --port 0 --traffic 0 --size 80x60", Program);
         Assert.StartsWith("Serving at ", serve.StandardOutput.ReadLine(), StringComparison.Ordinal);
         using Process kill = Start("kill -\"$0\" \"$1\"", signal, serve.Id.ToString(CultureInfo.InvariantCulture));
 
-        serve.WaitForExit();
+        try
+        {
+            Assert.True(serve.WaitForExit(GenerousDeadline), HeededSignals.NotEnded);
+        }
+        finally
+        {
+            serve.Kill();
+        }
 
         Assert.Equal(code, serve.ExitCode);
     }

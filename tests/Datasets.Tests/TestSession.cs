@@ -47,10 +47,10 @@ internal sealed class TestSession : IDisposable
 
     public string PathOf(string name) => Path.Combine(Folder, name);
 
-    /// <summary>The pedestrian, of which nothing is known but what is outside the image.</summary>
+    /// <summary>The pedestrian, with unknown occlusion.</summary>
     public JsonObject Pedestrian(int line) => Lines[line]["objects"]![1]!.AsObject();
 
-    /// <summary>Makes known of the pedestrian of every frame that nothing hides it.</summary>
+    /// <summary>Sets the pedestrian of every frame to not occluded.</summary>
     public void DeterminePedestrians()
     {
         foreach (JsonObject pedestrian in Lines.Select(line => line["objects"]![1]!.AsObject()))
@@ -85,7 +85,7 @@ internal sealed class TestSession : IDisposable
         new PngEncoder().Write(map, file);
     }
 
-    /// <summary>Writes the session as it now stands and opens it.</summary>
+    /// <summary>Writes the session in its current state and opens it.</summary>
     public SessionReader Open()
     {
         File.WriteAllText(PathOf("session.json"), Info.ToJsonString());

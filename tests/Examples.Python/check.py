@@ -68,6 +68,9 @@ def step(stream):
 
 
 with socket.create_connection(("127.0.0.1", int(sys.argv[1]))).makefile("rwb") as game:
+    send(game, type="hello", version=1)
+    hello, _ = receive(game)
+    assert hello == {"type": "hello", "version": 1}, hello
     drive(game)
     compare_pictures(game)
     step(game)

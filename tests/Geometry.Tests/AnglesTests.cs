@@ -38,7 +38,7 @@ public sealed class AnglesTests
     }
 
     [Fact]
-    public void WrapRadians_not_a_number_is_refused()
+    public void Wrap_functions_refuse_angles_that_are_not_finite()
     {
         Assert.Throws<ArgumentOutOfRangeException>(() => Angles.WrapRadians(double.NaN));
         Assert.Throws<ArgumentOutOfRangeException>(() => Angles.WrapHeadingDegrees(double.NegativeInfinity));

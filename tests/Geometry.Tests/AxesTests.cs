@@ -1,4 +1,3 @@
-using FsCheck;
 using FsCheck.Fluent;
 using Harvester.TestSupport;
 
@@ -29,7 +28,7 @@ public sealed class AxesTests
 
     [Fact]
     public void ToEuler_random_orientations_invert_FromEuler() =>
-        RandomCases.Check(2_000, Orientations(89), angles =>
+        RandomCases.Check(2_000, Draws.Orientations(89), angles =>
         {
             EulerAngles back = Axes.FromEuler(angles).ToEuler();
 
@@ -68,7 +67,7 @@ public sealed class AxesTests
 
     [Fact]
     public void FromVectors_single_precision_axes_become_exactly_orthonormal() =>
-        RandomCases.Check(500, Orientations(90), angles =>
+        RandomCases.Check(500, Draws.Orientations(90), angles =>
         {
             Axes exact = Axes.FromEuler(angles);
 
@@ -81,7 +80,7 @@ public sealed class AxesTests
         });
 
     [Fact]
-    public void FromVectors_left_handed_long_or_skew_is_refused()
+    public void FromVectors_refuses_left_handed_long_or_skewed_axes()
     {
         Assert.Throws<ArgumentException>(() => Axes.FromVectors(new(-1, 0, 0), new(0, 1, 0), new(0, 0, 1)));
         Assert.Throws<ArgumentException>(() => Axes.FromVectors(new(2, 0, 0), new(0, 1, 0), new(0, 0, 1)));
@@ -92,10 +91,10 @@ public sealed class AxesTests
 
     [Fact]
     public void ToLocal_of_ToWorld_is_the_vector() =>
-        RandomCases.Check(500, Arb.Zip(Orientations(90), RandomCases.ArrayOf(RandomCases.Number(-100, 100), 3)), drawn =>
+        RandomCases.Check(500, Arb.Zip(Draws.Orientations(90), Draws.Vectors(100)), drawn =>
         {
-            Axes axes = Axes.FromEuler(drawn.Item1);
-            var vector = new Vector3D(drawn.Item2[0], drawn.Item2[1], drawn.Item2[2]);
+            (EulerAngles angles, Vector3D vector) = drawn;
+            Axes axes = Axes.FromEuler(angles);
 
             AssertClose(vector, axes.ToLocal(axes.ToWorld(vector)), 1e-11);
         });
@@ -112,11 +111,6 @@ public sealed class AxesTests
         AssertClose(new(-1, 0, 0), camera.Axes.Forward, Rounding);
         AssertClose(new(0, 2, 0.4), car.ToLocal(camera.Position), Rounding);
     }
-
-    private static Arbitrary<EulerAngles> Orientations(double maxPitch) => Arb.Convert(
-        Arb.Zip(RandomCases.Number(-maxPitch, maxPitch), Arb.Zip(RandomCases.Number(-180, 180), RandomCases.Number(-180, 180))),
-        angles => new EulerAngles(angles.Item1, angles.Item2.Item1, angles.Item2.Item2),
-        angles => (angles.PitchDegrees, (angles.RollDegrees, angles.YawDegrees)));
 
     private static Vector3D Single(Vector3D v) => new((float)v.X, (float)v.Y, (float)v.Z);
 

@@ -12,7 +12,7 @@ public sealed class RayTests
     }
 
     [Fact]
-    public void Ray_without_direction_or_place_is_refused()
+    public void Ray_without_direction_or_finite_origin_is_refused()
     {
         Assert.Throws<InvalidOperationException>(() => new Ray(Vector3D.Zero, Vector3D.Zero));
         Assert.Throws<InvalidOperationException>(() => new Ray(Vector3D.Zero, new(double.NaN, 0, 0)));

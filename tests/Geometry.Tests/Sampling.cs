@@ -1,4 +1,3 @@
-using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.Tests;
@@ -13,9 +12,6 @@ internal static class Sampling
 
     public static Axes Axes(this Random random) =>
         Harvester.Geometry.Axes.FromEuler(new EulerAngles(random.Between(-90, 90), random.Between(-180, 180), random.Between(-180, 180)));
-
-    public static Cuboid Cuboid(this Random random, double half) =>
-        new(random.Vector(half), new Vector3D(random.Between(0.1, 3), random.Between(0.1, 3), random.Between(0.1, 3)), random.Axes());
 
     public static Camera Camera(this Random random, Lens lens) =>
         new(

@@ -6,7 +6,7 @@ using Harvester.TestSupport;
 
 namespace Harvester.Mod.Tests;
 
-/// <summary>Clients that do wrong, and bridges that cannot be opened: the player is told, and the next try works.</summary>
+/// <summary>Clients that make errors, and bridges that cannot be opened: the player gets a message, and the next attempt works.</summary>
 public sealed class BridgeFaultTests : ServedGame
 {
     [Fact]
@@ -72,7 +72,7 @@ public sealed class BridgeFaultTests : ServedGame
         var other = new TcpListener(IPAddress.Loopback, Port);
         other.Start();
         driver.Press(Keys.N);
-        driver.UntilTold("The drive failed");
+        driver.UntilMessage("The drive failed");
         other.Dispose();
         Start(driver);
     }
@@ -83,7 +83,7 @@ public sealed class BridgeFaultTests : ServedGame
         using var driver = new ScriptDriver(Ini(Port) + "Address = 0.0.0.0\n");
         Street(driver.Game);
         driver.Press(Keys.N);
-        driver.UntilTold("needs a token");
+        driver.UntilMessage("needs a token");
     }
 
     [Fact]

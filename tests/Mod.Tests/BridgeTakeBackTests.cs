@@ -3,7 +3,7 @@ using Harvester.TestSupport;
 
 namespace Harvester.Mod.Tests;
 
-/// <summary>The player takes the car back from a client, and nothing that the client does is taken for the player.</summary>
+/// <summary>The player takes the car back from a client, and nothing that the client does is mistaken for the player.</summary>
 public sealed class BridgeTakeBackTests : ServedGame
 {
     [Theory]
@@ -38,7 +38,7 @@ public sealed class BridgeTakeBackTests : ServedGame
         driver.Script.RaiseKeyDown(key);
         driver.Tick(2);
 
-        Assert.Contains("You have the wheel.", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Contains("You are driving again.", driver.Game.Notifications[^1], StringComparison.Ordinal);
         Assert.Empty(driver.Game.Controls);
     }
 
@@ -52,7 +52,7 @@ public sealed class BridgeTakeBackTests : ServedGame
 
         driver.Script.RaiseKeyDown(Keys.Z);
         driver.Tick(2);
-        Assert.Contains("You have the wheel.", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Contains("You are driving again.", driver.Game.Notifications[^1], StringComparison.Ordinal);
         Assert.Empty(driver.Game.Controls);
     }
 

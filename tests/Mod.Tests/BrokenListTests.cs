@@ -22,7 +22,7 @@ public sealed class BrokenListTests
 
         Assert.Equal(whole.Select(Label), byNatives.Select(Label));
         Assert.Equal("natives natives natives", Sources(reading));
-        Assert.Equal(3, game.Notifications.Count(told => told.Contains("natives are asked instead", StringComparison.Ordinal)));
+        Assert.Equal(3, game.Notifications.Count(message => message.Contains("natives are used instead", StringComparison.Ordinal)));
     }
 
     [Fact]
@@ -54,7 +54,7 @@ public sealed class BrokenListTests
         driver.Tick(EnoughTicksForAFrame);
 
         Assert.Contains(Hash.GET_PED_NEARBY_PEDS, driver.Game.Calls);
-        Assert.DoesNotContain(driver.Game.Notifications, told => told.Contains("natives are asked", StringComparison.Ordinal));
+        Assert.DoesNotContain(driver.Game.Notifications, message => message.Contains("natives are used", StringComparison.Ordinal));
     }
 
     [Fact]
@@ -69,7 +69,7 @@ public sealed class BrokenListTests
         driver.WaitForDisk();
 
         Assert.Single(
-            driver.Game.Notifications, told => told.Contains("newer than ScriptHookVDotNet 3.6.0 knows", StringComparison.Ordinal));
+            driver.Game.Notifications, message => message.Contains("newer than ScriptHookVDotNet 3.6.0 knows", StringComparison.Ordinal));
         Assert.Contains("premier", Assert.Single(driver.Labels()), StringComparison.Ordinal);
     }
 

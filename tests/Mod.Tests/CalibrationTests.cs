@@ -21,14 +21,14 @@ public sealed class CalibrationTests
         var scene = new SimulatedScene(options, FaceTable.Empty);
         using var driver = new ScriptDriver(Ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock);
         driver.Press(Keys.J);
-        driver.UntilTold("The camera model is off by");
+        driver.UntilMessage("The camera model is off by");
         Assert.False(driver.Game.IsPaused);
         driver.WaitForDisk();
 
         driver.Press(Keys.NumPad1);
         driver.Tick();
         Assert.True(driver.Game.IsHudHidden);
-        driver.UntilTold("Calibrated: the error was");
+        driver.UntilMessage("Calibrated: the error was");
         driver.WaitForDisk();
         Assert.False(driver.Game.IsPaused);
         driver.Tick();
@@ -40,7 +40,7 @@ public sealed class CalibrationTests
 
         // The check at the start of the harvest is the judge of the lens: half a pixel.
         driver.Press(Keys.K);
-        driver.UntilTold("The harvest ended: 1 frame");
+        driver.UntilMessage("The harvest ended: 1 frame");
     }
 
     [Fact]
@@ -62,7 +62,7 @@ public sealed class CalibrationTests
         using var driver = new ScriptDriver(Ini, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock);
         Assert.Contains("ended: 1 frame", EndOfOneFrame(driver), StringComparison.Ordinal);
         driver.Press(Keys.NumPad1);
-        driver.UntilTold("Calibrated: the error was");
+        driver.UntilMessage("Calibrated: the error was");
         Assert.Contains("ended: 1 frame", EndOfOneFrame(driver), StringComparison.Ordinal);
         Assert.Contains("ended: 1 frame", EndOfOneFrame(driver), StringComparison.Ordinal);
 
@@ -70,7 +70,7 @@ public sealed class CalibrationTests
             .Select(session => File.ReadLines(Path.Combine(session, "labels.jsonl")).Count())];
         Assert.Equal([1, 2], frames);
 
-        // The second session says by how much the model was off, though its second frame was not checked again.
+        // The second session records the error of the model, though its second frame was not checked again.
         string header = File.ReadAllText(
             Path.Combine(Directory.GetDirectories(driver.Output).Order(StringComparer.Ordinal).Last(), "session.json"));
         Assert.Matches("\"cameraErrorPixels\": [0-9]", header);
@@ -117,7 +117,7 @@ public sealed class CalibrationTests
         string ini = File.ReadAllText(Path.Combine(driver.Folder, "GtaDataHarvester.ini"));
         driver.Press(Keys.I);
         driver.Press(Keys.NumPad1);
-        driver.UntilTold("do not determine the lens");
+        driver.UntilMessage("The lens cannot be determined");
 
         Assert.Equal(ini, File.ReadAllText(Path.Combine(driver.Folder, "GtaDataHarvester.ini")));
         Assert.False(driver.Game.IsPaused);
@@ -129,11 +129,11 @@ public sealed class CalibrationTests
         using var driver = new ScriptDriver("[Lens]\nMaxError = 1\n");
         HarvestTests.Street(driver.Game);
         driver.Press(Keys.K);
-        driver.UntilTold("The harvest ended: 1 frame");
+        driver.UntilMessage("The harvest ended: 1 frame");
 
         Assert.Contains(
             driver.Game.Notifications,
-            told => told.Contains("The camera model was not checked: none of 20 markers was visible", StringComparison.Ordinal));
+            message => message.Contains("The camera model was not checked: none of 20 markers was visible", StringComparison.Ordinal));
     }
 
     [Fact]
@@ -144,22 +144,23 @@ public sealed class CalibrationTests
         for (int press = 0; press < 2; press++)
         {
             Assert.Contains("ended: 1 frame", EndOfOneFrame(driver), StringComparison.Ordinal);
-            Assert.Contains(driver.Game.Notifications, told => told.Contains("was not checked", StringComparison.Ordinal));
+            Assert.Contains(driver.Game.Notifications, message => message.Contains("was not checked", StringComparison.Ordinal));
         }
 
         string session = Assert.Single(Directory.GetDirectories(driver.Output));
         Assert.Equal(2, File.ReadLines(Path.Combine(session, "labels.jsonl")).Count());
     }
 
-    /// <summary>Harvests one frame; what the player is told of its end.</summary>
+    /// <summary>Harvests one frame; returns the message about its end.</summary>
     private static string EndOfOneFrame(ScriptDriver driver)
     {
         driver.Press(Keys.O);
         driver.Game.Notifications.Clear();
         driver.Press(Keys.K);
         driver.Until(
-            () => driver.Game.Notifications.Any(told => told.Contains("The harvest ended", StringComparison.Ordinal) || told.Contains(
-                "The camera model is off", StringComparison.Ordinal)));
+            () => driver.Game.Notifications.Any(message =>
+                message.Contains("The harvest ended", StringComparison.Ordinal)
+                || message.Contains("The camera model is off", StringComparison.Ordinal)));
         driver.WaitForDisk();
         return driver.Game.Notifications[^1];
     }

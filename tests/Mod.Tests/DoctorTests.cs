@@ -35,7 +35,7 @@ public sealed class DoctorTests
         Harvest(driver);
         driver.Reload();
 
-        Assert.Equal(["Something lay over the game's window."], FindingsOf(driver));
+        Assert.Equal(["Something covered the game's window."], FindingsOf(driver));
     }
 
     [Fact]

@@ -187,7 +187,7 @@ public sealed class SpaceMarkingTests
         driver.Press(Keys.Divide);
         driver.WaitForDisk();
 
-        Assert.Contains("2 models near here without a face in any table", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Contains("2 models nearby without a face in any table", driver.Game.Notifications[^1], StringComparison.Ordinal);
         string file = Assert.Single(Directory.GetFiles(Folder(driver), "unknown-*.csv"));
         int bench = ModelHash.Of("prop_bench_01a");
         Assert.Equal(
@@ -245,7 +245,7 @@ public sealed class SpaceMarkingTests
         driver.WaitForDisk();
         driver.Press(Keys.Y);
         driver.WaitForDisk();
-        Assert.Contains("Kept: face", driver.Game.Notifications[^1], StringComparison.Ordinal);
+        Assert.Contains("Saved: face", driver.Game.Notifications[^1], StringComparison.Ordinal);
     }
 
     private static string Folder(ScriptDriver driver) => Path.Combine(driver.Output, "spaces");

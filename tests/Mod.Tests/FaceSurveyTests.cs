@@ -16,7 +16,7 @@ public sealed class SpaceSurveyTests
     private const string Sign = "prop_sign_road_03g";
     private const string Ini = "[Signs]\nModels = " + Light + "\n";
 
-    /// <summary>What the project asks of a face's place.</summary>
+    /// <summary>The required accuracy of a face's position.</summary>
     private const double ToleranceMetres = 0.02;
 
     [Fact]
@@ -24,7 +24,7 @@ public sealed class SpaceSurveyTests
     {
         using ScriptDriver driver = NewDriver();
         driver.Press(Keys.Multiply);
-        driver.UntilTold("All 109 models are surveyed: 3 faces");
+        driver.UntilMessage("All 109 models are surveyed: 3 faces");
         driver.WaitForDisk();
 
         FaceTable table = new SurveyFolder(Folder(driver)).Table;
@@ -55,7 +55,7 @@ public sealed class SpaceSurveyTests
         using ScriptDriver driver = NewDriver();
         driver.Press(Keys.L);
         driver.Press(Keys.Multiply);
-        driver.UntilTold("models are surveyed");
+        driver.UntilMessage("models are surveyed");
         driver.WaitForDisk();
 
         string folder = Path.Combine(Folder(driver), SurveyPhoto.FolderName);
@@ -81,7 +81,7 @@ public sealed class SpaceSurveyTests
         using ScriptDriver driver = NewDriver();
         driver.Screen.Refusal = "covered";
         driver.Press(Keys.Multiply);
-        driver.UntilTold("3 faces");
+        driver.UntilMessage("3 faces");
         driver.WaitForDisk();
 
         Assert.Empty(Directory.GetFiles(Path.Combine(Folder(driver), SurveyPhoto.FolderName)));
@@ -92,7 +92,7 @@ public sealed class SpaceSurveyTests
     {
         using ScriptDriver driver = NewDriver(Ini + "Photographs = Off\n");
         driver.Press(Keys.Multiply);
-        driver.UntilTold("3 faces");
+        driver.UntilMessage("3 faces");
 
         Assert.Equal(0, driver.Screen.Grabs);
         Assert.DoesNotContain(Hash.CREATE_CAM_WITH_PARAMS, driver.Game.Calls);
@@ -134,7 +134,7 @@ public sealed class SpaceSurveyTests
         var seen = new HashSet<string>();
         driver.Game.PassFrame = () => seen.UnionWith(driver.Game.Objects.Select(prop => prop.Name));
         driver.Press(Keys.Multiply);
-        driver.UntilTold("3 faces");
+        driver.UntilMessage("3 faces");
         Assert.Equal([Light], seen);
     }
 
@@ -144,7 +144,7 @@ public sealed class SpaceSurveyTests
         using ScriptDriver driver = NewDriver();
         driver.Game.ObjectPoolIsFull = true;
         driver.Press(Keys.Multiply);
-        driver.UntilTold("All 109 models are surveyed: 0 faces");
+        driver.UntilMessage("All 109 models are surveyed: 0 faces");
         driver.WaitForDisk();
 
         Assert.Contains(Sign + " refused", File.ReadAllLines(Path.Combine(Folder(driver), "models.txt")));
@@ -157,7 +157,7 @@ public sealed class SpaceSurveyTests
         const string shipped = "prop_sign_road_03g,,sign,A SIGN,R1-1,0,-0.4,0.1,2.7,0.4,-0.1,1.9,-y,estimated,test\n";
         using ScriptDriver driver = NewDriver(faces: shipped);
         driver.Press(Keys.Multiply);
-        driver.UntilTold("models are surveyed");
+        driver.UntilMessage("models are surveyed");
         driver.WaitForDisk();
         FaceTable used = new ModFolder(driver.Folder).FacesWith(Folder(driver));
 
@@ -171,7 +171,7 @@ public sealed class SpaceSurveyTests
         using ScriptDriver driver = NewDriver();
         HarvestTests.Street(driver.Game);
         driver.Press(Keys.Multiply);
-        driver.UntilTold("models are surveyed: 3 faces");
+        driver.UntilMessage("models are surveyed: 3 faces");
         driver.WaitForDisk();
         Assert.Contains("in use from now on", driver.Game.Notifications[^1], StringComparison.Ordinal);
         driver.Game.Add(TestGame.Standing(Light, KnownProps.All[Light], new Pose(new Vector3D(101, 215, 0), Axes.Identity)));
@@ -194,7 +194,7 @@ public sealed class SpaceSurveyTests
         string file = Path.Combine(Folder(driver), SurveyFolder.TableName);
         File.WriteAllText(file, "prop_sign_road_01a,5,sign\n");
         driver.Press(Keys.Multiply);
-        driver.UntilTold("The survey of signs failed: " + file);
+        driver.UntilMessage("The survey of signs failed: " + file);
         driver.Tick(50);
         driver.WaitForDisk();
 
@@ -214,7 +214,7 @@ public sealed class SpaceSurveyTests
         string table = Path.Combine(Folder(driver), SurveyFolder.TableName);
         File.Delete(table);
         Directory.CreateDirectory(table);
-        driver.UntilTold("The survey stopped: ");
+        driver.UntilMessage("The survey stopped: ");
         Assert.Empty(driver.Game.Objects);
         Assert.Empty(driver.Game.Cameras);
     }
@@ -227,10 +227,10 @@ public sealed class SpaceSurveyTests
         driver.Until(() => driver.Game.Objects.Any(prop => prop.Name == Light));
 
         driver.Game.Entities.Remove(driver.Game.HandleOf(driver.Game.Objects.Single()));
-        driver.UntilTold("the game took");
+        driver.UntilMessage("the game took");
         Assert.DoesNotContain(driver.Game.Notifications, message => message.Contains("are surveyed", StringComparison.Ordinal));
         driver.Press(Keys.Multiply);
-        driver.UntilTold("All 109 models are surveyed: 3 faces");
+        driver.UntilMessage("All 109 models are surveyed: 3 faces");
         Assert.Empty(driver.Game.Objects);
     }
 

@@ -123,9 +123,9 @@ public sealed class FreezeTests
     {
         const double longAfterTheLastMessage = 60_000;
         driver.Clock.Milliseconds += longAfterTheLastMessage;
-        int told = driver.Game.Notifications.Count;
+        int before = driver.Game.Notifications.Count;
         driver.Press(Keys.K);
-        driver.Until(() => driver.Game.Notifications.Skip(told).Any(message => message.Contains("1 frame", StringComparison.Ordinal)));
+        driver.Until(() => driver.Game.Notifications.Skip(before).Any(message => message.Contains("1 frame", StringComparison.Ordinal)));
         driver.WaitForDisk();
     }
 

@@ -4,7 +4,7 @@ using Harvester.Mod.Tests.Games;
 
 namespace Harvester.Mod.Tests;
 
-/// <summary>What the game refuses to take back is given to it again, until it does.</summary>
+/// <summary>What the game refuses to take back is returned to it repeatedly, until it accepts.</summary>
 public sealed class GivingBackTests
 {
     [Theory]
@@ -40,7 +40,7 @@ public sealed class GivingBackTests
         Break(driver.Game, broken);
         driver.Press(Keys.NumPad0);
         driver.Tick(enoughTicksToLoad);
-        Assert.Contains(driver.Game.Notifications, told => told.Contains("The native is broken.", StringComparison.Ordinal));
+        Assert.Contains(driver.Game.Notifications, message => message.Contains("The native is broken.", StringComparison.Ordinal));
         driver.Game.Fault = _ => null;
         driver.Press(Keys.NumPad0);
         driver.Tick(enoughTicksToLoad);

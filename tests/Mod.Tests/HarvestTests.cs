@@ -4,6 +4,7 @@ using GTA.Hosting;
 using GTA.Native;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Mod.Tests;
 
@@ -118,7 +119,7 @@ public sealed class HarvestTests
             lines.AddRange(driver.Game.Texts);
         }
 
-        // The disk is asked on another thread.
+        // The free space is read on another thread.
         driver.Until(() => driver.Game.Texts.Any(text => text.EndsWith("free", StringComparison.Ordinal)));
         Assert.Matches(@"^REC  \d+ frames  \d+\.\d/s  0 discarded  queue \d+  \d+\.\d GB free$", driver.Game.Texts.Last());
         Assert.All(lines, line => Assert.InRange(line.Length, 1, 99));
@@ -139,6 +140,23 @@ public sealed class HarvestTests
         driver.Press(Keys.J);
         driver.Tick(TicksOfAFrame);
         Assert.InRange(driver.Screen.Grabs, 1, TicksOfAFrame);
+    }
+
+    [Fact]
+    public void Session_is_locked_while_it_is_recorded()
+    {
+        using var driver = new ScriptDriver();
+        Street(driver.Game);
+        driver.Press(Keys.J);
+        driver.Tick(5 * TicksOfAFrame);
+        string session = Assert.Single(Directory.GetDirectories(driver.Output));
+
+        Assert.Throws<FolderLockedException>(() => WriterLock.Take(session));
+
+        driver.Press(Keys.J);
+        driver.WaitForDisk();
+        WriterLock.Take(session).Dispose();
+        Assert.Equal([session], Directory.GetFileSystemEntries(driver.Output));
     }
 
     [Fact]
@@ -235,7 +253,7 @@ public sealed class HarvestTests
         game.Add(Standing(PoolKind.Peds, "a_m_y_hipster_01", new Vector3D(104, 225, 1)));
     }
 
-    /// <summary>A car whose lower half is under the ground, which is no entity: rays to it meet that.</summary>
+    /// <summary>A car whose lower half is under the ground, which is not an entity: rays to that half hit the ground.</summary>
     internal static void SunkenCar(TestGame game) => game.Add(Standing(PoolKind.Vehicles, "stanier", new Vector3D(96, 220, -0.25)));
 
     private static GameEntity Standing(PoolKind pool, string name, Vector3D place) =>

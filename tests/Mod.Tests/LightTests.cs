@@ -18,7 +18,7 @@ public sealed class LightTests
     private const string Image = "[Harvest]\nWidth = 640\nHeight = 480\nRate = 1\n" + Classes;
     private const string SmallImage = "[Harvest]\nWidth = 160\nHeight = 120\nRate = 5\n" + Classes;
     internal const string TableOfOne = "prop_traffic_03a,,trafficLight,SIGNAL,,0,-0.2,-0.1,3.4,0.2,-0.4,2.4,-y,estimated,test\n";
-    private const int LongestPictureLag = 4;
+    private const int MaxPictureLag = 4;
     private const int Ticks = 400;
 
     /// <summary>
@@ -38,7 +38,7 @@ public sealed class LightTests
         foreach ((long frame, JsonElement light, int entity) in Heads(driver).Where(head => Method(head.Light) == "set"))
         {
             // Whichever of the last frames the picture is of, the light shows what its label says.
-            int[] values = [.. Enumerable.Range(0, LongestPictureLag + 1).Select(ago => shown[frame - ago][entity])];
+            int[] values = [.. Enumerable.Range(0, MaxPictureLag + 1).Select(ago => shown[frame - ago][entity])];
             string[] names = ["green", "red", "amber"];
             Assert.All(values, value => Assert.Equal(names[value], State(light)));
             set++;
@@ -65,7 +65,7 @@ public sealed class LightTests
     [Fact]
     public void Pictures_show_the_lamps_that_the_mod_has_set()
     {
-        // The mod sets the lights and then is not asked: what the picture shows must be read as what was set.
+        // The mod sets the lights and its record is not used: the state read from the picture must be the one that was set.
         var scene = new SimulatedScene(Town(), ModelFaces.Table);
         using var driver = new ScriptDriver(Image, scene.PlayIn, scene.Ports.Screen, scene.Ports.Clock, Table());
         foreach (int light in driver.Game.Entities

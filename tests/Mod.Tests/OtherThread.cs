@@ -2,7 +2,7 @@ using System.Runtime.ExceptionServices;
 
 namespace Harvester.Mod.Tests;
 
-/// <summary>Work on a thread of its own; a task that is waited for may run on the thread that waits.</summary>
+/// <summary>Work on another thread; a task that is waited for may run on the waiting thread.</summary>
 internal static class OtherThread
 {
     /// <summary>Does work and waits for its end; an exception of the work's is thrown here.</summary>

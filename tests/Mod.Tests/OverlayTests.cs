@@ -14,7 +14,7 @@ public sealed class OverlayTests
     private const string NoRoads = "[Roads]\nFile = none.csv\n";
     private const int NativesPerEntity = 6;
 
-    /// <summary>In every tick the mounted camera asks whether its vehicle is there and the player in it.</summary>
+    /// <summary>In every tick the mounted camera checks whether its vehicle exists and the player is in it.</summary>
     private const int NativesOfTheMount = 4;
     private const int Ticks = 120;
 
@@ -25,7 +25,7 @@ public sealed class OverlayTests
         int seen = Fill(driver.Game);
         driver.Press(Keys.I);
         driver.Press(Keys.L);
-        driver.UntilTold("Reading the roads failed");
+        driver.UntilMessage("Reading the roads failed");
         driver.Tick();
         Assert.Equal(4 * seen, driver.Game.Rectangles.Count);
 
@@ -48,7 +48,7 @@ public sealed class OverlayTests
         using var driver = new ScriptDriver(NoRoads, faces: LightTests.TableOfOne);
         int seen = Fill(driver.Game);
         driver.Press(Keys.I);
-        driver.UntilTold("Reading the roads failed");
+        driver.UntilMessage("Reading the roads failed");
         driver.Press(Keys.L);
         driver.Tick(Ticks);
         driver.Press(Keys.L);

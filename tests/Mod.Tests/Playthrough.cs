@@ -16,7 +16,7 @@ internal static class Playthrough
     /// <summary>More than a calibration takes that looks for markers in vain.</summary>
     private const int TicksOfCalibration = 400;
 
-    /// <summary>More than both trials take in a world that stands still at once and whose camera moves at once: 34 ticks each.</summary>
+    /// <summary>More than both trials take in a world that freezes at once and whose camera moves at once: 34 ticks each.</summary>
     private const int TicksOfFreezeTrials = 80;
     private const string Failed = " failed: ";
     private const string Stopped = " stopped: ";
@@ -62,9 +62,9 @@ internal static class Playthrough
     private static void SurveySigns(ScriptDriver driver)
     {
         driver.Game.Props["prop_sign_road_03g"] = KnownProps.All["prop_traffic_03a"];
-        int told = driver.Game.Notifications.Count;
+        int before = driver.Game.Notifications.Count;
         driver.Press(Keys.Multiply);
-        driver.Until(() => IsToldSince(driver, told, "models are surveyed", Failed, Stopped));
+        driver.Until(() => HasMessageSince(driver, before, "models are surveyed", Failed, Stopped));
         driver.WaitForDisk();
     }
 
@@ -72,7 +72,7 @@ internal static class Playthrough
     private static void PlayDrive(ScriptDriver driver)
     {
         string folder = Path.Combine(driver.Output, "bridge");
-        int told = driver.Game.Notifications.Count;
+        int before = driver.Game.Notifications.Count;
         driver.Press(Keys.N);
         Until(Hash.SET_CONTROL_VALUE_NEXT_FRAME);
         Directory.CreateDirectory(folder);
@@ -82,9 +82,10 @@ internal static class Playthrough
         Until(Hash.SET_CLOCK_TIME);
 
         void Until(Hash native) => driver.Until(
-            () => driver.Game.Calls.Contains(native) || IsToldSince(driver, told, Failed, Stopped), ServedGame.ClientsPauseMilliseconds);
+            () => driver.Game.Calls.Contains(native) || HasMessageSince(driver, before, Failed, Stopped),
+            ServedGame.ClientsPauseMilliseconds);
     }
 
-    private static bool IsToldSince(ScriptDriver driver, int told, params string[] words) =>
-        driver.Game.Notifications.Skip(told).Any(message => words.Any(word => message.Contains(word, StringComparison.Ordinal)));
+    private static bool HasMessageSince(ScriptDriver driver, int before, params string[] words) =>
+        driver.Game.Notifications.Skip(before).Any(message => words.Any(word => message.Contains(word, StringComparison.Ordinal)));
 }

@@ -87,9 +87,7 @@ internal sealed class ScriptDriver : IDisposable
         Script = Load();
     }
 
-    /// <summary>
-    /// Waits until everything that the script does on other threads is done: what was harvested is written, what it asked for is read.
-    /// </summary>
+    /// <summary>Waits until the script's work on other threads is done: what was harvested is written, what it requested is read.</summary>
     public void WaitForDisk()
     {
         while (Script.IsBusy)
@@ -100,7 +98,7 @@ internal sealed class ScriptDriver : IDisposable
 
     /// <summary>Lets ticks go by until something is so, however slow the machine is.</summary>
     /// <param name="isSo">Asked before each tick.</param>
-    /// <param name="pauseMilliseconds">Time between ticks for those who are outside the script: the clients of a drive.</param>
+    /// <param name="pauseMilliseconds">Time between ticks for processes outside the script: the clients of a drive.</param>
     public void Until(Func<bool> isSo, int pauseMilliseconds = 0)
     {
         var hanging = Stopwatch.StartNew();
@@ -113,8 +111,9 @@ internal sealed class ScriptDriver : IDisposable
         }
     }
 
-    /// <summary>Lets ticks go by until the player is told something.</summary>
-    public void UntilTold(string message) => Until(() => Game.Notifications.Any(told => told.Contains(message, StringComparison.Ordinal)));
+    /// <summary>Runs ticks until the player gets a message.</summary>
+    public void UntilMessage(string message) =>
+        Until(() => Game.Notifications.Any(shown => shown.Contains(message, StringComparison.Ordinal)));
 
     /// <summary>
     /// Ends the script as an unloading domain does: on another thread, and once more. What the real API would not have borne fails the

@@ -42,9 +42,9 @@ public abstract class ServedGame
 
     private protected static void Start(ScriptDriver driver)
     {
-        int told = driver.Game.Notifications.Count;
+        int before = driver.Game.Notifications.Count;
         driver.Press(Keys.N);
-        Until(driver, () => driver.Game.Notifications.Skip(told).Any(
+        Until(driver, () => driver.Game.Notifications.Skip(before).Any(
             message => message.Contains("The car waits for a client", StringComparison.Ordinal)));
         driver.Tick(2);
         Assert.NotEmpty(driver.Game.Controls);
@@ -66,5 +66,11 @@ public abstract class ServedGame
         return driver;
     }
 
-    private protected SocketClient Connect() => new(new IPEndPoint(IPAddress.Loopback, Port));
+    /// <summary>A client that the game has welcomed.</summary>
+    private protected SocketClient Connect()
+    {
+        var client = new SocketClient(new IPEndPoint(IPAddress.Loopback, Port));
+        Assert.Equal("hello", client.ReceiveAny().Header.GetProperty("type").GetString());
+        return client;
+    }
 }

@@ -9,7 +9,7 @@ using Harvester.Simulation.Settings;
 
 namespace Harvester.Mod.Tests;
 
-/// <summary>The mod is nothing but an adapter: what it harvests is what is harvested from the same scene without it.</summary>
+/// <summary>The mod is only an adapter: it harvests the same as a harvest of the same scene without it.</summary>
 public sealed class SessionComparisonTests
 {
     private const int Ticks = 24;
@@ -44,7 +44,7 @@ public sealed class SessionComparisonTests
         Assert.Equal(Files(direct, "frames"), Files(byMod, "frames"));
     }
 
-    /// <summary>A scene without traffic, people, signals or things hidden would let a mod pass that reads none of them.</summary>
+    /// <summary>In a scene without traffic, people, signals or hidden objects, a mod that reads none of them would pass.</summary>
     private static void AssertScenePutsEverythingToTheTest(string[] labels)
     {
         JsonElement[] objects = labels.SelectMany(line => JsonDocument.Parse(line).RootElement.GetProperty("objects").EnumerateArray())

@@ -7,7 +7,7 @@ using Harvester.Mod.Tests.Games;
 
 namespace Harvester.Mod.Tests;
 
-/// <summary>The stand-in is as strict as the API it stands for: ref/README.md names where the real one does the same.</summary>
+/// <summary>The stand-in is as strict as the API that it replaces: ref/README.md names where the real one does the same.</summary>
 public sealed class StandInTests
 {
     private const string NoFolder = "nowhere";

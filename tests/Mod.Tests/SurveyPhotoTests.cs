@@ -25,7 +25,7 @@ public sealed class SurveyPhotoTests
         screen.Game = driver.Game;
         driver.Game.Props[Sign] = KnownProps.All[shape];
         driver.Press(Keys.Multiply);
-        driver.UntilTold("are surveyed");
+        driver.UntilMessage("are surveyed");
 
         driver.WaitForDisk();
         string folder = Path.Combine(driver.Output, "spaces");

@@ -4,9 +4,7 @@ using Harvester.Simulation.Tests.Faces.Survey;
 
 namespace Harvester.Mod.Tests;
 
-/// <summary>
-/// How long the survey takes, in ticks, when natives cost what they were measured to cost. docs/faces.md tells the figures.
-/// </summary>
+/// <summary>The duration of the survey, in ticks, with the measured cost of native calls. docs/spaces.md has the limit.</summary>
 public sealed class SurveyTimeTests
 {
     private const double TicksPerSecond = 60;
@@ -19,7 +17,7 @@ public sealed class SurveyTimeTests
     private const double CallOfRelease = 0.0193;
     private const double CallOfNightly = 0.0014;
 
-    /// <summary>What the game itself takes for a ray is not known; this is taken for it, milliseconds.</summary>
+    /// <summary>The game's own cost of a ray is unknown; this is assumed, milliseconds.</summary>
     private const double RayCost = 0.02;
     private const double BudgetMilliseconds = 8;
     private static readonly string[] SignShapes = ["plate", "octagon", "triangle", "diamond", "beside", "ahead", "two", "coarse"];
@@ -28,13 +26,13 @@ public sealed class SurveyTimeTests
     [Theory]
     [InlineData(CallOfRelease, 120)]
     [InlineData(CallOfNightly, 120)]
-    public void Survey_of_all_models_takes_a_minute_or_two(double call, double mostSeconds)
+    public void Survey_of_all_models_takes_a_minute_or_two(double call, double maxSeconds)
     {
         double signs = TicksOfAModel(SignShapes, call);
         double lights = TicksOfAModel(LightShapes, call);
         double seconds = ((Signs * signs) + (Lights * lights)) / TicksPerSecond;
 
-        Assert.True(seconds <= mostSeconds, $"{signs:0.0} ticks a sign, {lights:0.0} a light, {seconds:0} s");
+        Assert.True(seconds <= maxSeconds, $"{signs:0.0} ticks a sign, {lights:0.0} a light, {seconds:0} s");
     }
 
     [Fact]
@@ -51,7 +49,8 @@ public sealed class SurveyTimeTests
             perTick.Add(spent);
         }
 
-        // The last ray, with all its natives, and what the mod asks in every tick come on top: the line and the model to be loaded next.
+        // The last ray, with all its natives, and the calls that the mod makes in every tick come on top: the line and the next model's
+        // loading.
         const double onTop = 1;
         Assert.InRange(perTick.Max(), BudgetMilliseconds, BudgetMilliseconds + onTop);
     }

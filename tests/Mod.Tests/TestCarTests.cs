@@ -55,7 +55,7 @@ public sealed class TestCarTests
         Assert.NotSame(first, Assert.Single(driver.Game.Vehicles));
 
         // The clock of the test has not moved: the second message comes at once after the first, and is shown.
-        Assert.Equal(2, driver.Game.Notifications.Count(told => told.Contains("The test car is here", StringComparison.Ordinal)));
+        Assert.Equal(2, driver.Game.Notifications.Count(message => message.Contains("The test car is here", StringComparison.Ordinal)));
     }
 
     [Fact]

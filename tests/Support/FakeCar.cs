@@ -3,7 +3,7 @@ using Harvester.Geometry;
 
 namespace Harvester.TestSupport;
 
-/// <summary>A car that notes what it is told.</summary>
+/// <summary>A car that records its controls.</summary>
 internal sealed class FakeCar : IDrivenCar
 {
     public bool IsTakenByPlayer { get; set; }

@@ -54,10 +54,10 @@ internal sealed class FakeGame : IWorld, IRayCaster, IScreen, IPause, IClock
     /// <summary>Changes what the world reports, entity by entity.</summary>
     public Func<IReadOnlyList<EntityState>, IReadOnlyList<EntityState>> Entities { get; set; } = static entities => entities;
 
-    /// <summary>What rays meet; null (default) for the cuboids of the entities.</summary>
+    /// <summary>The ray caster; null (default) for the cuboids of the entities.</summary>
     public Func<Ray, double, int, RayHit?>? Rays { get; set; }
 
-    /// <summary>The number of the world's state: it stands still while the world is frozen.</summary>
+    /// <summary>The number of the world's state: it does not change while the world is frozen.</summary>
     public long State { get; private set; }
 
     public bool IsFrozen => _wantsFrozen && _ticksToFreeze == 0;

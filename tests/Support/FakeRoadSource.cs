@@ -16,8 +16,8 @@ internal sealed class FakeRoadSource(RoadNetwork network, int ticksUntilLoaded =
     /// <summary>How wide this game's lanes are, metres.</summary>
     public double LaneWidth { get; init; } = 5.4;
 
-    /// <summary>What the game tells of an edge: the right one, looking away from the node, by default.</summary>
-    public Func<RoadSides, Vector3D?> EdgeTold { get; init; } = sides => sides.OnTheRight;
+    /// <summary>The edge that the game reports: by default the right one, looking away from the node.</summary>
+    public Func<RoadSides, Vector3D?> ReportedEdge { get; init; } = sides => sides.OnTheRight;
 
     public bool RequestNodes(Vector3D centre, double range) => _ticks++ >= ticksUntilLoaded;
 
@@ -62,7 +62,7 @@ internal sealed class FakeRoadSource(RoadNetwork network, int ticksUntilLoaded =
         double median = leaving.MedianWidth ?? 0;
         double whole = LaneWidth * (leaving.LanesForward + leaving.LanesBackward);
         Vector3D along = Along(leaving);
-        return EdgeTold(new RoadSides(
+        return ReportedEdge(new RoadSides(
             Stored(network.Nodes[nearest]),
             new Vector3D(along.Y, -along.X, 0),
             leaving.IsOneWay ? whole / 2 : (median / 2) + (leaving.LanesForward * LaneWidth),

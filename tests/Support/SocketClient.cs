@@ -9,14 +9,23 @@ namespace Harvester.TestSupport;
 /// <summary>A client written from docs/bridge.md alone.</summary>
 internal sealed class SocketClient : IDisposable
 {
+    /// <summary>What a client says first.</summary>
+    public const string Hello = """{"type":"hello","version":1}""";
+
     private readonly TcpClient _connection = new();
 
-    public SocketClient(IPEndPoint server)
+    /// <param name="server">The game.</param>
+    /// <param name="hello">What is sent first; null for nothing.</param>
+    public SocketClient(IPEndPoint server, string? hello = Hello)
     {
         _connection.Connect(server);
         _connection.NoDelay = true;
         _connection.ReceiveTimeout = 30_000;
         Stream = _connection.GetStream();
+        if (hello is not null)
+        {
+            Send(hello);
+        }
     }
 
     public NetworkStream Stream { get; }
@@ -45,7 +54,15 @@ internal sealed class SocketClient : IDisposable
         }
     }
 
+    /// <summary>The next message of the game but its hello.</summary>
     public (JsonElement Header, byte[] Payload) Receive()
+    {
+        (JsonElement Header, byte[] Payload) message = ReceiveAny();
+        return message.Header.GetProperty("type").GetString() == "hello" ? ReceiveAny() : message;
+    }
+
+    /// <summary>The next message of the game.</summary>
+    public (JsonElement Header, byte[] Payload) ReceiveAny()
     {
         byte[] lengths = new byte[8];
         Stream.ReadExactly(lengths);

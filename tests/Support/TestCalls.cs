@@ -2,7 +2,7 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.TestSupport;
 
-/// <summary>What was asked of the game, as the test says.</summary>
+/// <summary>Counts of calls to the game, set by the test.</summary>
 internal sealed class TestCalls : ICallCounter
 {
     public long Natives { get; set; }

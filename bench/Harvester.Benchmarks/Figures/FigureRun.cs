@@ -1,6 +1,4 @@
-using System.Globalization;
 using Harvester.Geometry;
-using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging;
@@ -26,9 +24,9 @@ internal static class FigureRun
     public static void Run(string folder)
     {
         Projection();
-        Boxes(10);
-        Boxes(100);
-        Boxes(1000);
+        LabellingFigures.Run();
+        MaskFigures.Run();
+        RoadFigures.Run(folder);
         var game = new SimulatedGame(new SimulationOptions { Seed = 3 });
         for (int tick = 0; tick < 60; tick++)
         {
@@ -63,30 +61,7 @@ internal static class FigureRun
 
         Camera camera = Camera();
         var projections = new Projection[Points];
-        Say("projection.points_per_second", Points / Stopclock.BestSeconds(() => camera.ProjectAll(points, projections)));
-    }
-
-    private static void Boxes(int count)
-    {
-        var random = new Random(1);
-        Cuboid[] cuboids = [.. Enumerable.Range(0, count).Select(_ => new Cuboid(
-            new Vector3D((40 * random.NextDouble()) - 20, 10 + (90 * random.NextDouble()), 0),
-            new Vector3D(1, 2.2, 0.8),
-            Axes.FromHeading(360 * random.NextDouble())))];
-        Camera camera = Camera();
-        void Project()
-        {
-            foreach (Cuboid cuboid in cuboids)
-            {
-                CuboidProjector.Project(camera, cuboid);
-            }
-        }
-
-        string name = "boxes" + count.ToString(CultureInfo.InvariantCulture);
-        Say($"{name}.milliseconds", 1000 * Stopclock.BestSeconds(Project));
-        long before = GC.GetAllocatedBytesForCurrentThread();
-        Project();
-        Say($"{name}.bytes_per_box", (GC.GetAllocatedBytesForCurrentThread() - before) / (double)count);
+        FigureLine.Write("projection.points_per_second", Points / Stopclock.BestSeconds(() => camera.ProjectAll(points, projections)));
     }
 
     private static void Rays(SimulatedGame game)
@@ -101,7 +76,7 @@ internal static class FigureRun
             }
         }
 
-        Say("rays.per_second", rays.Count / Stopclock.BestSeconds(() =>
+        FigureLine.Write("rays.per_second", rays.Count / Stopclock.BestSeconds(() =>
         {
             foreach (Ray ray in rays)
             {
@@ -118,14 +93,11 @@ internal static class FigureRun
             file.SetLength(0);
             write(file);
         });
-        Say($"{name}.milliseconds", 1000 * seconds);
-        Say($"{name}.bytes", file.Length);
+        FigureLine.Write($"{name}.milliseconds", 1000 * seconds);
+        FigureLine.Write($"{name}.bytes", file.Length);
         File.WriteAllBytes(path, file.ToArray());
     }
 
     private static Camera Camera() =>
         new(new Pose(Vector3D.Zero, Axes.Identity), new CameraIntrinsics(50, Size, Size.Aspect, 0.15, Lens.Ideal));
-
-    private static void Say(string name, double value) =>
-        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"{name} {value:R}"));
 }

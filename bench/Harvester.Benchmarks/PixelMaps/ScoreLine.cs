@@ -15,5 +15,5 @@ internal static class ScoreLine
         CultureInfo.InvariantCulture,
         $"| {name} | {s.MeanRayFraction * 100:F3} % | {s.Large.Average():F4} | {s.Large.Min():F3} | {s.Large.Count(iou => iou < 0.95)} of "
             + $"{s.Large.Count} | {s.Medium.Average():F4} | {s.SmallFound.Average(found => found ? 100.0 : 0):F1} % | "
-            + $"{s.GreatestShareOfAllowedRays:F2} |");
+            + $"{s.MaxFractionOfAllowedRays:F2} |");
 }

@@ -3,7 +3,7 @@ using Harvester.Capture.Faults;
 
 namespace Harvester.Capture.Calibration;
 
-/// <summary>Ends a calibration with a fault for the user. It never leaves the session.</summary>
+/// <summary>Ends a calibration with a fault for the user. It is caught within the session.</summary>
 internal sealed class CalibrationException(CaptureFault fault) : Exception(fault.Message)
 {
     public CalibrationException(string message)

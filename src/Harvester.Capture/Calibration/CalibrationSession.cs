@@ -4,15 +4,15 @@ using Harvester.Capture.Faults;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Calibration;
 
 /// <summary>
-/// Calibrates the game's camera: call <see cref="Step"/> once in every tick, from the game's own thread, until it is over. A coarse
-/// grid of markers first, each known by the pictures that show it, as a lens may show them far from where a pinhole would; then a fine one
-/// that reaches into the corners of the picture as the coarse result has it; then another that the result is checked by. Nothing is thrown
-/// to the caller after construction; the game is left running and no
-/// marker is left standing, whatever happens.
+/// Calibrates the game's camera: call <see cref="Step"/> once in every tick, from the game's own thread, until it is over. First a coarse
+/// grid of markers is shown, each identified by the images that show it, because an unknown lens may show them far from where a pinhole
+/// camera would. Then a fine grid that reaches into the corners of the image is shown, and finally another one to validate the result.
+/// After construction, nothing is thrown to the caller. The game always ends up running and without markers.
 /// </summary>
 public sealed class CalibrationSession : IDisposable
 {
@@ -21,7 +21,7 @@ public sealed class CalibrationSession : IDisposable
     private const int FineColumns = 15;
     private const int FineRows = 11;
 
-    // Other numbers than the fine grid's, so that a grid taken for itself shifted by a place does not fit this one too.
+    // Other dimensions than the fine grid's, so that a grid mistaken for itself shifted by one cell does not fit this one too.
     private const int CheckColumns = 12;
     private const int CheckRows = 8;
     private readonly CalibrationOptions _options;
@@ -30,7 +30,7 @@ public sealed class CalibrationSession : IDisposable
     private readonly MarkerSurvey _survey;
     private readonly IEnumerator<CalibrationPhase> _run;
 
-    /// <summary>Makes a session; nothing is asked of the game before the first step.</summary>
+    /// <summary>Creates a session. The game is not used before the first step.</summary>
     /// <param name="options">How to calibrate.</param>
     /// <param name="game">The game, with <see cref="GamePorts.Markers"/>.</param>
     /// <exception cref="ArgumentException">The game cannot draw markers.</exception>
@@ -43,19 +43,19 @@ public sealed class CalibrationSession : IDisposable
         _run = Run().GetEnumerator();
     }
 
-    /// <summary>What the session is doing.</summary>
+    /// <summary>The current phase.</summary>
     public CalibrationPhase Phase { get; private set; } = CalibrationPhase.Settling;
 
-    /// <summary>What was found; null before the end and after a failure.</summary>
+    /// <summary>The result; null before the end and after a failure.</summary>
     public CalibrationResult? Result { get; private set; }
 
-    /// <summary>Why there is no result; null without a failure.</summary>
+    /// <summary>Why there is no result; null if there was no failure.</summary>
     public CaptureFault? Failure { get; private set; }
 
     /// <summary>The message of <see cref="Failure"/>.</summary>
     public string? Fault => Failure?.Message;
 
-    /// <summary>Does one tick's share. After the end it does nothing.</summary>
+    /// <summary>Does the work of one tick. After the end it does nothing.</summary>
     public CalibrationPhase Step()
     {
         if (Phase != CalibrationPhase.Settling)
@@ -81,7 +81,7 @@ public sealed class CalibrationSession : IDisposable
         return Phase;
     }
 
-    /// <summary>Gives the game back; a calibration that is not over has no result.</summary>
+    /// <summary>Resumes the game and removes the markers; a calibration that is not over has no result.</summary>
     public void Dispose()
     {
         if (Phase == CalibrationPhase.Settling)
@@ -135,7 +135,7 @@ public sealed class CalibrationSession : IDisposable
         if (_survey.ExcessiveLagTicks is { } lag)
         {
             throw new CalibrationException(
-                PictureLag.Refusal(FormattableString.Invariant($"{lag} ticks"), "calibration", _options.MaxPictureLagTicks));
+                PictureLag.Refusal(Counted.Of(lag, "tick"), "calibration", _options.MaxPictureLagTicks));
         }
     }
 
@@ -145,7 +145,7 @@ public sealed class CalibrationSession : IDisposable
         return fit.Outcome == LensFitOutcome.Fitted
             ? fit
             : throw new CalibrationException(
-                $"The {sightings.Count} markers seen of {shown} do not determine the lens: {CauseOf(sightings)} Calibrate again.");
+                $"The lens cannot be determined from {sightings.Count} of {shown} markers: {CauseOf(sightings)} Calibrate again.");
     }
 
     private string CauseOf(IReadOnlyList<Sighting> sightings) =>
@@ -163,7 +163,7 @@ public sealed class CalibrationSession : IDisposable
             {
                 release();
             }
-#pragma warning disable CA1031 // The rest must be released too, and the first fault is the one to tell.
+#pragma warning disable CA1031 // The rest must be released too; the first fault is reported.
             catch (Exception exception)
 #pragma warning restore CA1031
             {

@@ -6,16 +6,16 @@ using Harvester.Sessions.Imaging;
 namespace Harvester.Capture.Calibration;
 
 /// <summary>
-/// Finds the balls that one picture shows and another of the same moment does not. A ball is a connected patch of changed pixels of
-/// about the expected area that lies wholly in the picture. How much of a pixel it covers is taken from how far the pixel's colour has
-/// gone from what it was to the ball's own, so that the centre is right to a small part of a pixel before any background.
+/// Finds the balls that one image shows and another of the same moment does not. A ball is a connected patch of changed pixels of about the
+/// expected area that lies completely in the image. The fraction of a pixel that it covers follows from how far the pixel's colour has
+/// moved towards the ball's own, so that the centre is accurate to a small fraction of a pixel on any background.
 /// </summary>
 internal sealed class MarkerDetector
 {
-    // Noise, drizzle and creeping light change a channel by less; a bright ball before the world changes one by far more.
+    // Noise, drizzle and slow changes of light change a channel by less; a bright ball changes one by far more.
     private const int MinChange = 40;
 
-    // The pixels that changed nearly as much as the most changed one are wholly covered and show the ball's colour.
+    // Pixels that changed nearly as much as the most changed one are completely covered and show the ball's colour.
     private const double WholeFraction = 0.8;
 
     // A ball at the edge of a wide view is a narrow ellipse of a third of the area, before a lens shrinks it.
@@ -39,9 +39,9 @@ internal sealed class MarkerDetector
     }
 
     /// <summary>Finds the balls.</summary>
-    /// <param name="without">The picture without them.</param>
-    /// <param name="with">The picture with them, of the same size.</param>
-    /// <param name="radiusPixels">How large a ball looks about.</param>
+    /// <param name="without">The image without them.</param>
+    /// <param name="with">The image with them, of the same size.</param>
+    /// <param name="radiusPixels">Approximate radius of a ball, pixels.</param>
     public static IReadOnlyList<MarkerSpot> Find(PixelBuffer without, PixelBuffer with, double radiusPixels)
     {
         if (without.Size != with.Size)
@@ -71,7 +71,7 @@ internal sealed class MarkerDetector
         return spots;
     }
 
-    /// <summary>The changed pixels that hang together with one, by their sides.</summary>
+    /// <summary>The changed pixels that are connected with one, by their sides.</summary>
     private void Collect(int first, List<int> patch)
     {
         patch.Clear();
@@ -119,7 +119,7 @@ internal sealed class MarkerDetector
             right = Math.Max(right, pixel % _width);
         }
 
-        // A patch is collected from its topmost row; one more pixel on each side holds what is covered by less than the smallest change.
+        // A patch is collected from its topmost row; one more pixel on each side includes those covered by less than the threshold.
         int top = (patch[0] / _width) - 1;
         int bottom = LowestRow(patch) + 1;
         left--;

@@ -5,16 +5,16 @@ using Harvester.Geometry.Calibration;
 
 namespace Harvester.Capture.Calibration;
 
-/// <summary>Tells which spot is which marker by the pictures that show it, wherever it lies.</summary>
-/// <param name="reachPixels">Spots of different pictures that lie nearer to each other are one; less than markers are apart.</param>
+/// <summary>Identifies markers by the images that show them, wherever they appear.</summary>
+/// <param name="reachPixels">Maximum distance of spots in different images that count as one; less than the distance of markers.</param>
 internal sealed class MarkerIdentification(double reachPixels)
 {
     private readonly List<SeenSpot> _spots = [];
 
-    /// <summary>Spots that are no marker, by the pictures that show them.</summary>
+    /// <summary>Number of spots that are not a marker, by the images that show them.</summary>
     public int UnknownCount => _spots.Count(spot => spot.Marker < 0);
 
-    /// <summary>Adds the spots of a picture.</summary>
+    /// <summary>Adds the spots of an image.</summary>
     public void Add(int picture, IReadOnlyList<MarkerSpot> spots)
     {
         foreach (MarkerSpot spot in spots)
@@ -30,13 +30,13 @@ internal sealed class MarkerIdentification(double reachPixels)
         }
     }
 
-    /// <summary>The markers that are seen; none that two spots could be.</summary>
+    /// <summary>The markers that are visible, except those that two spots could be.</summary>
     public IReadOnlyList<Sighting> SightingsOf(MarkerPlan plan, Pose camera) =>
         [.. _spots.GroupBy(spot => spot.Marker)
             .Where(group => group.Key >= 0 && group.Key < plan.Markers.Count && group.Count() == 1)
             .Select(group => new Sighting(camera, plan.Markers[group.Key].CentreOfImage(camera), group.First().Centre))];
 
-    /// <summary>A spot, and the pictures that show it.</summary>
+    /// <summary>A spot, and the images that show it.</summary>
     private sealed class SeenSpot(int picture, Vector2D centre)
     {
         private readonly List<int> _pictures = [picture];

@@ -5,13 +5,13 @@ using Harvester.Geometry.Calibration;
 
 namespace Harvester.Capture.Calibration;
 
-/// <summary>Tells which spot of a picture is which marker.</summary>
+/// <summary>Assigns the spots of an image to markers.</summary>
 internal static class MarkerMatcher
 {
     // Less than half the grid's spacing, so that a spot lies within reach of one marker only.
     private const double ReachInSpacings = 0.49;
 
-    /// <summary>The markers that are seen: each with the spot nearest to where it is expected, if one is within reach.</summary>
+    /// <summary>The markers that are visible: each with the spot nearest to where it is expected, if one is within reach.</summary>
     public static IReadOnlyList<Sighting> Match(MarkerPlan plan, Pose camera, IReadOnlyList<MarkerSpot> spots)
     {
         var sightings = new List<Sighting>();

@@ -10,14 +10,13 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Calibration;
 
 /// <summary>
-/// Shows a grid of markers in a frozen world and finds where they are seen: a picture without them, one with them, both after
-/// everything has stood still for longer than a picture may be late. When few are seen it goes on looking for as long as any picture is
-/// known to be late, to tell markers that come too late from markers that are not shown. Runs over many ticks; each step of the
-/// iteration ends one.
+/// Shows a grid of markers in a frozen world and finds where they appear: an image without them, one with them, both after everything has
+/// stood still for longer than a picture may lag. If few are visible, it keeps looking up to the longest lag that is measured, to
+/// distinguish markers that appear too late from markers that are not shown. Runs over many ticks; each step of the iteration ends one.
 /// </summary>
 internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, IMarkers markers)
 {
-    // A tenth of a pixel at the nearest marker's 0.9 m and a focal length of 900 pixels, and along the axes the same in radians.
+    // 0.1 px at the nearest marker's 0.9 m and a focal length of 900 px, and along the axes the same in radians.
     private const double StillToleranceMetres = 1e-4;
     private const double StillToleranceOfAxes = 1e-4;
     private const int GrabAttempts = 20;
@@ -25,29 +24,29 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
     private PixelBuffer _with = new(options.Image);
     private CameraState? _camera;
 
-    /// <summary>The markers that were seen in the last survey.</summary>
+    /// <summary>The markers that were visible in the last survey.</summary>
     public IReadOnlyList<Sighting> Sightings { get; private set; } = [];
 
-    /// <summary>Markers shown in the last survey.</summary>
+    /// <summary>Number of markers shown in the last survey.</summary>
     public int Shown { get; private set; }
 
     /// <summary>
-    /// By how many ticks the picture is behind the state when that is more than the options allow, as the markers that came late show; null
-    /// otherwise.
+    /// Number of ticks by which the picture lags behind the state, if that is more than the options allow, as markers that appeared late
+    /// show; otherwise null.
     /// </summary>
     public int? ExcessiveLagTicks { get; private set; }
 
-    /// <summary>Spots of the last identification that are no marker.</summary>
+    /// <summary>Number of spots of the last identification that are not a marker.</summary>
     public int UnknownSpots { get; private set; }
 
-    /// <summary>Whether at least half of the markers were seen, and in time.</summary>
+    /// <summary>Whether at least half of the markers were visible in time.</summary>
     public bool IsSeen => IsMost(Sightings);
 
-    /// <summary>Takes a survey; the world must be frozen, and stays so.</summary>
-    /// <param name="columns">Markers in a row.</param>
+    /// <summary>Takes a survey; the world must be frozen and stays frozen.</summary>
+    /// <param name="columns">Markers per row.</param>
     /// <param name="rows">Rows.</param>
-    /// <param name="lens">The lens as it is known.</param>
-    /// <exception cref="CalibrationException">Nothing stands still, or no picture can be grabbed.</exception>
+    /// <param name="lens">The lens as far as it is known.</param>
+    /// <exception cref="CalibrationException">The world does not stand still, or no image can be grabbed.</exception>
     public IEnumerable<CalibrationPhase> Take(int columns, int rows, Lens lens)
     {
         Sightings = [];
@@ -87,13 +86,13 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
     }
 
     /// <summary>
-    /// Takes a survey that tells by their pictures which marker is which, so that they may be seen anywhere; the world must be frozen, and
-    /// stays so.
+    /// Takes a survey that identifies markers by the images that show them, so that they may appear anywhere; the world must be frozen and
+    /// stays frozen.
     /// </summary>
-    /// <param name="columns">Markers in a row.</param>
+    /// <param name="columns">Markers per row.</param>
     /// <param name="rows">Rows.</param>
-    /// <param name="lens">The lens as it is known.</param>
-    /// <exception cref="CalibrationException">Nothing stands still, or no picture can be grabbed.</exception>
+    /// <param name="lens">The lens as far as it is known.</param>
+    /// <exception cref="CalibrationException">The world does not stand still, or no image can be grabbed.</exception>
     public IEnumerable<CalibrationPhase> Identify(int columns, int rows, Lens lens)
     {
         Sightings = [];
@@ -156,11 +155,11 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
         MarkerMatcher.Match(plan, camera, MarkerDetector.Find(_without, _with, options.MarkerRadiusPixels));
 
     /// <summary>
-    /// Looks on, tick by tick, for markers that were not seen in time. All come into the picture at once, so each picture is held against
-    /// the one before: what else changed since the markers were shown, as in a picture that lags behind traffic, is in both.
+    /// Watches, tick by tick, for markers that were not visible in time. All appear at once, so each image is compared with the one before:
+    /// anything else that changed since the markers were shown, as in a picture that lags behind traffic, is in both.
     /// </summary>
     /// <param name="plan">The markers.</param>
-    /// <param name="camera">The camera, which stands.</param>
+    /// <param name="camera">The camera, which does not move.</param>
     /// <param name="firstFrame">The first game frame whose state has the markers.</param>
     private IEnumerable<CalibrationPhase> LateMarkers(MarkerPlan plan, Pose camera, long firstFrame)
     {
@@ -202,7 +201,7 @@ internal sealed class MarkerSurvey(CalibrationOptions options, GamePorts game, I
     /// <summary>Waits until the camera has stood still for as many game frames as the picture may be late.</summary>
     private IEnumerable<CalibrationPhase> Standstill()
     {
-        // What is shown from this tick on is in the state of the next one.
+        // What is shown from this tick on is part of the state of the next one.
         yield return CalibrationPhase.Settling;
         CameraState first = game.World.ReadCamera();
         long since = game.World.GameFrame;

@@ -1,8 +1,6 @@
 namespace Harvester.Capture.Faults;
 
-/// <summary>
-/// What went wrong, or could not be checked; each front end adds its own advice, in the words of its options or settings.
-/// </summary>
+/// <summary>What went wrong or could not be checked. Each front end adds its own advice in terms of its options or settings.</summary>
 public enum FaultCode
 {
     /// <summary>The game, the screen or the disk failed.</summary>
@@ -11,7 +9,7 @@ public enum FaultCode
     /// <summary>The image lags further behind the game than the limit allows.</summary>
     PictureLate,
 
-    /// <summary>A live harvest needs the picture lag, and nothing that moved showed it.</summary>
+    /// <summary>A live harvest needs the picture lag, but nothing moved from which to measure it.</summary>
     LagUnknown,
 
     /// <summary>The picture lag was not checked; the harvest goes on.</summary>
@@ -26,7 +24,7 @@ public enum FaultCode
     /// <summary>No marker was visible, so the camera model was not checked; the harvest goes on.</summary>
     CameraUnchecked,
 
-    /// <summary>The markers could not be shown to a camera that stands still, or the lens that they give is not to be trusted.</summary>
+    /// <summary>The camera did not stand still for the markers, or the lens fitted to them was rejected.</summary>
     CalibrationFailed,
 
     /// <summary>No freeze method stops the world; the harvest goes on.</summary>

@@ -7,14 +7,15 @@ using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// Holds the camera model of a harvest against a handful of markers before anything is recorded. Games that draw no markers are not
-/// checked. Where not one marker is seen, however long is waited, the game may not draw them after all: then the harvest goes on with a
-/// warning, for nothing is known against its model, and the session says that it was not checked. Markers also show how late the
-/// picture is: when they are seen later than the options allow, the harvest does not start.
+/// Checks the camera model of a harvest by a few markers before anything is recorded. A game that draws no markers is not checked. If no
+/// marker is visible, however long the check waits, the game may not draw them after all: the harvest then continues with a warning, and
+/// the session records that the model was not checked. Markers also show the picture lag: if they appear later than the options allow, the
+/// harvest does not start.
 /// </summary>
 internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
 {
@@ -24,20 +25,20 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
     // One marker in ten may be mistaken for something else; the four in the corners, where a wrong lens shows first, are more than that.
     private const double JudgedFraction = 0.9;
 
-    // Markers as large as a calibration's in an image of 600 rows, and smaller in smaller ones, so that they fit, narrow ones too; below
-    // 1.5 pixels a picture hardly shows them.
+    // Markers as large as those of a calibration in an image of 600 rows, and smaller in smaller images, so that they fit into narrow ones
+    // too; below 1.5 px they are hardly visible.
     private const double SidesPerRadius = 100;
     private const double MinRadiusPixels = 1.5;
 
-    /// <summary>By how much the model was off, here or when it was checked earlier, pixels; null when it was not checked.</summary>
+    /// <summary>The error of the camera model, measured here or earlier, pixels; null if it was not measured.</summary>
     public double? ErrorPixels { get; private set; } = options.KnownCalibrationErrorPixels;
 
-    /// <summary>Why the model was not checked though it should have been; null when all is well.</summary>
+    /// <summary>Why the model was not checked; null if it was, or needs no check.</summary>
     public CaptureFault? Warning { get; private set; }
 
-    /// <summary>Runs the check over some ticks; the game is frozen meanwhile.</summary>
-    /// <exception cref="HarvestFaultException">The model is off, or the picture late, by more than the options allow, or too few markers
-    /// are seen to tell.</exception>
+    /// <summary>Runs the check over several ticks; the game is frozen meanwhile.</summary>
+    /// <exception cref="HarvestFaultException">The error of the model or the picture lag is larger than the options allow, or too few
+    /// markers are visible.</exception>
     public IEnumerable<HarvestPhase> Run()
     {
         if (options.MaxCalibrationErrorPixels is not { } allowed || game.Markers is not { } markers)
@@ -68,7 +69,7 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
         if (survey.ExcessiveLagTicks is { } lag)
         {
             throw new HarvestFaultException(
-                PictureLag.Refusal(FormattableString.Invariant($"{lag} ticks"), "harvest", options.MaxPictureLagTicks));
+                PictureLag.Refusal(Counted.Of(lag, "tick"), "harvest", options.MaxPictureLagTicks));
         }
 
         Judge(survey.CameraWith(options.Lens), survey.Sightings, allowed);
@@ -89,7 +90,7 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
         {
             throw new HarvestFaultException(new CaptureFault(
                 FaultCode.MarkersHidden,
-                $"The camera model cannot be checked: only {sightings.Count} of {Columns * Rows} markers are visible. "
+                $"The camera model cannot be checked: too few markers are visible, {sightings.Count} of {Columns * Rows}. "
                 + "Give the camera a free view, or a smaller field of view."));
         }
 
@@ -99,7 +100,8 @@ internal sealed class CalibrationCheck(HarvestOptions options, GamePorts game)
         {
             throw new HarvestFaultException(new CaptureFault(
                 FaultCode.CameraModelOff,
-                FormattableString.Invariant($"The camera model is off by {error:0.0} px, more than the {allowed:0.0} px allowed. Calibrate the camera first.")));
+                FormattableString.Invariant($"The camera model is off by {error:0.0} px, more than the {allowed:0.0} px allowed. ")
+                + "Calibrate the camera first."));
         }
 
         ErrorPixels = error;

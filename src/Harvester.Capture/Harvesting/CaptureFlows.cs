@@ -5,15 +5,15 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>Makes the flow by which a harvest takes its frames: of a frozen game or of a live one.</summary>
+/// <summary>Creates the flow with which a harvest takes its frames, of a frozen game or of a live one.</summary>
 internal sealed class CaptureFlows(
     HarvestOptions options, GamePorts game, SceneReader reader, PixelBufferPool pool, TickBudget budget, HarvestCounters counters,
         PhaseCalls calls)
 {
-    /// <summary>The flow for a sink.</summary>
-    /// <param name="sink">Where the frames go; it says which frames and objects come first.</param>
-    /// <param name="lag">By how much the picture is behind the state; null when it is not known.</param>
-    /// <exception cref="HarvestFaultException">The harvest is live, and the lag is not known.</exception>
+    /// <summary>Creates the flow for a sink.</summary>
+    /// <param name="sink">Receives the frames; it gives the numbers of the first frame and object.</param>
+    /// <param name="lag">The picture lag; null if it is unknown.</param>
+    /// <exception cref="HarvestFaultException">The harvest is live, and the lag is unknown.</exception>
     public ICaptureFlow For(IFrameSink sink, PictureLag? lag)
     {
         FrameLabeller labeller = LabellerFrom(sink.FirstObjectId);

@@ -7,7 +7,7 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// One frame, ready to be written: picture, label and mask of one moment. Disposing it lets the picture's buffer be used again.
+/// One frame, ready to be written: image, label and mask of one moment. Disposing it returns the image's buffer to the pool.
 /// </summary>
 public sealed class CapturedFrame : IDisposable
 {
@@ -18,7 +18,7 @@ public sealed class CapturedFrame : IDisposable
     /// <param name="label">Its label, one line of labels.jsonl.</param>
     /// <param name="picture">Its image.</param>
     /// <param name="mask">Its instance map; null without pixel maps.</param>
-    /// <param name="pool">Where the picture's buffer goes back to; null to leave it to the garbage collector.</param>
+    /// <param name="pool">The pool to which the image's buffer returns; null if it came from none.</param>
     public CapturedFrame(FrameLabel label, PixelBuffer picture, InstanceMap? mask, PixelBufferPool? pool = null)
     {
         Label = label;
@@ -30,13 +30,13 @@ public sealed class CapturedFrame : IDisposable
     /// <summary>Its label, one line of labels.jsonl.</summary>
     public FrameLabel Label { get; }
 
-    /// <summary>Its screenshot; not to be used after disposing.</summary>
+    /// <summary>Its image; not to be used after disposing.</summary>
     public PixelBuffer Picture { get; }
 
     /// <summary>Its instance map; null without pixel maps.</summary>
     public InstanceMap? Mask { get; }
 
-    /// <summary>What its labels were made from; null where that is not kept.</summary>
+    /// <summary>The scene from which its labels were made; null if scenes are not recorded.</summary>
     public RecordedScene? Scene { get; init; }
 
     /// <inheritdoc />

@@ -5,11 +5,11 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>Harvests one frame after the other: takes it, labels what only the picture tells, and hands it to the sink.</summary>
+/// <summary>Harvests frames in turn: takes a frame, labels what is visible in its image only, and hands it to the sink.</summary>
 internal sealed class FrameHarvester(
     HarvestOptions options, IFrameSink sink, ICaptureFlow flow, PixelBufferPool pool, HarvestCounters counters)
 {
-    /// <summary>Harvests one frame, or comes to discard it. Disposing the sequence leaves the game running.</summary>
+    /// <summary>Harvests or discards one frame. Disposing the sequence resumes the game.</summary>
     public IEnumerable<HarvestPhase> HarvestOne()
     {
         foreach (HarvestPhase phase in flow.TakeFrame())

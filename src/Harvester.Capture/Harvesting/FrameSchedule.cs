@@ -3,17 +3,17 @@ using System;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// Says when a frame is due: at most one in each period of the game's time, counted from the first reading, so that no error adds up.
+/// Decides when a frame is due: at most once in each period of game time, counted from the first reading, so that errors do not accumulate.
 /// </summary>
 internal sealed class FrameSchedule(double rateHz)
 {
-    /// <summary>Share of a period by which a tick may come early, for a game whose time is a sum of rounded ticks.</summary>
+    /// <summary>Fraction of a period by which a tick may be early, for a game whose time is a sum of rounded ticks.</summary>
     private const double Rounding = 1e-6;
 
     private double? _startSeconds;
     private long _nextPeriod;
 
-    /// <summary>Whether a frame is due; a yes takes the period.</summary>
+    /// <summary>Whether a frame is due; if so, the period is used up.</summary>
     public bool TakeIfDue(double timeSeconds)
     {
         double start = _startSeconds ??= timeSeconds;
@@ -27,6 +27,6 @@ internal sealed class FrameSchedule(double rateHz)
         return true;
     }
 
-    /// <summary>Seconds until a frame is due; 0 or less when one is.</summary>
+    /// <summary>Seconds until a frame is due; 0 or less if one is due now.</summary>
     public double SecondsUntilDue(double timeSeconds) => _startSeconds is { } start ? start + (_nextPeriod / rateHz) - timeSeconds : 0;
 }

@@ -3,32 +3,32 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>What one way of freezing did to the world when it was tried.</summary>
-/// <param name="Method">The way that was tried.</param>
-/// <param name="SawMovement">Whether camera or entities moved just before the freeze; where they did not, a world that stands still shows
+/// <summary>How one freeze method affected the world when it was tried.</summary>
+/// <param name="Method">The method.</param>
+/// <param name="SawMovement">Whether camera or entities moved just before the freeze; if not, a world that stands still proves
 /// little.</param>
-/// <param name="SettleTicks">Game frames from the request until camera, ego vehicle and entities stood still; null when they never
+/// <param name="SettleTicks">Game frames from the request until camera, ego vehicle and entities stood still; null if they never
 /// did.</param>
 public sealed record FreezeFinding(FreezeMethod Method, bool SawMovement, int? SettleTicks)
 {
-    /// <summary>Whether weather and hour stood still too; null when the world did not.</summary>
+    /// <summary>Whether weather and time of day stood still too; null if the world did not.</summary>
     public bool? HoldsEnvironment { get; init; }
 
     /// <summary>
-    /// Whether the camera, moved on its mount, moved in the frozen world, as reported and in the picture; null when that was not tried.
+    /// Whether the camera could be moved on its mount in the frozen world, as reported and in the image; null if that was not tried.
     /// </summary>
     public bool? MovesCamera { get; init; }
 
     /// <summary>
-    /// The largest mean difference between successive pictures of the standing world, 0 to 255 per channel: rain, clouds, grain. Null
-    /// when the world did not stand still or the screen refused a picture.
+    /// Maximum mean difference between successive images of the frozen world, 0 to 255 per channel, caused by rain, clouds or grain. Null
+    /// if the world did not stand still or no image could be grabbed.
     /// </summary>
     public double? PictureChange { get; init; }
 
     /// <summary>Whether the world stood still.</summary>
     public bool HoldsWorld => SettleTicks is not null;
 
-    /// <summary>The finding in words, for a log.</summary>
+    /// <summary>The finding as text, for a log.</summary>
     public override string ToString()
     {
         string movement = SawMovement ? string.Empty : " (nothing was moving before)";

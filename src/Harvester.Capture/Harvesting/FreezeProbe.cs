@@ -6,16 +6,16 @@ using Harvester.Sessions.Imaging;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// Finds out at the start of a harvest in which way the game is better frozen: each is tried once, and the better one is used from then on.
+/// Chooses the freeze method at the start of a harvest: each method is tried once, and the better one is used from then on.
 /// </summary>
 internal sealed class FreezeProbe(HarvestOptions options, GamePorts game, SceneReader reader, PixelBufferPool pool)
 {
     private static readonly FreezeMethod[] Methods = [FreezeMethod.Paused, FreezeMethod.TimeScale];
 
-    /// <summary>What was found, here or earlier in the same session; null when the way is given, and before the end.</summary>
+    /// <summary>The findings of this session; null if the options give the method, and before the end.</summary>
     public FreezeReport? Report { get; private set; } = options.FreezeBy is null ? options.KnownFreezing : null;
 
-    /// <summary>What to tell when neither way stops the world; null otherwise.</summary>
+    /// <summary>The warning if no method stops the world; otherwise null.</summary>
     public CaptureFault? Warning => Report is { Used.HoldsWorld: false }
         ? new CaptureFault(
             FaultCode.NeverStill,
@@ -23,7 +23,7 @@ internal sealed class FreezeProbe(HarvestOptions options, GamePorts game, SceneR
             + "Remove mods that move the camera or the traffic.")
         : null;
 
-    /// <summary>Sets the pause to the way that the options name or, over some ticks, to the better one.</summary>
+    /// <summary>Sets the freeze method to the one in the options or, over several ticks, to the better one.</summary>
     public IEnumerable<HarvestPhase> Choose()
     {
         if ((options.FreezeBy ?? Report?.Method) is { } known)

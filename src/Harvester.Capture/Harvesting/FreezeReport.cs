@@ -5,13 +5,13 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>The ways of freezing that were tried at the start of a harvest, and the one that is used.</summary>
+/// <summary>The freeze methods that were tried at the start of a harvest, and the one that is used.</summary>
 public sealed class FreezeReport
 {
-    /// <summary>By what factor one picture must be calmer than another to count as calmer.</summary>
+    /// <summary>Factor by which one image must change less than another to count as calmer.</summary>
     private const double CalmerFactor = 2;
 
-    /// <summary>A mean difference that no eye sees, of 255: pictures that change less are equally calm.</summary>
+    /// <summary>An invisible mean difference, of 255: images that change less are equally calm.</summary>
     private const double CalmPictureChange = 0.1;
 
     private FreezeReport(FreezeFinding used, IReadOnlyList<FreezeFinding> findings)
@@ -20,24 +20,24 @@ public sealed class FreezeReport
         Findings = findings;
     }
 
-    /// <summary>The finding about the way that is used.</summary>
+    /// <summary>The finding about the method that is used.</summary>
     public FreezeFinding Used { get; }
 
-    /// <summary>The way that is used.</summary>
+    /// <summary>The method that is used.</summary>
     public FreezeMethod Method => Used.Method;
 
-    /// <summary>What was found, in the order of the trials.</summary>
+    /// <summary>All findings, in the order of the trials.</summary>
     public IReadOnlyList<FreezeFinding> Findings { get; }
 
-    /// <summary>Whether something moved before every trial, so that the findings tell the ways apart.</summary>
+    /// <summary>Whether something moved before every trial, so that the findings are conclusive.</summary>
     public bool IsConclusive => Findings.All(finding => finding.SawMovement);
 
     /// <summary>
-    /// Chooses the better way. In this order it holds the world still, lets the camera move, holds weather and hour, shows a calmer
-    /// picture, and takes fewer ticks; of equals it is the one that was tried first.
+    /// Chooses the better method. In this order of priority it holds the world still, lets the camera move, holds weather and time of day,
+    /// shows a calmer image, and takes fewer ticks; of equal methods the one tried first is chosen.
     /// </summary>
-    /// <param name="findings">One finding for each way, at least one.</param>
-    /// <exception cref="ArgumentException">There is none.</exception>
+    /// <param name="findings">One finding for each method, at least one.</param>
+    /// <exception cref="ArgumentException">There is no finding.</exception>
     public static FreezeReport Of(IReadOnlyList<FreezeFinding> findings)
     {
         if (findings is null || findings.Count == 0)
@@ -51,7 +51,7 @@ public sealed class FreezeReport
     /// <summary>The findings and the choice in one line, for a log.</summary>
     public override string ToString() => $"{string.Join("; ", Findings)}; {Method} is used.";
 
-    /// <summary>Greater than 0 when the first way is better.</summary>
+    /// <summary>Greater than 0 if the first method is better.</summary>
     private static int Compare(FreezeFinding a, FreezeFinding b) => new[]
     {
         a.HoldsWorld.CompareTo(b.HoldsWorld),

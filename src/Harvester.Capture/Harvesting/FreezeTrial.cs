@@ -7,27 +7,25 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>
-/// Freezes a game once, in the way that its pause is set to, and watches what stands still and whether the camera can be moved.
-/// </summary>
+/// <summary>Freezes a game once with one method, and observes what stands still and whether the camera can be moved.</summary>
 internal sealed class FreezeTrial(HarvestOptions options, GamePorts game, SceneReader reader, PixelBufferPool pool)
 {
-    /// <summary>Ticks of the running game before the freeze, in which movement is looked for.</summary>
+    /// <summary>Ticks of the running game before the freeze in which movement is observed.</summary>
     private const int RunningTicks = 3;
 
     /// <summary>
-    /// Ticks that the world must stand still beyond the lag of the picture: long enough for a slow creep to add up to the tolerance.
+    /// Ticks for which the world must stand still beyond the picture lag: long enough for slow movement to exceed the tolerance.
     /// </summary>
     private const int StillTicks = 20;
 
-    /// <summary>The last ticks of the still world, in which the change of the picture is measured.</summary>
+    /// <summary>The last ticks of the still world, in which the change of the image is measured.</summary>
     private const int PictureTicks = 10;
 
-    /// <summary>Ticks beyond the lag of the picture in which a moved camera must have arrived.</summary>
+    /// <summary>Ticks beyond the picture lag within which a moved camera must appear.</summary>
     private const int CameraTicks = 5;
 
     /// <summary>
-    /// How far the camera is moved: clearly more than a suspension moves a car that stands, and far less than a car's width.
+    /// Distance by which the camera is moved, metres: clearly more than a suspension moves a standing car, and far less than a car's width.
     /// </summary>
     private const double ShiftMetres = 0.25;
 
@@ -38,7 +36,7 @@ internal sealed class FreezeTrial(HarvestOptions options, GamePorts game, SceneR
     private bool? _movesCamera;
     private double _pictureChange = double.NaN;
 
-    /// <summary>What was found, after the run.</summary>
+    /// <summary>The finding, after the run.</summary>
     public FreezeFinding Finding => new(game.Pause.Method, _sawMovement, _settleTicks)
     {
         HoldsEnvironment = _holdsEnvironment,
@@ -82,7 +80,7 @@ internal sealed class FreezeTrial(HarvestOptions options, GamePorts game, SceneR
         }
     }
 
-    /// <summary>Waits until the world has stood still for long, and leaves the last picture of it in the reference.</summary>
+    /// <summary>Waits until the world has stood still long enough, and leaves the last image of it in the reference.</summary>
     private IEnumerable<HarvestPhase> Watch(SceneSnapshot asked, PixelBuffer reference, PixelBuffer current)
     {
         int stillTicks = options.MaxPictureLagTicks + StillTicks;
@@ -138,7 +136,7 @@ internal sealed class FreezeTrial(HarvestOptions options, GamePorts game, SceneR
                 yield return HarvestPhase.MeasuringFreeze;
                 isReported |= (game.World.ReadCamera().Pose.Position - start).Length > ShiftMetres / 2;
 
-                // A picture that the screen refuses cannot contradict the report; nor can one that was never good before.
+                // Without an image the reported state cannot be contradicted; nor can it be without an earlier one.
                 double change = ChangeTo(current, reference);
                 isSeen |= double.IsNaN(change) || double.IsNaN(noise) || change > noise;
             }
@@ -151,7 +149,7 @@ internal sealed class FreezeTrial(HarvestOptions options, GamePorts game, SceneR
         _movesCamera = isReported && isSeen;
     }
 
-    /// <summary>Grabs a picture, and says how much it differs from another; not a number when the screen refuses it.</summary>
+    /// <summary>Grabs an image and returns its difference to another; NaN if it could not be grabbed.</summary>
     private double ChangeTo(PixelBuffer picture, PixelBuffer other) =>
         game.Screen.Grab(picture).IsGood ? PictureDifference.MeanOf(other, picture) : double.NaN;
 }

@@ -8,9 +8,9 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// Freeze, settle, snapshot, grab, read again, label, unfreeze. A picture may be some frames behind the state; as the state has been
-/// one and the same for at least so many frames when the picture is grabbed, and still is when its labels are done, the picture
-/// shows what the labels say, whichever of those frames it is.
+/// Freeze, settle, snapshot, grab, read again, label, unfreeze. The picture may lag some frames behind the state. Since the state has been
+/// the same for at least that many frames when the picture is grabbed, and still is when its labels are done, the picture shows what the
+/// labels say, whichever of those frames it shows.
 /// </summary>
 internal sealed class FrozenFlow(
     HarvestOptions options,
@@ -30,7 +30,7 @@ internal sealed class FrozenFlow(
     public bool IsPassed { get; private set; }
 
     /// <summary>
-    /// Whether the next frame is this shard's; one of another is read and settled all the same, and neither grabbed nor labelled.
+    /// Whether the next frame belongs to this shard. A frame of another shard is read and settled too, but not grabbed or labelled.
     /// </summary>
     public required Func<bool> TakesNext { get; init; }
 

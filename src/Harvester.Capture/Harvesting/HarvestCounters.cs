@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>What a harvest has done so far.</summary>
+/// <summary>The counters of a harvest.</summary>
 public sealed class HarvestCounters
 {
     private readonly SortedDictionary<string, int> _discards = new(StringComparer.Ordinal);
@@ -12,16 +12,16 @@ public sealed class HarvestCounters
     /// <summary>Frames handed to the sink, or left to other shards.</summary>
     public int Captured { get; internal set; }
 
-    /// <summary>Frames begun and thrown away.</summary>
+    /// <summary>Frames begun and discarded.</summary>
     public int Discarded { get; private set; }
 
     /// <summary>Ticks in which a frame was ready and the sink had no room.</summary>
     public int TicksWaitedForSink { get; internal set; }
 
-    /// <summary>Frames thrown away, by reason, in the order of the reasons' letters.</summary>
+    /// <summary>Discarded frames by reason, in alphabetical order.</summary>
     public IReadOnlyDictionary<string, int> Discards => _discards;
 
-    /// <summary>How many frames needed how many ticks until everything stood still, by rising ticks.</summary>
+    /// <summary>Number of frames by the ticks they needed until everything stood still, in ascending order.</summary>
     public IReadOnlyDictionary<int, int> SettleTicks => _settleTicks;
 
     internal void Discard(string reason)

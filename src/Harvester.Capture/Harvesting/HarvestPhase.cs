@@ -3,25 +3,25 @@ namespace Harvester.Capture.Harvesting;
 /// <summary>What a harvest is doing between two game ticks.</summary>
 public enum HarvestPhase
 {
-    /// <summary>The ways of freezing the game are being compared, once at the start.</summary>
+    /// <summary>Compares the freeze methods, once at the start.</summary>
     MeasuringFreeze,
 
-    /// <summary>Markers are shown and the camera model is held against them, once at the start.</summary>
+    /// <summary>Checks the camera model by markers, once at the start.</summary>
     CheckingCalibration,
 
     /// <summary>No frame is due yet; the game runs.</summary>
     Waiting,
 
-    /// <summary>The game is asked to stand still, and is watched until it does.</summary>
+    /// <summary>Waits until the game stands still.</summary>
     Settling,
 
-    /// <summary>The lag between the state read and the picture shown is being measured.</summary>
+    /// <summary>Measures the lag between state and picture.</summary>
     Probing,
 
-    /// <summary>Live mode: the state is read, its picture has not appeared yet.</summary>
+    /// <summary>Live mode: the state has been read; its picture has not appeared yet.</summary>
     Following,
 
-    /// <summary>Labels are being made, as far as the budget of a tick allows.</summary>
+    /// <summary>Computes labels, within the time budget of a tick.</summary>
     Labelling,
 
     /// <summary>A frame is ready and the sink has no room; the game runs.</summary>

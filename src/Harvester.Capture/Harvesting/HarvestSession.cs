@@ -10,9 +10,9 @@ using Harvester.Sessions.Imaging;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// A harvest from its first frame to its last: call <see cref="Step"/> once in every tick of the game, from the game's own thread.
-/// Nothing is thrown to the caller after construction: a fault of a port or of the sink ends the harvest with a message, and the
-/// game is left running. The sink is closed by the session and disposed by whoever made it.
+/// A harvest from its first frame to its last: call <see cref="Step"/> once in every tick of the game, from the game's own thread. After
+/// construction, nothing is thrown to the caller: a fault of a port or of the sink ends the harvest with a message, and the game is
+/// resumed. The session closes the sink; its creator disposes it.
 /// </summary>
 public sealed class HarvestSession : IDisposable
 {
@@ -56,10 +56,10 @@ public sealed class HarvestSession : IDisposable
         _run = Run().GetEnumerator();
     }
 
-    /// <summary>What the harvest has done so far.</summary>
+    /// <summary>The counters of the harvest.</summary>
     public HarvestCounters Counters { get; } = new();
 
-    /// <summary>What each phase has asked of the game.</summary>
+    /// <summary>The calls to the game in each phase.</summary>
     public PhaseCalls Calls { get; }
 
     /// <summary>Why the harvest ended; null without a fault.</summary>
@@ -71,13 +71,13 @@ public sealed class HarvestSession : IDisposable
     /// <summary>What could not be checked; empty until the first frame.</summary>
     public IReadOnlyList<CaptureFault> Warnings { get; private set; } = [];
 
-    /// <summary>By how much the camera model was off, pixels; null when it was not checked, or not yet.</summary>
+    /// <summary>Error of the camera model, pixels; null if it was not checked, or not yet.</summary>
     public double? CalibrationErrorPixels { get; private set; }
 
-    /// <summary>The ways of freezing that were tried, here or earlier in the same session; null when none was, or not yet.</summary>
+    /// <summary>The freeze methods that were tried, here or earlier in the same session; null if none was, or not yet.</summary>
     public FreezeReport? Freezing { get; private set; }
 
-    /// <summary>By how much the picture is behind the state; null when it was not measured.</summary>
+    /// <summary>The picture lag; null if it was not measured.</summary>
     public PictureLag? Lag { get; private set; }
 
     /// <summary>The current state of the harvest.</summary>
@@ -246,7 +246,7 @@ public sealed class HarvestSession : IDisposable
         {
             End(HarvestPhase.Faulted);
         }
-#pragma warning disable CA1031 // As in Step; the first fault is the one to tell.
+#pragma warning disable CA1031 // As in Step; the first fault is reported.
         catch (Exception second)
 #pragma warning restore CA1031
         {
@@ -266,7 +266,7 @@ public sealed class HarvestSession : IDisposable
         {
             try
             {
-                // Leaving the flow of a frame lets the game go on; a flow that a fault broke off may not have come to it.
+                // Disposing the flow of a frame resumes the game; a flow that was ended by a fault may not have done so.
                 _game.Pause.Unfreeze();
             }
             finally

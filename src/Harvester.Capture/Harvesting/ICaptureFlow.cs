@@ -3,17 +3,15 @@ using Harvester.Capture.Labelling;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>A way to come to pictures and labels that agree: the flow of one frame over several ticks.</summary>
+/// <summary>A way to obtain images and labels that agree: the flow of one frame over several ticks.</summary>
 internal interface ICaptureFlow
 {
-    /// <summary>The frame that the last flow came to; null when it was discarded.</summary>
+    /// <summary>The frame of the last flow; null if it was discarded.</summary>
     FrameDraft? Draft { get; }
 
-    /// <summary>Whether the last flow passed over a frame that another shard takes.</summary>
+    /// <summary>Whether the last flow skipped a frame of another shard.</summary>
     bool IsPassed { get; }
 
-    /// <summary>
-    /// Takes one frame. Each element is a tick that ends in the given phase; disposing the sequence leaves the game running.
-    /// </summary>
+    /// <summary>Takes one frame. Each element is a tick that ends in the given phase; disposing the sequence resumes the game.</summary>
     IEnumerable<HarvestPhase> TakeFrame();
 }

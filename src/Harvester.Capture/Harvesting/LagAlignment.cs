@@ -5,17 +5,17 @@ using System.Linq;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// Compares how something moved, tick by tick, with how much the pictures changed. The ticks fall into three groups by the pace of the
-/// movement: full, creeping and still. With the right lag the changes within each group are alike; what they still differ, the sum of their
-/// squared distances from the mean of the group, is the cost of a lag. No scale between movement and change is assumed, only that a faster
-/// pace does not change the picture less.
+/// Compares how something moved, tick by tick, with how much the images changed. The ticks fall into three groups by the pace of the
+/// movement: full, creeping and still. With the right lag, the changes within each group are similar; the cost of a lag is the sum of their
+/// squared distances from the mean of the group. No scale between movement and change is assumed, only that a faster pace does not change
+/// the image less.
 /// </summary>
 internal sealed class LagAlignment
 {
-    // A frozen game that creeps on does so at a fraction of its pace; traffic that brakes changes by some per cent a tick.
+    // A frozen game that still creeps does so at a fraction of its pace; braking traffic changes by a few per cent per tick.
     private const double FullFraction = 0.5;
 
-    // Far below any creep that a picture could show, far above what rounding leaves of a standing pose.
+    // Far below any creep that an image could show, far above the rounding of a still pose.
     private const double StillFraction = 0.003;
 
     private readonly MotionPace[] _paces;
@@ -23,10 +23,10 @@ internal sealed class LagAlignment
     private readonly int _firstChange;
 
     /// <summary>Groups the movements by pace.</summary>
-    /// <param name="motions">The movement from the tick before to each tick; the first is of no meaning.</param>
+    /// <param name="motions">The movement from the previous tick to each tick; the first is ignored.</param>
     /// <param name="fullMotion">The movement in a tick of the running game, greater than 0.</param>
     /// <param name="changes">
-    /// The change of the picture in each tick from <paramref name="firstChange"/> on, 1 as in the running game.
+    /// The change of the image in each tick from <paramref name="firstChange"/> on; 1 is the change in the running game.
     /// </param>
     /// <param name="firstChange">The tick of the first change.</param>
     public LagAlignment(IEnumerable<double> motions, double fullMotion, double[] changes, int firstChange)
@@ -37,9 +37,9 @@ internal sealed class LagAlignment
     }
 
     /// <summary>
-    /// The cost of a lag; infinite where a slower pace would change the picture more than a faster one, or a pace is on no record.
+    /// The cost of a lag; infinite if a slower pace would change the image more than a faster one, or a pace was not observed.
     /// </summary>
-    /// <param name="lagTicks">Ticks from a movement to the picture that shows it; may be -1.</param>
+    /// <param name="lagTicks">Ticks from a movement to the image that shows it; may be -1.</param>
     public double CostOf(int lagTicks)
     {
         double[] sums = new double[3];
@@ -47,7 +47,7 @@ internal sealed class LagAlignment
         int[] counts = new int[3];
         for (int i = 0; i < _changes.Length; i++)
         {
-            // After the end of the record all stands.
+            // After the end of the record everything stands still.
             int tick = _firstChange + i - lagTicks;
             int pace = (int)(tick < _paces.Length ? _paces[tick] : MotionPace.Still);
             sums[pace] += _changes[i];

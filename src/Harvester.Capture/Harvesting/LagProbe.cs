@@ -3,43 +3,42 @@ using System.Collections.Generic;
 using Harvester.Capture.Labelling;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// Measures by how many ticks the picture is behind the state: it freezes a moving game, watches both, and finds the shift by which the
-/// changes of the picture follow the movement (<see cref="LagRecord"/>). What a single freeze shows may deceive, as where the world creeps
-/// on by less than a picture shows, so the same lag must be found several times, and more often than all others.
+/// Measures the number of ticks by which the picture lags behind the state: it freezes a moving game, observes both, and finds the shift by
+/// which the changes of the picture follow the movement (<see cref="LagRecord"/>). A single freeze may mislead, as when the world creeps on
+/// by less than a picture shows, so the same lag must be found several times, and more often than all others.
 /// </summary>
 internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneReader reader, PixelBufferPool pool)
 {
-    /// <summary>Changes of the picture that are watched before the freeze, so that the movement itself is on record.</summary>
+    /// <summary>Changes of the picture that are observed before the freeze, so that the movement itself is recorded.</summary>
     private const int RunningTicks = 4;
 
     private const int Agreement = 3;
     private const int MaxAttempts = 20;
 
-    /// <summary>After so many attempts in vain a harvest that does not rest on the lag goes on without it.</summary>
+    /// <summary>Number of failed attempts after which a harvest that does not need the lag continues without it.</summary>
     private const int VainAttemptsOfCheck = 2;
 
     private readonly SceneComparison _comparison = new(options.StillToleranceMetres);
 
-    /// <summary>
-    /// Whether it is known already that the picture is not later than the options allow; otherwise greater lags are looked for too.
-    /// </summary>
+    /// <summary>Whether the lag is known to be within the limit of the options; otherwise greater lags are looked for too.</summary>
     public bool IsLagWithinLimit { get; init; }
 
-    private int GreatestTicks => IsLagWithinLimit ? options.MaxPictureLagTicks : PictureLag.MaxTicks;
+    private int MaxTicks => IsLagWithinLimit ? options.MaxPictureLagTicks : PictureLag.MaxTicks;
 
-    /// <summary>Long enough to see the latest change that is looked for, and after it the picture's own noise.</summary>
-    private int StillTicksToWatch => GreatestTicks + LagRecord.NoiseTicks + 1;
+    /// <summary>Long enough to see the latest change that is looked for, and after it the noise of the picture.</summary>
+    private int StillTicksToWatch => MaxTicks + LagRecord.NoiseTicks + 1;
 
-    /// <summary>The lag; null when it could not be measured.</summary>
+    /// <summary>The lag; null if it could not be measured.</summary>
     public PictureLag? Lag { get; private set; }
 
-    /// <summary>Measures until one lag has been found often enough, or too often in vain.</summary>
-    /// <param name="isCheckOnly">Whether one measurement within the limit will do, as for a harvest that does not rest on it.</param>
-    /// <exception cref="HarvestFaultException">The lag is greater than the options allow for.</exception>
+    /// <summary>Measures until one lag has been found often enough, or too many attempts have failed.</summary>
+    /// <param name="isCheckOnly">Whether one measurement within the limit is enough, as for a harvest that does not need the lag.</param>
+    /// <exception cref="HarvestFaultException">The lag is greater than the options allow.</exception>
     public IEnumerable<HarvestPhase> Measure(bool isCheckOnly)
     {
         var votes = new Dictionary<PictureLag, int>();
@@ -57,7 +56,7 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
                 yield return phase;
             }
 
-            if (record.LagOf(RunningTicks, GreatestTicks) is { } lag)
+            if (record.LagOf(RunningTicks, MaxTicks) is { } lag)
             {
                 measured++;
                 votes[lag] = votes.TryGetValue(lag, out int before) ? before + 1 : 1;
@@ -66,7 +65,7 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
             }
         }
 
-        // What is reported late must be moving again before the first frame.
+        // Entities that are reported late must be moving again before the first frame.
         for (int tick = 0; tick < RunningTicks; tick++)
         {
             yield return HarvestPhase.Probing;
@@ -74,7 +73,7 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
 
         if (Lag is { } found && !IsAllowed(found))
         {
-            string atLeast = FormattableString.Invariant($"{Math.Max(found.CameraTicks, found.EntityTicks)} ticks or more");
+            string atLeast = Counted.Of(Math.Max(found.CameraTicks, found.EntityTicks), "tick") + " or more";
             throw new HarvestFaultException(PictureLag.Refusal(atLeast, "harvest", options.MaxPictureLagTicks));
         }
     }
@@ -83,9 +82,9 @@ internal sealed class LagProbe(HarvestOptions options, GamePorts game, SceneRead
 
     private IEnumerable<HarvestPhase> Watch(LagRecord record)
     {
-        // The first pictures of the record may show any of these states; only since a tick or two does the game run again after the last
-        // freeze.
-        for (int tick = 0; tick < GreatestTicks + RunningTicks; tick++)
+        // The first images of the record may show any of these states; the game has been running again for only a tick or two since the
+        // last freeze.
+        for (int tick = 0; tick < MaxTicks + RunningTicks; tick++)
         {
             record.Add(reader.Read());
             yield return HarvestPhase.Probing;

@@ -7,36 +7,34 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// States and changes of the picture, tick by tick, of a game that came to stand. The lag is the shift by which the changes fit the
-/// movement best (<see cref="LagAlignment"/>), of camera and entities together: a world that creeps on after the freeze, seen or not, moves
-/// both alike, while the last change alone would tell the end of the creep from a lag by the smallest movement that can be seen.
+/// States and changes of the picture, tick by tick, of a game that is being frozen. The lag is the shift by which the changes best fit the
+/// movement (<see cref="LagAlignment"/>), of camera and entities together: a world that creeps on after the freeze moves both alike, while
+/// the last change alone could not distinguish the end of the creep from a lag.
 /// </summary>
 internal sealed class LagRecord
 {
-    /// <summary>
-    /// The last pictures of a record, which show what changes from picture to picture in a standing game: rain, grain, flicker.
-    /// </summary>
+    /// <summary>The last images of a record, which show what changes from image to image in a still game: rain, grain, flicker.</summary>
     public const int NoiseTicks = 3;
 
-    /// <summary>By what factor a change must stand out from the noise to count as movement.</summary>
+    /// <summary>Factor by which a change must exceed the noise to count as movement.</summary>
     public const double MovementOverNoise = 3;
 
-    // The greatest share of the differences between the changes that the movement may leave unexplained; noise is a third at most.
+    // Maximum fraction of the differences between the changes that the movement may leave unexplained; noise is a third at most.
     private const double MaxUnexplained = 0.25;
 
-    // By how much of the differences the best lag must be better than any other: less is decided by noise.
+    // Fraction of the differences by which the best lag must be better than any other: less could be noise.
     private const double MinMargin = 0.01;
 
     private readonly List<SceneSnapshot> _states = [];
     private readonly List<double> _changes = [];
 
-    /// <summary>Adds a tick before the first picture; as many as the greatest lag are needed, and one more.</summary>
+    /// <summary>Adds a tick before the first image; the record needs one more than the greatest lag.</summary>
     public void Add(SceneSnapshot state) => _states.Add(state);
 
-    /// <summary>Adds a tick with a picture.</summary>
+    /// <summary>Adds a tick with an image.</summary>
     /// <param name="state">The scene read in this tick.</param>
     /// <param name="change">
-    /// How much the picture differs from the tick's before; the first is of no meaning; not a number when there was no good picture.
+    /// How much the image differs from that of the previous tick; ignored for the first; NaN if there was no usable image.
     /// </param>
     public void Add(SceneSnapshot state, double change)
     {
@@ -45,16 +43,16 @@ internal sealed class LagRecord
     }
 
     /// <summary>
-    /// The lag that the record shows; null when ticks or pictures are missing, camera or entities did not move, or the pictures do not show
-    /// which lag it is.
+    /// The lag that the record shows; null if ticks or images are missing, camera or entities did not move, or the images do not determine
+    /// the lag.
     /// </summary>
-    /// <param name="runningTicks">The pictures before the freeze, without the first, 1 or more.</param>
-    /// <param name="greatestTicks">The greatest lag to look for, 0 or more.</param>
-    public PictureLag? LagOf(int runningTicks, int greatestTicks)
+    /// <param name="runningTicks">Number of images before the freeze, without the first; 1 or more.</param>
+    /// <param name="maxTicks">Maximum lag to look for; 0 or more.</param>
+    public PictureLag? LagOf(int runningTicks, int maxTicks)
     {
         int last = _states.Count - 1;
         int firstChange = _states.Count - _changes.Count + 1;
-        if (_changes.Count <= runningTicks + NoiseTicks || firstChange <= greatestTicks || _changes.Any(double.IsNaN)
+        if (_changes.Count <= runningTicks + NoiseTicks || firstChange <= maxTicks || _changes.Any(double.IsNaN)
             || _states[last].GameFrame - _states[0].GameFrame != last)
         {
             return null;
@@ -72,17 +70,17 @@ internal sealed class LagRecord
             return null;
         }
 
-        // What changes more than usual, as at the cut of a flickering lamp, says no more than that all moves.
+        // A change larger than usual, as when a flickering lamp switches, only shows that everything moves.
         changes = [.. changes.Select(change => Math.Min(1, change / running))];
         return Best(
             new LagAlignment(camera, fullCamera, changes, firstChange), new LagAlignment(entities, fullEntities, changes, firstChange),
-                greatestTicks, Spread(changes));
+                maxTicks, Spread(changes));
     }
 
-    private static PictureLag? Best(LagAlignment camera, LagAlignment entities, int greatestTicks, double spread)
+    private static PictureLag? Best(LagAlignment camera, LagAlignment entities, int maxTicks, double spread)
     {
         var costs = new List<(PictureLag Lag, double Cost)>();
-        for (int ticks = 0; ticks <= greatestTicks; ticks++)
+        for (int ticks = 0; ticks <= maxTicks; ticks++)
         {
             // The camera is reported with the entities or a tick late.
             foreach (int cameraTicks in new[] { ticks, ticks - 1 })

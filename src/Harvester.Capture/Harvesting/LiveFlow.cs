@@ -8,9 +8,9 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// Takes frames of a game that runs on. The lag of the picture is known, so the state is read and labelled first, and the picture is
-/// grabbed when it shows that state. Rays are cast in the tick that the state was read in, within its budget, and never later:
-/// objects that the budget does not reach keep their boxes and have no occlusion.
+/// Takes frames of a running game. The picture lag is known, so the state is read and labelled first, and the picture is grabbed when it
+/// shows that state. Rays are cast in the tick in which the state was read, within its budget, and never later: objects that the budget
+/// does not reach keep their boxes and have no occlusion.
 /// </summary>
 internal sealed class LiveFlow(
     GamePorts game, SceneReader reader, FrameLabeller labeller, PixelBufferPool pool, TickBudget budget, HarvestCounters counters,

@@ -5,25 +5,25 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>How many natives and rays each phase of a harvest has asked of the game.</summary>
-/// <param name="calls">The game's counter; null where the game counts nothing.</param>
+/// <summary>Counts the native calls and rays of each phase of a harvest.</summary>
+/// <param name="calls">The game's counter; null if the game counts nothing.</param>
 public sealed class PhaseCalls(ICallCounter? calls)
 {
     private readonly SortedDictionary<HarvestPhase, (long Natives, long Rays)> _phases = [];
     private long _natives = calls?.Natives ?? 0;
     private long _rays = calls?.Rays ?? 0;
 
-    /// <summary>The phases that asked anything, with natives (those of rays included) and rays.</summary>
+    /// <summary>The phases with calls: natives (including those of rays) and rays.</summary>
     public IReadOnlyDictionary<HarvestPhase, (long Natives, long Rays)> Phases => _phases;
 
-    /// <summary>Leaves aside what was asked since the last charge: it was not the harvest's.</summary>
+    /// <summary>Ignores the calls since the last charge: they were not the harvest's.</summary>
     internal void Skip()
     {
         _natives = calls?.Natives ?? 0;
         _rays = calls?.Rays ?? 0;
     }
 
-    /// <summary>Charges what was asked since the last charge to a phase.</summary>
+    /// <summary>Charges the calls since the last charge to a phase.</summary>
     internal void Charge(HarvestPhase phase)
     {
         if (calls is null || calls.Natives == _natives)
@@ -36,7 +36,7 @@ public sealed class PhaseCalls(ICallCounter? calls)
         Skip();
     }
 
-    /// <summary>The counts in words, for the log.</summary>
+    /// <summary>The counts as text, for the log.</summary>
     public override string ToString() => string.Join(", ", _phases.Select(static phase => FormattableString.Invariant(
         $"{phase.Key} {phase.Value.Natives} natives {phase.Value.Rays} rays")));
 }

@@ -3,10 +3,10 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>How much two pictures differ.</summary>
+/// <summary>The difference of two images.</summary>
 internal static class PictureDifference
 {
-    /// <summary>The mean difference of their bytes, 0 to 255.</summary>
+    /// <summary>Mean absolute difference of their bytes, 0 to 255.</summary>
     public static double MeanOf(PixelBuffer a, PixelBuffer b)
     {
         long sum = 0;

@@ -6,23 +6,23 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// Whether two readings are of one standing scene: the same time, camera, ego vehicle and entities, at the same places. The hour and
-/// the count of frames go on in a frozen game and are not compared; nor are velocities, which a frozen game may report as 0.
+/// Decides whether two readings show the same still scene: the same time, camera, ego vehicle and entities, at the same positions. The time
+/// of day and the frame count continue in a frozen game and are not compared; nor are velocities, which a frozen game may report as 0.
 /// </summary>
-/// <param name="positionTolerance">By how much a position may differ, metres.</param>
+/// <param name="positionTolerance">Tolerance of a position, metres.</param>
 internal sealed class SceneComparison(double positionTolerance)
 {
-    /// <summary>By how much a component of an axis may differ: less than a tenth of a pixel at a focal length of 1,000 pixels.</summary>
+    /// <summary>Tolerance of a component of an axis: less than a tenth of a pixel at a focal length of 1,000 pixels.</summary>
     private const double AxisTolerance = 1e-4;
 
     /// <summary>
-    /// By how much the game's time may creep in a game that stands, seconds: less than a tick at 200 ticks a second, so that traffic
-    /// that waits is not taken for a frozen game.
+    /// Tolerance of the game's time in a frozen game, seconds: less than a tick at 200 ticks per second, so that waiting traffic is not
+    /// mistaken for a frozen game.
     /// </summary>
     private const double TimeTolerance = 0.005;
 
     /// <summary>
-    /// Names the first difference for the counters: timeMoved, cameraMoved, egoMoved, objectsChanged or objectMoved; null when there is
+    /// The first difference, as named in the counters: timeMoved, cameraMoved, egoMoved, objectsChanged or objectMoved; null if there is
     /// none.
     /// </summary>
     public string? FirstDifference(SceneSnapshot a, SceneSnapshot b)

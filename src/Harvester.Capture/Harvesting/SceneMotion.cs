@@ -6,17 +6,13 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>How much camera and entities move between two readings, in numbers that grow with what a picture shows of it.</summary>
+/// <summary>Measures how much camera and entities move between two readings, in proportion to what an image shows of it.</summary>
 internal static class SceneMotion
 {
-    /// <summary>
-    /// Distance at which a rotation of the camera shows as much as a movement, metres: that of most of what a street scene shows.
-    /// </summary>
+    /// <summary>Distance at which a rotation of the camera counts as movement, metres: that of most of what a street scene shows.</summary>
     private const double RotationArmMetres = 10;
 
-    /// <summary>
-    /// Entities nearer than this count as if they were as far, metres, so that one beside the camera does not drown all others.
-    /// </summary>
+    /// <summary>Minimum distance of an entity in this measure, metres, so that one beside the camera does not dominate.</summary>
     private const double MinMetres = 5;
 
     /// <summary>Movement and rotation of the camera, metres.</summary>
@@ -28,7 +24,7 @@ internal static class SceneMotion
             + (RotationArmMetres * ((b.Axes.Forward - a.Axes.Forward).Length + (b.Axes.Right - a.Axes.Right).Length));
     }
 
-    /// <summary>The sum of the angles by which entities in both readings move as seen from the camera, radians at most.</summary>
+    /// <summary>The sum of the angles by which entities in both readings move as seen from the camera, radians.</summary>
     public static double OfEntities(SceneSnapshot before, SceneSnapshot after)
     {
         Dictionary<int, Pose> known = before.Entities.ToDictionary(entity => entity.Handle, entity => entity.Pose);

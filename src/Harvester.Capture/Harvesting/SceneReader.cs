@@ -5,7 +5,7 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>Reads one moment of a game's world as plain data.</summary>
+/// <summary>Reads one moment of a game's world into plain data.</summary>
 internal sealed class SceneReader(IWorld world, HarvestOptions options)
 {
     public SceneSnapshot Read()

@@ -3,15 +3,15 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>What is known when a session ends. All times are the game's, so that the same game gives the same end.</summary>
-/// <param name="GameFrame">The game's count of frames when it was last read.</param>
+/// <summary>What is recorded when a session ends. All times are the game's, so that the same game gives the same end.</summary>
+/// <param name="GameFrame">The game's frame count when it was last read.</param>
 /// <param name="TimeSeconds">The game's time when it was last read, seconds.</param>
 /// <param name="Captured">Frames handed to the sink, or left to other shards.</param>
-/// <param name="Discards">Frames thrown away, by reason, in the order of the reasons' letters.</param>
-/// <param name="SettleTicks">How many frames needed how many ticks until everything stood still, by rising ticks; empty in live
+/// <param name="Discards">Discarded frames by reason, in alphabetical order.</param>
+/// <param name="SettleTicks">Number of frames by the ticks they needed until everything stood still, in ascending order; empty in live
 /// mode.</param>
-/// <param name="Lag">The lag of the picture as it was measured; null when it was not.</param>
-/// <param name="Fault">Why the harvest ended; null for a good end.</param>
+/// <param name="Lag">The measured picture lag; null if it was not measured.</param>
+/// <param name="Fault">Why the harvest ended; null if it ended without a fault.</param>
 public sealed record SessionEnd(
     long GameFrame,
     double TimeSeconds,
@@ -21,6 +21,6 @@ public sealed record SessionEnd(
     PictureLag? Lag,
     string? Fault)
 {
-    /// <summary>What could not be read of the game as it should be; null for a game that is always read in full.</summary>
+    /// <summary>What could not be read of the game correctly; null for a game that is always read completely.</summary>
     public ReadingReport? Reading { get; init; }
 }

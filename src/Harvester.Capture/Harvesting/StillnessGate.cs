@@ -3,14 +3,14 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// Counts for how many game frames a scene has stood still. Each reading is compared with the first of the run, not with the one
-/// before, so that what creeps slowly is not taken for standing.
+/// Counts the game frames for which a scene has stood still. Each reading is compared with the first of the run, not with the previous one,
+/// so that slow movement is not mistaken for standing still.
 /// </summary>
 internal sealed class StillnessGate(SceneComparison comparison)
 {
     private SceneSnapshot? _first;
 
-    /// <summary>The game frames from the first reading of the run to the latest: 0 after a difference.</summary>
+    /// <summary>Number of game frames from the first reading of the run to the latest; 0 after a difference.</summary>
     public long StillTicks { get; private set; }
 
     public void Observe(SceneSnapshot snapshot)

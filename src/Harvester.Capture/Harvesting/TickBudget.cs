@@ -2,7 +2,7 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>How much of a tick may be used.</summary>
+/// <summary>The time that may be used in one tick.</summary>
 internal sealed class TickBudget(IClock clock, double milliseconds)
 {
     private double _tickStart;

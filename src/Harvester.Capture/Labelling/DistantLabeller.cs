@@ -11,7 +11,7 @@ namespace Harvester.Capture.Labelling;
 /// <summary>Marks visible objects beyond the labelling range as ignore regions, so that they do not count as background.</summary>
 internal sealed class DistantLabeller(LabellingOptions options)
 {
-    /// <summary>Those of a scene's distant entities that are in the image and large enough to be labelled if they were nearer.</summary>
+    /// <summary>The distant entities of a scene that are in the image and large enough to be labelled if they were nearer.</summary>
     public IEnumerable<DistantCandidate> CandidatesOf(Camera camera, IEnumerable<EntityState> distant) =>
         from entity in distant
         where options.Classes?.Contains(entity.Class) ?? true
@@ -19,13 +19,13 @@ internal sealed class DistantLabeller(LabellingOptions options)
         where candidate is not null
         select candidate;
 
-    /// <summary>Whether a candidate is seen, by few rays.</summary>
+    /// <summary>Whether a candidate is visible, found with few rays.</summary>
     public Sight Look(Camera camera, DistantCandidate candidate, int egoHandle, IRayCaster rays) =>
         options.IsWithinReach(camera, candidate.Cuboid)
             ? SightFinder.Find(camera, candidate.Cuboid, candidate.Projection, candidate.Entity.Handle, egoHandle, rays)
             : Sight.Undetermined;
 
-    /// <summary>The region of a candidate; null for one that is not seen.</summary>
+    /// <summary>The ignore region of a candidate; null if it is not visible.</summary>
     public static IgnoreRegion? RegionOf(Camera camera, DistantCandidate candidate, Sight sight) => sight == Sight.Unseen
         ? null
         : new IgnoreRegion(
@@ -37,7 +37,8 @@ internal sealed class DistantLabeller(LabellingOptions options)
     private DistantCandidate? CandidateOf(Camera camera, EntityState entity)
     {
         Cuboid cuboid = Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose);
-        CuboidProjection projection = CuboidProjector.Project(camera, cuboid);
-        return projection.Box is { } box && options.IsLargeEnough(box) ? new DistantCandidate(entity, cuboid, projection, box) : null;
+        return CuboidProjector.BoxesOf(camera, cuboid).Box is { } box && options.IsLargeEnough(box)
+            ? new DistantCandidate(entity, cuboid, CuboidProjector.Project(camera, cuboid), box)
+            : null;
     }
 }

@@ -12,31 +12,28 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>
-/// Makes the labels of the parts of objects that matter: faces of signs, heads of traffic lights. Algorithm 3 of the thesis.
-/// </summary>
+/// <summary>Makes the labels of faces of signs and heads of traffic lights. Algorithm 3 of the thesis.</summary>
 internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, FrameRays? rays, ILights? lights, ObjectRegistry registry)
 {
-    /// <summary>
-    /// A face's own surface lies in its cuboid up to the rounding of its corners; less than the thickness of a sign's plate.
-    /// </summary>
+    /// <summary>Margin for the rounding of a measured face's corners, metres; less than the thickness of a sign's plate.</summary>
     private const double MeasuredMarginMetres = 0.005;
 
     /// <summary>
-    /// An estimated cuboid may lie this far before or behind the plate; with less, its faces would count as hidden by their own plates.
+    /// Maximum distance of an estimated cuboid in front of or behind the plate, metres; with less, faces would count as hidden by their own
+    /// plates.
     /// </summary>
     private const double EstimatedMarginMetres = 0.15;
 
     /// <summary>
-    /// The plate behind the head of a light reaches beyond it by so much: 5 inches is the usual size, and a corner may be rounded.
+    /// Width of the backplate around the head of a light, metres: 5 inches is the usual size, and a corner may be rounded.
     /// </summary>
     private const double BackplateMetres = 0.15;
 
     private readonly OcclusionEstimator _occlusion = new(options.OcclusionSamples);
 
-    /// <summary>Labels the faces of entities, a slice each.</summary>
-    /// <param name="draft">The frame with its entities; gets each face in the image.</param>
-    /// <param name="mayCastRays">Asked before each face; after a no, the face has no occlusion.</param>
+    /// <summary>Labels the faces of entities, one per element.</summary>
+    /// <param name="draft">The frame with its entities; receives each face in the image.</param>
+    /// <param name="mayCastRays">Called before each face; if it returns false, the face has no occlusion.</param>
     public IEnumerable<bool> Label(FrameDraft draft, Func<bool> mayCastRays)
     {
         (Camera camera, SceneSnapshot snapshot) = (draft.Camera, draft.Snapshot);
@@ -71,18 +68,18 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
             isParentMarked ? null : ObjectLabeller.RegionOf(camera, seen, occlusion));
     }
 
-    /// <summary>Passes over a snapshot that is not labelled: the faces' numbers are remembered as if it were.</summary>
+    /// <summary>Passes over a snapshot that is not labelled; the ids of its faces are assigned all the same.</summary>
     public void Pass(Camera camera, SceneSnapshot snapshot)
     {
         foreach (FaceCandidate? _ in CandidatesOf(camera, snapshot))
         {
-            // Being found gives a candidate its number.
+            // Finding a candidate assigns its id.
         }
     }
 
     /// <summary>
-    /// The faces of entities, numbered; null for one that is not in the image, and for a sign's face seen from behind.
-    /// The head of a light is a housing, visible from all sides.
+    /// The faces of entities with their ids; null for one that is not in the image, and for a sign's face seen from behind. The head of a
+    /// light is a housing, visible from all sides.
     /// </summary>
     public IEnumerable<FaceCandidate?> CandidatesOf(Camera camera, SceneSnapshot snapshot) =>
         from entity in snapshot.Entities
@@ -105,7 +102,7 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
             : null;
     }
 
-    /// <summary>The label of a face in the image; null when it is not listed.</summary>
+    /// <summary>The label of a face in the image; null if it is not listed.</summary>
     private ObjectLabel? LabelOf(Camera camera, SceneSnapshot snapshot, FaceCandidate candidate, OcclusionEstimate occlusion)
     {
         if (!options.IsListed(occlusion))
@@ -147,8 +144,8 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
         lights?.SetStateOf(entity.Handle, gameFrame) is { } state ? new LightLabel(state, LightMethod.Set, null) : LightLabel.Unknown;
 
     /// <summary>
-    /// The angle between two directions by the tangent of its half, which is exact near 0 and 180 degrees as well; 0 for a camera in the
-    /// middle of the face.
+    /// The angle between two directions from the tangent of its half, which is accurate near 0 and 180 degrees as well; 0 for a camera in
+    /// the middle of the face.
     /// </summary>
     private static double FacingAngleDegrees(ModelFace face, Cuboid cuboid, Pose entity, Vector3D eye)
     {

@@ -5,13 +5,14 @@ using Harvester.Geometry.Visibility;
 namespace Harvester.Capture.Labelling;
 
 /// <summary>
-/// Rays as a face sees them: what is hit of its own model elsewhere than in the face's cuboid is a thing of the world like any other,
-/// so a post before the face or the plate's own back hides it. The plate around the head of a light belongs to the head.
+/// Rays as they count for a face: a hit on its own model outside the face's cuboid counts as a hit on the world, so a post in front of the
+/// face or the back of the plate hides it. The backplate around the head of a light belongs to the head.
 /// </summary>
-/// <param name="rays">What rays meet.</param>
-/// <param name="parent">Handle of the entity that bears the face.</param>
+/// <param name="rays">The ray caster.</param>
+/// <param name="parent">Handle of the entity that has the face.</param>
 /// <param name="cuboid">The face's cuboid.</param>
-/// <param name="margin">How far outside the cuboid a hit is still on the face, along right, forward and up of the model, metres.</param>
+/// <param name="margin">Maximum distance outside the cuboid at which a hit is still on the face, along right, forward and up of the model,
+/// metres.</param>
 internal sealed class FaceRays(IRayCaster rays, int parent, Cuboid cuboid, Vector3D margin) : IRayCaster
 {
     private readonly Cuboid _face = new(cuboid.Centre, cuboid.HalfExtents + margin, cuboid.Axes);

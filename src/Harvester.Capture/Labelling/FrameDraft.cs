@@ -34,7 +34,7 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
     /// <summary>Game frames from reading the state to grabbing the image.</summary>
     public int LagFrames { get; set; }
 
-    /// <summary>The same in seconds of game time.</summary>
+    /// <summary>Game time from reading the state to grabbing the image, seconds.</summary>
     public double LagSeconds { get; set; }
 
     /// <summary>The instance map; null until there is one.</summary>
@@ -43,13 +43,13 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
     /// <summary>The accuracy of the mask; null without one.</summary>
     public PixelMapLabel? PixelMap { get; set; }
 
-    /// <summary>The lanes; null when no roads are known.</summary>
+    /// <summary>The lanes; null if no roads are known.</summary>
     public LanesLabel? Lanes { get; set; }
 
     /// <summary>The rays used; null for labels made without a game.</summary>
     public RayCounts? Rays { get; set; }
 
-    /// <summary>The numbers of the entities that have one, by handle.</summary>
+    /// <summary>The ids of the entities that have one, by handle.</summary>
     public IReadOnlyDictionary<int, int> Ids { get; set; } = new Dictionary<int, int>();
 
     /// <summary>The objects in the image, in the order of their ids.</summary>
@@ -68,10 +68,10 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
     public OcclusionEstimate OcclusionOf(int handle) => _entities.TryGetValue(handle, out OcclusionEstimate found) ? found : default;
 
     /// <summary>Adds an entity or one of its faces.</summary>
-    /// <param name="found">Its occlusion, for the scene.</param>
-    /// <param name="estimate">The same as an estimate.</param>
-    /// <param name="label">Its label; null when it is not listed.</param>
-    /// <param name="region">Its ignore region; null for none.</param>
+    /// <param name="found">Its occlusion, as recorded in the scene.</param>
+    /// <param name="estimate">Its occlusion as an estimate.</param>
+    /// <param name="label">Its label; null if it is not listed.</param>
+    /// <param name="region">Its ignore region; null if there is none.</param>
     public void Add(RecordedOcclusion found, OcclusionEstimate estimate, ObjectLabel? label, IgnoreRegion? region)
     {
         _occlusions.Add(found);
@@ -90,7 +90,7 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
         List(null, region);
     }
 
-    /// <summary>Replaces each object label by what a function makes of it.</summary>
+    /// <summary>Replaces each object label by the result of a function.</summary>
     public void Update(Func<ObjectLabel, ObjectLabel> change)
     {
         for (int i = 0; i < _objects.Count; i++)

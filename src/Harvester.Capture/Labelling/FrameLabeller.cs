@@ -7,29 +7,29 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>Makes the labels of one snapshot, phase by phase: objects, their faces, what lies beyond the labelling range, lanes.</summary>
+/// <summary>Makes the labels of one snapshot, phase by phase: objects, their faces, objects beyond the labelling range, lanes.</summary>
 /// <param name="options">What to label.</param>
-/// <param name="rays">What rays meet; also those of <see cref="Lanes"/> and <see cref="Faces"/>.</param>
-/// <param name="registry">The objects' numbers.</param>
+/// <param name="rays">The ray caster; also that of <see cref="Lanes"/> and <see cref="Faces"/>.</param>
+/// <param name="registry">The ids of the objects.</param>
 internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, ObjectRegistry registry)
 {
     private readonly ObjectLabeller _objects = new(options, registry);
     private readonly DistantLabeller _distant = new(options);
     private readonly OcclusionEstimator _occlusion = new(options.OcclusionSamples);
 
-    /// <summary>Labels the lanes; null for labels without.</summary>
+    /// <summary>Labels the lanes; null to label none.</summary>
     public LaneLabeller? Lanes { get; init; }
 
-    /// <summary>Labels the parts of objects that matter; null for labels without.</summary>
+    /// <summary>Labels faces of signs and heads of traffic lights; null to label none.</summary>
     public FaceLabeller? Faces { get; init; }
 
     /// <summary>
-    /// Labels a snapshot a slice at a time. Each element is null until the work is done; the last is the result.
-    /// The caller may leave off after any slice and go on in a later tick, as long as the game stands still.
+    /// Labels a snapshot in steps. Each element is null until the work is done; the last is the result. The caller may pause after any step
+    /// and continue in a later tick, as long as the game stands still.
     /// </summary>
     /// <param name="snapshot">The scene.</param>
     /// <param name="mayCastRays">
-    /// Asked before each object and each ray of a mask: after a no, an object has no occlusion and a mask gets no further rays.
+    /// Called before each object and each ray of a mask. If it returns false, an object has no occlusion and a mask gets no further rays.
     /// </param>
     public IEnumerable<FrameDraft?> Label(SceneSnapshot snapshot, Func<bool> mayCastRays)
     {
@@ -74,8 +74,8 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     }
 
     /// <summary>
-    /// Passes over a snapshot that is not labelled. What labelling remembers from frame to frame, the objects' numbers and the road, is
-    /// afterwards as if it had been.
+    /// Passes over a snapshot that is not labelled. The state kept from frame to frame, the ids of objects and the road, is afterwards as
+    /// if it had been labelled.
     /// </summary>
     public void Pass(SceneSnapshot snapshot)
     {

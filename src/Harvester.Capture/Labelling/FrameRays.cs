@@ -8,18 +8,18 @@ namespace Harvester.Capture.Labelling;
 /// <summary>
 /// The rays of one frame, counted by their purpose and limited by a budget. Callers check the budget before they cast.
 /// </summary>
-/// <param name="rays">What rays meet.</param>
-/// <param name="budget">Rays that a frame may take.</param>
+/// <param name="rays">The ray caster.</param>
+/// <param name="budget">Maximum number of rays per frame.</param>
 internal sealed class FrameRays(IRayCaster rays, int budget) : IRayCaster
 {
     private readonly int[] _counts = new int[1 + (int)RayPhase.Lanes];
     private RayPhase _phase;
     private int _cast;
 
-    /// <summary>Rays that the frame may still take.</summary>
+    /// <summary>Number of rays left for the frame.</summary>
     public int Left => budget - _cast;
 
-    /// <summary>The rays of the frame so far.</summary>
+    /// <summary>The rays of the frame so far, by purpose.</summary>
     public RayCounts Counts => new(
         _counts[(int)RayPhase.Map],
         _counts[(int)RayPhase.Occlusion],
@@ -34,7 +34,7 @@ internal sealed class FrameRays(IRayCaster rays, int budget) : IRayCaster
         _cast = 0;
     }
 
-    /// <summary>Says what the rays from now on are for.</summary>
+    /// <summary>Sets the purpose of the following rays.</summary>
     public void Begin(RayPhase phase) => _phase = phase;
 
     /// <inheritdoc/>

@@ -11,8 +11,8 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Labelling;
 
 /// <summary>
-/// Makes the labels of recorded scenes again, in their order, with other options and without the game. What is geometry is computed as in
-/// a harvest; what only rays could tell is kept where it still holds, and is not determined elsewhere: docs/relabel.md.
+/// Recomputes the labels of recorded scenes in order, with other options and without the game. Geometry is computed as in a harvest;
+/// results of rays are kept where they still hold, and are undetermined elsewhere: docs/relabel.md.
 /// </summary>
 public sealed class FrameRelabeller
 {
@@ -26,9 +26,9 @@ public sealed class FrameRelabeller
     private readonly LaneLabeller? _lanes;
 
     /// <summary>Prepares for the scenes of one session.</summary>
-    /// <param name="options">What to label; the lens goes for all frames.</param>
+    /// <param name="options">What to label; the lens applies to all frames.</param>
     /// <param name="recordedOptions">The options of the harvest; its lens is that of each scene.</param>
-    /// <param name="ids">The numbers that all scenes of the session have.</param>
+    /// <param name="ids">The object ids of all scenes of the session.</param>
     /// <param name="roads">The roads to measure lanes on; null to keep the recorded lanes.</param>
     public FrameRelabeller(LabellingOptions options, LabellingOptions recordedOptions, RecordedIds ids, IRoads? roads)
     {
@@ -42,20 +42,20 @@ public sealed class FrameRelabeller
     }
 
     /// <summary>
-    /// Whether a frame's mask still holds: rays were cast through the lens of the harvest, so what they found is elsewhere in the picture
-    /// than another lens says; a mask of another tool was made from the picture itself.
+    /// Whether a frame's mask still holds. Rays were cast through the lens of the harvest, so with another lens the pixels differ; a mask
+    /// of another tool was made from the image itself.
     /// </summary>
     /// <param name="scene">The frame's scene.</param>
-    /// <param name="recorded">The label that the harvest made.</param>
-    /// <param name="lens">The lens to label with.</param>
+    /// <param name="recorded">The label of the harvest.</param>
+    /// <param name="lens">The lens for the new label.</param>
     public static bool KeepsMask(RecordedScene scene, FrameLabel recorded, Lens lens) =>
         recorded?.Mask is not null && (scene?.Lens == lens || recorded.PixelMap is null);
 
-    /// <summary>Makes the label of a frame again.</summary>
+    /// <summary>Recomputes the label of a frame.</summary>
     /// <param name="scene">The frame's scene.</param>
-    /// <param name="recorded">The label that the harvest made.</param>
-    /// <param name="picture">Reads the frame's picture, when the state of a light is to be seen in it.</param>
-    /// <exception cref="HarvestFaultException">All object numbers are used up.</exception>
+    /// <param name="recorded">The label of the harvest.</param>
+    /// <param name="picture">Reads the frame's image; called if the state of a light is to be found in it.</param>
+    /// <exception cref="HarvestFaultException">All object ids are used up.</exception>
     public FrameLabel Relabel(RecordedScene scene, FrameLabel recorded, Func<PixelBuffer> picture)
     {
         if (scene is null)
@@ -116,8 +116,8 @@ public sealed class FrameRelabeller
         };
     }
 
-    /// <summary>Passes over a scene that another shard labels: numbers and the road are remembered as if it had been labelled.</summary>
-    /// <exception cref="HarvestFaultException">All object numbers are used up.</exception>
+    /// <summary>Passes over a scene of another shard; ids and road are kept as if it had been labelled.</summary>
+    /// <exception cref="HarvestFaultException">All object ids are used up.</exception>
     public void Pass(RecordedScene scene)
     {
         if (scene is null)

@@ -3,7 +3,7 @@ using Harvester.Capture.Faults;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>Ends a harvest with a fault for the user. It never leaves the session; a relabelling throws it to its caller.</summary>
+/// <summary>Ends a harvest with a fault for the user. A session catches it; relabelling throws it to its caller.</summary>
 public sealed class HarvestFaultException(CaptureFault fault) : Exception(fault.Message)
 {
     /// <summary>The fault.</summary>

@@ -6,7 +6,7 @@ namespace Harvester.Capture.Labelling;
 /// <summary>The boxes around all objects of an instance map, in one pass over its pixels.</summary>
 internal static class InstanceBounds
 {
-    /// <summary>The box around the pixels of each number; null for numbers without a pixel.</summary>
+    /// <summary>The box around the pixels of each number; null for numbers without pixels.</summary>
     public static Box2D?[] Of(InstanceMap map)
     {
         var bounds = new Box2D?[ushort.MaxValue + 1];

@@ -9,18 +9,18 @@ namespace Harvester.Capture.Labelling;
 
 /// <summary>An entity, or a face of one, that is in the image, before its occlusion is known.</summary>
 /// <param name="Entity">The entity.</param>
-/// <param name="Id">The number of the object in the session.</param>
+/// <param name="Id">The object's id in the session.</param>
 /// <param name="Cuboid">Its cuboid, world frame, metres.</param>
-/// <param name="Projection">The cuboid in the image; it has both boxes.</param>
+/// <param name="Projection">The cuboid's projection, with both boxes.</param>
 internal sealed record LabelCandidate(EntityState Entity, ushort Id, Cuboid Cuboid, CuboidProjection Projection)
 {
-    /// <summary>Its box within the image, pixels.</summary>
+    /// <summary>The box around its part inside the image, pixels.</summary>
     public Box2D Box => Projection.Box!.Value;
 
     /// <summary>The distance of its centre from a camera, metres.</summary>
     public double DistanceFrom(Camera camera) => (Cuboid.Centre - camera.Pose.Position).Length;
 
-    /// <summary>The part of its label that entities and faces share.</summary>
+    /// <summary>The part of its label that is the same for entities and faces.</summary>
     public ObjectLabel Label(Camera camera, ObjectClass objectClass, OcclusionEstimate occlusion) => new()
     {
         Id = Id,

@@ -4,13 +4,15 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>The colours of burning lamps, by hue, saturation and brightness.</summary>
+/// <summary>Classifies the colours of lit lamps by hue, saturation and brightness.</summary>
 internal static class LampColour
 {
-    /// <summary>A lamp that is off, in full sun, is darker.</summary>
+    /// <summary>Minimum brightness of a lit lamp; an unlit lamp in full sun is darker.</summary>
     private const int MinBrightness = 130;
 
-    /// <summary>Share of the brightest channel that the darkest one must be below it; sky and walls have less.</summary>
+    /// <summary>
+    /// Minimum difference between the brightest and the darkest channel, as a fraction of the brightest; sky and walls have less.
+    /// </summary>
     private const double MinSaturation = 0.35;
 
     /// <summary>The lamp whose colour a pixel has; unknown for any other colour.</summary>

@@ -8,16 +8,16 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>Makes the label of the lanes of one snapshot; remembers the road from frame to frame.</summary>
+/// <summary>Labels the lanes of one snapshot; keeps the road from frame to frame.</summary>
 internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? rays, ObjectRegistry registry)
 {
-    /// <summary>Boundaries and markings are traced this far, metres along the road.</summary>
+    /// <summary>Length to which boundaries and markings are traced, metres along the road.</summary>
     private const double LineReach = 70;
 
     private readonly LaneTracker _tracker = new(roads, entity => registry.IdOf(entity));
 
     /// <summary>
-    /// Labels the lanes a slice at a time; each element is null until the last, which is the label. No element: no roads are known.
+    /// Labels the lanes in steps; each element is null until the last, which is the label. The sequence is empty if no roads are known.
     /// </summary>
     public IEnumerable<LanesLabel?> Label(SceneSnapshot snapshot, Camera camera, Func<bool> mayCastRays)
     {
@@ -54,7 +54,7 @@ internal sealed class LaneLabeller(IRoads roads, IRoadPaint? paint, FrameRays? r
                 camera, line, snapshot.Ego.Handle, mayCastRays() && rays?.Left >= LaneLineProjector.MaxRays(line) ? rays : null);
     }
 
-    /// <summary>Passes over a snapshot that is not labelled: the road and the vehicles' numbers are remembered as if it were.</summary>
+    /// <summary>Passes over a snapshot that is not labelled; the road and the ids of vehicles are updated all the same.</summary>
     public void Pass(SceneSnapshot snapshot) => _tracker.Observe(snapshot.Ego, snapshot.Entities);
 
     private IReadOnlyList<LaneLine> Painted(RoadStretch stretch, double carOffset) =>

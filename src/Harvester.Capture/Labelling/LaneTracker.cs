@@ -9,16 +9,16 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>Tells the lanes around the ego from moment to moment, and remembers the road that it is on.</summary>
-/// <param name="roads">What is known of the roads.</param>
-/// <param name="idOf">The number by which a vehicle goes in the answers.</param>
+/// <summary>Finds the lanes around the ego from frame to frame, and keeps the road that it is on.</summary>
+/// <param name="roads">The known roads.</param>
+/// <param name="idOf">Gives the id of a vehicle in the results.</param>
 public sealed class LaneTracker(IRoads roads, Func<EntityState, int> idOf)
 {
     private RoadMatch? _previous;
 
-    /// <summary>The lanes at one moment, and where the roads are from; null when no roads are known there.</summary>
+    /// <summary>The lanes at one moment, and the source of the roads; null if no roads are known there.</summary>
     /// <param name="ego">The car.</param>
-    /// <param name="entities">What is around it, at least as far as vehicles are to be found.</param>
+    /// <param name="entities">The entities around it, at least up to the range of vehicles.</param>
     public (LaneObservation Seen, string Source)? Observe(EgoState ego, IReadOnlyList<EntityState> entities)
     {
         if (ego is null)
@@ -44,18 +44,13 @@ public sealed class LaneTracker(IRoads roads, Func<EntityState, int> idOf)
         return (seen, known.Source);
     }
 
-    /// <summary>Whether an entity is a vehicle of the road.</summary>
-    public static bool IsVehicle(EntityState entity) =>
-        entity?.Class is ObjectClass.Car or ObjectClass.Truck or ObjectClass.Bus or ObjectClass.Motorcycle or ObjectClass.Bicycle
-            or ObjectClass.Trailer;
-
-    /// <summary>Forgets the road, as when the car has been put elsewhere.</summary>
+    /// <summary>Forgets the road, as when the car has been moved to another place.</summary>
     public void Forget() => _previous = null;
 
     private TrafficVehicle[] VehiclesOf(IReadOnlyList<EntityState> entities) =>
     [
         .. entities
-            .Where(IsVehicle)
+            .Where(static entity => VehicleClasses.AreVehicles(entity.Class))
             .Select(entity => new TrafficVehicle(
                 idOf(entity),
                 entity.Pose.ToWorld((entity.ModelMin + entity.ModelMax) * 0.5),

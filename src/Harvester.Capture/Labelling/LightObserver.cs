@@ -7,31 +7,36 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Labelling;
 
 /// <summary>
-/// Reads the state of traffic lights from the picture: the lamp that burns is a patch of its colour in its third of the head's box.
-/// Heads that are small, partly hidden, cut off or seen from the side stay unknown, as do those in which no one lamp stands out.
+/// Reads the state of traffic lights from the image: the lit lamp is a patch of its colour in its third of the head's box. Heads that are
+/// small, partly hidden, truncated or seen from the side stay unknown, as do those in which no single lamp stands out.
 /// </summary>
 internal static class LightObserver
 {
-    /// <summary>A lens of a lower head is less than three pixels wide, and edges take their share of it.</summary>
+    /// <summary>
+    /// Minimum height of a head, pixels. A lens of a smaller head is less than three pixels wide, and partly mixed with its edge.
+    /// </summary>
     private const double MinHeadPixels = 12;
 
-    /// <summary>Beyond this visors hide the lenses.</summary>
+    /// <summary>Maximum facing angle; beyond it visors hide the lenses.</summary>
     private const double MaxFacingAngleDegrees = 70;
 
-    /// <summary>By how much of a head may be hidden or outside the image.</summary>
+    /// <summary>Maximum fraction of a head that may be hidden or outside the image.</summary>
     private const double MaxHiddenFraction = 0.05;
 
-    /// <summary>A lens takes about a tenth of its head's box, less from aside; a twentieth of that is a reflection or nothing.</summary>
+    /// <summary>
+    /// Minimum fraction of lit pixels. A lens covers about a tenth of its head's box, less from the side; a twentieth of that is a
+    /// reflection or noise.
+    /// </summary>
     private const double MinLitFraction = 0.005;
 
-    /// <summary>The lamp that burns must have so many times the pixels of the next.</summary>
+    /// <summary>Minimum ratio of the pixels of the lit lamp to those of the next.</summary>
     private const double Prominence = 2;
 
-    /// <summary>Gives the labels of a frame the states that its picture shows; known states stay.</summary>
+    /// <summary>Sets the states that the image shows in the labels of a frame; known states are kept.</summary>
     public static void Observe(FrameDraft draft, PixelBuffer picture) =>
         draft.Update(label => IsReadable(label) ? WithState(label, picture) : label);
 
-    /// <summary>Whether there is a light whose state the picture may show.</summary>
+    /// <summary>Whether there is a light whose state the image may show.</summary>
     public static bool NeedsPicture(FrameDraft draft) => draft.Objects.Any(IsReadable);
 
     private static bool IsReadable(ObjectLabel label) =>
@@ -73,8 +78,8 @@ internal static class LightObserver
     }
 
     /// <summary>
-    /// Whether a height, 0 at the upper edge and 1 at the lower, lies in a lamp's third of the box; a box seen from below reaches over the
-    /// head a little.
+    /// Whether a height, 0 at the upper edge and 1 at the lower, lies in a lamp's third of the box; the box of a head seen from below
+    /// reaches slightly above the head.
     /// </summary>
     private static bool IsInItsThird(LightState colour, double height)
     {

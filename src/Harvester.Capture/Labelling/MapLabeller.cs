@@ -13,16 +13,16 @@ namespace Harvester.Capture.Labelling;
 /// <summary>Labels objects together with the instance mask that shows them.</summary>
 internal sealed class MapLabeller(LabellingOptions options, ObjectLabeller objects, FrameRays rays)
 {
-    /// <summary>Labels the objects of a frame, a slice at a time.</summary>
-    /// <param name="draft">The frame; gets labels, occlusions and mask. Rays pass through the vehicle that carries its camera.</param>
+    /// <summary>Labels the objects of a frame, in steps.</summary>
+    /// <param name="draft">The frame; receives labels, occlusions and mask. Rays pass through the vehicle that carries its camera.</param>
     /// <param name="candidates">The objects.</param>
-    /// <param name="mayCastRays">Asked before each ray of the map, and before each object.</param>
+    /// <param name="mayCastRays">Called before each ray of the map, and before each object.</param>
     public IEnumerable<bool> Label(FrameDraft draft, List<LabelCandidate> candidates, Func<bool> mayCastRays)
     {
         Camera camera = draft.Camera;
         int egoHandle = draft.Snapshot.Ego.Handle;
 
-        // Which objects are kept is known only after the map: until then they are numbered through.
+        // Which objects are kept is known only after the map: until then they have consecutive numbers.
         MapTarget[] targets = [.. candidates.Select((candidate, index) =>
             new MapTarget(candidate.Entity.Handle, (ushort)(index + 1), candidate.Cuboid, candidate.Projection))];
         rays.Begin(RayPhase.Map);

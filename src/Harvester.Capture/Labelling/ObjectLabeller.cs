@@ -14,7 +14,7 @@ namespace Harvester.Capture.Labelling;
 /// </summary>
 internal sealed class ObjectLabeller(LabellingOptions options, ObjectRegistry registry)
 {
-    /// <summary>The entities in the image, numbered.</summary>
+    /// <summary>The entities in the image, with their ids.</summary>
     public List<LabelCandidate> CandidatesOf(Camera camera, SceneSnapshot snapshot) =>
         [.. snapshot.Entities.Select(entity => CandidateOf(camera, entity)).OfType<LabelCandidate>()];
 
@@ -26,13 +26,12 @@ internal sealed class ObjectLabeller(LabellingOptions options, ObjectRegistry re
         }
 
         Cuboid cuboid = Cuboid.FromModel(entity.ModelMin, entity.ModelMax, entity.Pose);
-        CuboidProjection projection = CuboidProjector.Project(camera, cuboid);
-        return projection is { Box: { } box, AmodalBox: not null } && options.IsLargeEnough(box)
-            ? new LabelCandidate(entity, registry.IdOf(entity), cuboid, projection)
+        return CuboidProjector.BoxesOf(camera, cuboid).Box is { } box && options.IsLargeEnough(box)
+            ? new LabelCandidate(entity, registry.IdOf(entity), cuboid, CuboidProjector.Project(camera, cuboid))
             : null;
     }
 
-    /// <summary>The label of an entity in the image; null when it is not listed.</summary>
+    /// <summary>The label of an entity in the image; null if it is not listed.</summary>
     public ObjectLabel? LabelOf(Camera camera, LabelCandidate candidate, OcclusionEstimate occlusion) => options.IsListed(occlusion)
         ? candidate.Label(camera, candidate.Entity.Class, occlusion) with
         {

@@ -6,10 +6,9 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Labelling;
 
 /// <summary>
-/// Gives objects numbers that stay the same for a session. The game gives handles again to later entities: a handle whose model or
-/// class has changed is a new object.
+/// Gives objects ids that stay the same for a session. The game reuses handles: a handle whose model or class has changed is a new object.
 /// </summary>
-/// <param name="firstId">The first number to give.</param>
+/// <param name="firstId">The first id to assign.</param>
 internal sealed class ObjectRegistry(int firstId)
 {
     /// <summary>The greatest number that a 16-bit mask can hold.</summary>
@@ -18,13 +17,13 @@ internal sealed class ObjectRegistry(int firstId)
     private readonly Dictionary<(int Handle, int? Face), (string Model, ObjectClass Class, ushort Id)> _objects = [];
     private int _nextId = firstId;
 
-    /// <summary>Numbers that were given in a harvest whose labels are made again; null for none.</summary>
+    /// <summary>Ids that the harvest assigned, when its labels are recomputed; otherwise null.</summary>
     public RecordedIds? Recorded { get; init; }
 
-    /// <summary>The number of an entity, or of one of its faces.</summary>
+    /// <summary>The id of an entity, or of one of its faces.</summary>
     /// <param name="entity">The entity.</param>
     /// <param name="face">The face's number on its model; null for the entity itself.</param>
-    /// <exception cref="HarvestFaultException">All numbers are used up.</exception>
+    /// <exception cref="HarvestFaultException">All ids are used up.</exception>
     public ushort IdOf(EntityState entity, int? face = null)
     {
         if (Known(entity, face) is { } known)
@@ -47,13 +46,13 @@ internal sealed class ObjectRegistry(int firstId)
         return id;
     }
 
-    /// <summary>The numbers of those entities that have one, by handle.</summary>
+    /// <summary>The ids of the entities that have one, by handle.</summary>
     public IReadOnlyDictionary<int, int> IdsOf(IEnumerable<EntityState> entities) => entities
         .Select(entity => (entity.Handle, Id: Known(entity, null)))
         .Where(entity => entity.Id is not null)
         .ToDictionary(entity => entity.Handle, entity => (int)entity.Id!.Value);
 
-    /// <summary>Takes over the numbers that a scene of a harvest has; they go before those of earlier scenes.</summary>
+    /// <summary>Takes over the ids of a recorded scene; they take precedence over those of earlier scenes.</summary>
     public void Remember(RecordedScene scene)
     {
         Dictionary<int, EntityState> entities = scene.Snapshot.Entities.ToDictionary(entity => entity.Handle);

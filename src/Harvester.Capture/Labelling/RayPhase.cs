@@ -1,6 +1,6 @@
 namespace Harvester.Capture.Labelling;
 
-/// <summary>What the rays of a frame are cast for.</summary>
+/// <summary>The purpose of the rays of a frame.</summary>
 internal enum RayPhase
 {
     /// <summary>The pixel map.</summary>

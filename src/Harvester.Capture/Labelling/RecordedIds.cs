@@ -6,17 +6,17 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Labelling;
 
 /// <summary>
-/// The numbers that a harvest gave to objects, from its first frame to its last: an object that is labelled again, and earlier than it was
-/// then, has its number all the same.
+/// The ids that a harvest assigned to objects, over all its frames: an object that relabelling lists earlier than the harvest did still
+/// gets its id.
 /// </summary>
 public sealed class RecordedIds
 {
     private readonly Dictionary<(int Handle, int? Face, string Model, ObjectClass Class), ushort> _ids = [];
 
-    /// <summary>The greatest number; 0 when there is none.</summary>
+    /// <summary>The greatest id; 0 if there is none.</summary>
     public int Greatest { get; private set; }
 
-    /// <summary>Adds the numbers of a scene; of two numbers of one object the first stays.</summary>
+    /// <summary>Adds the ids of a scene; of two ids of one object the first is kept.</summary>
     public void Add(RecordedScene scene)
     {
         if (scene is null)

@@ -8,12 +8,12 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>What recorded lanes lend to a label that is made again without rays and perhaps without roads.</summary>
+/// <summary>What relabelling without rays, and possibly without roads, takes from recorded lanes.</summary>
 internal static class RecordedLanes
 {
     /// <summary>
-    /// Lanes that were measured again, with what the recorded ones say of the paint and of hidden points: of a point that is not among
-    /// theirs nothing is known.
+    /// Lanes that were measured again, with the paint and hidden points of the recorded ones; for a point that is not recorded, this is
+    /// unknown.
     /// </summary>
     public static LanesLabel Completed(LanesLabel lanes, LanesLabel? recorded)
     {
@@ -34,7 +34,7 @@ internal static class RecordedLanes
         };
     }
 
-    /// <summary>The recorded lanes as another lens shows their lines: points that it shows no more are left out.</summary>
+    /// <summary>The recorded lanes as another lens shows their lines; points that it does not show are left out.</summary>
     public static LanesLabel SeenBy(Camera camera, LanesLabel recorded) => recorded with
     {
         Boundaries = SeenBy(camera, recorded.Boundaries)!,
@@ -70,7 +70,7 @@ internal static class RecordedLanes
         }
     }
 
-    /// <summary>The place of a point as labels have it.</summary>
+    /// <summary>A point's position as written in labels.</summary>
     private static string PlaceOf(LaneLinePoint point)
     {
         Vector3D place = point.World;

@@ -8,9 +8,10 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Labelling;
 
 /// <summary>
-/// The occlusions that a harvest found in one frame, as far as they still hold. The same place seen from the same place is hidden by the
-/// same things, so they hold for every entity, and for a face whose place on its model is the same. Through another lens the share of the
-/// image's part is another: there they hold for what is wholly in the image, and what is hidden altogether stays so.
+/// The occlusions that a harvest found in one frame, as far as they still hold. The same object seen from the same position is hidden by
+/// the same things, so they hold for every entity, and for a face whose position on its model is unchanged. With another lens, a different
+/// part of an object may be inside the image: they then hold for objects completely inside the image, and a completely hidden object stays
+/// hidden.
 /// </summary>
 internal sealed class RecordedOcclusions(RecordedScene scene, FrameLabel recorded, LabellingOptions recordedOptions, bool isLensSame)
 {
@@ -19,7 +20,7 @@ internal sealed class RecordedOcclusions(RecordedScene scene, FrameLabel recorde
 
     private readonly Dictionary<int, ObjectLabel> _labels = recorded.Objects.ToDictionary(label => label.Id);
 
-    /// <summary>The recorded label with a number; null when that was not listed.</summary>
+    /// <summary>The recorded label with an id; null if it was not listed.</summary>
     public ObjectLabel? LabelOf(int id) => _labels.TryGetValue(id, out ObjectLabel? label) ? label : null;
 
     /// <summary>The occlusion of an entity in the image.</summary>

@@ -1,8 +1,8 @@
 namespace Harvester.Capture.Ports;
 
 /// <summary>
-/// What a controller has to know of the car that it drives. The values are the simulated car's. The game's vehicles turn their wheels by 35
-/// to 45 degrees, most by about 40, which is also what other programs that drive in GTA V take for full lock.
+/// What a controller needs to know of the car that it drives. The values are those of the simulated car. The game's vehicles turn their
+/// wheels by 35 to 45 degrees, most by about 40, which other programs that drive in GTA V also use as full lock.
 /// </summary>
 public sealed record CarTraits
 {
@@ -12,7 +12,7 @@ public sealed record CarTraits
     /// <summary>Angle of the front wheels at full lock, radians.</summary>
     public double SteeringLockRadians { get; init; } = UsualSteeringLockRadians;
 
-    /// <summary>How fast the front wheels turn, radians per second.</summary>
+    /// <summary>Turning rate of the front wheels, radians per second.</summary>
     public double SteeringRate { get; init; } = 1.2;
 
     /// <summary>Distance between the axles, metres.</summary>
@@ -27,6 +27,6 @@ public sealed record CarTraits
     /// <summary>Braking at full brake, m/s².</summary>
     public double FullBraking { get; init; } = 8;
 
-    /// <summary>By how much more the wheels have to turn at a speed than at a crawl for the same bend, a factor.</summary>
+    /// <summary>Factor by which the wheels have to turn more at a speed than at a crawl for the same bend.</summary>
     public double UndersteerAt(double speed) => 1 + (speed * speed / (CharacteristicSpeed * CharacteristicSpeed));
 }

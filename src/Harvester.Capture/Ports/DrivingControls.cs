@@ -29,8 +29,8 @@ public readonly record struct DrivingControls
     /// <summary>Brake pedal, 0 (released) to 1 (fully pressed).</summary>
     public double Brake { get; }
 
-    private static double Cut(double value, double least, string name) =>
+    private static double Cut(double value, double minimum, string name) =>
         double.IsNaN(value)
             ? throw new ArgumentOutOfRangeException(name, value, $"{name} must be a number.")
-            : Math.Max(least, Math.Min(1, value));
+            : Math.Max(minimum, Math.Min(1, value));
 }

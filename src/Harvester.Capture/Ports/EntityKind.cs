@@ -3,7 +3,7 @@ namespace Harvester.Capture.Ports;
 /// <summary>The kinds of entities that a game lists.</summary>
 public enum EntityKind
 {
-    /// <summary>Cars, lorries, cycles and whatever else drives.</summary>
+    /// <summary>Cars, trucks, motorcycles, bicycles and everything else that drives.</summary>
     Vehicle,
 
     /// <summary>People and animals.</summary>

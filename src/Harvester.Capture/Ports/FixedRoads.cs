@@ -5,15 +5,15 @@ using Harvester.Geometry.Roads;
 
 namespace Harvester.Capture.Ports;
 
-/// <summary>Roads that are all known from the start: those of a file, or of the simulated town.</summary>
+/// <summary>Roads that are completely known from the start: those of a file, or of the simulated town.</summary>
 public sealed class FixedRoads : IRoads
 {
     private readonly KnownRoads _roads;
 
     /// <summary>Prepares a road network; a large one takes a moment.</summary>
     /// <param name="network">The road network, world frame, metres.</param>
-    /// <param name="source">Where they are from, as a short camelCase word for the labels.</param>
-    /// <param name="lookAhead">Where the indicators are measured; the thesis's ten metres when null.</param>
+    /// <param name="source">Their source, as a short camelCase word for the labels.</param>
+    /// <param name="lookAhead">Where the indicators are measured; null for the thesis's ten metres.</param>
     /// <param name="laneWidth">Width of the lanes of an ordinary road, metres.</param>
     /// <param name="narrowLaneWidth">Width of the lanes of a narrow road, metres.</param>
     public FixedRoads(

@@ -1,6 +1,6 @@
 namespace Harvester.Capture.Ports;
 
-/// <summary>A way to make a game's world stand still while the game goes on ticking and rendering.</summary>
+/// <summary>How a game's world is frozen while the game keeps ticking and rendering.</summary>
 public enum FreezeMethod
 {
     /// <summary>The game is paused, without its menu: SET_GAME_PAUSED.</summary>

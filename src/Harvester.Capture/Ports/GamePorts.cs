@@ -8,27 +8,27 @@ namespace Harvester.Capture.Ports;
 /// <param name="Screen">Grabs the displayed image.</param>
 /// <param name="Pause">Freezes and resumes the world.</param>
 /// <param name="Clock">Real time, independent of the game.</param>
-/// <param name="Markers">Draws markers for calibration; null where the game cannot.</param>
+/// <param name="Markers">Draws markers for calibration; null if the game cannot.</param>
 public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IPause Pause, IClock Clock, IMarkers? Markers = null)
 {
-    /// <summary>What is known of the roads; null for a harvest without lanes.</summary>
+    /// <summary>The known roads; null for a harvest without lanes.</summary>
     public IRoads? Roads { get; init; }
 
-    /// <summary>What is painted on the roads; null for a game that does not tell.</summary>
+    /// <summary>The paint on the roads; null if the game does not report it.</summary>
     public IRoadPaint? Paint { get; init; }
 
-    /// <summary>The traffic lights that the harvester itself drives; null for none.</summary>
+    /// <summary>The traffic lights that the harvester itself drives; null if there are none.</summary>
     public ILights? Lights { get; init; }
 
-    /// <summary>The ego, to be driven from outside; null where it cannot be.</summary>
+    /// <summary>The ego as a car driven by a client or controller; null if it cannot be.</summary>
     public IDrivenCar? Car { get; init; }
 
-    /// <summary>Counts what is asked of the game; null where nothing is counted.</summary>
+    /// <summary>Counts the calls to the game; null if they are not counted.</summary>
     public ICallCounter? Calls { get; init; }
 
-    /// <summary>What could not be read of the game as it should be; null for a game that is always read in full.</summary>
+    /// <summary>What could not be read of the game correctly; null for a game that is always read completely.</summary>
     public ReadingRecord? Reading { get; init; }
 
-    /// <summary>The camera, to be moved on its vehicle; null where it cannot be.</summary>
+    /// <summary>The camera, if it can be moved on its vehicle; otherwise null.</summary>
     public IMountedCamera? MountedCamera { get; init; }
 }

@@ -1,9 +1,9 @@
 namespace Harvester.Capture.Ports;
 
-/// <summary>Counts what was asked of the game since its start. Neither count ever falls.</summary>
+/// <summary>Counts the calls to the game since its start. Neither count decreases.</summary>
 public interface ICallCounter
 {
-    /// <summary>Calls of the game's native functions, those of rays included.</summary>
+    /// <summary>Calls of the game's native functions, including those for rays.</summary>
     long Natives { get; }
 
     /// <summary>Number of rays cast since the start of the game.</summary>

@@ -1,8 +1,8 @@
 namespace Harvester.Capture.Ports;
 
-/// <summary>The time that passes for the player, whatever the game's time does. It serves budgets and rates, never labels.</summary>
+/// <summary>Real time, independent of the game's time. Used for budgets and rates, never for labels.</summary>
 public interface IClock
 {
-    /// <summary>Milliseconds since some moment; never less than before.</summary>
+    /// <summary>Milliseconds since an arbitrary moment; never decreases.</summary>
     double Milliseconds { get; }
 }

@@ -9,10 +9,10 @@ namespace Harvester.Capture.Ports;
 public interface ILights
 {
     /// <summary>
-    /// The state that a light was set to and that it shows in the picture of a frame; null for a light that the real game drives, and
-    /// around a change, when the picture may show either state.
+    /// The state to which a light was set and which the picture of a frame shows. Null for a light that the real game drives, and near a
+    /// change, when the picture may show either state.
     /// </summary>
     /// <param name="entity">Handle of the light's entity.</param>
-    /// <param name="gameFrame">The game's count of frames when the scene was read.</param>
+    /// <param name="gameFrame">The game's frame count when the scene was read.</param>
     LightState? SetStateOf(int entity, long gameFrame);
 }

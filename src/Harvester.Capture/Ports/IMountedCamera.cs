@@ -6,9 +6,9 @@ namespace Harvester.Capture.Ports;
 public interface IMountedCamera
 {
     /// <summary>
-    /// Moves the camera away from its mounting point; <see cref="Vector3D.Zero"/> puts it back. The picture follows in one of the next
-    /// ticks, or once a frozen world goes on.
+    /// Moves the camera away from its mounting point; <see cref="Vector3D.Zero"/> moves it back. The picture follows in one of the next
+    /// ticks, or once a frozen world resumes.
     /// </summary>
-    /// <param name="offset">From the mounting point, vehicle frame, metres.</param>
+    /// <param name="offset">Offset from the mounting point, vehicle frame, metres.</param>
     void Shift(Vector3D offset);
 }

@@ -5,24 +5,24 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Ports;
 
 /// <summary>
-/// What the harvest reads of a game's world. All calls come from the game's own thread. An entity that vanishes while it is read
-/// is left out; any other failure is thrown as it is, and the session turns the harvest off with a message.
+/// What the harvest reads of a game's world. All calls come from the game's own thread. An entity that vanishes while it is read is left
+/// out; any other exception passes through and ends the harvest with a message.
 /// </summary>
 public interface IWorld
 {
-    /// <summary>The game's count of frames; it grows by one a tick, paused or not.</summary>
+    /// <summary>The game's frame count; it increases by one per tick, paused or not.</summary>
     long GameFrame { get; }
 
     /// <summary>The game's time, seconds; it stands still while the game is frozen.</summary>
     double TimeSeconds { get; }
 
-    /// <summary>The camera of the picture that is rendered now.</summary>
+    /// <summary>Reads the camera of the frame that is being rendered.</summary>
     CameraState ReadCamera();
 
-    /// <summary>The vehicle that carries the camera.</summary>
+    /// <summary>Reads the vehicle that carries the camera.</summary>
     EgoState ReadEgo();
 
-    /// <summary>The entities whose origins lie within a distance of a point, without the ego vehicle.</summary>
+    /// <summary>Reads the entities whose origins lie within a distance of a point, without the ego vehicle.</summary>
     /// <param name="centre">Metres, world.</param>
     /// <param name="range">Metres; greater than 0.</param>
     IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range);

@@ -1,11 +1,11 @@
 namespace Harvester.Capture.Ports;
 
-/// <summary>Where the entities near the camera are known from.</summary>
+/// <summary>Where the list of entities near the camera comes from.</summary>
 public enum ListSource
 {
-    /// <summary>The scripting API's own lists, which hold all that exist.</summary>
+    /// <summary>The scripting API's own lists, which are complete.</summary>
     Api,
 
-    /// <summary>The game's natives, which know fewer: used where the API's lists fail.</summary>
+    /// <summary>The game's natives, which list fewer: used if the API's lists fail.</summary>
     Natives,
 }

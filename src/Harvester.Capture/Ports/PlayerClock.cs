@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace Harvester.Capture.Ports;
 
-/// <summary>The player's time, from the computer's own clock.</summary>
+/// <summary>Real time, from the computer's clock.</summary>
 public sealed class PlayerClock : IClock
 {
     private readonly Stopwatch _watch = Stopwatch.StartNew();

@@ -4,7 +4,9 @@ using System.Threading.Tasks;
 
 namespace Harvester.Capture.Storage;
 
-/// <summary>Writes to the disk one after the other on another thread than the game's. All calls come from one thread.</summary>
+/// <summary>
+/// Runs disk operations in order on a thread of its own, so that the game's thread never waits. All calls come from one thread.
+/// </summary>
 internal sealed class DiskQueue
 {
     private Task _last = Task.CompletedTask;
@@ -19,7 +21,7 @@ internal sealed class DiskQueue
             {
                 write();
             }
-#pragma warning disable CA1031 // It is told on the game's thread, whatever it is.
+#pragma warning disable CA1031 // Any failure is reported on the game's thread.
             catch (Exception exception)
 #pragma warning restore CA1031
             {
@@ -28,9 +30,9 @@ internal sealed class DiskQueue
         },
         TaskScheduler.Default);
 
-    /// <summary>The first failure since the last question; null without one.</summary>
+    /// <summary>The first failure since the last call; null if there was none.</summary>
     public Exception? TakeFailure() => Interlocked.Exchange(ref _failure, null);
 
-    /// <summary>Waits until all is written, at most so long.</summary>
-    public void Wait(TimeSpan longest) => _last.Wait(longest);
+    /// <summary>Waits until all operations are done, or until the time is over.</summary>
+    public void Wait(TimeSpan timeout) => _last.Wait(timeout);
 }

@@ -1,17 +1,28 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Capture.Storage;
 
-/// <summary>A session's files. What a call that fails had begun leaves no trace in files that were whole before.</summary>
+/// <summary>A session's files. A call that fails leaves files that were complete before unchanged.</summary>
 internal interface ISessionFiles : IDisposable
 {
-    /// <summary>Makes a folder of the session if it is not there.</summary>
+    /// <summary>Creates a folder of the session unless it exists.</summary>
     void MakeFolder(string name);
 
-    /// <summary>Writes a whole file under a temporary name and gives it its own when it is complete.</summary>
-    void WriteWhole(string name, Action<Stream> content);
+    /// <summary>Writes a complete file: under a temporary name first, then renamed.</summary>
+    FileDigest WriteWhole(string name, Action<Stream> content);
 
-    /// <summary>Adds a line to labels.jsonl, all of it or nothing.</summary>
-    void AppendLabel(string line);
+    /// <summary>Appends lines to a file, all of them or none.</summary>
+    /// <param name="name">The file.</param>
+    /// <param name="lines">The lines, without line feeds.</param>
+    /// <param name="isDurable">Whether they are on the disk when this returns.</param>
+    void Append(string name, IReadOnlyList<string> lines, bool isDurable);
+
+    /// <summary>Writes to the disk the complete files since the last call, and the names in their folders.</summary>
+    void Sync();
+
+    /// <summary>Rewrites the manifest as <see cref="ManifestTidy"/> does.</summary>
+    void TidyManifest(Predicate<int> isFrame, bool keepsReplaced, bool isDurable);
 }

@@ -1,46 +1,46 @@
 using System;
-using System.Globalization;
 using System.IO;
-using System.Linq;
 using System.Text;
-using System.Text.RegularExpressions;
+using Harvester.Capture.Labelling;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Storage;
 
-/// <summary>What a session directory already holds, as far as going on with it needs to know.</summary>
-/// <param name="Header">The text of session.json; null when there is none.</param>
+/// <summary>What a session directory already holds, as far as resuming the session needs it.</summary>
+/// <param name="Header">The text of session.json; null if there is no such file.</param>
 /// <param name="Frames">Frames with a label line.</param>
-/// <param name="GreatestObjectId">The greatest object number given; 0 when there is none.</param>
-internal sealed record SessionContent(string? Header, int Frames, int GreatestObjectId)
+/// <param name="MaxObjectId">The greatest object id in use; 0 if there are no objects.</param>
+/// <param name="HasManifest">Whether there is a manifest; sessions of earlier versions have none.</param>
+internal sealed record SessionContent(string? Header, int Frames, int MaxObjectId, bool HasManifest)
 {
-    // Only labels have an id followed by a class: names are written with their quotation marks escaped.
-    private static readonly Regex ObjectId = new("\"id\":([0-9]+),\"class\"", RegexOptions.CultureInvariant);
+    public static SessionContent Nothing { get; } = new(null, 0, 0, false);
 
-    public static SessionContent Nothing { get; } = new(null, 0, 0);
-
-    /// <summary>Reads a directory; a last line that was cut off is cut away, so that the next one starts a line.</summary>
+    /// <summary>Reads a directory. An unfinished last line is cut off, so that the next one starts a line.</summary>
     public static SessionContent Read(string directory)
     {
         string header = Path.Combine(directory, SessionDirectory.Header);
         string labels = Path.Combine(directory, SessionDirectory.Labels);
         int frames = 0;
-        int greatestId = 0;
+        int maxId = 0;
         if (File.Exists(labels))
         {
             CutAfterLastLine(labels);
             foreach (string line in File.ReadLines(labels, Encoding.UTF8))
             {
                 frames++;
-                greatestId = ObjectId.Matches(line).Cast<Match>()
-                    .Select(match => int.Parse(match.Groups[1].Value, CultureInfo.InvariantCulture))
-                    .Append(greatestId).Max();
+                maxId = Math.Max(maxId, MaxIdIn(line));
             }
         }
 
-        return new SessionContent(File.Exists(header) ? File.ReadAllText(header, Encoding.UTF8) : null, frames, greatestId);
+        return new SessionContent(
+            File.Exists(header) ? File.ReadAllText(header, Encoding.UTF8) : null,
+            frames,
+            maxId,
+            File.Exists(Path.Combine(directory, Manifest.FileName)));
     }
 
-    /// <summary>Whether a session with this header can be continued under another: both say the same up to the start.</summary>
+    /// <summary>Whether a session with this header can be resumed under another one: both are equal up to the start of a run.</summary>
     public bool IsContinuedBy(string header) => Header is null || Settings(Header) == Settings(header);
 
     private static string Settings(string header)
@@ -49,9 +49,45 @@ internal sealed record SessionContent(string? Header, int Frames, int GreatestOb
         return end < 0 ? header : header.Substring(0, end);
     }
 
+    /// <summary>The greatest object id in a label line; in a damaged line, that in the part before the damage.</summary>
+    private static int MaxIdIn(string line)
+    {
+        int maxId = 0;
+        var json = new JsonReader(line);
+        try
+        {
+            json.Object(field => ReadIf(json, field == "objects", () => json.List(() =>
+                json.Object(name => ReadIf(json, name == "id", () => maxId = Math.Max(maxId, ObjectId(json)))))));
+        }
+        catch (FormatException)
+        {
+            // Frames that follow a damaged one are still worth recording; harvester validate reports the damage.
+        }
+
+        return maxId;
+    }
+
+    private static int ObjectId(JsonReader json)
+    {
+        double id = json.Number();
+        return id is >= 0 and <= ObjectRegistry.MaxId ? (int)id : throw json.Wrong("an object number out of range");
+    }
+
+    private static void ReadIf(JsonReader json, bool isWanted, Action read)
+    {
+        if (isWanted)
+        {
+            read();
+        }
+        else
+        {
+            json.Skip();
+        }
+    }
+
     private static void CutAfterLastLine(string file)
     {
-        using var stream = new FileStream(file, FileMode.Open, FileAccess.ReadWrite, FileShare.Read);
+        using FileStream stream = AppendedFile.Open(file, FileAccess.ReadWrite);
         long end = stream.Length;
         for (; end > 0; end--)
         {

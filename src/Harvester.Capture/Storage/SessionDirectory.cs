@@ -1,42 +1,83 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
-using System.Text;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Capture.Storage;
 
-/// <summary>
-/// A session's files in a directory. A frame's files are handed to the operating system before its label line is: after a crash of the
-/// game every line has its files. (A loss of power may take what the system had not written yet.)
-/// </summary>
+/// <summary>A session's files in a directory.</summary>
 internal sealed class SessionDirectory(string path) : ISessionFiles
 {
     public const string Header = "session.json";
     public const string Labels = "labels.jsonl";
 
-    private FileStream? _labels;
+    private readonly Dictionary<string, FileStream> _appended = new(StringComparer.Ordinal);
+    private readonly SyncBatch _written = new();
+    private bool _isNamed;
 
-    public void MakeFolder(string name) => Directory.CreateDirectory(Path.Combine(path, name));
-
-    public void WriteWhole(string name, Action<Stream> content) => AtomicFile.Write(Path.Combine(path, name), content);
-
-    public void AppendLabel(string line)
+    public void MakeFolder(string name)
     {
-        _labels ??= new FileStream(Path.Combine(path, Labels), FileMode.Append, FileAccess.Write, FileShare.Read);
-        long end = _labels.Length;
-        byte[] bytes = new UTF8Encoding(false).GetBytes(line + "\n");
-        try
+        string folder = Path.Combine(path, name);
+        if (!Directory.Exists(folder))
         {
-            _labels.Write(bytes, 0, bytes.Length);
-            _labels.Flush();
-        }
-        catch
-        {
-            // Half a line, as a full disk leaves it, is taken back.
-            _labels.SetLength(end);
-            throw;
+            Directory.CreateDirectory(folder);
+            _written.AddFolder(path);
         }
     }
 
-    public void Dispose() => _labels?.Dispose();
+    public FileDigest WriteWhole(string name, Action<Stream> content)
+    {
+        FileDigest digest = default;
+        string file = Path.Combine(path, name);
+        AtomicFile.Write(file, stream => digest = DigestStream.Write(stream, content), isDurable: false);
+        _written.Add(file);
+        return digest;
+    }
+
+    public void Append(string name, IReadOnlyList<string> lines, bool isDurable)
+    {
+        if (!_appended.TryGetValue(name, out FileStream? file))
+        {
+            file = AppendedFile.Open(Path.Combine(path, name));
+            _appended.Add(name, file);
+            if (isDurable)
+            {
+                DiskSync.Folder(path);
+            }
+        }
+
+        AppendedFile.AppendLines(file, lines, isDurable);
+    }
+
+    public void Sync()
+    {
+        if (!_isNamed)
+        {
+            // The folder itself may be new.
+            _written.AddFolder(Path.GetDirectoryName(Path.GetFullPath(path))!);
+            _isNamed = true;
+        }
+
+        _written.Flush();
+    }
+
+    public void TidyManifest(Predicate<int> isFrame, bool keepsReplaced, bool isDurable)
+    {
+        // On Windows a file cannot be replaced while it is open.
+        if (_appended.TryGetValue(Manifest.FileName, out FileStream? file))
+        {
+            file.Dispose();
+            _appended.Remove(Manifest.FileName);
+        }
+
+        ManifestTidy.Run(path, isFrame, keepsReplaced, isDurable);
+    }
+
+    public void Dispose()
+    {
+        foreach (FileStream file in _appended.Values)
+        {
+            file.Dispose();
+        }
+    }
 }

@@ -9,13 +9,13 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Storage;
 
-/// <summary>Writes session.json. Fields, units and ranges: docs/dataset-format.md. No value comes from the clock on the wall.</summary>
+/// <summary>Writes session.json. Fields, units and ranges: docs/dataset-format.md. No value comes from the system clock.</summary>
 internal static class SessionJson
 {
-    /// <summary>Grows when a reader of older sessions would misread a newer one.</summary>
+    /// <summary>The version of the format. It is raised when a reader of older sessions would misread a newer one.</summary>
     public const int FormatVersion = 1;
 
-    /// <summary>What stands before the part that differs between the runs of one session.</summary>
+    /// <summary>Marks the start of the part that differs between the runs of one session.</summary>
     public const string RunsBegin = "\n  \"start\": ";
 
     public static string Text(SessionRecord record)
@@ -106,7 +106,7 @@ internal static class SessionJson
         json.EndArray().EndObject();
     }
 
-    /// <summary>Which field of an object holds which box, by the words of harvester export --boxes.</summary>
+    /// <summary>The field of an object that holds each box, by the names of harvester export --boxes.</summary>
     private static void AppendBoxes(JsonText json) =>
         json.BeginObject()
             .Key("visible").String("box2dVisible")
@@ -123,8 +123,13 @@ internal static class SessionJson
         }
 
         json.Key("state").String(end.Fault is null ? "complete" : "faulted")
-            .Key("fault").String(end.Fault)
-            .Key("end").BeginObject()
+            .Key("fault").String(end.Fault);
+        if (record.HasManifest)
+        {
+            json.Key("manifest").Boolean(true);
+        }
+
+        json.Key("end").BeginObject()
             .Key("gameFrame").Integer(end.GameFrame)
             .Key("timeSeconds").Number(end.TimeSeconds, LabelDecimals.Seconds)
             .EndObject()

@@ -1,44 +1,42 @@
 using System;
 using System.Collections.Concurrent;
+using System.Collections.Generic;
 using System.IO;
-using System.Linq;
-using System.Text;
 using System.Threading;
 using Harvester.Capture.Harvesting;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
-using Harvester.Sessions.Labels;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Capture.Storage;
 
 /// <summary>
-/// Writes a session to disk from a thread of its own, behind a bounded queue. A frame's picture and mask are written under temporary
-/// names and renamed; then its label line is appended, and with that the frame is part of the session. When the disk fails, the
-/// sink says so in <see cref="Fault"/>, and what was written stays valid.
+/// Writes a session to disk on a thread of its own, behind a bounded queue. A frame's image and mask are written under temporary names,
+/// renamed and flushed to the disk; then its label line is appended, which makes the frame part of the session. If the disk fails,
+/// <see cref="Fault"/> says so, and what was written stays valid.
 /// </summary>
 public sealed class SessionWriter : IFrameSink
 {
     private readonly SessionOrigin _origin;
     private readonly ISessionFiles _files;
     private readonly SessionContent _before;
-    private readonly PngEncoder _png = new();
-    private PictureEncoder? _pictures;
+    private readonly List<KeyValuePair<string, string>> _kept = [];
+    private FrameStore? _store;
     private BlockingCollection<CapturedFrame>? _queue;
     private Thread? _thread;
     private SessionStart? _start;
     private volatile SessionEnd? _end;
     private volatile string? _fault;
-    private int _framesWritten;
     private bool _begun;
 
-    /// <summary>Makes a writer for a new session.</summary>
-    /// <param name="directory">Where to; made if it is not there, and must otherwise be empty.</param>
+    /// <summary>Creates a writer for a new session.</summary>
+    /// <param name="directory">The session's directory. It is created if it does not exist, and must otherwise be empty except for an
+    /// <see cref="UnfinishedMark"/>.</param>
     /// <param name="origin">Where the session comes from.</param>
-    /// <param name="resume">Whether to go on with a session that the directory holds; its frames stay, and the new ones follow
-    /// them.</param>
-    /// <exception cref="IOException">The directory is not empty, or cannot be made or read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The directory may not be written.</exception>
+    /// <param name="resume">Whether to resume a session that the directory holds; its frames are kept and new ones are appended.</param>
+    /// <exception cref="IOException">The directory is not empty, or cannot be created or read.</exception>
+    /// <exception cref="UnauthorizedAccessException">The directory is not writable.</exception>
     public SessionWriter(string directory, SessionOrigin origin, bool resume = false)
         : this(directory, origin, resume, new SessionDirectory(directory))
     {
@@ -50,7 +48,7 @@ public sealed class SessionWriter : IFrameSink
         _origin = origin ?? throw new ArgumentNullException(nameof(origin));
         _files = files;
         Directory.CreateDirectory(directory);
-        if (!resume && Directory.EnumerateFileSystemEntries(directory).Any())
+        if (!resume && !UnfinishedMark.IsAllOf(directory))
         {
             throw new IOException($"The directory '{directory}' is not empty. Name another, or ask to resume the session in it.");
         }
@@ -60,12 +58,15 @@ public sealed class SessionWriter : IFrameSink
         {
             AtomicFile.DeleteLeftovers(Path.Combine(directory, folder), _ => true);
         }
-
-        _framesWritten = _before.Frames;
     }
 
     /// <summary>The session's directory, as it was given.</summary>
     public string Folder { get; }
+
+    /// <summary>
+    /// What keeps others from writing to the directory, released when the session is closed; null where the caller holds it.
+    /// </summary>
+    public WriterLock? Lock { get; init; }
 
     /// <inheritdoc />
     public string? Fault => _fault;
@@ -74,19 +75,31 @@ public sealed class SessionWriter : IFrameSink
     public int FirstFrame => _before.Frames;
 
     /// <inheritdoc />
-    public int FirstObjectId => _before.GreatestObjectId + 1;
+    public int FirstObjectId => _before.MaxObjectId + 1;
 
-    /// <summary>Frames of the session that are on disk, those before a continuation included.</summary>
-    public int FramesWritten => Volatile.Read(ref _framesWritten);
+    /// <summary>Frames of the session whose label lines are written, including those of earlier runs.</summary>
+    public int FramesWritten => _before.Frames + (_store?.Committed ?? 0);
 
-    /// <summary>Frames taken and not written yet.</summary>
+    /// <summary>Frames accepted and not written yet.</summary>
     public int Queued => _queue?.Count ?? 0;
+
+    // A resumed session of an earlier version gets no manifest of its later frames alone.
+    private bool KeepsManifest => _before.HasManifest || _before.Frames == 0;
+
+    /// <summary>Has a text written beside the scenes when the session is opened.</summary>
+    /// <param name="name">Its path within the session, with forward slashes.</param>
+    /// <param name="text">The text.</param>
+    public void Keep(string name, string text) => _kept.Add(new(name, text));
 
     /// <inheritdoc />
     public void Open(SessionStart start)
     {
         _start = start ?? throw new ArgumentNullException(nameof(start));
-        _pictures = new PictureEncoder(start.Options.Format, start.Options.JpegQuality);
+        _store = new FrameStore(
+            _files,
+            start.Options.Sync,
+            new PictureEncoder(start.Options.Format, start.Options.JpegQuality),
+            KeepsManifest);
         _queue = new BlockingCollection<CapturedFrame>(start.Options.QueueCapacity);
         _thread = new Thread(WriteAll) { IsBackground = true, Name = "harvest writer" };
         _thread.Start();
@@ -99,7 +112,7 @@ public sealed class SessionWriter : IFrameSink
             : throw new InvalidOperationException("The session is not open.");
 
     /// <summary>
-    /// Waits until the queue has room or the sink has failed: for drivers of a simulated game, whose time need not go on meanwhile.
+    /// Waits until the queue has room or the sink has failed. For drivers of a simulated game, whose time can stand still meanwhile.
     /// </summary>
     public void WaitForRoom()
     {
@@ -124,32 +137,52 @@ public sealed class SessionWriter : IFrameSink
         _queue?.Dispose();
         _queue = null;
         _files.Dispose();
+        Lock?.Dispose();
     }
 
     private void WriteAll()
     {
         Attempt(Begin);
-        foreach (CapturedFrame frame in _queue!.GetConsumingEnumerable())
+        while (!_queue!.IsCompleted)
         {
-            using (frame)
+            if (_queue.TryTake(out CapturedFrame? frame, _store!.Patience))
             {
-                Attempt(() => Write(frame));
+                using (frame)
+                {
+                    Attempt(() => _store.Write(frame));
+                }
+            }
+            else
+            {
+                Attempt(_store.Commit);
             }
         }
 
+        Attempt(_store!.Commit);
         if (_begun && _end is { } end)
         {
-            // After a fault too: the disk may have come to itself, and the fault is worth noting.
-            AttemptAlways(() => WriteHeader(end with { Fault = end.Fault ?? _fault }));
+            // After a fault too: the disk may work again, and the fault is worth recording.
+            AttemptAlways(() => Finish(end with { Fault = end.Fault ?? _fault }));
         }
     }
 
     private void Begin()
     {
+        string header = SessionJson.Text(new SessionRecord(_origin, _start!, null, FramesWritten, KeepsManifest));
+        if (!_before.IsContinuedBy(header))
+        {
+            throw new IOException("it was recorded with other options; resume it with the same ones, or name another directory.");
+        }
+
         _files.MakeFolder(FramePaths.Frames);
         if (_start!.Options.Masks)
         {
             _files.MakeFolder(FramePaths.Masks);
+        }
+
+        if (_before.HasManifest)
+        {
+            _store!.TidyManifest(frame => frame < _before.Frames, keepsReplaced: true);
         }
 
         if (_start.Options.Scenes)
@@ -157,44 +190,31 @@ public sealed class SessionWriter : IFrameSink
             _files.MakeFolder(FramePaths.Scenes);
             if (_start.Options.Faces is { } faces)
             {
-                WriteText(FramePaths.Faces, FaceTableWriter.Text(faces));
+                _kept.Add(new(FramePaths.Faces, FaceTableWriter.Text(faces)));
             }
         }
 
-        string header = SessionJson.Text(new SessionRecord(_origin, _start, null, _framesWritten));
-        if (!_before.IsContinuedBy(header))
+        foreach (KeyValuePair<string, string> kept in _kept)
         {
-            throw new IOException("it was recorded with other options; resume it with the same ones, or name another directory.");
+            _store!.WriteText(kept.Key, kept.Value);
         }
 
         WriteHeader(null);
         _begun = true;
     }
 
-    private void Write(CapturedFrame frame)
+    private void Finish(SessionEnd end)
     {
-        _files.WriteWhole(frame.Label.Image, stream => _pictures!.Write(frame.Picture, stream));
-        if (frame is { Label.Mask: { } path, Mask: { } mask })
-        {
-            _files.WriteWhole(path, stream => _png.Write(mask, stream));
-        }
-
-        if (frame.Scene is { } scene)
-        {
-            WriteText(FramePaths.Scene(frame.Label.Frame), SceneJson.Text(scene));
-        }
-
-        _files.AppendLabel(JsonLabelWriter.Line(frame.Label));
-        Volatile.Write(ref _framesWritten, _framesWritten + 1);
+        WriteHeader(end);
+        int last = _store!.LastCommitted;
+        _store.TidyManifest(frame => frame < _before.Frames || frame <= last, keepsReplaced: false);
     }
 
-    private void WriteHeader(SessionEnd? end) =>
-        WriteText(SessionDirectory.Header, SessionJson.Text(new SessionRecord(_origin, _start!, end, _framesWritten)));
-
-    private void WriteText(string name, string text)
+    private void WriteHeader(SessionEnd? end)
     {
-        byte[] bytes = new UTF8Encoding(false).GetBytes(text);
-        _files.WriteWhole(name, stream => stream.Write(bytes, 0, bytes.Length));
+        var record = new SessionRecord(_origin, _start!, end, FramesWritten, KeepsManifest);
+        _store!.WriteText(SessionDirectory.Header, SessionJson.Text(record));
+        _store.Sync();
     }
 
     private void Attempt(Action write)
@@ -207,16 +227,27 @@ public sealed class SessionWriter : IFrameSink
 
     private void AttemptAlways(Action write)
     {
+        if (FailureOf(write) is { } failure)
+        {
+            // The frames before the one that failed may still find room.
+            _ = FailureOf(_store!.Commit);
+            _fault ??= $"The session in '{Folder}' cannot be written: {failure.Message.TrimEnd('.')}. "
+                + $"The session so far is valid, with {Counted.Of(FramesWritten, "frame")}. Check the disk and harvest again.";
+        }
+    }
+
+    private static Exception? FailureOf(Action write)
+    {
         try
         {
             write();
+            return null;
         }
-#pragma warning disable CA1031 // An exception on this thread would end the game; whatever it is, it becomes the session's fault.
+#pragma warning disable CA1031 // An exception on this thread would end the game; any becomes the session's fault.
         catch (Exception exception)
 #pragma warning restore CA1031
         {
-            _fault ??= FormattableString.Invariant(
-                $"The session in '{Folder}' cannot be written: {exception.Message.TrimEnd('.')}. Its {_framesWritten} frames so far are complete; see to the disk and harvest again.");
+            return exception;
         }
     }
 }

@@ -8,14 +8,14 @@ using Harvester.Driving.Session;
 
 namespace Harvester.Cli.Arguments;
 
-/// <summary>The options that say over what a client drives, the same wherever a command has them.</summary>
+/// <summary>The options of the bridge that serve opens: a folder, or the address of a socket.</summary>
 internal sealed class BridgeOptions
 {
     private readonly Option<string?> _folder =
         new("--folder") { Description = "Exchange files in this folder instead of listening on a socket", HelpName = "DIR" };
     private readonly Option<string> _address = new("--address")
     {
-        Description = "IP address to listen on; any but loopback requires --token",
+        Description = "IP address to listen on; any but a loopback address requires --token",
         HelpName = "ADDRESS",
         DefaultValueFactory = _ => IPAddress.Loopback.ToString(),
     };
@@ -29,7 +29,7 @@ internal sealed class BridgeOptions
         _port.DefaultValueFactory = _ => SocketBridgeOptions.DefaultPort;
     }
 
-    /// <summary>Gives the options to a command.</summary>
+    /// <summary>Adds the options to a command.</summary>
     public void AddTo(Command command)
     {
         command.Options.Add(_folder);
@@ -40,11 +40,11 @@ internal sealed class BridgeOptions
 
     /// <summary>Opens the bridge of a command line.</summary>
     /// <param name="parsed">The command line.</param>
-    /// <param name="driving">Size of the pictures.</param>
-    /// <param name="place">Where a client finds it.</param>
-    /// <exception cref="Datasets.Files.OccupiedFolderException">The folder holds something else.</exception>
-    /// <exception cref="UsageException">The address is none or needs a token.</exception>
-    /// <exception cref="IOException">The folder cannot be made, or the address or port cannot be had.</exception>
+    /// <param name="driving">Has the size of the images.</param>
+    /// <param name="place">Receives the folder, or the address and port, that clients use.</param>
+    /// <exception cref="Datasets.Files.OccupiedFolderException">The folder has files that are not a bridge's.</exception>
+    /// <exception cref="UsageException">The address is invalid, or needs a token.</exception>
+    /// <exception cref="IOException">The folder cannot be created, or the address or port is not available.</exception>
     public IDrivingBridge Open(ParseResult parsed, DrivingOptions driving, out string place)
     {
         if (parsed.GetValue(_folder) is { } folder)

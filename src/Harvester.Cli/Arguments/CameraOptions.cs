@@ -3,7 +3,7 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Cli.Arguments;
 
-/// <summary>The options that describe a camera, the same wherever a command has them.</summary>
+/// <summary>The options of a camera. Several commands share them.</summary>
 internal static class CameraOptions
 {
     /// <summary>Vertical field of view.</summary>

@@ -7,21 +7,21 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Cli.Arguments;
 
-/// <summary>A list of classes on the command line, the same wherever a command has it.</summary>
+/// <summary>--classes: a list of object classes. Several commands share it.</summary>
 internal static class ClassList
 {
     private static readonly string Names = string.Join(", ", JsonNames.All<ObjectClass>());
 
-    /// <summary>The option.</summary>
-    /// <param name="purpose">What happens to these classes only, as in "Label".</param>
+    /// <summary>Creates the option.</summary>
+    /// <param name="purpose">The verb of the description, such as "Label".</param>
     public static Option<string?> Option(string purpose) => new("--classes")
     {
         Description = $"{purpose} only these classes, separated by commas: {Names}",
         HelpName = "A,B",
     };
 
-    /// <summary>The classes that a text names; null for none given.</summary>
-    /// <exception cref="UsageException">A name is not a class's.</exception>
+    /// <summary>Parses a list; null if the option is not given.</summary>
+    /// <exception cref="UsageException">A name is not that of a class.</exception>
     public static IReadOnlyList<ObjectClass>? Parse(string? text) =>
         text is null ? null : [.. text.Split(',').Select(name => ParseOne(name.Trim()))];
 

@@ -8,18 +8,18 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Cli.Arguments;
 
-/// <summary>Names for classes on the command line, e.g. bus=Car,truck=Car.</summary>
+/// <summary>--map: names for classes, e.g. bus=Car,truck=Car.</summary>
 internal static class ClassMap
 {
-    /// <summary>The option.</summary>
+    /// <summary>Creates the option.</summary>
     public static Option<string?> Option() => new("--map")
     {
         Description = "Names of classes in the dataset, e.g. bus=Car,truck=Car; classes with the same name are merged",
         HelpName = "CLASS=NAME,...",
     };
 
-    /// <summary>Reads the option; no names without it.</summary>
-    /// <exception cref="UsageException">It is not such a list, or the format does not have a name.</exception>
+    /// <summary>Parses the option; empty if it is not given.</summary>
+    /// <exception cref="UsageException">The text is not such a list, or the format does not allow a name.</exception>
     public static IReadOnlyDictionary<ObjectClass, string> Parse(string? text, DatasetFormat format)
     {
         var names = new Dictionary<ObjectClass, string>();
@@ -28,13 +28,14 @@ internal static class ClassMap
             string[] words = [.. entry.Split('=').Select(word => word.Trim())];
             if (words.Length != 2 || !JsonNames.TryRead(words[0], out ObjectClass kind) || !IsName(words[1]))
             {
-                throw new UsageException($"--map takes classes with names, e.g. bus=Car,truck=Car, not '{entry}'. Classes: {string.Join(", ", JsonNames.All<ObjectClass>())}. "
-                    + "Names consist of letters, digits, spaces, - and _.");
+                string classes = string.Join(", ", JsonNames.All<ObjectClass>());
+                throw new UsageException($"--map takes classes with names, e.g. bus=Car,truck=Car, not '{entry}'. "
+                    + $"The classes are {classes}. Names consist of letters, digits, spaces, - and _.");
             }
 
             if (format.Names is { } known && !known.Contains(words[1]))
             {
-                throw new UsageException($"--map: {format.Name} has no class '{words[1]}'. It has {string.Join(", ", known)}.");
+                throw new UsageException($"--map: {format.Name} has no class '{words[1]}'. Its classes are {string.Join(", ", known)}.");
             }
 
             if (!names.TryAdd(kind, words[1]))

@@ -5,7 +5,7 @@ using Harvester.Driving.Controllers;
 
 namespace Harvester.Cli.Arguments;
 
-/// <summary>The options that say which controller drives.</summary>
+/// <summary>--controller and --emergency-brake.</summary>
 internal sealed class ControllerOptions
 {
     private readonly Option<string> _controller;
@@ -14,23 +14,23 @@ internal sealed class ControllerOptions
         Description = "Brake as hard as necessary behind vehicles, which DeepDriving's control law does not",
     };
 
-    /// <summary>Makes the options.</summary>
-    /// <param name="purpose">What the controller is for.</param>
-    /// <param name="usual">Its name when none is given.</param>
-    public ControllerOptions(string purpose, string usual)
+    /// <summary>Creates the options.</summary>
+    /// <param name="purpose">Description of --controller.</param>
+    /// <param name="defaultName">Name of the default controller.</param>
+    public ControllerOptions(string purpose, string defaultName)
     {
         _controller = new Option<string>("--controller")
         {
             Description = $"{purpose}: stanley or deepdriving",
             HelpName = "NAME",
-            DefaultValueFactory = _ => usual
+            DefaultValueFactory = _ => defaultName,
         };
     }
 
     public IEnumerable<Option> All => [_controller, _emergencyBrake];
 
-    /// <summary>What they ask for.</summary>
-    /// <exception cref="UsageException">Nobody has that name.</exception>
+    /// <summary>The plan that the options describe.</summary>
+    /// <exception cref="UsageException">There is no controller of that name.</exception>
     public ControllerPlan Parse(ParseResult parsed) => new()
     {
         Kind = parsed.GetRequiredValue(_controller) switch

@@ -9,27 +9,32 @@ using Harvester.Cli.Terminals;
 
 namespace Harvester.Cli.Arguments;
 
-/// <summary>The options that say over what bridge a drive goes, and from which side.</summary>
-internal static class DriveBridgeOptions
+/// <summary>The options of a drive over a bridge: which bridge, and which side of it this process runs.</summary>
+internal sealed class DriveBridgeOptions
 {
-    private static readonly Option<string> Bridge =
+    private Option<string> Bridge { get; } =
         Word("--bridge", "B", "Connection between game and controller: direct, folder or socket", "direct");
-    private static readonly Option<string> Role =
+    private Option<string> Role { get; } =
         Word("--role", "R", "Side of the bridge that this process runs: game, client or both", "both");
-    private static readonly Option<DirectoryInfo?> Folder =
+    private Option<DirectoryInfo?> Folder { get; } =
         new("--folder") { Description = "Shared folder of a folder bridge [default: bridge in the folder of --out]", HelpName = "DIR" };
-    private static readonly Option<string?> At = new("--at") { Description = "Address of a socket bridge: the game listens there, the client connects to it [default: 127.0.0.1:4567]", HelpName = "ADDRESS:PORT" };
-    private static readonly Option<string?> Token =
+    private Option<string?> At { get; } = new("--at")
+    {
+        Description = "Address of a socket bridge: the game listens there, the client connects to it [default: 127.0.0.1:4567]",
+        HelpName = "ADDRESS:PORT",
+    };
+
+    private Option<string?> Token { get; } =
         new("--token") { Description = "Secret that a client on another machine must send", HelpName = "WORD" };
 
-    private static readonly Option<double> Patience = Patient();
+    private Option<double> Patience { get; } = Patient();
 
-    public static IEnumerable<Option> All => [Bridge, Role, Folder, At, Token, Patience];
+    public IEnumerable<Option> All => [Bridge, Role, Folder, At, Token, Patience];
 
-    /// <summary>What they ask for.</summary>
-    /// <exception cref="UsageException">They do not fit each other.</exception>
-    /// <exception cref="Datasets.Files.OccupiedFolderException">The folder to share holds something else.</exception>
-    public static BridgePlan Parse(ParseResult parsed, string? outFolder)
+    /// <summary>The plan that the options describe.</summary>
+    /// <exception cref="UsageException">The options contradict each other.</exception>
+    /// <exception cref="Datasets.Files.OccupiedFolderException">The shared folder has files that are not a bridge's.</exception>
+    public BridgePlan Parse(ParseResult parsed, string? outFolder)
     {
         BridgeName kind = parsed.GetRequiredValue(Bridge) switch
         {
@@ -75,7 +80,7 @@ internal static class DriveBridgeOptions
 
     private static IPEndPoint ParsePlace(string text) => IPEndPoint.TryParse(text, out IPEndPoint? place) && place.Port > 0
         ? place
-        : throw new UsageException($"--at takes an IP address and a port, e.g. 127.0.0.1:4567, not '{text}'.");
+        : throw new UsageException($"--at takes an IP address with a port, e.g. 127.0.0.1:4567, not '{text}'.");
 
     private static Option<double> Patient()
     {

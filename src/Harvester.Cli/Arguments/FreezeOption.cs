@@ -4,7 +4,7 @@ using Harvester.Cli.Terminals;
 
 namespace Harvester.Cli.Arguments;
 
-/// <summary>The option that says how a game is made to stand still for a frame.</summary>
+/// <summary>--freeze: how the game is frozen for a frame.</summary>
 internal static class FreezeOption
 {
     private const string Auto = "auto";
@@ -13,13 +13,14 @@ internal static class FreezeOption
 
     public static Option<string> Create() => new("--freeze")
     {
-        Description = $"How to freeze the game for a frame: {Paused}, {TimeScale}, or {Auto} to measure both at the start and use the better one",
+        Description = $"How to freeze the game for a frame: {Paused}, {TimeScale}, or {Auto} to measure both at the start and use the "
+            + "better one",
         HelpName = "METHOD",
         DefaultValueFactory = _ => Paused,
     };
 
-    /// <summary>The way that a value names; null for the better one.</summary>
-    /// <exception cref="UsageException">The value is none of those that the option takes.</exception>
+    /// <summary>The method that a value names; null for auto.</summary>
+    /// <exception cref="UsageException">The value is not a method.</exception>
     public static FreezeMethod? Parse(string value) => value switch
     {
         Paused => FreezeMethod.Paused,

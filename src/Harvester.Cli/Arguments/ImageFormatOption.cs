@@ -6,10 +6,13 @@ using Harvester.Sessions.Imaging.Jpeg;
 
 namespace Harvester.Cli.Arguments;
 
-/// <summary>--image-format and --quality: how images are written.</summary>
+/// <summary>--image-format and --quality.</summary>
 internal static class ImageFormatOption
 {
     private const string Forms = "png, bmp or jpg";
+
+    private static readonly string QualityRange =
+        FormattableString.Invariant($"{JpegEncoder.MinQuality} to {JpegEncoder.MaxQuality}");
 
     public static Option<ImageFormat?> Format(string description) =>
         ValueParsers.Optional<ImageFormat>("--image-format", "F", description, Parse, Forms);
@@ -17,16 +20,16 @@ internal static class ImageFormatOption
     public static Option<int?> Quality() => ValueParsers.Optional<int>(
         "--quality",
         "N",
-        FormattableString.Invariant($"Quality of JPEG images, {JpegEncoder.MinQuality} to {JpegEncoder.MaxQuality} [default: {JpegEncoder.DefaultQuality}]"),
+        FormattableString.Invariant($"Quality of JPEG images, {QualityRange} [default: {JpegEncoder.DefaultQuality}]"),
         ParseQuality,
-        FormattableString.Invariant($"a whole number from {JpegEncoder.MinQuality} to {JpegEncoder.MaxQuality}"));
+        $"a whole number from {QualityRange}");
 
-    /// <summary>The quality that was asked for, or the usual one.</summary>
-    /// <exception cref="UsageException">It was asked for images that have none.</exception>
+    /// <summary>The requested quality, or the default.</summary>
+    /// <exception cref="UsageException">A quality was given, but the images are not JPEG.</exception>
     public static int QualityOf(ParseResult parsed, Option<int?> quality, ImageFormat? format) => parsed.GetValue(quality) switch
     {
         null => JpegEncoder.DefaultQuality,
-        { } asked when format == ImageFormat.Jpeg => asked,
+        { } requested when format == ImageFormat.Jpeg => requested,
         _ => throw new UsageException($"{quality.Name} has no effect without --image-format jpg."),
     };
 

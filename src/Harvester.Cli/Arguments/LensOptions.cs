@@ -8,7 +8,7 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Cli.Arguments;
 
-/// <summary>The options that describe a lens, the same wherever a command has them.</summary>
+/// <summary>The options of a lens. Several commands share them.</summary>
 internal sealed class LensOptions
 {
     private const string CoefficientForm = "a number from -1 to 1";
@@ -36,7 +36,7 @@ internal sealed class LensOptions
         _focalScale.DefaultValueFactory = _ => 1;
     }
 
-    /// <summary>Gives the options of a lens in numbers to a command.</summary>
+    /// <summary>Adds the numeric options of a lens to a command.</summary>
     public void AddNumbersTo(Command command)
     {
         foreach (Option option in Numbers)
@@ -45,17 +45,17 @@ internal sealed class LensOptions
         }
     }
 
-    /// <summary>Gives all options to a command.</summary>
+    /// <summary>Adds all options to a command.</summary>
     public void AddTo(Command command)
     {
         command.Options.Add(_file);
         AddNumbersTo(command);
     }
 
-    /// <summary>The lens of a command line; ideal where none is described.</summary>
-    /// <exception cref="UsageException">A file and numbers are given together.</exception>
+    /// <summary>The lens that a command line describes; by default the ideal lens.</summary>
+    /// <exception cref="UsageException">Both a file and numbers are given.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="Datasets.Files.DatasetFormatException">The file describes no lens.</exception>
+    /// <exception cref="Datasets.Files.DatasetFormatException">The file does not describe a lens.</exception>
     public Lens Parse(ParseResult parsed)
     {
         FileInfo? file = parsed.CommandResult.Command.Options.Contains(_file) ? parsed.GetValue(_file) : null;

@@ -5,10 +5,9 @@ using Harvester.Cli.Terminals;
 
 namespace Harvester.Cli.Arguments;
 
-/// <summary>The option that leaves out progress and closing lines. Commands that exist to print something print it all the same.</summary>
+/// <summary>--quiet: omits progress and summaries. Commands whose result is what they print still print it.</summary>
 internal static class QuietOption
 {
-    // What these print is their result.
     private static readonly string[] PrintingCommands =
         ["validate", "doctor", "calibrate", "stats", "project", "boxes", "lanes", "info", "compare", "check", "list"];
 
@@ -18,7 +17,7 @@ internal static class QuietOption
         Recursive = true,
     };
 
-    /// <summary>The terminal for a command line: without standard output where the command is to be quiet.</summary>
+    /// <summary>The terminal for a command line: without standard output if the command is to be quiet.</summary>
     public static Terminal TerminalFor(ParseResult parsed, Option<bool> quiet, Terminal terminal) =>
         parsed.GetValue(quiet) && !PrintingCommands.Contains(parsed.CommandResult.Command.Name)
             ? terminal with { Out = TextWriter.Null, IsInteractive = false }

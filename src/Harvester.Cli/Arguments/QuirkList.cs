@@ -5,21 +5,35 @@ using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Arguments;
 
-/// <summary>The option that lets the simulated game misbehave as the real one does.</summary>
+/// <summary>--quirks: faults of the real game that the simulated game imitates.</summary>
 internal static class QuirkList
 {
+    /// <summary>The quirks, for the help of a command that has the option.</summary>
+    public const string Notes =
+        "Quirks imitate faults of the real game (N: 0 to 60 ticks of 1/60 s; P: fraction, 0 to 1):\n"
+        + "  lag=N          the image is N ticks older than the state of the game\n"
+        + "  lateCamera     the camera is reported as it was one tick ago\n"
+        + "  vanish=P       at a fraction P of snapshots, an object disappears right afterwards\n"
+        + "  boxRays        rays hit the box around an object instead of its shape\n"
+        + "  missedRays=P   rays pass through a fraction P of the moving vehicles beyond 30 m\n"
+        + "  creep=N        a frozen world moves on for up to N ticks\n"
+        + "  restless       a frozen world never stands still\n"
+        + "  heldCamera     the camera cannot be moved while the world is frozen\n"
+        + "  weather        rain and the time of day go on while the world is frozen\n"
+        + "  visibility     vehicles appear and disappear while the world is frozen\n"
+        + "The last five apply to both freeze methods; the prefix paused. or timeScale., as in paused.creep=3, limits them to one.";
+
     private const string Form =
-        "lag=N, lateCamera, vanish=P, boxRays, missedRays=P, and while the world is frozen creep=N, restless, heldCamera, weather, visibility; "
-        + "the prefix paused. or timeScale. limits one of the latter to one freeze method (N: 0 to 60 ticks; P: fraction, 0 to 1)";
+        "lag=N, lateCamera, vanish=P, boxRays, missedRays=P, creep=N, restless, heldCamera, weather and visibility";
     private const int MaxTicks = 60;
 
     public static Option<string?> Option() => new("--quirks")
     {
-        Description = "Imitate faults of the real game, separated by commas: " + Form,
+        Description = "Imitate faults of the real game, see below; separated by commas",
         HelpName = "A,B",
     };
 
-    /// <exception cref="UsageException">A part of the list is no quirk.</exception>
+    /// <exception cref="UsageException">An entry of the list is not a quirk.</exception>
     public static GameQuirks Parse(string? list)
     {
         GameQuirks quirks = new();
@@ -47,7 +61,7 @@ internal static class QuirkList
         };
     }
 
-    /// <summary>A quirk of both ways of freezing, or of the one that its name begins with.</summary>
+    /// <summary>A quirk of both freeze methods, or of the one in its prefix.</summary>
     private static GameQuirks? WithFreezing(GameQuirks quirks, string name, string? value)
     {
         string[] parts = name.Split('.', 2);

@@ -7,8 +7,8 @@ namespace Harvester.Cli.Arguments;
 /// <summary>Opens the sessions that a command works on.</summary>
 internal static class RecordedSessions
 {
-    /// <summary>Opens one whose session.json can be read, and says on standard error what is left aside of it.</summary>
-    /// <exception cref="System.IO.IOException">It is no session, or cannot be read.</exception>
+    /// <summary>Opens a session. If its last line is unfinished, writes a note to standard error.</summary>
+    /// <exception cref="System.IO.IOException">The folder is not a session, or cannot be read.</exception>
     /// <exception cref="DatasetFormatException">Its session.json is malformed.</exception>
     public static SessionReader Open(Terminal terminal, string folder)
     {
@@ -30,7 +30,7 @@ internal static class RecordedSessions
         return session;
     }
 
-    /// <summary>What of a session is left aside; null for nothing.</summary>
+    /// <summary>A note if the last line of a session is unfinished; otherwise null.</summary>
     public static string? NoteOf(SessionReader session) => session.HasUnfinishedLine
         ? $"the unfinished last line of {SessionReader.LabelsFile} is ignored; the recording was interrupted."
         : null;

@@ -4,13 +4,16 @@ using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Arguments;
 
-/// <summary>The option that makes a job one of several, the same wherever a command has it.</summary>
+/// <summary>--shard: runs one of several parallel parts of a job. Several commands share it.</summary>
 internal static class ShardOption
 {
+    /// <summary>What to do when a shard is done.</summary>
+    public const string NextStep = "When all shards are done, merge them: harvester merge SHARD... --out DIR";
+
     public static Option<Shard> Create()
     {
         Option<Shard> option = ValueParsers.Parsed("--shard", "I/N", "Process only every N-th frame, as run I of N parallel runs",
-            ShardText.Parse, "a shard, e.g. 1/8");
+            ShardText.Parse, "I/N with I from 1 to N, e.g. 1/8");
         option.DefaultValueFactory = _ => Shard.Whole;
         return option;
     }

@@ -3,39 +3,41 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using System.Linq;
+using Harvester.Datasets.Json;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Arguments;
 
-/// <summary>Options whose values have a form of their own; a value of another form is refused with the form and an example.</summary>
+/// <summary>Options whose values are parsed; the error for an invalid value shows the expected form and an example.</summary>
 internal static class ValueParsers
 {
-    /// <summary>An option of three numbers, as -75.3,-820.1,26.</summary>
+    /// <summary>An option of three numbers, such as -75.3,-820.1,26.</summary>
     public static Option<Vector3D> Vector(string name, string form, string description) =>
         Parsed<Vector3D>(name, form, description, text =>
             Numbers(text, 3) is { } n ? new Vector3D(n[0], n[1], n[2]) : null, "three numbers, e.g. 10,-20.5,3");
 
-    /// <summary>An option of two numbers, as 0,-1000.</summary>
+    /// <summary>An option of two numbers, such as 0,-1000.</summary>
     public static Option<Vector2D?> Point(string name, string form, string description) =>
         Optional<Vector2D>(name, form, description, text =>
             Numbers(text, 2) is { } n ? new Vector2D(n[0], n[1]) : null, "two numbers, e.g. 0,-1000");
 
-    /// <summary>An option of an image's size, as 800x600.</summary>
-    /// <param name="name">The option.</param>
-    /// <param name="description">What it is.</param>
-    /// <param name="least">The smallest width and height.</param>
-    /// <param name="most">The largest width and height.</param>
-    public static Option<ImageSize> Size(string name, string description, ImageSize least, int most)
+    /// <summary>An option of an image's size, such as 800x600.</summary>
+    /// <param name="name">Name of the option.</param>
+    /// <param name="description">Description for the help.</param>
+    /// <param name="min">Smallest width and height, pixels.</param>
+    /// <param name="maxSide">Largest width and height, pixels.</param>
+    public static Option<ImageSize> Size(string name, string description, ImageSize min, int maxSide)
     {
-        string allowed = least.Width == least.Height
-            ? FormattableString.Invariant($"width and height in pixels, {least.Width} to {most} each, e.g. 800x600")
-            : FormattableString.Invariant($"width and height in pixels, {least.Width}x{least.Height} to {most}x{most}, e.g. 800x600");
+        string allowed = min.Width == min.Height
+            ? FormattableString.Invariant($"width and height in pixels, {min.Width} to {maxSide} each, e.g. 800x600")
+            : FormattableString.Invariant($"width and height in pixels, {min.Width}x{min.Height} to {maxSide}x{maxSide}, e.g. 800x600");
         return Parsed(name, "WxH", description, Parse, allowed);
 
         ImageSize? Parse(string text) =>
-            ParseSize(text) is { } size && size.Width >= least.Width && size.Height >= least.Height
-                && Math.Max(size.Width, size.Height) <= most ? size : null;
+            ParseSize(text) is { } size && size.Width >= min.Width && size.Height >= min.Height
+                && Math.Max(size.Width, size.Height) <= maxSide ? size : null;
     }
 
     /// <summary>An option of a number within a range.</summary>
@@ -43,30 +45,39 @@ internal static class ValueParsers
         Parsed(name, form, description, text => Number(text) is { } value && isAllowed(value) ? value : (double?)null, allowed);
 
     /// <summary>An option of a whole number within a range.</summary>
-    public static Option<int> Integer(string name, string form, string description, int least, int most)
+    public static Option<int> Integer(string name, string form, string description, int min, int max)
     {
-        string allowed = FormattableString.Invariant($"a whole number from {least} to {most}");
+        string allowed = FormattableString.Invariant($"a whole number from {min} to {max}");
         return Parsed(name, form, description, Parse, allowed);
 
         int? Parse(string text) =>
-            int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= least
-                && value <= most
+            int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= min && value <= max
                 ? value
                 : null;
     }
+
+    /// <summary>An option whose value is the name of an enum's member, in any case.</summary>
+    public static Option<T> Choice<T>(string name, string description)
+        where T : struct, Enum =>
+        Parsed<T>(name, string.Join('|', JsonNames.All<T>()), description, ParseChoice<T>, Alternatives<T>());
+
+    /// <summary>As <see cref="Choice"/>, for an option that may be left out.</summary>
+    public static Option<T?> OptionalChoice<T>(string name, string description)
+        where T : struct, Enum =>
+        Optional<T>(name, string.Join('|', JsonNames.All<T>()), description, ParseChoice<T>, Alternatives<T>());
 
     /// <summary>A finite number in the invariant culture, or null.</summary>
     public static double? Number(string text) =>
         double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value) && double.IsFinite(value) ? value : null;
 
-    /// <summary>So many finite numbers with commas between them, or null.</summary>
+    /// <summary>Finite numbers separated by commas, or null if the text is not exactly <paramref name="count"/> of them.</summary>
     public static double[]? Numbers(string text, int count)
     {
         double?[] numbers = [.. text.Split(',').Select(part => Number(part.Trim()))];
         return numbers.Length == count && numbers.All(number => number is not null) ? [.. numbers.Select(number => number!.Value)] : null;
     }
 
-    /// <summary>An option whose value a function reads; null from it is an error that says what was expected.</summary>
+    /// <summary>An option whose value a function parses; if it returns null, the error says what was expected.</summary>
     public static Option<T> Parsed<T>(string name, string form, string description, Func<string, T?> parse, string expected)
         where T : struct
     {
@@ -101,6 +112,17 @@ internal static class ValueParsers
         }
 
         return value;
+    }
+
+    private static T? ParseChoice<T>(string text)
+        where T : struct, Enum =>
+        Enum.GetValues<T>().Where(value => JsonName.Of(value).Equals(text, StringComparison.OrdinalIgnoreCase)).Cast<T?>().FirstOrDefault();
+
+    private static string Alternatives<T>()
+        where T : struct, Enum
+    {
+        string[] names = [.. JsonNames.All<T>()];
+        return $"{string.Join(", ", names[..^1])} or {names[^1]}";
     }
 
     private static ImageSize? ParseSize(string text)

@@ -13,13 +13,13 @@ namespace Harvester.Cli.Boxes;
 /// <summary>Reads a scene as docs/boxes-schema.md describes it.</summary>
 internal static class BoxSceneReader
 {
-    /// <summary>The game's own near plane, metres.</summary>
+    /// <summary>Near plane of the game, metres.</summary>
     private const double DefaultNearClip = 0.15;
 
-    /// <summary>How far a given focal length may be from the one that the other fields make: labels hold them rounded.</summary>
+    /// <summary>Allowed difference between fx or fy and the focal length from the other fields; labels have rounded values.</summary>
     private const double FocalLengthTolerancePixels = 0.01;
 
-    /// <exception cref="DatasetFormatException">The file is not such a scene.</exception>
+    /// <exception cref="DatasetFormatException">The file is not a valid scene.</exception>
     public static BoxScene Read(FileInfo file)
     {
         try
@@ -29,7 +29,7 @@ internal static class BoxSceneReader
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"{file.Name}, line {e.LineNumber + 1}: not JSON, from character {e.BytePositionInLine + 1} on.", e);
+            throw new DatasetFormatException($"{file.Name}, line {e.LineNumber + 1}: invalid JSON at byte {e.BytePositionInLine + 1}.", e);
         }
         catch (DatasetFormatException e)
         {
@@ -85,7 +85,7 @@ internal static class BoxSceneReader
         if (camera.OptionalNumber(name) is { } given && Math.Abs(given - expected) > FocalLengthTolerancePixels)
         {
             throw new DatasetFormatException(FormattableString.Invariant(
-                $"camera.{name} is {given}, but the other fields make it {expected}; leave it out or mend them."));
+                $"camera.{name} is {given}, but the other fields give {expected}. Correct or remove it."));
         }
     }
 

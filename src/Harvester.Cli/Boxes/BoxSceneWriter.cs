@@ -11,7 +11,7 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Boxes;
 
-/// <summary>Writes what becomes of a scene's cuboids in the image, as docs/boxes-schema.md describes it.</summary>
+/// <summary>Writes the boxes and fractions of a scene's cuboids, as docs/boxes-schema.md describes.</summary>
 internal static class BoxSceneWriter
 {
     private static readonly JsonWriterOptions Indented = new() { Indented = true, NewLine = "\n" };
@@ -78,7 +78,7 @@ internal static class BoxSceneWriter
         }
     }
 
-    // The writer's own lists put each number on a line. Adding 0 turns minus zero into zero.
+    // The JSON writer would put each number on a line of its own. Adding 0 turns minus zero into zero.
     private static string OnOneLine(IEnumerable<double> numbers) =>
         $"[{string.Join(", ", numbers.Select(number => (number + 0.0).ToString("R", CultureInfo.InvariantCulture)))}]";
 }

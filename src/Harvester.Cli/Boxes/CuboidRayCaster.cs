@@ -5,7 +5,7 @@ using Harvester.Geometry.Visibility;
 
 namespace Harvester.Cli.Boxes;
 
-/// <summary>What rays meet among solid cuboids; the cuboid at index i is the entity i + 1.</summary>
+/// <summary>Casts rays at solid cuboids; the cuboid at index i is the entity i + 1.</summary>
 internal sealed class CuboidRayCaster : IRayCaster
 {
     private readonly IReadOnlyList<Cuboid> _cuboids;

@@ -12,6 +12,7 @@ using Harvester.Cli.Commands.Masks;
 using Harvester.Cli.Commands.Roads;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Commands;
 
@@ -19,12 +20,13 @@ namespace Harvester.Cli.Commands;
 internal static class Application
 {
     /// <summary>
-    /// The runtime puts this in the place of bytes of an argument that are not UTF-8. The name of the file is then lost.
+    /// The runtime replaces bytes of an argument that are not valid UTF-8 by this character. The name of the file is then lost.
     /// </summary>
     private const string ReplacementCharacter = "\uFFFD";
 
     private const string Description =
-        "Harvests labelled driving images from a simulated game, and checks, shows and exports sessions, also those of the mod for GTA V.";
+        "Harvests labelled driving images from a simulated game, and checks, shows and exports sessions, including those of the mod for "
+        + "GTA V.";
 
     private const string ExitCodes =
         "Exit codes:\n"
@@ -39,8 +41,8 @@ internal static class Application
         + "Tab completion for bash, zsh and PowerShell: docs/command-line.md";
 
     /// <summary>Runs one command line.</summary>
-    /// <param name="arguments">The words after the command's name.</param>
-    /// <param name="terminal">Where it reads and writes.</param>
+    /// <param name="arguments">The command-line arguments, without the name of the program.</param>
+    /// <param name="terminal">Standard input, output and error.</param>
     /// <param name="cancellation">Stops a long command cleanly, as Ctrl+C does.</param>
     /// <returns>The exit code.</returns>
     public static async Task<int> RunAsync(string[] arguments, Terminal terminal, CancellationToken cancellation)
@@ -55,6 +57,11 @@ internal static class Application
         if (Array.Find(arguments, argument => argument.Contains(ReplacementCharacter, StringComparison.Ordinal)) is { } unreadable)
         {
             return Fail(terminal, ExitCode.Usage, $"'{unreadable}' is not valid UTF-8. Rename the file or folder so that its name is.");
+        }
+
+        if (StrayOption(parsed, arguments) is { } stray)
+        {
+            return Fail(terminal, ExitCode.Usage, $"{Unrecognised(stray, parsed)} See '{HelpOf(parsed.CommandResult)}'.");
         }
 
         if (parsed.Errors.Count > 0 && !IsCompletion(parsed))
@@ -75,7 +82,7 @@ internal static class Application
             Output = terminal.Out,
             Error = terminal.Error,
             EnableDefaultExceptionHandler = false,
-            // The process's signals come through the cancellation token.
+            // Signals arrive through the cancellation token.
             ProcessTerminationTimeout = null,
         };
         try
@@ -84,7 +91,7 @@ internal static class Application
             await terminal.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
             return code;
         }
-        catch (Exception e) when (e is UsageException or OccupiedFolderException)
+        catch (Exception e) when (e is UsageException or OccupiedFolderException or FolderLockedException)
         {
             return Fail(terminal, ExitCode.Usage, $"{e.Message} See '{HelpOf(parsed.CommandResult)}'.");
         }
@@ -106,7 +113,7 @@ internal static class Application
         }
         catch (Exception e)
         {
-            // What nobody thought of is a fault of the program, whatever it is.
+            // Any exception that is not handled above is a fault of the program.
             return Fail(terminal, ExitCode.ProgramFault, FaultReport.Write(e));
         }
     }
@@ -119,6 +126,7 @@ internal static class Application
         root.Subcommands.Add(DriveCommand.Create(terminal));
         root.Subcommands.Add(ServeCommand.Create(terminal));
         root.Subcommands.Add(ValidateCommand.Create(terminal));
+        root.Subcommands.Add(RepairCommand.Create(terminal));
         root.Subcommands.Add(DoctorCommand.Create(terminal));
         root.Subcommands.Add(ReportCommand.Create(terminal));
         root.Subcommands.Add(CalibrateCommand.Create(terminal));
@@ -136,18 +144,39 @@ internal static class Application
         return root;
     }
 
-    /// <summary>Whether the command line asks how another one goes on.</summary>
+    /// <summary>Whether the shell asks for completions.</summary>
     private static bool IsCompletion(ParseResult parsed) =>
         parsed.RootCommandResult.Children.OfType<DirectiveResult>().Any(directive => directive.Directive is SuggestDirective);
 
     private static string MessageOf(ParseResult parsed)
     {
-        if (parsed.UnmatchedTokens.Count == 0)
+        if (parsed.UnmatchedTokens.Count > 0)
         {
-            return parsed.Errors[0].Message;
+            return Unrecognised(parsed.UnmatchedTokens[0], parsed);
         }
 
-        string word = parsed.UnmatchedTokens[0];
+        ParseError error = parsed.Errors[0];
+        return error.SymbolResult switch
+        {
+            ArgumentResult { Tokens.Count: 0, Argument.Name: var argument, Parent: CommandResult } => $"{argument} is missing.",
+            OptionResult { Tokens.Count: 0, Implicit: false, Option.Name: var option } => $"{option} needs a value.",
+            OptionResult { Tokens.Count: > 1, Option.Name: var option } => $"{option} is given more than once.",
+            CommandResult { Command.Subcommands.Count: > 0 } => "A command is missing.",
+            _ => error.Message,
+        };
+    }
+
+    /// <summary>
+    /// A misspelt option that the parser took for the value of an argument; null if there is none. After a --, anything is a value.
+    /// </summary>
+    private static string? StrayOption(ParseResult parsed, string[] arguments) =>
+        IsCompletion(parsed) ? null
+        : parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(argument => argument.Tokens).Select(token => token.Value)
+            .FirstOrDefault(word => word.StartsWith("--", StringComparison.Ordinal)
+                && arguments.TakeWhile(each => each != "--").Contains(word));
+
+    private static string Unrecognised(string word, ParseResult parsed)
+    {
         string suggestion = Suggestion.For(word, parsed.CommandResult) is { } meant ? $" Did you mean '{meant}'?" : "";
         return $"Unrecognised argument '{word}'.{suggestion}";
     }
@@ -157,7 +186,7 @@ internal static class Application
         terminal.WriteError(message);
         try
         {
-            // What was written before the failure belongs to the reader; on a full disk there is no more to say than the line above.
+            // Results written before the failure are kept. If the disk is full, the line above says so already.
             terminal.Out.Flush();
         }
         catch (IOException)
@@ -168,7 +197,7 @@ internal static class Application
         return code;
     }
 
-    /// <summary>Where the command's output goes; null where that was not said.</summary>
+    /// <summary>The value of --out; null without it.</summary>
     private static string? OutputOf(ParseResult parsed) =>
         parsed.CommandResult.Children.OfType<OptionResult>()
             .FirstOrDefault(option => option.Option.Name == "--out") is { Tokens: [{ Value: var place }, ..] } ? place : null;

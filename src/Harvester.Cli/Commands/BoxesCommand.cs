@@ -5,11 +5,11 @@ using Harvester.Cli.Terminals;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester boxes: the boxes and fractions of cuboids in an image, as JSON; useful to debug a label.</summary>
+/// <summary>harvester boxes: prints the boxes and fractions of cuboids in an image, as JSON.</summary>
 internal static class BoxesCommand
 {
     private const string Notes =
-        "docs/boxes-schema.md describes the file. The camera and the box3d of a label can be pasted into it, to debug a label.\n\n"
+        "docs/boxes-schema.md describes the file. To debug a label, paste its camera and box3d into the file.\n\n"
         + "Example:\n"
         + "  harvester boxes scene.json";
 

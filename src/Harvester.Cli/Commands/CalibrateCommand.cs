@@ -4,6 +4,7 @@ using System.IO;
 using Harvester.Capture.Calibration;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
+using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Rendering;
@@ -11,20 +12,21 @@ using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester calibrate: the calibration of the mod, run on the simulated game.</summary>
+/// <summary>harvester calibrate: runs the calibration of the mod on the simulated game.</summary>
 internal static class CalibrateCommand
 {
     private const double SecondsPerTick = 1 / 30.0;
     private const int MaxTicks = 10_000;
 
-    // A calibration's markers, fifteen in a row and eleven rows three radii apart and from the edges, do not fit into less.
+    // The markers of a calibration, 11 rows of 15, must be 3 radii apart and 3 radii from the edges; smaller images have no room.
     private const int MinWidth = 288;
     private const int MinHeight = 216;
     private const int MaxSide = 8192;
 
     private const string Notes =
-        "The options describe the lens of the simulated game. The calibration does not see them: it measures the lens from the images alone, in\n"
-        + "which it draws markers at known positions. It prints the measured lens, as lines for the mod's ini file, and the errors before and after.\n\n"
+        "The options describe the lens of the simulated game. The calibration does not see them: it draws markers at known positions and\n"
+        + "measures the lens from the images alone. It prints the measured lens, as lines for the mod's ini file, and the errors before\n"
+        + "and after.\n\n"
         + "Example:\n"
         + "  harvester calibrate --focal-scale 1.008 --k1 -0.02 --size 1920x1080 --fov 90";
 
@@ -38,9 +40,10 @@ internal static class CalibrateCommand
         size.DefaultValueFactory = _ => new CalibrationOptions().Image;
         var lens = new LensOptions();
         Option<double> threshold =
-            ValueParsers.Number("--threshold", "PX", "Largest allowed error, pixels", value => value > 0, "a number greater than 0");
+            ValueParsers.Number("--threshold", "PX", "Maximum error, pixels", value => value > 0, "a number greater than 0");
         threshold.DefaultValueFactory = _ => new CalibrationOptions().ThresholdPixels;
-        var command = new Command("calibrate", "Measure the lens of the simulated game from markers in its images, as the mod does in GTA V.")
+        var command = new Command(
+            "calibrate", "Measure the lens of the simulated game from markers in its images, as the mod does in GTA V.")
         {
             seed, fov, size, threshold,
         };
@@ -83,16 +86,19 @@ internal static class CalibrateCommand
     private static void Write(CalibrationResult result, TextWriter output)
     {
         Lens lens = result.Lens;
-        output.WriteLine(FormattableString.Invariant($"; {result.After.Count} of {result.Shown} markers used, {result.Outliers} outliers excluded"));
-        output.WriteLine(FormattableString.Invariant($"; before: {result.Before.RmsPixels:0.000} px RMS, {result.Before.MaxPixels:0.000} px max"));
-        output.WriteLine(FormattableString.Invariant($"; after:  {result.After.RmsPixels:0.000} px RMS, {result.After.MaxPixels:0.000} px max"));
-        output.WriteLine(FormattableString.Invariant($"; check:  {result.Validation.RmsPixels:0.000} px RMS, {result.Validation.MaxPixels:0.000} px max, on {result.Validation.Count} markers not used for the fit"));
-        output.WriteLine(FormattableString.Invariant($"; uncertainty at the corners: {result.UncertaintyPixels:0.000} px (95 % confidence)"));
-        output.WriteLine(FormattableString.Invariant($"FocalScale = {lens.FocalScale:0.000000}"));
-        output.WriteLine(FormattableString.Invariant($"CentreOffsetX = {WithoutMinusZero(lens.CentreOffsetX):0.000000}"));
-        output.WriteLine(FormattableString.Invariant($"CentreOffsetY = {WithoutMinusZero(lens.CentreOffsetY):0.000000}"));
-        output.WriteLine(FormattableString.Invariant($"K1 = {WithoutMinusZero(lens.K1):0.000000}"));
-        output.WriteLine(FormattableString.Invariant($"K2 = {WithoutMinusZero(lens.K2):0.000000}"));
+        WriteLine($"; {result.After.Count} of {result.Shown} markers used, {result.Outliers} outliers excluded");
+        WriteLine($"; before: {result.Before.RmsPixels:0.000} px RMS, {result.Before.MaxPixels:0.000} px max");
+        WriteLine($"; after:  {result.After.RmsPixels:0.000} px RMS, {result.After.MaxPixels:0.000} px max");
+        ReprojectionError check = result.Validation;
+        WriteLine(
+            $"; check:  {check.RmsPixels:0.000} px RMS, {check.MaxPixels:0.000} px max, on {check.Count} markers not used for the fit");
+        WriteLine($"; uncertainty at the corners: {result.UncertaintyPixels:0.000} px (95 % confidence)");
+        WriteLine($"FocalScale = {lens.FocalScale:0.000000}");
+        WriteLine($"CentreOffsetX = {WithoutMinusZero(lens.CentreOffsetX):0.000000}");
+        WriteLine($"CentreOffsetY = {WithoutMinusZero(lens.CentreOffsetY):0.000000}");
+        WriteLine($"K1 = {WithoutMinusZero(lens.K1):0.000000}");
+        WriteLine($"K2 = {WithoutMinusZero(lens.K2):0.000000}");
+        void WriteLine(FormattableString line) => output.WriteLine(FormattableString.Invariant(line));
     }
 
     private static double WithoutMinusZero(double value) => Math.Round(value, 6) + 0.0;

@@ -3,29 +3,34 @@ using System.Linq;
 using System.Threading.Tasks;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Diagnosis;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
 
 /// <summary>harvester doctor: names the likely cause of a problem with the mod.</summary>
-internal static class DoctorCommand
+internal sealed class DoctorCommand
 {
     private const string Notes =
-        "LOG is GtaDataHarvester.log, ScriptHookVDotNet.log or ScriptHookV.log, or a renamed copy. FOLDER is a session, the game's folder or its\n"
-        + "scripts folder; all logs in the folder are read together. Only the last run in the mod's log is read, unless --all-runs is given.\n"
-        + "The likeliest cause comes first. The exit code is 1 if a problem was found.\n\n"
+        "LOG is GtaDataHarvester.log, ScriptHookVDotNet.log or ScriptHookV.log, or a renamed copy. FOLDER is a session, the game's folder\n"
+        + "or its scripts folder; all logs in the folder are read together. Only the last run in the mod's log is read, unless --all-runs\n"
+        + "is given. The likeliest cause comes first. The exit code is 1 if a problem was found.\n\n"
         + "Examples:\n"
         + "  harvester doctor \"C:\\Games\\Grand Theft Auto V\"\n"
         + "  harvester doctor GtaDataHarvester.log --all-runs";
 
-    private static readonly Argument<string> Place =
+    private Argument<string> Place { get; } =
         new("LOG|FOLDER") { Description = "A log, the folder of the game or its scripts folder, or a session" };
-    private static readonly Option<bool> AllRuns =
+    private Option<bool> AllRuns { get; } =
         new("--all-runs") { Description = "Read all runs in the mod's log, not only the last one" };
 
-    public static Command Create(Terminal terminal)
+    public static Command Create(Terminal terminal) => new DoctorCommand().Build(terminal);
+
+    private Command Build(Terminal terminal)
     {
-        var command = new Command("doctor", "Read the logs of the mod, or a session, and name the likely cause of a problem.") { Place,
-            AllRuns };
+        var command = new Command("doctor", "Read the logs of the mod, or a session, and name the likely cause of a problem.")
+        {
+            Place, AllRuns,
+        };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, _) => Task.FromResult(Run(terminal, parsed.GetRequiredValue(Place), parsed.GetValue(AllRuns))));
         return command;
@@ -36,7 +41,7 @@ internal static class DoctorCommand
         Diagnosis diagnosis = Doctor.Examine(place, allRuns);
         foreach (LogFile log in diagnosis.Logs)
         {
-            string leftAside = log.RunsLeftAside > 0 ? $", {Counted.Of(log.RunsLeftAside, "earlier run")} left aside" : string.Empty;
+            string leftAside = log.RunsLeftAside > 0 ? $", {Counted.Of(log.RunsLeftAside, "earlier run")} skipped" : string.Empty;
             terminal.Out.WriteLine($"Read {log.Path}: {Counted.Of(log.Runs.Sum(run => run.Count), "line")}{leftAside}");
         }
 

@@ -19,77 +19,84 @@ using Harvester.Evaluation.Noise;
 using Harvester.Evaluation.Reports;
 using Harvester.Geometry;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
 
 /// <summary>
-/// harvester drive: a controller drives by the lane indicators and is evaluated against the true state of the simulation.
+/// harvester drive: a controller drives by the lane indicators, and the drive is evaluated against the true state of the simulation.
 /// </summary>
-internal static class DriveCommand
+internal sealed class DriveCommand
 {
     private const string Notes =
-        "The indicators are undefined in junctions and show neither traffic lights nor right of way. In junctions the car's built-in driver\n"
-        + "follows the route, and hands over to the controller in the next lane. docs/driving.md describes the evaluation.\n\n"
+        "The indicators are undefined in junctions and show neither traffic lights nor right of way. In junctions, the car's built-in\n"
+        + "driver follows the route; it hands over to the controller in the next lane. docs/driving.md describes the evaluation.\n\n"
         + "Examples:\n"
         + "  harvester drive --out drive\n"
         + "  harvester drive --controller deepdriving --noise --distance 3000 --out drive\n"
-        + "  harvester drive --bridge socket --role game --out drive        and elsewhere: harvester drive --bridge socket --role client\n"
+        + "  harvester drive --bridge socket --role game --out drive    # in one terminal\n"
+        + "  harvester drive --bridge socket --role client              # in another\n"
         + "  harvester drive --roads nodes.zip --near=-500,1000 --near=0,2700 --out drive";
 
-    private static readonly Option<string?> Out =
+    private Option<string?> Out { get; } =
         new("--out") { Description = "Folder to write drive.json and report.html to", HelpName = "DIR" };
-    private static readonly Option<bool> Overwrite = new("--overwrite") { Description = "Replace an existing drive in the folder" };
-    private static readonly ControllerOptions Controller = new("The controller that drives", "stanley");
+    private Option<bool> Overwrite { get; } = new("--overwrite") { Description = "Replace an existing drive in the folder" };
+    private ControllerOptions Controller { get; } = new("Controller that drives", "stanley");
 
-    private static readonly Option<int> Seed = WithDefault(
+    private Option<int> Seed { get; } = WithDefault(
         ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue), 1);
 
-    private static readonly Option<FileInfo?> Roads = new("--roads")
+    private Option<FileInfo?> Roads { get; } = new("--roads")
     {
         Description = "Road network to drive on, a file or folder [default: a town generated from the seed]",
         HelpName = "FILE",
     };
 
-    private static readonly Option<string[]> Near = new("--near")
+    private Option<string[]> Near { get; } = new("--near")
     {
         Description = "Start position, metres; repeatable, for several drives in a row [default: the middle of the road network]",
         HelpName = "X,Y",
         DefaultValueFactory = _ => [],
     };
 
-    private static readonly Option<double> Distance = WithDefault(
+    private Option<double> Distance { get; } = WithDefault(
         Positive("--distance", "M", "Distance to drive from each start, metres"), 1000);
-    private static readonly Option<double> Duration = WithDefault(
+    private Option<double> Duration { get; } = WithDefault(
         Positive("--duration", "S", "Time limit for each start, seconds of game time"), 3600);
 
-    private static readonly Option<double> Traffic = WithDefault(
+    private Option<double> Traffic { get; } = WithDefault(
         ValueParsers.Number("--traffic", "F", "Factor on the number of vehicles", value => value is >= 0 and <= 4, "a number from 0 to 4"),
             1);
 
-    private static readonly Option<double?> Speed = ValueParsers.Optional<double>(
+    private Option<double?> Speed { get; } = ValueParsers.Optional<double>(
         "--speed",
         "M/S",
         "Speed on a free straight road, metres per second [default: stanley 14, deepdriving 20]",
         text => ValueParsers.Number(text) is { } value && value is > 0 and <= 40 ? value : null,
         "a number greater than 0 and at most 40");
 
-    private static readonly Option<bool> Noise = new("--noise")
+    private Option<bool> Noise { get; } = new("--noise")
     {
-        Description = "Add the errors published for DeepDriving's network to the indicators: 0.03 rad, 0.2 m, and 3 m on distances to vehicles",
+        Description = "Add noise to the indicators: the errors published for DeepDriving's network (0.03 rad, 0.2 m, and 3 m on distances "
+            + "to vehicles)",
     };
 
-    private static readonly Option<double> LookAhead = WithDefault(
+    private Option<double> LookAhead { get; } = WithDefault(
         ValueParsers.Number("--look-ahead", "M", "Look-ahead distance for the angle, metres", value =>
             value is > 0 and <= 40, "a number greater than 0 and at most 40"),
         new ControllerPlan { Kind = ControllerKind.Stanley }.LookAheadMetres);
 
-    public static Command Create(Terminal terminal)
+    private DriveBridgeOptions Bridge { get; } = new();
+
+    public static Command Create(Terminal terminal) => new DriveCommand().Build(terminal);
+
+    private Command Build(Terminal terminal)
     {
         var command = new Command("drive", "Drive the simulated car by the lane indicators and evaluate the drive.")
         {
             Out, Overwrite, Seed, Roads, Near, Distance, Duration, Traffic, Speed, Noise, LookAhead,
         };
-        foreach (Option option in Controller.All.Concat(DriveBridgeOptions.All))
+        foreach (Option option in Controller.All.Concat(Bridge.All))
         {
             command.Options.Add(option);
         }
@@ -99,10 +106,10 @@ internal static class DriveCommand
         return command;
     }
 
-    private static int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
+    private int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
     {
         string? folder = parsed.GetValue(Out);
-        BridgePlan bridge = DriveBridgeOptions.Parse(parsed, folder);
+        BridgePlan bridge = Bridge.Parse(parsed, folder);
         DrivePlan plan = PlanOf(parsed) with { Bridge = bridge.Kind == BridgeName.Direct ? null : bridge };
         if (bridge.Role == DriveRole.Client)
         {
@@ -115,15 +122,22 @@ internal static class DriveCommand
         }
 
         using FolderLock held = FolderLock.Take(folder);
-        DriveFolder.Prepare(folder, parsed.GetValue(Overwrite));
+        var output = new DriveFolder(folder, CommandText.Of(parsed), parsed.GetValue(Overwrite));
         int metres = (int)Math.Ceiling(plan.Metres * Math.Max(1, plan.Starts.Count));
         var drives = new SimulatedDrives(plan, terminal.Out);
         ExceptionDispatchInfo? fault = new JobProgress(terminal, metres, "m").Run(report => FaultOf(drives, report, cancellation));
         DriveRecord record = DriveRecord.Of(
             SettingsOf(parsed, plan), drives.Samples, isWhole: fault is null && !cancellation.IsCancellationRequested);
-        string report = Path.Combine(folder, DriveReport.FileName);
-        AtomicFile.Write(Path.Combine(folder, DriveRecord.FileName), record.Write);
-        AtomicFile.Write(report, stream => DriveReport.Write(stream, record, drives.Samples));
+        string? former = output.Write(written =>
+        {
+            AtomicFile.Write(Path.Combine(written, DriveRecord.FileName), record.Write);
+            AtomicFile.Write(Path.Combine(written, DriveReport.FileName), stream => DriveReport.Write(stream, record, drives.Samples));
+        });
+        if (former is not null)
+        {
+            terminal.WriteError($"The former drive is replaced, but what is left of it cannot be deleted: '{former}'. Delete it yourself.");
+        }
+
         foreach ((string name, string value) in record.Figures.Rows())
         {
             terminal.Out.WriteLine($"{name + ":",-19}{value}");
@@ -134,12 +148,12 @@ internal static class DriveCommand
             terminal.Out.WriteLine(FormattableString.Invariant($"Stopped after {record.Figures.Metres:0} of {metres} m."));
         }
 
-        terminal.Out.WriteLine($"report  {report}");
+        terminal.Out.WriteLine($"report  {Path.Combine(folder, DriveReport.FileName)}");
         fault?.Throw();
         return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;
     }
 
-    /// <summary>Drives, and says what ended it before its time; a drive that came nowhere leaves nothing.</summary>
+    /// <summary>Drives; returns the fault that ended the drive early, or null. A drive without samples throws it.</summary>
     private static ExceptionDispatchInfo? FaultOf(SimulatedDrives drives, Action<int> report, CancellationToken cancellation)
     {
         try
@@ -149,7 +163,7 @@ internal static class DriveCommand
         }
         catch (Exception e) when (e is IOException or GameFaultException)
         {
-            // Not in the filter, which would run before the drive hands its samples over.
+            // Not in the filter: it would run before the finally block that adds the samples.
             if (drives.Samples.Count == 0)
             {
                 throw;
@@ -164,11 +178,13 @@ internal static class DriveCommand
         ClientDriver driver = new RemoteDrives(bridge, terminal.Out)
             .RunClient(() => new SimulatedDrives(plan, terminal.Out).ControllerOf(plan.Seed), plan.Seconds, cancellation);
         string ending = driver.IsEndedByGame ? "; the game has closed the bridge" : "";
-        terminal.Out.WriteLine(FormattableString.Invariant($"{Counted.Of(driver.Frames, "frame")} answered, {driver.Metres:0} m driven in {driver.Seconds:0} s{ending}"));
+        string answered = Counted.Of(driver.Frames, "frame");
+        terminal.Out.WriteLine(
+            FormattableString.Invariant($"{answered} answered, {driver.Metres:0} m driven in {driver.Seconds:0} s{ending}"));
         return cancellation.IsCancellationRequested ? ExitCode.Cancelled : ExitCode.Done;
     }
 
-    private static DrivePlan PlanOf(ParseResult parsed)
+    private DrivePlan PlanOf(ParseResult parsed)
     {
         return new DrivePlan
         {
@@ -183,7 +199,7 @@ internal static class DriveCommand
         };
     }
 
-    private static Dictionary<string, string> SettingsOf(ParseResult parsed, DrivePlan plan)
+    private Dictionary<string, string> SettingsOf(ParseResult parsed, DrivePlan plan)
     {
         Dictionary<string, string> settings = new(StringComparer.Ordinal)
         {
@@ -215,7 +231,7 @@ internal static class DriveCommand
 
     private static Vector2D ParsePlace(string text) => ValueParsers.Numbers(text, 2) is { } n
         ? new Vector2D(n[0], n[1])
-        : throw new UsageException($"--near takes two numbers, not '{text}'.");
+        : throw new UsageException($"--near takes two numbers, e.g. 0,-1000, not '{text}'.");
 
     private static Option<double> Positive(string name, string form, string description) =>
         ValueParsers.Number(name, form, description, value => value is > 0 and <= 1_000_000, "a number greater than 0 and at most 1000000");

@@ -16,16 +16,26 @@ using Harvester.Datasets.Json;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester export: exports sessions as a dataset.</summary>
-internal static class ExportCommand
+/// <summary>harvester export: exports sessions to a dataset format.</summary>
+internal sealed class ExportCommand
 {
     private static readonly string Notes =
         "Formats (docs/exports has a page on each):\n"
         + string.Concat(DatasetFormats.All.Select(format => $"  {format.Name,-16}{format.Description}\n"))
-        + "\nAn option that has no effect in the format is an error. To continue an interrupted export, run the same command again. The\n"
+        + "\nParts are the faces of signs and the heads of traffic lights:\n"
+        + "  faces   faces and heads, without their posts\n"
+        + "  none    whole signs and lights, with their posts\n"
+        + "  all     both\n"
+        + "  only    faces and heads, and no other objects\n\n"
+        + "2D boxes:\n"
+        + "  visible   around the visible pixels; needs masks\n"
+        + "  cuboid    around the part of the cuboid in the image\n"
+        + "  amodal    around the whole cuboid, including what lies outside the image\n\n"
+        + "An option that has no effect in the format is an error. To continue an interrupted export, run the same command again. The\n"
         + "shards of an export may go to one folder or to several; harvester merge combines them. The same sessions and options give the\n"
         + "same bytes.\n\n"
         + "Examples:\n"
@@ -35,71 +45,62 @@ internal static class ExportCommand
         + "  harvester export out --format yolo --out yolo --boxes cuboid --subclasses mutcd,light\n"
         + "  harvester export out --format yolo --out yolo --shard 2/8";
 
-    private static readonly Argument<string[]> Sessions = new("SESSION")
+    private Argument<string[]> Sessions { get; } = new("SESSION")
     {
         Description = "Folders of sessions",
         Arity = ArgumentArity.OneOrMore,
     };
 
-    private static readonly Option<string> Format = new("--format")
+    private Option<string> Format { get; } = new("--format")
     {
         Description = "Dataset format: " + string.Join(", ", DatasetFormats.All.Select(format => format.Name)),
         HelpName = "F",
         Required = true,
     };
 
-    private static readonly Option<string> Out =
+    private Option<string> Out { get; } =
         new("--out") { Description = "Folder to write the dataset to", HelpName = "DIR", Required = true };
-    private static readonly Option<string> Splits = new("--split")
+    private Option<string> Splits { get; } = new("--split")
     {
         Description = "Splits and their fractions, e.g. train:0.8,val:0.2",
         HelpName = "NAME:FRACTION,...",
         DefaultValueFactory = _ => "train:1",
     };
 
-    private static readonly Option<int> Seed =
+    private Option<int> Seed { get; } =
         ValueParsers.Integer("--seed", "N", "Random seed of the assignment of frames to splits [default: 0]", 0, int.MaxValue);
-    private static readonly Option<int> Block = ValueParsers.Integer(
+    private Option<int> Block { get; } = ValueParsers.Integer(
         "--split-block", "N", "Number of consecutive frames that stay in one split, because neighbours look alike", 1, int.MaxValue);
 
-    private static readonly Option<string?> Classes = ClassList.Option("Export");
-    private static readonly Option<double> MinVisible = ValueParsers.Number(
-        "--min-visible", "S", "Export objects with at least this fraction visible, 0 to 1 [default: 0]", value =>
+    private Option<string?> Classes { get; } = ClassList.Option("Export");
+    private Option<double> MinVisible { get; } = ValueParsers.Number(
+        "--min-visible", "FRACTION", "Export objects with at least this fraction visible, 0 to 1 [default: 0]", value =>
             value is >= 0 and <= 1, "a number from 0 to 1");
 
-    private static readonly Option<PartSelection?> Parts = new("--parts")
-    {
-        Description = "How signs and traffic lights are exported: faces (faces and heads without their posts), none (the whole object), all (both), or "
-            + "only (faces and heads, and no other objects) [default: faces; all in webdataset and csv]",
-        HelpName = "all|faces|none|only",
-    };
+    private Option<PartSelection?> Parts { get; } = ValueParsers.OptionalChoice<PartSelection>(
+        "--parts", "How signs and traffic lights are exported, see below [default: faces; all in webdataset and csv]");
 
-    private static readonly Option<BoxKind?> Boxes = new("--boxes")
-    {
-        Description = "2D boxes to export: visible (around the visible pixels), amodal (around the whole cuboid) or cuboid (around the part of the cuboid in the image) "
-            + "[default: visible where there are masks, else cuboid]",
-        HelpName = "amodal|cuboid|visible",
-    };
+    private Option<BoxKind?> Boxes { get; } = ValueParsers.OptionalChoice<BoxKind>(
+        "--boxes", "2D boxes to export, see below [default: visible where there are masks, else cuboid]");
 
-    private static readonly Option<string?> Map = ClassMap.Option();
+    private Option<string?> Map { get; } = ClassMap.Option();
 
-    private static readonly Option<string?> SubclassesOf = new("--subclasses")
+    private Option<string?> SubclassesOf { get; } = new("--subclasses")
     {
         Description = "Split signs into classes by MUTCD code (mutcd), traffic lights by state (light), or both",
         HelpName = "mutcd,light",
     };
 
-    private static readonly Option<SegmentationKind> Segmentation =
-        new("--segmentation") { Description = "How coco encodes masks [default: Rle]" };
-    private static readonly Option<ImageTransfer> Images =
-        new("--images") { Description = "Link images (hard links, where possible) or copy them [default: Link]" };
+    private Option<SegmentationKind> Segmentation { get; } =
+        ValueParsers.Choice<SegmentationKind>("--segmentation", "How coco encodes masks [default: rle]");
+    private Option<ImageTransfer> Images { get; } = TransferOption.Create("images");
 
-    private static readonly Option<ImageFormat?> ImageFormat =
+    private Option<ImageFormat?> ImageFormat { get; } =
         ImageFormatOption.Format("Convert the images to png, bmp or jpg [default: keep the format]");
-    private static readonly Option<int?> Quality = ImageFormatOption.Quality();
+    private Option<int?> Quality { get; } = ImageFormatOption.Quality();
 
-    /// <summary>The options that only some formats have a use for; with another they would do nothing.</summary>
-    private static readonly (Option Option, Func<DatasetFormat, bool> IsOf)[] OptionsOfFormats =
+    /// <summary>Options that have an effect in some formats only; with any other format they are an error.</summary>
+    private (Option Option, Func<DatasetFormat, bool> IsOf)[] OptionsOfFormats =>
     [
         (Segmentation, format => format.HasSegmentations),
         (Classes, format => format.HasObjects),
@@ -112,22 +113,25 @@ internal static class ExportCommand
         (Block, format => !format.KeepsSessions),
     ];
 
-    private static readonly Option<Shard> ShardOf = ShardOption.Create();
+    private Option<Shard> ShardOf { get; } = ShardOption.Create();
+    private Option<SyncMode> Sync { get; } = SyncOption.Create();
 
-    public static Command Create(Terminal terminal)
+    public static Command Create(Terminal terminal) => new ExportCommand().Build(terminal);
+
+    private Command Build(Terminal terminal)
     {
         Block.DefaultValueFactory = _ => 1;
         var command = new Command("export", "Export sessions to a dataset format.")
         {
             Sessions, Format, Out, Splits, Seed, Block, Classes, Map, SubclassesOf, MinVisible, Parts, Boxes, Segmentation, Images,
-                ImageFormat, Quality, ShardOf,
+                ImageFormat, Quality, ShardOf, Sync,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) => Task.FromResult(Run(terminal, parsed, cancellation)));
         return command;
     }
 
-    private static int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
+    private int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
     {
         ExportPlan plan = PlanOf(terminal, parsed);
         string folder = parsed.GetRequiredValue(Out);
@@ -140,15 +144,15 @@ internal static class ExportCommand
         string part = shard.Count > 1 ? FormattableString.Invariant($".{shard.Number}-of-{shard.Count}") : "";
         using FolderLock held = FolderLock.Take(folder, part);
         int frames = plan.Sessions.Sum(session => session.CountLines()) / shard.Count;
-        var exporter = new DatasetExporter(plan, folder, shard);
+        var exporter = new DatasetExporter(plan, folder, shard, parsed.GetValue(Sync));
         ExportResult result = new JobProgress(terminal, frames).Run(report => exporter.Run(report, cancellation));
         terminal.Out.WriteLine(result.IsFinished
             ? ExportSummary.Of(folder, result)
-            : $"{folder}: shard {shard} of {plan.Format.Name}, {Counted.Of(result.Frames, "frame")}. When all are done: harvester merge");
+            : $"{folder}: shard {shard} of {plan.Format.Name}, {Counted.Of(result.Frames, "frame")}. {ShardOption.NextStep}");
         return ExitCode.Done;
     }
 
-    private static ExportPlan PlanOf(Terminal terminal, ParseResult parsed)
+    private ExportPlan PlanOf(Terminal terminal, ParseResult parsed)
     {
         string name = parsed.GetRequiredValue(Format);
         DatasetFormat format = DatasetFormats.Find(name) ?? throw new UsageException(
@@ -178,18 +182,19 @@ internal static class ExportCommand
         return new ExportPlan(format, [.. sessions.Select(folder => RecordedSessions.Open(terminal, folder))], options);
     }
 
-    private static void CheckOptions(ParseResult parsed, DatasetFormat format)
+    private void CheckOptions(ParseResult parsed, DatasetFormat format)
     {
         foreach ((Option option, Func<DatasetFormat, bool> isOf) in OptionsOfFormats)
         {
             if (parsed.GetResult(option) is { Implicit: false } && !isOf(format))
             {
-                throw new UsageException($"{option.Name} has no effect in {format.Name}, only in {string.Join(", ", DatasetFormats.All.Where(isOf).Select(each => each.Name))}.");
+                string others = string.Join(", ", DatasetFormats.All.Where(isOf).Select(each => each.Name));
+                throw new UsageException($"{option.Name} has no effect in {format.Name}, only in {others}.");
             }
         }
     }
 
-    private static Subclasses SubclassesIn(ParseResult parsed)
+    private Subclasses SubclassesIn(ParseResult parsed)
     {
         string text = parsed.GetValue(SubclassesOf) ?? "";
         var subclasses = Subclasses.None;
@@ -203,7 +208,7 @@ internal static class ExportCommand
         return subclasses;
     }
 
-    private static SplitPlan SplitsOf(ParseResult parsed)
+    private SplitPlan SplitsOf(ParseResult parsed)
     {
         string text = parsed.GetRequiredValue(Splits);
         IEnumerable<DatasetSplit?> splits = text.Split(',').Select(SplitOf);

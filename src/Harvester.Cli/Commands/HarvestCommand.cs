@@ -11,7 +11,6 @@ using Harvester.Capture.Ports;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Harvesting;
 using Harvester.Cli.Terminals;
-using Harvester.Datasets.Files;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
@@ -21,11 +20,12 @@ using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester harvest: a labelled session from a simulated game, with a report.</summary>
-internal static class HarvestCommand
+/// <summary>harvester harvest: harvests a labelled session, with a report, from a simulated game.</summary>
+internal sealed class HarvestCommand
 {
     private const int MaxFrames = 1_000_000;
     private const double MaxRange = 100_000;
@@ -33,9 +33,10 @@ internal static class HarvestCommand
     private static readonly TimeSpan Noon = TimeSpan.FromHours(12);
 
     private const string Notes =
-        "docs/dataset-format.md describes the session. The same options and seed give the same bytes. Ctrl+C stops after the current frame\n"
-        + "and leaves a valid session. A shard is a session with every N-th frame only, under its number in the full run, and without a report;\n"
-        + "harvester merge combines all shards.\n\n"
+        "docs/dataset-format.md describes the session. The same options and seed give the same bytes. Ctrl+C stops after the current\n"
+        + "frame and leaves a valid session. A shard is a session with every N-th frame of the full run, under the same frame numbers and\n"
+        + "without a report; harvester merge combines all shards.\n\n"
+        + QuirkList.Notes + "\n\n"
         + "Examples:\n"
         + "  harvester harvest --out out\n"
         + "  harvester harvest --out rain --frames 500 --seed 7 --weather rain --time 18:30 --masks\n"
@@ -43,18 +44,18 @@ internal static class HarvestCommand
         + "  harvester harvest --out streets --roads nodes.zip --near 0,-1000\n"
         + "  harvester harvest --out part-2 --frames 5000 --shard 2/8";
 
-    private static readonly Option<string> Out =
+    private Option<string> Out { get; } =
         new("--out") { Description = "Folder to write the session to", HelpName = "DIR", Required = true };
-    private static readonly Option<bool> Overwrite = new("--overwrite") { Description = "Replace an existing session in the folder" };
-    private static readonly Option<int> Frames = WithDefault(ValueParsers.Integer("--frames", "N", "Number of frames", 1, MaxFrames), 100);
-    private static readonly Option<int> Seed = WithDefault(
+    private Option<bool> Overwrite { get; } = new("--overwrite") { Description = "Replace an existing session in the folder" };
+    private Option<int> Frames { get; } = WithDefault(ValueParsers.Integer("--frames", "N", "Number of frames", 1, MaxFrames), 100);
+    private Option<int> Seed { get; } = WithDefault(
         ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue), 1);
 
-    private static readonly Option<ImageSize> Size = WithDefault(CameraOptions.SizeOfHarvest(), new ImageSize(800, 600));
-    private static readonly Option<ImageFormat?> Format = ImageFormatOption.Format("Image format: png, bmp or jpg (lossy) [default: png]");
-    private static readonly Option<int?> Quality = ImageFormatOption.Quality();
-    private static readonly Option<double> Fov = WithDefault(CameraOptions.FovOfHarvest(), 50);
-    private static readonly Option<double> Hz = WithDefault(
+    private Option<ImageSize> Size { get; } = WithDefault(CameraOptions.SizeOfHarvest(), new ImageSize(800, 600));
+    private Option<ImageFormat?> Format { get; } = ImageFormatOption.Format("Image format: png, bmp or jpg (lossy) [default: png]");
+    private Option<int?> Quality { get; } = ImageFormatOption.Quality();
+    private Option<double> Fov { get; } = WithDefault(CameraOptions.FovOfHarvest(), 50);
+    private Option<double> Hz { get; } = WithDefault(
         ValueParsers.Number(
             "--hz",
             "N",
@@ -63,110 +64,120 @@ internal static class HarvestCommand
             "a number greater than 0 and at most 60"),
         10);
 
-    private static readonly Option<FileInfo?> Roads = new("--roads")
+    private Option<FileInfo?> Roads { get; } = new("--roads")
     {
         Description = "Road network to drive on, a file or folder [default: a town generated from the seed]",
         HelpName = "FILE",
     };
 
-    private static readonly Option<FileInfo[]> Props = new("--props")
+    private Option<FileInfo[]> Props { get; } = new("--props")
     {
         Description = "Traffic lights and street lamps from this file instead of generated ones; repeatable",
         HelpName = "FILE",
         DefaultValueFactory = _ => [],
     };
 
-    private static readonly Option<FileSystemInfo?> Faces = SpacesOption.Create("the built-in table");
+    private Option<FileSystemInfo?> Faces { get; } = SpacesOption.Create("the built-in table");
 
-    private static readonly Option<Vector2D?> Near =
+    private Option<Vector2D?> Near { get; } =
         ValueParsers.Point("--near", "X,Y", "Start position, metres [default: the middle of the road network]");
-    private static readonly Option<string> WeatherName = new("--weather")
+    private Option<string> WeatherName { get; } = new("--weather")
     {
         Description = "Weather: " + string.Join(", ", WeatherNames.All),
         HelpName = "W",
         DefaultValueFactory = _ => "clear",
     };
 
-    private static readonly Option<TimeSpan?> Time = ValueParsers.Optional<TimeSpan>(
-        "--time", "HH:MM", "Time of day at the start [default: 12:00]", ParseTime, "a time, e.g. 18:30");
+    private Option<TimeSpan?> Time { get; } = ValueParsers.Optional<TimeSpan>(
+        "--time", "HH:MM", "Time of day at the start [default: 12:00]", ParseTime, "a time of day, e.g. 18:30");
 
-    private static readonly Option<bool> Masks = new("--masks") { Description = "Also write instance masks" };
-    private static readonly Option<int> Rays = WithDefault(
+    private Option<bool> Masks { get; } = new("--masks") { Description = "Also write instance masks" };
+    private Option<int> Rays { get; } = WithDefault(
         ValueParsers.Integer("--rays", "N", "Rays per frame, spent on masks first, then on objects, faces and lanes", 0,
             LabellingOptions.MaxRays),
         new HarvestOptions().RayBudget);
 
-    private static readonly Option<double> RayReach = WithDefault(
-        ValueParsers.Number("--ray-reach", "M", "Objects beyond this distance become regions to ignore, because rays may miss them there, metres", IsDistance, DistanceForm),
+    private Option<double> RayReach { get; } = WithDefault(
+        ValueParsers.Number(
+            "--ray-reach",
+            "M",
+            "Distance to which rays hit objects reliably, metres; objects beyond it become ignore regions",
+            IsDistance,
+            DistanceForm),
         new HarvestOptions().RayReachMetres);
 
-    private static readonly Option<bool> NoScenes =
-        new("--no-scenes") { Description = "Write no scenes; the session then cannot be relabelled" };
-    private static readonly Option<double> Range = WithDefault(
+    private Option<bool> NoScenes { get; } =
+        new("--no-scenes") { Description = "Do not write scenes; the session cannot be relabelled then" };
+    private Option<double> Range { get; } = WithDefault(
         ValueParsers.Number("--range", "M", "Label objects up to this distance, metres", IsDistance, DistanceForm), 150);
 
-    private static readonly Option<double> IgnoreRange = WithDefault(
+    private Option<double> IgnoreRange { get; } = WithDefault(
         ValueParsers.Number(
             "--ignore-range",
             "M",
-            "Mark visible objects between --range and this distance as regions to ignore, metres; 0 marks none",
+            "Mark visible objects between --range and this distance as ignore regions, metres; 0 marks none",
             value => value is >= 0 and <= MaxRange,
             "a number from 0 to 100000"),
         new HarvestOptions().IgnoreRangeMetres);
 
-    private static readonly Option<LookAhead> LaneLookAhead = LaneOptions.LookAhead();
-    private static readonly Option<double> LaneWidth = LaneOptions.LaneWidth();
-    private static readonly Option<double> NarrowLaneWidth = LaneOptions.NarrowLaneWidth();
+    private Option<LookAhead> LaneLookAhead { get; } = LaneOptions.LookAhead();
+    private Option<double> LaneWidth { get; } = LaneOptions.LaneWidth();
+    private Option<double> NarrowLaneWidth { get; } = LaneOptions.NarrowLaneWidth();
 
-    private static readonly Option<string?> Classes = ClassList.Option("Label");
+    private Option<string?> Classes { get; } = ClassList.Option("Label");
 
-    private static readonly Option<string?> Quirks = QuirkList.Option();
+    private Option<string?> Quirks { get; } = QuirkList.Option();
 
-    private static readonly Option<string> FreezeBy = FreezeOption.Create();
+    private Option<string> FreezeBy { get; } = FreezeOption.Create();
 
-    private static readonly Option<int> MaxPictureLag = WithDefault(
-        ValueParsers.Integer("--max-picture-lag", "TICKS", "Largest allowed picture lag, ticks (1/60 s)", 0, PictureLag.MaxTicks),
+    private Option<int> MaxPictureLag { get; } = WithDefault(
+        ValueParsers.Integer("--max-picture-lag", "TICKS", "Maximum picture lag, ticks (1/60 s)", 0, PictureLag.MaxTicks),
         new HarvestOptions().MaxPictureLagTicks);
 
-    private static readonly Option<double> MaxCameraError = WithDefault(
+    private Option<double> MaxCameraError { get; } = WithDefault(
         ValueParsers.Number(
             "--max-camera-error",
             "PX",
-            "Largest allowed error of the camera model, pixels; 0 skips the check",
+            "Maximum error of the camera model, pixels; 0 skips the check",
             value => value >= 0,
             "a number, 0 or greater"),
         1);
 
-    private static readonly LensOptions LensOf = new();
+    private LensOptions LensOf { get; } = new();
 
-    private static readonly Option<Shard> ShardOf = ShardOption.Create();
+    private Option<Shard> ShardOf { get; } = ShardOption.Create();
 
-    private static readonly Option<bool> NoReport = ReportOption.Create();
+    private Option<SyncMode> Sync { get; } = SyncOption.Create();
+    private Option<bool> NoReport { get; } = ReportOption.Create();
 
-    public static Command Create(Terminal terminal)
+    public static Command Create(Terminal terminal) => new HarvestCommand().Build(terminal);
+
+    private Command Build(Terminal terminal)
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
             Out, Overwrite, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, WeatherName, Time, Masks, Rays,
                 RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, Quirks, FreezeBy,
-                    MaxPictureLag, MaxCameraError, ShardOf, NoReport,
+                    MaxPictureLag, MaxCameraError, ShardOf, Sync, NoReport,
         };
         LensOf.AddTo(command);
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
-            Task.FromResult(Run(terminal, PlanOf(parsed), !parsed.GetValue(NoReport), cancellation)));
+            Task.FromResult(Run(terminal, PlanOf(parsed), CommandText.Of(parsed), !parsed.GetValue(NoReport), cancellation)));
         return command;
     }
 
-    private static int Run(Terminal terminal, HarvestPlan plan, bool withReport, CancellationToken cancellation)
+    private static int Run(Terminal terminal, HarvestPlan plan, string command, bool withReport, CancellationToken cancellation)
     {
-        using FolderLock held = FolderLock.Take(plan.Folder);
-        OutputFolder.Check(plan.Folder, plan.Overwrite);
-        terminal.Out.WriteLine($"Harvesting {(plan.Options.Shard.Count > 1 ? $"shard {plan.Options.Shard} of " : "")}{Counted.Of(plan.Frames, "frame")} of {plan.Options.Image.Width} x {plan.Options.Image.Height}, seed {plan.Seed}, to {plan.Folder}");
+        using var output = new SessionOutput(terminal, plan.Folder, command, plan.Overwrite, keepsFrames: true);
+        ImageSize image = plan.Options.Image;
+        string shard = plan.Options.Shard.Count > 1 ? $"shard {plan.Options.Shard} of " : "";
+        terminal.Out.WriteLine(
+            $"Harvesting {shard}{Counted.Of(plan.Frames, "frame")} of {image.Width} x {image.Height}, seed {plan.Seed}, to {plan.Folder}");
         terminal.Out.Flush();
         SimulatedHarvest harvest = SimulatedHarvest.Build(plan, terminal.WriteError);
-        OutputFolder.Clear(plan.Folder);
-        HarvestOutcome outcome = new JobProgress(terminal, plan.Frames).Run(report => harvest.Run(report, cancellation));
+        string written = output.Begin();
+        HarvestOutcome outcome = new JobProgress(terminal, plan.Frames).Run(report => harvest.Run(written, report, cancellation));
         foreach (string warning in outcome.Warnings)
         {
             terminal.WriteError(warning);
@@ -174,29 +185,52 @@ internal static class HarvestCommand
 
         if (outcome.Fault is { } fault)
         {
-            OutputFolder.DiscardUnopened(plan.Folder);
-            terminal.WriteError(fault);
+            terminal.WriteError(output.KeepsFormer
+                ? $"{fault.Replace(written, plan.Folder, StringComparison.Ordinal)} The session that was there is unchanged; the new "
+                    + "frames are deleted."
+                : fault);
             return outcome.ExitCode;
         }
 
-        var session = new SessionReader(plan.Folder);
-        string? page = withReport && !outcome.IsCancelled && plan.Options.Shard.Count == 1 ? Path.Combine(plan.Folder, ReportWriter.FileName)
-            : null;
-        if (page is not null)
+        if (outcome.IsCancelled && output.KeepsFormer)
         {
-            new ReportWriter(session).Write(page);
+            terminal.WriteError(
+                $"Stopped after {outcome.Frames} of {Counted.Of(plan.Frames, "frame")}, which are deleted; the session in "
+                + $"'{plan.Folder}' is unchanged.");
+            return outcome.ExitCode;
         }
 
-        HarvestSummary.Write(terminal, plan, outcome, SessionStatistics.Of(session.ReadLabels()), page);
+        if (outcome.IsCancelled && outcome.Frames == 0)
+        {
+            terminal.WriteError("Stopped before the first frame.");
+            return outcome.ExitCode;
+        }
+
+        var session = new SessionReader(written);
+        bool hasPage = withReport && !outcome.IsCancelled && plan.Options.Shard.Count == 1;
+        if (hasPage)
+        {
+            new ReportWriter(session).Write(Path.Combine(written, ReportWriter.FileName));
+        }
+
+        SessionStatistics statistics = SessionStatistics.Of(session.ReadLabels());
+        if (!outcome.IsCancelled)
+        {
+            output.Complete();
+        }
+
+        HarvestSummary.Write(terminal, plan, outcome, statistics, hasPage ? Path.Combine(plan.Folder, ReportWriter.FileName) : null);
         if (outcome.IsCancelled)
         {
-            terminal.WriteError($"Stopped after {outcome.Frames} of {Counted.Of(plan.Frames, "frame")}; the session is valid.");
+            terminal.WriteError(
+                $"Stopped after {outcome.Frames} of {Counted.Of(plan.Frames, "frame")}; the session is valid. The same command starts "
+                + "anew.");
         }
 
         return outcome.ExitCode;
     }
 
-    private static HarvestPlan PlanOf(ParseResult parsed)
+    private HarvestPlan PlanOf(ParseResult parsed)
     {
         string weather = parsed.GetRequiredValue(WeatherName);
         return new HarvestPlan
@@ -219,11 +253,11 @@ internal static class HarvestCommand
             LaneWidth = parsed.GetValue(LaneWidth),
             NarrowLaneWidth = parsed.GetValue(NarrowLaneWidth),
             Quirks = QuirkList.Parse(parsed.GetValue(Quirks)),
-            QuirksAsked = parsed.GetValue(Quirks),
+            QuirksText = parsed.GetValue(Quirks),
         };
     }
 
-    private static HarvestOptions OptionsOf(ParseResult parsed)
+    private HarvestOptions OptionsOf(ParseResult parsed)
     {
         ImageFormat format = parsed.GetValue(Format) ?? ImageFormat.Png;
         return new HarvestOptions
@@ -245,6 +279,7 @@ internal static class HarvestCommand
             MaxPictureLagTicks = parsed.GetValue(MaxPictureLag),
             FreezeBy = FreezeOption.Parse(parsed.GetRequiredValue(FreezeBy)),
             Scenes = !parsed.GetValue(NoScenes),
+            Sync = parsed.GetValue(Sync),
         };
     }
 

@@ -14,42 +14,47 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester lanes: the lane indicators of a car at a position, as JSON; useful to check a frame by hand.</summary>
-internal static class LanesCommand
+/// <summary>harvester lanes: prints the lane indicators of a car at a position, as JSON, for checking a frame by hand.</summary>
+internal sealed class LanesCommand
 {
     private const string Notes =
         "The output has the fields of `lanes` in docs/dataset-format.md, without markings; docs/lanes.md defines them.\n"
-        + "A file of vehicles has one line per vehicle: x,y,z,heading or x,y,z,heading,length, in metres and degrees.\n\n"
+        + "The file of --vehicles has one line per vehicle: x,y,z,heading or x,y,z,heading,length, in metres and degrees. The default\n"
+        + "length is 4.5.\n\n"
         + "Example:\n"
         + "  harvester lanes --roads roads.csv --position -72.6,-1049.5,27.1 --heading 159";
 
     private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true, NewLine = "\n" };
 
-    private static readonly Option<FileInfo> Roads =
+    private Option<FileInfo> Roads { get; } =
         new("--roads") { Description = "Road network: any file that harvester roads import reads", HelpName = "FILE", Required = true };
-    private static readonly Option<Vector3D> Position = Required(ValueParsers.Vector("--position", "X,Y,Z", "Centre of the car's box in the world, metres; with --box-centre, the car's origin (ego.position)"));
-    private static readonly Option<double> Heading = Required(
+    private Option<Vector3D> Position { get; } = Required(ValueParsers.Vector(
+        "--position", "X,Y,Z", "Centre of the car's box in the world, metres; with --box-centre, the car's origin (ego.position)"));
+    private Option<double> Heading { get; } = Required(
         ValueParsers.Number("--heading", "DEG", "Heading of the car, degrees counter-clockwise from north", _ => true, "a number"));
 
-    private static readonly Option<Vector3D?> BoxCentre = ValueParsers.Optional<Vector3D>(
+    private Option<Vector3D?> BoxCentre { get; } = ValueParsers.Optional<Vector3D>(
         "--box-centre",
         "R,F,U",
-        "Offset of the box's centre from the car's origin, metres right, forward and up: (modelMin + modelMax) / 2 of ego in a scene",
+        "Offset of the box's centre from the car's origin, metres right, forward and up: (modelMin + modelMax) / 2 of ego in a scene "
+            + "[default: 0,0,0]",
         text => ValueParsers.Numbers(text, 3) is { } n ? new Vector3D(n[0], n[1], n[2]) : null,
         "three numbers");
 
-    private static readonly Option<FileInfo?> Vehicles =
-        new("--vehicles") { Description = "File with the other vehicles", HelpName = "FILE" };
-    private static readonly Option<double> Length = WithDefault(Metres("--length", "Length of the car, metres"), 4.5);
-    private static readonly Option<LookAhead> LaneLookAhead = LaneOptions.LookAhead();
-    private static readonly Option<double> Speed = WithDefault(
+    private Option<FileInfo?> Vehicles { get; } =
+        new("--vehicles") { Description = "Other vehicles, see below", HelpName = "FILE" };
+    private Option<double> Length { get; } = WithDefault(Metres("--length", "Length of the car, metres"), 4.5);
+    private Option<LookAhead> LaneLookAhead { get; } = LaneOptions.LookAhead();
+    private Option<double> Speed { get; } = WithDefault(
         ValueParsers.Number("--speed", "V", "Speed of the car, metres per second, for a look-ahead in seconds", value =>
             value is >= 0 and <= 100, "a number from 0 to 100"), 10);
 
-    private static readonly Option<double> LaneWidth = LaneOptions.LaneWidth();
-    private static readonly Option<double> NarrowLaneWidth = LaneOptions.NarrowLaneWidth();
+    private Option<double> LaneWidth { get; } = LaneOptions.LaneWidth();
+    private Option<double> NarrowLaneWidth { get; } = LaneOptions.NarrowLaneWidth();
 
-    public static Command Create(Terminal terminal)
+    public static Command Create(Terminal terminal) => new LanesCommand().Build(terminal);
+
+    private Command Build(Terminal terminal)
     {
         var command = new Command("lanes", "Print the 13 lane indicators of a car at a position, as JSON.")
         {
@@ -67,16 +72,26 @@ internal static class LanesCommand
             LaneObservation seen = observer.Observe(
                 car.ToWorld(parsed.GetValue(BoxCentre) ?? Vector3D.Zero), heading, parsed.GetValue(Speed), parsed.GetValue(Length),
                     ReadVehicles(parsed.GetValue(Vehicles)), null);
-            using JsonDocument lanes = JsonDocument.Parse(JsonLabelWriter.Lanes(LanesLabel.Of(seen, "roadFile", [], null)));
-            terminal.Out.WriteLine(JsonSerializer.Serialize(lanes.RootElement, Indented));
+            terminal.Out.WriteLine(TextOf(seen));
             return ExitCode.Done;
         });
         return command;
     }
 
-    private static TrafficVehicle[] ReadVehicles(FileInfo? file)
+    /// <summary>The indicators as the command prints them.</summary>
+    internal static string TextOf(LaneObservation seen)
+    {
+        using JsonDocument lanes = JsonDocument.Parse(JsonLabelWriter.Lanes(LanesLabel.Of(seen, "roadFile", [], null)));
+        return JsonSerializer.Serialize(lanes.RootElement, Indented);
+    }
+
+    /// <summary>Reads the file of --vehicles.</summary>
+    /// <param name="file">The file; null for none.</param>
+    /// <exception cref="DatasetFormatException">A line is not a vehicle, or there are too many.</exception>
+    internal static TrafficVehicle[] ReadVehicles(FileInfo? file)
     {
         const int maxLineCharacters = 1 << 16;
+        const int maxVehicles = 10_000;
         const double usualLength = 4.5;
         if (file is null)
         {
@@ -92,7 +107,13 @@ internal static class LanesCommand
             }
 
             double[] numbers = ValueParsers.Numbers(line, 4) ?? ValueParsers.Numbers(line, 5)
-                ?? throw new DatasetFormatException($"{file.Name}, line {index + 1}: expected x,y,z,heading or x,y,z,heading,length, found '{line.Trim()}'.");
+                ?? throw new DatasetFormatException(
+                    $"{file.Name}, line {index + 1}: expected x,y,z,heading or x,y,z,heading,length, found '{line.Trim()}'.");
+            if (vehicles.Count == maxVehicles)
+            {
+                throw new DatasetFormatException($"{file.Name}, line {index + 1}: more than {maxVehicles} vehicles, the limit.");
+            }
+
             vehicles.Add(new TrafficVehicle(
                 vehicles.Count + 1, new Vector3D(numbers[0], numbers[1], numbers[2]), numbers[3], numbers.Length > 4 ? numbers[4]
                     : usualLength));

@@ -11,19 +11,19 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester project: points of the world to pixels, as CSV.</summary>
+/// <summary>harvester project: projects points of the world to pixels, as CSV.</summary>
 internal static class ProjectCommand
 {
     private const double DefaultNearClip = 0.15;
 
     private const string Notes =
-        "Input: one point per line as x,y,z in metres, with x east, y north and z up. Blank lines and lines that begin with # are skipped.\n"
-        + "Output: one row per point with u and v (pixels from the upper left corner, empty for a point behind the near plane), depth (metres in\n"
-        + "front of the camera) and outcome (inImage, outsideImage or behindNearPlane).\n\n"
+        "Input: one point per line, x,y,z in metres, with x east, y north and z up. Blank lines and lines that begin with # are ignored.\n"
+        + "Output: one row per point with u and v (pixels from the upper left corner, empty for a point behind the near plane), depth\n"
+        + "(metres in front of the camera) and outcome (inImage, outsideImage or behindNearPlane).\n\n"
         + "Example:\n"
         + "  echo 0,10,0 | harvester project --position 0,0,0 --rotation 0,0,0 --fov 50 --size 800x600";
 
-    /// <summary>Three numbers with all their digits have less than a thousandth.</summary>
+    /// <summary>A generous limit: three numbers with all their digits have fewer than 100 characters.</summary>
     private const int MaxLineCharacters = 1 << 16;
 
     public static Command Create(Terminal terminal)
@@ -58,12 +58,23 @@ internal static class ProjectCommand
 
             FileInfo? file = parsed.GetValue(points);
             string source = file?.Name ?? "standard input";
-            using TextReader reader = InputFile.Limited(
-                file is null ? terminal.In : InputFile.OpenText(file.FullName), source, MaxLineCharacters);
-            WriteProjections(camera, ReadPoints(reader, source), terminal.Out);
+            using TextReader reader = file is null ? terminal.In : InputFile.OpenText(file.FullName);
+            Project(camera, reader, source, terminal.Out);
             return ExitCode.Done;
         });
         return command;
+    }
+
+    /// <summary>Projects points.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="points">Their text, one a line.</param>
+    /// <param name="source">Where the text comes from, for messages.</param>
+    /// <param name="output">Where the pixels go, as CSV.</param>
+    /// <exception cref="DatasetFormatException">A line is not a point, or is too long.</exception>
+    internal static void Project(Camera camera, TextReader points, string source, TextWriter output)
+    {
+        using TextReader limited = InputFile.Limited(points, source, MaxLineCharacters);
+        WriteProjections(camera, ReadPoints(limited, source), output);
     }
 
     private static IEnumerable<Vector3D> ReadPoints(TextReader reader, string source)

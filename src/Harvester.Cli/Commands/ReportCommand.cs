@@ -5,18 +5,20 @@ using System.IO;
 using System.Linq;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester report: one page that shows a session, or one of its frames as a picture.</summary>
+/// <summary>harvester report: writes a page that shows a session, or an image of one of its frames.</summary>
 internal static class ReportCommand
 {
     private const string Notes =
-        "The page shows frames with their boxes, a slider, switches for the classes, counts and charts. It works offline and needs no other file:\n"
-        + "the images are embedded, and frames are left out where they would exceed 48 MiB. With --link, the page shows all frames that --frames\n"
-        + "asks for.\n\n"
+        "The page shows frames with their boxes, a slider, switches for the classes, counts and charts. It works offline and needs no\n"
+        + "other file: the images are embedded as JPEG, scaled down if they would exceed 5.5 MB. With --link, the page shows the image\n"
+        + "files of the session.\n\n"
         + "Examples:\n"
         + "  harvester report out\n"
         + "  harvester report out --frames 300 --out report.html\n"
@@ -29,14 +31,18 @@ internal static class ReportCommand
         Argument<string> folder = SessionArgument.Create();
         var output = new Option<string?>("--out")
         {
-            Description = $"File to write [default: {ReportWriter.FileName} in the session; with --still, frame-N.png in the current folder]",
+            Description =
+                $"File to write [default: {ReportWriter.FileName} in the session; with --still, frame-N.png in the current folder]",
             HelpName = "FILE",
         };
-        Option<int> frames = ValueParsers.Integer("--frames", "N", "Largest number of frames to show, evenly spaced", 1, MaxFrames);
+        Option<int> frames = ValueParsers.Integer("--frames", "N", "Maximum number of frames to show, evenly spaced", 1, MaxFrames);
         frames.DefaultValueFactory = _ => new ReportLimits().Frames;
         Option<int?> still = ValueParsers.Optional<int>(
             "--still", "FRAME", "Draw this frame with its boxes as a PNG image instead of a page", FrameNumber, "a frame number, e.g. 12");
-        var link = new Option<bool>("--link") { Description = "Link the images instead of embedding them; the page is small and works only next to its session" };
+        var link = new Option<bool>("--link")
+        {
+            Description = "Link the images instead of embedding them; the page is small and works only next to its session",
+        };
         var command = new Command("report", "Show a session as one self-contained HTML page.") { folder, output, frames, still, link };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction(parsed =>
@@ -54,7 +60,7 @@ internal static class ReportCommand
                 CheckExtension(picture, ".png");
                 if (reader.Holds(picture))
                 {
-                    throw new UsageException($"--out '{picture}' is a file of the session, and would be replaced. Name another file.");
+                    throw new UsageException($"--out '{picture}' would replace a file of the session. Name another file.");
                 }
 
                 StillWriter.Write(reader, frame, picture);
@@ -66,10 +72,11 @@ internal static class ReportCommand
             CheckExtension(page, ".html", ".htm");
             if (reader.Holds(page))
             {
-                throw new UsageException($"--out '{page}' is a file of the session, and would be replaced. Name another file.");
+                throw new UsageException($"--out '{page}' would replace a file of the session. Name another file.");
             }
 
             var limits = new ReportLimits(parsed.GetValue(frames)) { LinksImages = parsed.GetValue(link) };
+            using FolderLock? held = OutputFile.Lock(page);
             int shown = new ReportWriter(reader, limits).Write(page);
             terminal.Out.WriteLine($"{page}: {Counted.Of(shown, "frame")} shown");
             return ExitCode.Done;
@@ -80,7 +87,7 @@ internal static class ReportCommand
     private static int? FrameNumber(string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out int frame) ? frame : null;
 
-    /// <summary>What a file is called says what it is.</summary>
+    /// <summary>Checks that the name of a file matches its format.</summary>
     private static void CheckExtension(string file, params string[] allowed)
     {
         if (!allowed.Contains(Path.GetExtension(file), StringComparer.OrdinalIgnoreCase))

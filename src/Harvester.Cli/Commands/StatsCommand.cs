@@ -13,14 +13,14 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
 
-/// <summary>harvester stats: statistics of one or more sessions, next to those of a published dataset.</summary>
+/// <summary>harvester stats: prints statistics of one or more sessions, next to those of a published dataset.</summary>
 internal static class StatsCommand
 {
     private const string Notes =
         "The statistics cover all sessions together. Histograms show the number of labels in each bin; a bin includes its lower end.\n"
         + "  truncation   fraction of an object outside the image\n"
         + "  occlusion    fraction of its silhouette within the image that is hidden\n"
-        + "  indicators   smallest and largest value\n"
+        + "  indicators   minimum and maximum\n"
         + "An object has one label in each frame in which it appears. Medians are accurate to 1/4096 of their value.\n\n"
         + "Example:\n"
         + "  harvester stats day night";
@@ -46,14 +46,18 @@ internal static class StatsCommand
     private static IEnumerable<string> Lines(SessionStatistics statistics)
     {
         PublishedDataset kitti = PublishedDataset.Kitti;
-        yield return Text($"{Counted.Of(statistics.Frames, "frame")}, {Counted.Of(statistics.Labels, "label")}, {statistics.LabelsPerFrame:0.0} labels per frame");
-        yield return Text(
-            $"{kitti.Name}, for comparison: {kitti.TrainingImages} training and {kitti.TestImages} test images, {kitti.Labels} labels, {kitti.LabelsPerImage:0.0} labels per image");
-        yield return Text(
-            $"without signs and traffic lights, which KITTI does not label: {Counted.Of(statistics.LabelsAsKitti, "label")}, {statistics.LabelsAsKittiPerFrame:0.0} labels per frame");
+        string labels = Counted.Of(statistics.Labels, "label");
+        string labelsAsKitti = Counted.Of(statistics.LabelsAsKitti, "label");
+        yield return Text($"{Counted.Of(statistics.Frames, "frame")}, {labels}, {statistics.LabelsPerFrame:0.0} labels per frame");
+        yield return Text($"{kitti.Name}, for comparison: {kitti.TrainingImages} training and {kitti.TestImages} test images, ")
+            + Text($"{kitti.Labels} labels, {kitti.LabelsPerImage:0.0} labels per image");
+        yield return Text($"without signs and traffic lights, which KITTI does not label: {labelsAsKitti}, ")
+            + Text($"{statistics.LabelsAsKittiPerFrame:0.0} labels per frame");
         foreach ((ObjectClass kind, ClassStatistics figures) in statistics.Classes)
         {
-            yield return Text($"class {JsonName.Of(kind)}: {Counted.Of(figures.Labels, "label")}, {Counted.Of(figures.Objects, "object")}{PartsOf(figures)}, nearest {figures.MinMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m");
+            string objects = Counted.Of(figures.Objects, "object") + PartsOf(figures);
+            yield return Text($"class {JsonName.Of(kind)}: {Counted.Of(figures.Labels, "label")}, {objects}, ")
+                + Text($"nearest {figures.MinMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m");
         }
 
         yield return Bins("distance, m", statistics.Distances);
@@ -67,14 +71,14 @@ internal static class StatsCommand
         foreach ((string name, IndicatorSpan span) in statistics.Indicators)
         {
             string unit = IndicatorTable.All[IndicatorTable.IndexOf(name)].Unit;
-            yield return Text($"indicator {name}, {unit}: {Counted.Of(span.Count, "frame")}, {span.Least:0.00} to {span.Greatest:0.00}");
+            yield return Text($"indicator {name}, {unit}: {Counted.Of(span.Count, "frame")}, {span.Min:0.00} to {span.Max:0.00}");
         }
     }
 
     private static string PartsOf(ClassStatistics figures) =>
-        figures.Parts == 0 ? "" : Text($" ({figures.Parts} of them faces of signs or heads of lights)");
+        figures.Parts == 0 ? "" : Text($" (of which faces or heads: {figures.Parts})");
 
-    /// <summary>The bins that hold something.</summary>
+    /// <summary>The bins that are not empty.</summary>
     private static string Bins(string name, Histogram histogram) => Listed(
         name, histogram.Counts.Select((count, bin) => (count, bin)).Where(pair => pair.count > 0)
             .Select(pair => $"{RangeOf(histogram, pair.bin)} {pair.count}"));

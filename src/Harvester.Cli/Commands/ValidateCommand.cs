@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
@@ -7,6 +8,8 @@ using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Validation;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
 
@@ -14,15 +17,18 @@ namespace Harvester.Cli.Commands;
 internal static class ValidateCommand
 {
     private const string Notes =
-        "A session is checked for these:\n"
+        "Checks of a session:\n"
         + "  files       every line parses; images, masks and scenes exist, are complete and have the size in the label\n"
         + "  boxes       boxes lie in the image and within their amodal boxes; masks agree with boxes and labels\n"
-        + "  values      fractions are 0 to 1 and consistent; distances agree with cuboids, focal lengths with fields of view; lane indicators\n"
-        + "              are in range\n"
-        + "  order       an id stands for one object; frame numbers and times increase\n\n"
-        + "A dataset is checked for these: every label parses in its format; boxes lie in the image; ids are unique and known; images exist and\n"
-        + "have their sizes; no frame is in two splits; calibrations project 3D boxes onto 2D boxes; archives are complete; the number of frames\n"
-        + "is that of export.json. docs/exports has the list for each format.\n\n"
+        + "  values      fractions are 0 to 1 and consistent; distances agree with cuboids, focal lengths with fields of view; lane\n"
+        + "              indicators are in range\n"
+        + "  order       an id stands for one object; frame numbers and times increase\n"
+        + "  manifest    every picture decodes, and every file and label line has the SHA-256 in manifest.jsonl\n\n"
+        + "Checks of a dataset, as far as its format has these things (docs/exports has the list for each format):\n"
+        + "  files       every label parses; images exist and have the size in the label; archives are complete\n"
+        + "  boxes       boxes lie in the image; calibrations project 3D boxes onto 2D boxes\n"
+        + "  order       ids are unique and known; no frame is in two splits; the number of frames is that of export.json\n"
+        + "  manifest    every file has the SHA-256 in manifest.jsonl, and no other file is among them\n\n"
         + "Problems are printed one per line; the exit code is 1 if there are any. An unfinished last line is ignored, with a note.\n\n"
         + "Example:\n"
         + "  harvester validate out";
@@ -31,7 +37,8 @@ internal static class ValidateCommand
     {
         Argument<string> folder = SessionArgument.Create();
         folder.Description = "Folder of a session or of an exported dataset";
-        var command = new Command("validate", "Check a session or an exported dataset and list every problem.") { folder };
+        var quick = new Option<bool>("--quick") { Description = "Compare pictures with the manifest only, and do not decode them" };
+        var command = new Command("validate", "Check a session or an exported dataset and list every problem.") { folder, quick };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
         {
@@ -48,7 +55,7 @@ internal static class ValidateCommand
             }
 
             var reader = new SessionReader(session);
-            SessionValidation validation = SessionValidator.Validate(reader, cancellation);
+            SessionValidation validation = SessionValidator.Validate(reader, parsed.GetValue(quick), cancellation);
             foreach (SessionProblem problem in validation.Problems)
             {
                 terminal.Out.WriteLine(problem);
@@ -59,21 +66,30 @@ internal static class ValidateCommand
                 terminal.Out.WriteLine($"Note: {note}");
             }
 
+            if (validation is { HasManifest: false, Frames: > 0, Info: not { HasManifest: true } })
+            {
+                terminal.Out.WriteLine(
+                    $"Note: the session has no {Manifest.FileName}, so damage that leaves its files readable is not found.");
+            }
+
             if (validation.Info is { CapturedFrames: null })
             {
-                terminal.Out.WriteLine("Note: the recording was cut off before session.json was complete; the frames recorded until then are included.");
+                terminal.Out.WriteLine(
+                    "Note: the recording was cut off before session.json was complete; the frames recorded until then are included.");
             }
 
             if (validation.Undetermined > 0)
             {
-                terminal.Out.WriteLine(
-                    $"Warning: the visibility of {validation.Undetermined} of {Counted.Of(validation.Objects, "label")} is unknown (occlusionMethod none); visibility filters leave them out.");
+                string labels = Counted.Of(validation.Objects, "label");
+                terminal.Out.WriteLine($"Warning: the visibility of {validation.Undetermined} of {labels} is unknown "
+                    + "(occlusionMethod none); filters by visibility leave them out.");
             }
 
             if (validation.UndeterminedRegions > 0)
             {
+                string objects = Counted.Of(validation.UndeterminedRegions, "object");
                 terminal.Out.WriteLine(
-                    $"Warning: the visibility of {Counted.Of(validation.UndeterminedRegions, "object")} could not be determined; they have ignore regions instead of labels.");
+                    $"Warning: the visibility of {objects} could not be determined; they have ignore regions instead of labels.");
             }
 
             foreach (string open in validation.Info?.Unchecked ?? [])
@@ -81,7 +97,8 @@ internal static class ValidateCommand
                 terminal.Out.WriteLine($"Note: {open}");
             }
 
-            terminal.Out.WriteLine($"{session}: {Counted.Of(validation.Frames, "frame")}, {Counted.Of(validation.Objects, "label")}, {Verdict(validation.Problems.Count)}");
+            string counts = $"{Counted.Of(validation.Frames, "frame")}, {Counted.Of(validation.Objects, "label")}";
+            terminal.Out.WriteLine($"{session}: {counts}, {Verdict(validation.Problems.Count)}");
             return Task.FromResult(validation.IsGood ? ExitCode.Done : ExitCode.BadData);
         });
         return command;
@@ -95,9 +112,23 @@ internal static class ValidateCommand
             terminal.Out.WriteLine(problem);
         }
 
-        terminal.Out.WriteLine($"{folder}: {validation.Format}, {Counted.Of(validation.Frames, "frame")}, {Verdict(validation.Problems.Count)}");
+        if (!validation.HasManifest && validation.Problems.All(problem => problem.File != Manifest.FileName))
+        {
+            terminal.Out.WriteLine(
+                $"Note: the dataset has no {Manifest.FileName}, so damage that leaves its files readable is not found.");
+        }
+
+        if (validation.OtherFiles.Count > 0)
+        {
+            string others = Counted.Of(validation.OtherFiles.Count, "file");
+            terminal.Out.WriteLine($"Note: {others} in the folder not listed in {Manifest.FileName}, e.g. '{validation.OtherFiles[0]}'; "
+                + "readers of the format pass over such files.");
+        }
+
+        string frames = Counted.Of(validation.Frames, "frame");
+        terminal.Out.WriteLine($"{folder}: {validation.Format}, {frames}, {Verdict(validation.Problems.Count)}");
         return validation.Problems.Count == 0 ? ExitCode.Done : ExitCode.BadData;
     }
 
-    private static string Verdict(int problems) => problems == 0 ? "good" : Counted.Of(problems, "problem");
+    private static string Verdict(int problems) => problems == 0 ? "no problems" : Counted.Of(problems, "problem");
 }

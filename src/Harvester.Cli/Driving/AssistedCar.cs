@@ -8,19 +8,19 @@ using Harvester.Simulation.Game;
 namespace Harvester.Cli.Driving;
 
 /// <summary>
-/// The simulated car behind a bridge: in junctions and where it has to give way its own driver drives, whatever the client says, as long as
-/// a client is there. Without one it brakes everywhere.
+/// The simulated car behind a bridge. In junctions and where it must give way, its built-in driver drives instead of the client. Without a
+/// client, it brakes everywhere.
 /// </summary>
-/// <param name="game">The game with the car.</param>
+/// <param name="game">The game.</param>
 /// <param name="roads">Its roads.</param>
-/// <param name="isClientAlive">Whether a client has spoken lately.</param>
+/// <param name="isClientAlive">Whether a client has sent something recently.</param>
 internal sealed class AssistedCar(SimulatedGame game, IRoads roads, Func<bool> isClientAlive) : IDrivenCar
 {
     private readonly IDrivenCar _car = game.Ports.Car!;
     private readonly LaneTracker _lanes = new(roads, entity => entity.Handle);
     private Handover _handover = new();
 
-    /// <summary>Whether what the client says drives, the brake too when it says nothing.</summary>
+    /// <summary>Whether the client drives; also true while the car brakes because there is no client.</summary>
     public bool IsByClient { get; private set; }
 
     public bool IsTakenByPlayer => _car.IsTakenByPlayer;
@@ -43,7 +43,7 @@ internal sealed class AssistedCar(SimulatedGame game, IRoads roads, Func<bool> i
 
     public void SetEnvironment(string? weather, TimeSpan? timeOfDay) => _car.SetEnvironment(weather, timeOfDay);
 
-    /// <summary>Forgets the road and who had the wheel, as when the car has been put elsewhere.</summary>
+    /// <summary>Forgets the road and who drives, as after a teleport of the car.</summary>
     public void Forget()
     {
         _lanes.Forget();

@@ -4,27 +4,29 @@ using System.Linq;
 using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sharding;
+using Harvester.Driving.Bridge;
 using Harvester.Evaluation.Figures;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Driving;
 
 /// <summary>
-/// The folder over which a game is driven. The bridge writes to it and deletes in it, so that a folder of something else is refused.
+/// Checks the folder of a folder bridge. The bridge writes and deletes files there, so a folder with other files is refused.
 /// </summary>
 internal static class BridgeFolder
 {
-    /// <summary>Name of the shared folder in the folder of the drive, where no other is named.</summary>
+    /// <summary>Default name of the shared folder, in the folder of the drive.</summary>
     public const string DefaultName = "bridge";
 
     private const string Picture = "frame_";
 
-    // What the game and its client write, under these names or temporary ones made of them; docs/bridge.md. Pictures are no sign: other
-    // tools number theirs so too.
-    private static readonly string[] Signs = ["state.txt", "indicators.txt", "controls.txt", "command.json", "alive.txt"];
+    // Files that game and client write, under these names or temporary names derived from them; docs/bridge.md. Images do not identify a
+    // bridge, because other tools use the same names.
+    private static readonly string[] Signs =
+        [BridgeProtocol.HelloFile, "state.txt", "indicators.txt", "controls.txt", "command.json", "alive.txt"];
 
-    /// <summary>Checks that a bridge may be opened in a folder, and changes nothing.</summary>
-    /// <exception cref="OccupiedFolderException">The folder holds something else.</exception>
+    /// <summary>Checks that a bridge may be opened in a folder. Changes nothing.</summary>
+    /// <exception cref="OccupiedFolderException">The folder has files that are not a bridge's.</exception>
     public static void Check(string folder)
     {
         if (!Directory.Exists(folder))
@@ -38,7 +40,8 @@ internal static class BridgeFolder
         if (found.Length > 0 && (isOther || !found.Any(IsSign)))
         {
             string foreign = found.FirstOrDefault(name => !IsSign(name) && !name.StartsWith(Picture, StringComparison.Ordinal)) ?? found[0];
-            throw new OccupiedFolderException($"'{folder}' holds other files than those of a bridge, e.g. '{foreign}'. Name another folder with --folder.");
+            throw new OccupiedFolderException(
+                $"'{folder}' has files that are not a bridge's, e.g. '{foreign}'. Name another folder with --folder.");
         }
     }
 

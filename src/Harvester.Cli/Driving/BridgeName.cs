@@ -1,9 +1,9 @@
 namespace Harvester.Cli.Driving;
 
-/// <summary>What lies between game and controller.</summary>
+/// <summary>The connection between game and controller.</summary>
 internal enum BridgeName
 {
-    /// <summary>Nothing: both are in one process, and no picture is drawn.</summary>
+    /// <summary>None: both run in one process, and no image is drawn.</summary>
     Direct,
 
     /// <summary>A shared folder.</summary>

@@ -1,24 +1,33 @@
+using System;
 using System.IO;
 using System.Linq;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Evaluation.Figures;
 using Harvester.Evaluation.Reports;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Driving;
 
-/// <summary>
-/// The folder that a drive is written to. Nothing but an earlier drive is ever replaced, and only when that was asked for.
-/// </summary>
-internal static class DriveFolder
+/// <summary>The output folder of a drive. Only an existing drive is ever replaced, and only with --overwrite.</summary>
+internal sealed class DriveFolder
 {
     private static readonly string[] Files = [DriveRecord.FileName, DriveReport.FileName];
 
-    /// <summary>Checks that a drive may be written to a folder, and makes it where it is not there.</summary>
-    /// <exception cref="IOException">A file is where the folder should be.</exception>
-    /// <exception cref="OccupiedFolderException">The folder holds something that is not to be replaced.</exception>
-    public static void Prepare(string folder, bool overwrite)
+    private readonly string _folder;
+    private readonly string _command;
+    private readonly bool _replaces;
+
+    /// <summary>Checks that a drive may be written to a folder, and creates the folder.</summary>
+    /// <param name="folder">The folder.</param>
+    /// <param name="command">The command, as <see cref="CommandText"/> gives it.</param>
+    /// <param name="overwrite">Whether an existing drive is replaced.</param>
+    /// <exception cref="IOException">The folder, or one above it, is a file.</exception>
+    /// <exception cref="OccupiedFolderException">The folder has files that must not be replaced.</exception>
+    public DriveFolder(string folder, string command, bool overwrite)
     {
+        _folder = folder;
+        _command = command;
         if (OutputFolder.FileInTheWayOf(folder) is { } file)
         {
             throw new IOException($"'{file}' is a file. Name a folder with --out.");
@@ -26,14 +35,66 @@ internal static class DriveFolder
 
         Directory.CreateDirectory(folder);
         string[] found = [.. Directory.EnumerateFileSystemEntries(folder).Select(entry => Path.GetFileName(entry))];
-        if (found.Except([.. Files, BridgeFolder.DefaultName]).FirstOrDefault() is { } other)
+        if (found.FirstOrDefault(name => name != BridgeFolder.DefaultName && !IsOwn(name)) is { } other)
         {
-            throw new OccupiedFolderException($"'{folder}' holds other files besides a drive, e.g. '{other}'. Name another folder with --out.");
+            throw new OccupiedFolderException(
+                $"'{folder}' has files that are not a drive's, e.g. '{other}'. Name another folder with --out.");
         }
 
-        if (!overwrite && found.Intersect(Files).Any())
+        string? unfinished = UnfinishedMark.CommandIn(folder);
+        _replaces = unfinished != command && found.Intersect(Files).Any();
+        if (_replaces && !overwrite)
         {
-            throw new OccupiedFolderException($"'{folder}' already holds a drive. Name another folder with --out, or replace it with --overwrite.");
+            throw new OccupiedFolderException(unfinished is null
+                ? $"'{folder}' already has a drive. Name another folder with --out, or replace it with --overwrite."
+                : $"'{folder}' has the unfinished result of '{unfinished}'. Run that command again, name another folder with --out, "
+                    + "or replace it with --overwrite.");
+        }
+    }
+
+    /// <summary>Writes a drive. One that is to be replaced is whole until the new one is.</summary>
+    /// <param name="fill">Writes all files of the drive into the folder that it is given.</param>
+    /// <returns>Where the drive that was replaced still is, if it could not be deleted; otherwise null.</returns>
+    /// <exception cref="IOException">The drive cannot be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">The drive may not be written.</exception>
+    public string? Write(Action<string> fill)
+    {
+        if (_replaces)
+        {
+            return Replace(fill);
+        }
+
+        UnfinishedMark.Write(_folder, _command);
+        AtomicFile.DeleteLeftovers(_folder, IsOwn);
+        fill(_folder);
+        UnfinishedMark.Delete(_folder);
+        return null;
+    }
+
+    private static bool IsOwn(string name) => UnfinishedMark.Is(name) || Files.Contains(AtomicFile.TargetOf(name) ?? name);
+
+    private string? Replace(Action<string> fill)
+    {
+        using FolderReplacement replacement = FolderReplacement.Begin(_folder);
+        fill(replacement.Folder);
+
+        // The shared folder of a bridge is no result: it goes along, for a client that looks into it.
+        string bridge = Path.Combine(_folder, BridgeFolder.DefaultName);
+        string moved = Path.Combine(replacement.Folder, BridgeFolder.DefaultName);
+        if (!Directory.Exists(bridge))
+        {
+            return replacement.Complete();
+        }
+
+        Directory.Move(bridge, moved);
+        try
+        {
+            return replacement.Complete();
+        }
+        catch
+        {
+            Directory.Move(moved, bridge);
+            throw;
         }
     }
 }

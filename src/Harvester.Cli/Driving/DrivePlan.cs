@@ -6,33 +6,33 @@ using Harvester.Geometry.Roads;
 
 namespace Harvester.Cli.Driving;
 
-/// <summary>What the command line asks of a drive.</summary>
+/// <summary>A drive as the command line describes it.</summary>
 internal sealed record DrivePlan
 {
-    /// <summary>Who drives.</summary>
+    /// <summary>The controller.</summary>
     public required ControllerPlan Controller { get; init; }
 
-    /// <summary>Decides everything that is left to chance.</summary>
+    /// <summary>Random seed.</summary>
     public int Seed { get; init; } = 1;
 
-    /// <summary>The roads to drive on; null for a town made from the seed.</summary>
+    /// <summary>The road network; null for a town generated from the seed.</summary>
     public RoadNetwork? Roads { get; init; }
 
-    /// <summary>Where to start, one drive after the other, metres, world; none for the middle of the roads.</summary>
+    /// <summary>Start positions of the drives, world, metres; empty for the middle of the road network.</summary>
     public IReadOnlyList<Vector2D> Starts { get; init; } = [];
 
     /// <summary>Factor on the number of vehicles.</summary>
     public double TrafficDensity { get; init; } = 1;
 
-    /// <summary>Metres to drive from each start.</summary>
+    /// <summary>Distance to drive from each start, metres.</summary>
     public double Metres { get; init; } = 1000;
 
-    /// <summary>Seconds of the game's time to drive from each start at most.</summary>
+    /// <summary>Time limit for each start, seconds of game time.</summary>
     public double Seconds { get; init; } = double.PositiveInfinity;
 
-    /// <summary>Errors of the indicators; null for the truth.</summary>
+    /// <summary>Noise of the indicators; null for none.</summary>
     public NoiseLevels? Noise { get; init; }
 
-    /// <summary>What lies between game and controller; null for nothing.</summary>
+    /// <summary>The bridge between game and controller; null for none.</summary>
     public BridgePlan? Bridge { get; init; }
 }

@@ -1,14 +1,14 @@
 namespace Harvester.Cli.Driving;
 
-/// <summary>Which sides of a bridge this process is.</summary>
+/// <summary>The side or sides of a bridge that this process runs.</summary>
 internal enum DriveRole
 {
     /// <summary>Game and controller, in lock-step.</summary>
     Both,
 
-    /// <summary>The simulated game, for a client elsewhere.</summary>
+    /// <summary>The simulated game, for a client in another process.</summary>
     Game,
 
-    /// <summary>The controller, for a game elsewhere.</summary>
+    /// <summary>The controller, for a game in another process.</summary>
     Client,
 }

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Harvester.Capture.Labelling;
 using Harvester.Evaluation.Figures;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
@@ -9,30 +8,31 @@ using Harvester.Simulation.Game;
 
 namespace Harvester.Cli.Driving;
 
-/// <summary>Takes samples of the truth about the ego of a simulated game.</summary>
+/// <summary>Samples the true state of the ego vehicle of a simulated game.</summary>
 internal sealed class DriveSampler(SimulatedGame game)
 {
-    private const double MaxBody = 25;
+    /// <summary>Vehicles farther from the ego vehicle cannot touch it, metres.</summary>
+    private const double ContactRange = 25;
 
     private readonly List<DriveSample> _samples = [];
     private double _metres;
 
     public IReadOnlyList<DriveSample> Samples => _samples;
 
-    /// <summary>Way of the car so far, metres.</summary>
+    /// <summary>Distance driven so far, metres.</summary>
     public double Metres => _metres;
 
-    /// <summary>Takes one.</summary>
-    /// <param name="isByController">Whether the controller that is judged drives.</param>
+    /// <summary>Takes a sample.</summary>
+    /// <param name="isByController">Whether the controller drives, not the built-in driver.</param>
     public void Take(bool isByController)
     {
         EgoState ego = game.Ports.World.ReadEgo();
         GroundBox body = GroundBox.Of(ego.Pose, ego.ModelMin, ego.ModelMax);
         double time = game.Ports.World.TimeSeconds;
         DriveSample? before = _samples.LastOrDefault();
-        double way = before is null ? 0 : (body.Centre - before.Position).Length;
-        bool isTeleported = before is null || Relocation.Is(way, before.Speed, ego.Velocity.Length, time - before.TimeSeconds);
-        _metres += isTeleported ? 0 : way;
+        double distance = before is null ? 0 : (body.Centre - before.Position).Length;
+        bool isTeleported = before is null || Relocation.Is(distance, before.Speed, ego.Velocity.Length, time - before.TimeSeconds);
+        _metres += isTeleported ? 0 : distance;
         _samples.Add(new DriveSample
         {
             TimeSeconds = time,
@@ -41,8 +41,8 @@ internal sealed class DriveSampler(SimulatedGame game)
             IsByController = isByController,
             IsTeleported = isTeleported,
             Lane = LaneOf(ego, body),
-            Touching = [.. game.Ports.World.ReadEntities(ego.Pose.Position, MaxBody)
-                .Where(entity => LaneTracker.IsVehicle(entity)
+            Touching = [.. game.Ports.World.ReadEntities(ego.Pose.Position, ContactRange)
+                .Where(entity => VehicleClasses.AreVehicles(entity.Class)
                     && body.Overlaps(GroundBox.Of(entity.Pose, entity.ModelMin, entity.ModelMax)))
                 .Select(entity => entity.Handle)],
         });

@@ -9,7 +9,7 @@ using Harvester.Simulation.Game;
 
 namespace Harvester.Cli.Driving;
 
-/// <summary>A simulated game at the near end of a bridge: pictures and state go out, controls come in.</summary>
+/// <summary>The game's side of a bridge, with the simulated game: sends images and state, receives controls.</summary>
 internal sealed class GameEndpoint : IDisposable
 {
     private readonly SimulatedGame _game;
@@ -17,13 +17,13 @@ internal sealed class GameEndpoint : IDisposable
     private readonly DrivingSession _session;
     private (EgoState Ego, double Seconds) _before;
 
-    /// <summary>Makes ready.</summary>
+    /// <summary>Connects a game to a bridge.</summary>
     /// <param name="game">The game.</param>
     /// <param name="roads">Its roads.</param>
-    /// <param name="options">Rate and size of the pictures.</param>
-    /// <param name="bridge">To the client.</param>
-    /// <param name="newController">Makes what drives by a client's indicators.</param>
-    /// <param name="isAssisted">Whether the car's own driver drives through junctions and gives way.</param>
+    /// <param name="options">Rate and size of the images.</param>
+    /// <param name="bridge">The bridge to the client.</param>
+    /// <param name="newController">Creates the controller for indicators that a client sends.</param>
+    /// <param name="isAssisted">Whether the built-in driver drives through junctions and gives way.</param>
     public GameEndpoint(
         SimulatedGame game, IRoads roads, DrivingOptions options, IDrivingBridge bridge, Func<IController> newController, bool isAssisted)
     {
@@ -31,27 +31,27 @@ internal sealed class GameEndpoint : IDisposable
         _assisted = isAssisted ? new AssistedCar(game, roads, () => _session!.Status.IsClientAlive) : null;
         GamePorts ports = game.Ports with { Roads = roads, Car = _assisted ?? game.Ports.Car };
 
-        // The picture of the simulated game is never behind.
+        // The image of the simulated game never lags.
         _session = new DrivingSession(options with { SettleTicks = 0 }, ports, bridge, newController);
         _before = (game.Ports.World.ReadEgo(), game.Ports.World.TimeSeconds);
     }
 
-    /// <summary>How the drive stands.</summary>
+    /// <summary>Status of the driving session.</summary>
     public DrivingStatus Status => _session.Status;
 
-    /// <summary>The last thing that went wrong without ending the drive, as one line; null when nothing has.</summary>
+    /// <summary>The last problem that did not end the drive, one line; null if there has been none.</summary>
     public string? Problem => _session.Problem;
 
-    /// <summary>Whether the world goes on only to the end of a step that the client asked for.</summary>
+    /// <summary>Whether the world runs only until the end of a step that the client requested.</summary>
     public bool IsStepping => _session.IsStepping;
 
-    /// <summary>Whether the client drives and not the car's own driver.</summary>
+    /// <summary>Whether the client drives, not the built-in driver.</summary>
     public bool IsByClient => _assisted?.IsByClient ?? true;
 
-    /// <summary>Metres that the car has driven; where it was put elsewhere it has not.</summary>
+    /// <summary>Distance driven, metres, without teleports.</summary>
     public double Metres { get; private set; }
 
-    /// <summary>Hears the client, and lets the world stand.</summary>
+    /// <summary>Handles messages of the client without advancing the world.</summary>
     public DrivingStatus Listen()
     {
         DrivingStatus status = _session.Tick();
@@ -59,7 +59,7 @@ internal sealed class GameEndpoint : IDisposable
         return status;
     }
 
-    /// <summary>Lets the world go on, unless it is stopped, and hears the client.</summary>
+    /// <summary>Advances the world, unless it is frozen, and handles messages of the client.</summary>
     public DrivingStatus Tick(double seconds)
     {
         _game.Tick(seconds);
@@ -78,8 +78,8 @@ internal sealed class GameEndpoint : IDisposable
         return Listen();
     }
 
-    /// <summary>Sends a frame as soon as there is one, as if the client had asked for it.</summary>
-    public void ShowAgain() => _session.AskForFrame();
+    /// <summary>Sends a frame as soon as possible, as if the client had requested it.</summary>
+    public void RequestFrame() => _session.AskForFrame();
 
     public void Dispose() => _session.Dispose();
 }

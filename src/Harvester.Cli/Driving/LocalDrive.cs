@@ -13,15 +13,15 @@ using Harvester.Simulation.Game;
 namespace Harvester.Cli.Driving;
 
 /// <summary>
-/// A drive in the simulated game with the controller in the same process and no picture in between. Where the lanes are not known, in
-/// junctions above all, and where the car has to give way, its own driver follows its route.
+/// A drive in the simulated game with the controller in the same process, without images. Where the lanes are unknown, as in junctions,
+/// and where the car must give way, its built-in driver follows the route.
 /// </summary>
 internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IController> newController)
 {
     private const double TickSeconds = 0.05;
     private const int TicksPerControl = 2;
 
-    /// <summary>Vehicles further off are in no indicator, metres: their range and the longest half of a vehicle.</summary>
+    /// <summary>Range of the indicators plus half the length of the longest vehicle, metres.</summary>
     private const double VehicleRange = IndicatorCalculator.VehicleRange + 10;
 
     private readonly LaneTracker _lanes = new(roads, entity => entity.Handle);
@@ -29,7 +29,7 @@ internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IControl
     private Handover _handover = new();
     private IController _controller = newController();
 
-    /// <summary>Drives so far or so long, whichever is reached first.</summary>
+    /// <summary>Drives until the distance (metres) or the time limit (seconds of game time) is reached.</summary>
     public IReadOnlyList<DriveSample> Run(double metres, double seconds, Action<double> report, CancellationToken cancellation)
     {
         IDrivenCar car = game.Ports.Car!;
@@ -57,7 +57,7 @@ internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IControl
                 report(_sampler.Metres);
                 if (_sampler.Samples[^1].IsTeleported)
                 {
-                    // The car was put elsewhere; what was known of the road before does not hold there.
+                    // What was known of the road does not hold at the new place.
                     _lanes.Forget();
                     _handover = new Handover();
                     _controller = newController();

@@ -13,36 +13,36 @@ using Harvester.Simulation.Game;
 
 namespace Harvester.Cli.Driving;
 
-/// <summary>The game's side of a drive over a bridge, with the simulated game: pictures and state out, controls in.</summary>
+/// <summary>The game's side of a drive over a bridge, with the simulated game.</summary>
 /// <param name="game">The game.</param>
 /// <param name="roads">Its roads.</param>
-/// <param name="bridge">To the client.</param>
-/// <param name="newController">Makes what drives by a client's indicators.</param>
-/// <param name="patience">For so long, on the clock, it waits for a client to drive.</param>
+/// <param name="bridge">The bridge to the client.</param>
+/// <param name="newController">Creates the controller for indicators that a client sends.</param>
+/// <param name="patience">Real time that it waits for a client to drive.</param>
 internal sealed class RemoteDrive(
     SimulatedGame game, IRoads roads, IDrivingBridge bridge, Func<IController> newController, TimeSpan patience)
 {
     private const double TickSeconds = 0.05;
     private const int TicksPerSample = 2;
-    private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(1);
+    private static readonly TimeSpan PollInterval = TimeSpan.FromMilliseconds(1);
 
     /// <summary>
-    /// A client may have come after the frame of the world that waits for it, and may wait for a frame itself: it is shown so often.
+    /// The frame of the waiting world is sent again after this time: a client that connected later may be waiting for a frame too.
     /// </summary>
-    private static readonly TimeSpan ShowAgainAfter = TimeSpan.FromSeconds(0.5);
+    private static readonly TimeSpan ResendInterval = TimeSpan.FromSeconds(0.5);
 
     private readonly DriveSampler _sampler = new(game);
     private readonly Stopwatch _silence = new();
-    private double _heardSeconds;
+    private double _lastClientSeconds;
 
-    /// <summary>What was driven until now.</summary>
+    /// <summary>The samples until now.</summary>
     public IReadOnlyList<DriveSample> Samples => _sampler.Samples;
 
-    /// <summary>Drives so far or so long. The world begins to move when a client has spoken.</summary>
-    /// <param name="metres">Way.</param>
-    /// <param name="seconds">The game's time.</param>
-    /// <param name="isRealTime">Whether the world's time keeps to the clock; otherwise it goes as fast as a client steps it.</param>
-    /// <param name="cancellation">Ends it.</param>
+    /// <summary>Drives until the distance or the time limit is reached. The world starts when a client has sent a message.</summary>
+    /// <param name="metres">Distance, metres.</param>
+    /// <param name="seconds">Time limit, seconds of game time.</param>
+    /// <param name="isRealTime">Whether the world runs in real time; otherwise as fast as a client steps it.</param>
+    /// <param name="cancellation">Ends the drive.</param>
     /// <exception cref="GameFaultException">The game failed.</exception>
     /// <exception cref="IOException">No client has driven for too long.</exception>
     public void Run(double metres, double seconds, bool isRealTime, CancellationToken cancellation)
@@ -66,19 +66,19 @@ internal sealed class RemoteDrive(
 
     private void WaitForClient(GameEndpoint bridged, CancellationToken cancellation)
     {
-        var shown = Stopwatch.StartNew();
+        var sent = Stopwatch.StartNew();
         while (!cancellation.IsCancellationRequested && !Check(bridged.Listen()).IsClientAlive && !bridged.IsStepping)
         {
-            cancellation.WaitHandle.WaitOne(Look);
-            if (shown.Elapsed > ShowAgainAfter)
+            cancellation.WaitHandle.WaitOne(PollInterval);
+            if (sent.Elapsed > ResendInterval)
             {
-                bridged.ShowAgain();
-                shown.Restart();
+                bridged.RequestFrame();
+                sent.Restart();
             }
         }
     }
 
-    /// <summary>A drive that is over, or that no client takes further, does not go on for ever.</summary>
+    /// <summary>Ends a drive that has failed, or that no client has advanced for too long.</summary>
     private DrivingStatus Check(DrivingStatus status)
     {
         if (status.Ending is { } ending)
@@ -87,9 +87,9 @@ internal sealed class RemoteDrive(
         }
 
         double now = game.Ports.World.TimeSeconds;
-        if (status.IsClientAlive && now != _heardSeconds)
+        if (status.IsClientAlive && now != _lastClientSeconds)
         {
-            _heardSeconds = now;
+            _lastClientSeconds = now;
             _silence.Restart();
         }
         else if (_silence.Elapsed > patience)

@@ -16,24 +16,24 @@ using Harvester.Simulation.Game;
 
 namespace Harvester.Cli.Driving;
 
-/// <summary>Sets up the sides of a bridge that a plan asks for.</summary>
-/// <param name="plan">What is asked for.</param>
-/// <param name="messages">Receives a line that says where the drive waits for a client.</param>
+/// <summary>Sets up the bridge of a drive and runs its sides.</summary>
+/// <param name="plan">The bridge and the sides to run.</param>
+/// <param name="messages">Receives a line with the address at which the drive waits for a client.</param>
 internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
 {
-    /// <summary>The simulated game goes on by so much with each answer of a client of its own: ten frames a second.</summary>
+    /// <summary>Game time per answer of a client in this process: ten frames per second.</summary>
     private const double StepSeconds = 0.1;
 
-    /// <summary>Lets a simulated game be driven over the bridge.</summary>
+    /// <summary>Runs the game's side: a client drives the simulated game over the bridge.</summary>
     /// <param name="game">The game.</param>
     /// <param name="roads">Its roads.</param>
-    /// <param name="newController">Makes what drives as the client.</param>
-    /// <param name="newControllerAtCar">Makes what drives here by the indicators that a client sends, with the angle at the car.</param>
-    /// <param name="metres">How far.</param>
-    /// <param name="seconds">How long at most.</param>
-    /// <param name="samples">Gets what was driven, also when a fault ends it.</param>
-    /// <param name="cancellation">Ends it.</param>
-    /// <exception cref="IOException">The bridge cannot be opened or has failed, or the other side is silent.</exception>
+    /// <param name="newController">Creates the controller of a client in this process.</param>
+    /// <param name="newControllerAtCar">Creates the controller for indicators that a client sends, with the angle at the car.</param>
+    /// <param name="metres">Distance to drive, metres.</param>
+    /// <param name="seconds">Time limit, seconds of game time.</param>
+    /// <param name="samples">Receives the samples of the drive, also if a fault ends it.</param>
+    /// <param name="cancellation">Ends the drive.</param>
+    /// <exception cref="IOException">The bridge cannot be opened or fails, or the other side does not answer.</exception>
     /// <exception cref="GameFaultException">The game failed.</exception>
     public void Run(
         SimulatedGame game,
@@ -58,9 +58,9 @@ internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
         }
     }
 
-    /// <summary>Drives a game elsewhere, which goes its own way.</summary>
-    /// <returns>The client, with what it has driven.</returns>
-    /// <exception cref="IOException">Nobody is there, the bridge has failed, or the game is silent.</exception>
+    /// <summary>Runs the client's side: drives a game in another process.</summary>
+    /// <returns>The client, with the figures of the drive.</returns>
+    /// <exception cref="IOException">The game cannot be reached or does not answer, or the bridge fails.</exception>
     public ClientDriver RunClient(Func<IController> newController, double seconds, CancellationToken cancellation)
     {
         using IBridgeLink link = Connect(null);
@@ -90,7 +90,7 @@ internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
         }
         catch
         {
-            // The game's fault is the one to tell; what it does to the client follows from it.
+            // The game's fault is reported; the client's is only its consequence.
             ending.Cancel();
             ((IAsyncResult)client).AsyncWaitHandle.WaitOne();
             throw;
@@ -100,7 +100,7 @@ internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
         client.GetAwaiter().GetResult();
     }
 
-    /// <summary>A client that has come to its end, in whatever way, ends the drive: nobody would step the world.</summary>
+    /// <summary>Runs the client. When it ends, for any reason, the drive ends too, because nothing would step the world.</summary>
     private static void RunClientToItsEnd(ClientDriver driver, CancellationTokenSource ending)
     {
         try
@@ -120,14 +120,18 @@ internal sealed class RemoteDrives(BridgePlan plan, TextWriter messages)
     private IDrivingBridge Open(bool isAlone)
     {
         ImageSize picture = new DrivingOptions().Picture;
-        return plan.Kind == BridgeName.Folder
-            ? new FolderBridge(plan.Folder, picture)
-            : SocketBridges.Open(plan.At ?? (isAlone ? new IPEndPoint(IPAddress.Loopback, 0) : BridgePlan.UsualPlace), plan.Token, picture);
+        if (plan.Kind == BridgeName.Folder)
+        {
+            return new FolderBridge(plan.Folder, picture);
+        }
+
+        IPEndPoint usual = isAlone ? new IPEndPoint(IPAddress.Loopback, 0) : BridgePlan.DefaultAddress;
+        return SocketBridges.Open(plan.At ?? usual, plan.Token, picture);
     }
 
     private IBridgeLink Connect(IPEndPoint? known)
     {
-        IPEndPoint at = known ?? plan.At ?? BridgePlan.UsualPlace;
+        IPEndPoint at = known ?? plan.At ?? BridgePlan.DefaultAddress;
         return plan.Kind == BridgeName.Folder ? new FolderLink(plan.Folder)
             : new SocketLink(at.Address.ToString(), at.Port, plan.Token, plan.Patience);
     }

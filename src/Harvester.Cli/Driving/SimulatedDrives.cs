@@ -15,22 +15,22 @@ using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Driving;
 
-/// <summary>Builds the simulated games of a plan, one for each start, and has them driven through.</summary>
-/// <param name="plan">What is asked for.</param>
-/// <param name="messages">Receives a line that says where the drive waits for a client.</param>
+/// <summary>Builds the simulated games of a plan, one for each start, and drives in them.</summary>
+/// <param name="plan">The drives.</param>
+/// <param name="messages">Receives a line with the address at which a drive waits for a client.</param>
 internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
 {
     private readonly List<DriveSample> _samples = [];
     private FixedRoads? _roads;
 
-    /// <summary>What was driven until now, also when a fault has ended it.</summary>
+    /// <summary>The samples until now, also after a fault.</summary>
     public IReadOnlyList<DriveSample> Samples => _samples;
 
-    /// <summary>Drives from each start in turn; what was driven is in <see cref="Samples"/>.</summary>
-    /// <param name="report">Is told the metres that are driven in all.</param>
-    /// <param name="cancellation">Ends the drive with what it has.</param>
-    /// <exception cref="UsageException">There is no road at a start.</exception>
-    /// <exception cref="IOException">A bridge cannot be opened or has failed, or the other side is silent.</exception>
+    /// <summary>Drives from each start in turn and adds to <see cref="Samples"/>.</summary>
+    /// <param name="report">Receives the total distance driven, metres.</param>
+    /// <param name="cancellation">Ends the drive; the samples are kept.</param>
+    /// <exception cref="UsageException">There is no road near a start position.</exception>
+    /// <exception cref="IOException">A bridge cannot be opened or fails, or the other side does not answer.</exception>
     /// <exception cref="GameFaultException">The game failed.</exception>
     public void Run(Action<int> report, CancellationToken cancellation)
     {
@@ -54,23 +54,21 @@ internal sealed class SimulatedDrives(DrivePlan plan, TextWriter messages)
         }
     }
 
-    /// <summary>Large roads of a file are made ready once for all starts; each made-up town has its own.</summary>
+    /// <summary>Roads of a file are prepared once for all starts; each generated town has its own.</summary>
     private FixedRoads RoadsOf(SimulatedGame game) => plan.Roads is null
         ? new FixedRoads(game.Roads, "simulation", LookAhead.OfMetres(plan.Controller.LookAheadMetres))
         : _roads ??= new FixedRoads(game.Roads, "roadFile", LookAhead.OfMetres(plan.Controller.LookAheadMetres));
 
-    /// <summary>The controller of the plan, behind its noise.</summary>
+    /// <summary>A new controller of the plan, with its noise.</summary>
     public IController ControllerOf(int seed) => Noisy(plan.Controller.New(), seed);
 
-    /// <summary>The same for indicators with the angle at the car.</summary>
+    /// <summary>As <see cref="ControllerOf"/>, for indicators with the angle at the car.</summary>
     private IController ControllerAtCar(int seed) => Noisy((plan.Controller with { LookAheadMetres = 0 }).New(), seed);
 
     private IController Noisy(IController controller, int seed) =>
         plan.Noise is { } noise ? new NoisyIndicators(controller, noise, seed) : controller;
 
-    /// <summary>
-    /// A game without people on foot: the indicators do not show them.
-    /// </summary>
+    /// <summary>A game without pedestrians, because the indicators do not show them.</summary>
     private SimulatedGame Build(Vector2D? start, int seed)
     {
         try

@@ -7,12 +7,12 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Cli.Driving;
 
-/// <summary>Opens socket bridges where a command line says.</summary>
+/// <summary>Opens socket bridges.</summary>
 internal static class SocketBridges
 {
-    /// <summary>Listens.</summary>
-    /// <exception cref="UsageException">Others can reach the address, and there is no token.</exception>
-    /// <exception cref="IOException">The address or port cannot be had.</exception>
+    /// <summary>Opens a bridge that listens on an address.</summary>
+    /// <exception cref="UsageException">The address is reachable from other machines, and there is no token.</exception>
+    /// <exception cref="IOException">The address or port is not available.</exception>
     public static SocketBridge Open(IPEndPoint at, string? token, ImageSize picture)
     {
         if (!IPAddress.IsLoopback(at.Address) && string.IsNullOrEmpty(token))

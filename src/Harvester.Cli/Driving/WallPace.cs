@@ -4,14 +4,13 @@ using System.Threading;
 namespace Harvester.Cli.Driving;
 
 /// <summary>
-/// Keeps the ticks of a game to the clock on the wall. A machine that is too slow for the pace, and a world that has stood, do not hurry
-/// later.
+/// Paces the ticks of a game in real time. Delays, of a slow machine or a frozen world, are not made up for later.
 /// </summary>
-/// <param name="tickSeconds">The game's time from tick to tick.</param>
-/// <param name="clock">The clock on the wall.</param>
+/// <param name="tickSeconds">Game time of a tick, seconds.</param>
+/// <param name="clock">Real time.</param>
 internal sealed class WallPace(double tickSeconds, TimeProvider clock)
 {
-    /// <summary>A world that stands hears its client so often.</summary>
+    /// <summary>Interval at which a frozen world handles messages of its client.</summary>
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(1);
 
     private readonly TimeSpan _tick = TimeSpan.FromSeconds(tickSeconds);
@@ -19,22 +18,22 @@ internal sealed class WallPace(double tickSeconds, TimeProvider clock)
     private TimeSpan _due;
 
     /// <summary>Waits until the next tick is due.</summary>
-    /// <param name="isStanding">Whether the world stands still; only the client is heard then.</param>
-    /// <param name="isHurried">Whether it is due at once.</param>
-    /// <param name="cancellation">Ends the waiting.</param>
-    public void Wait(bool isStanding, bool isHurried, CancellationToken cancellation)
+    /// <param name="isFrozen">Whether the world is frozen; then only messages are handled.</param>
+    /// <param name="isHurried">Whether it is due at once, as in a single step.</param>
+    /// <param name="cancellation">Ends the wait.</param>
+    public void Wait(bool isFrozen, bool isHurried, CancellationToken cancellation)
     {
-        TimeSpan wait = NextWait(isStanding, isHurried);
+        TimeSpan wait = NextWait(isFrozen, isHurried);
         if (wait > TimeSpan.Zero)
         {
             cancellation.WaitHandle.WaitOne(wait);
         }
     }
 
-    /// <summary>How long it is until the next tick is due; it counts as done then.</summary>
-    internal TimeSpan NextWait(bool isStanding, bool isHurried)
+    /// <summary>The time until the next tick is due; the tick then counts as taken.</summary>
+    internal TimeSpan NextWait(bool isFrozen, bool isHurried)
     {
-        if (isStanding)
+        if (isFrozen)
         {
             return Poll;
         }

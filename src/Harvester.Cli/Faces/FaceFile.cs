@@ -12,15 +12,15 @@ internal static class FaceFile
 {
     private const int MaxReportedProblems = 5;
 
-    // The column of a problem with a row that has not even the fields of one.
+    // The column of a problem with a row that has the wrong number of fields.
     private const string WholeRow = "row";
 
-    /// <summary>The table that is meant: a survey's folder stands for the table in it.</summary>
+    /// <summary>The file of a table; for the folder of a survey, the table in it.</summary>
     public static string TableOf(string path) => Directory.Exists(path) ? Path.Combine(path, SurveyFolder.TableName) : path;
 
-    /// <summary>The good rows and why the others were refused.</summary>
+    /// <summary>The valid rows of a table, and the problems of the others.</summary>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="DatasetFormatException">It is something else than a table.</exception>
+    /// <exception cref="DatasetFormatException">The file is not a table.</exception>
     public static FaceTableContent Read(string path)
     {
         string table = TableOf(path);
@@ -28,31 +28,32 @@ internal static class FaceFile
         FaceTableContent content = FaceTableReader.Read(text);
         return content.Table.Faces.Any() || IsTable(content, table)
             ? content
-            : throw new DatasetFormatException($"'{table}' is no table of faces and heads: it has neither the header of one nor a row. data/README.md says what belongs there.");
+            : throw new DatasetFormatException(
+                $"'{table}' is not a table of faces: it has neither its header nor a valid row. data/README.md describes the format.");
     }
 
-    /// <summary>A table as it is read again when it has been written, with corners to the millimetre.</summary>
+    /// <summary>A table as it is read back after writing, with corners rounded to the millimetre.</summary>
     public static FaceTable AsWritten(FaceTable table) => FaceTableReader.Read(new StringReader(FaceTableWriter.Text(table))).Table;
 
-    /// <summary>The good rows of a table; of the others the first few and their number are told.</summary>
-    /// <param name="path">The table, or a survey's folder.</param>
-    /// <param name="warn">Is told what is refused, a line at a time.</param>
+    /// <summary>The valid rows of a table; of the others, the number and the first few problems are reported.</summary>
+    /// <param name="path">The table, or the folder of a survey.</param>
+    /// <param name="warn">Receives the reports, one line each.</param>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="DatasetFormatException">It is something else than a table, or no row of it is good and some are
-    /// refused.</exception>
-    public static FaceTable ReadGood(string path, Action<string> warn)
+    /// <exception cref="DatasetFormatException">The file is not a table, or all its rows are invalid.</exception>
+    public static FaceTable ReadValid(string path, Action<string> warn)
     {
         FaceTableContent content = Read(path);
-        int good = content.Table.Faces.Count();
-        int refused = content.Problems.Count;
-        if (refused == 0)
+        int valid = content.Table.Faces.Count();
+        int invalid = content.Problems.Count;
+        if (invalid == 0)
         {
             return content.Table;
         }
 
-        if (good == 0)
+        if (valid == 0)
         {
-            throw new DatasetFormatException($"{path}: no row can be used; {refused} are refused, the first at {content.Problems[0]} See 'harvester spaces check'.");
+            throw new DatasetFormatException(
+                $"{path}: all {invalid} rows are invalid. The first: {content.Problems[0]} See 'harvester spaces check'.");
         }
 
         foreach (FaceTableProblem problem in content.Problems.Take(MaxReportedProblems))
@@ -60,12 +61,12 @@ internal static class FaceFile
             warn($"{path}: {problem}");
         }
 
-        warn($"{path}: {refused} of the rows are refused, the other {good} are used. See 'harvester spaces check'.");
+        warn($"{path}: {invalid} of {invalid + valid} rows are invalid and are ignored. See 'harvester spaces check'.");
         return content.Table;
     }
 
     /// <summary>
-    /// Whether a file without a good row is a table all the same: one with the header or bad rows, or with remarks alone.
+    /// Whether a file without a valid row is a table nevertheless: it has the header, rows with invalid values, or only comments.
     /// </summary>
     private static bool IsTable(FaceTableContent content, string table) => content.Problems switch
     {

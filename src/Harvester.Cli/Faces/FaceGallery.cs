@@ -13,8 +13,8 @@ using Harvester.Sessions.Text;
 namespace Harvester.Cli.Faces;
 
 /// <summary>
-/// One HTML page that shows the faces of a table: each model with its faces drawn to scale and on its photographs, and the models that were
-/// photographed without any face being found.
+/// An HTML page that shows the faces of a table: each model with its faces, drawn to scale and on its photographs, and the photographed
+/// models without faces.
 /// </summary>
 internal sealed class FaceGallery
 {
@@ -29,7 +29,8 @@ internal sealed class FaceGallery
         img { max-width: 100%; display: block; } svg { overflow: visible; } .photo { margin: 4px; }
         table { width: auto; margin-top: 8px; } td { text-align: left; padding: 3px 14px 3px 0; } td:nth-child(2) { white-space: normal; }
         polygon { stroke: var(--ink); } polyline { fill: none; stroke: var(--quiet); }
-        .estimated { stroke-dasharray: 4; } .away { fill-opacity: .25; stroke-opacity: .4; } .hidden { stroke-dasharray: 2 3; stroke-opacity: .7; }
+        .estimated { stroke-dasharray: 4; } .away { fill-opacity: .25; stroke-opacity: .4; }
+        .hidden { stroke-dasharray: 2 3; stroke-opacity: .7; }
 
         """;
 
@@ -42,7 +43,7 @@ internal sealed class FaceGallery
 
     /// <summary>Prepares the page.</summary>
     /// <param name="table">The faces.</param>
-    /// <param name="folder">The folder of the table, in which pictures and photographs of its models may be.</param>
+    /// <param name="folder">The folder of the table, which may have images and photographs of its models.</param>
     public FaceGallery(FaceTable table, string folder)
     {
         _table = table;
@@ -60,10 +61,10 @@ internal sealed class FaceGallery
     {
         page.Start("header").Element("h1", Title).NewLine().Start("p").With("class", "hint");
         page.Text(
-            "Each model is drawn to scale, seen from the side that its first face looks to. Grey lines: the ground and the vertical through the "
-            + "model's origin. Dashed faces are estimated; pale faces look to another side. On photographs, the edges that a face's own "
-            + "cuboid hides are dotted. Each row gives a face's number, its text, its MUTCD code, its width and height, and how its corners "
-            + "were obtained. To correct a name or a corner, edit the table, check it with ");
+            "Each model is drawn to scale, seen from the side that its first face is on. Grey lines show the ground and the vertical "
+            + "through the model's origin. Dashed faces are estimated; pale faces are on another side. On photographs, edges hidden by "
+            + "the face's own cuboid are dotted. Each row gives the number of a face, its text, its MUTCD code, its width and height, "
+            + "and how its corners were obtained. To correct a name or a corner, edit the table, check it with ");
         page.Element("code", "harvester spaces check").Text(" and create this page again.").End().NewLine().End().NewLine();
         page.Start("main").NewLine();
         foreach (IGrouping<int, ModelFace> model in _withFaces)
@@ -130,17 +131,22 @@ internal sealed class FaceGallery
         page.End();
     }
 
-    /// <summary>The front outline of a face as somebody sees it who stands before a facing.</summary>
+    /// <summary>The front outline of a face, seen from a side of the model.</summary>
     private static (double Right, double Up)[] Outline(ModelFace face, Facing seenFrom)
     {
         var atOrigin = new Pose(Vector3D.Zero, Axes.Identity);
         return [.. FaceOutline.EdgesOf(face, atOrigin).Where((_, i) => i % 3 == 0).Select(edge => (
-            seenFrom switch { Facing.Front =>
-                -edge.Start.X, Facing.Left => -edge.Start.Y, Facing.Right => edge.Start.Y, _ => edge.Start.X },
+            seenFrom switch
+            {
+                Facing.Front => -edge.Start.X,
+                Facing.Left => -edge.Start.Y,
+                Facing.Right => edge.Start.Y,
+                _ => edge.Start.X,
+            },
             edge.Start.Z))];
     }
 
-    /// <summary>How far a face's front stands towards somebody who sees it from a side, metres from the model's origin.</summary>
+    /// <summary>Distance of a face's front from the model's origin towards a viewer on a side, metres.</summary>
     private static double Nearness(ModelFace face, Facing seenFrom) => seenFrom switch
     {
         Facing.Front => Math.Max(face.FrontUpperLeft.Y, face.BackLowerRight.Y),

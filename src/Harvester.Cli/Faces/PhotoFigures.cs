@@ -14,7 +14,7 @@ using Harvester.Surveys.Faces;
 namespace Harvester.Cli.Faces;
 
 /// <summary>
-/// A survey's photographs as figures of a page, each with the cuboids of its model's faces drawn where its camera saw them.
+/// The photographs of a survey as figures of a page, with the cuboids of the faces projected onto them.
 /// </summary>
 internal sealed class PhotoFigures
 {
@@ -23,9 +23,9 @@ internal sealed class PhotoFigures
     private readonly string _folder;
     private readonly EmbeddedPictures _pictures;
 
-    /// <summary>Looks for photographs.</summary>
+    /// <summary>Lists the photographs of a survey.</summary>
     /// <param name="folder">The folder of the table.</param>
-    /// <param name="pictures">Reads them.</param>
+    /// <param name="pictures">Reads the images.</param>
     public PhotoFigures(string folder, EmbeddedPictures pictures)
     {
         _folder = Path.Combine(folder, SurveyPhoto.FolderName);
@@ -36,7 +36,7 @@ internal sealed class PhotoFigures
             .Where(photo => InnerPath.IsWithin(_folder, photo.File) && File.Exists(InnerPath.Of(_folder, photo.File)))];
     }
 
-    /// <summary>The photographs that are there.</summary>
+    /// <summary>The photographs that exist.</summary>
     public IReadOnlyList<SurveyPhoto> Photos { get; }
 
     /// <summary>Writes the photographs of a model as svg elements.</summary>
@@ -56,7 +56,7 @@ internal sealed class PhotoFigures
         }
     }
 
-    /// <summary>Writes the edges of a face's cuboid; apart from them those that both of their sides turn away from the camera.</summary>
+    /// <summary>Writes the edges of a face's cuboid: one path for the visible and one for the hidden edges.</summary>
     private static void WriteEdges(MarkupWriter page, SurveyPhoto photo, ModelFace face)
     {
         var camera = new Camera(photo.Camera, new CameraIntrinsics(photo.VerticalFovDegrees, Shown, Shown.Aspect, NearClip, Lens.Ideal));
@@ -77,17 +77,17 @@ internal sealed class PhotoFigures
         page.Start("path").With("class", style).With("fill", "none").With("stroke", "#f0f").WithLines(lines).End();
     }
 
-    /// <summary>Whether a point sees neither of the two sides that meet in an edge. The cuboid's axes are the world's.</summary>
+    /// <summary>Whether neither of the two sides that meet in an edge is visible from a point. The cuboid is axis-aligned.</summary>
     private static bool IsHidden(Cuboid cuboid, Vector3D middleOfEdge, Vector3D eye)
     {
-        // The middle of an edge lies on two sides, and between the ends of the third axis.
+        // The middle of an edge lies on two sides of the cuboid, and at the middle of the third axis.
         Vector3D edge = middleOfEdge - cuboid.Centre;
         Vector3D seen = eye - cuboid.Centre;
         Vector3D half = cuboid.HalfExtents;
         return !Sees(edge.X, seen.X, half.X) && !Sees(edge.Y, seen.Y, half.Y) && !Sees(edge.Z, seen.Z, half.Z);
     }
 
-    // The two sides of a flat face are one, which is seen from wherever it is not edge-on.
+    // The two sides of a flat face coincide and are visible unless they are edge-on.
     private static bool Sees(double side, double eye, double half) =>
         half == 0 ? eye != 0 : Math.Abs(side) > half / 2 && Math.Abs(eye) > half && Math.Sign(side) == Math.Sign(eye);
 }

@@ -2,12 +2,12 @@ using Harvester.Capture.Faults;
 
 namespace Harvester.Cli.Harvesting;
 
-/// <summary>Words the faults of a harvest for the command line: the message of the core and the option that changes the limit.</summary>
+/// <summary>Adds the option that helps to the faults of a harvest.</summary>
 internal static class HarvestAdvice
 {
     private const string SkipCheck = "To skip this check, add --max-camera-error 0.";
 
-    /// <summary>One line.</summary>
+    /// <summary>The message of a fault, one line.</summary>
     public static string TextOf(CaptureFault fault) => OptionFor(fault.Code) is { } option ? $"{fault.Message} {option}" : fault.Message;
 
     private static string? OptionFor(FaultCode code) => code switch

@@ -4,25 +4,25 @@ using Harvester.Capture.Harvesting;
 
 namespace Harvester.Cli.Harvesting;
 
-/// <summary>How a harvest ended.</summary>
-/// <param name="Frames">Frames on disk.</param>
-/// <param name="Discarded">Frames begun and thrown away.</param>
-/// <param name="Elapsed">Time that it took.</param>
-/// <param name="Fault">Why it ended early; null when it did not.</param>
-/// <param name="IsDiskFault">Whether the fault is that the session could not be written.</param>
-/// <param name="IsCancelled">Whether it was stopped by the user.</param>
+/// <summary>The result of a harvest.</summary>
+/// <param name="Frames">Number of frames written.</param>
+/// <param name="Discarded">Number of frames that were begun and discarded.</param>
+/// <param name="Elapsed">Duration, in real time.</param>
+/// <param name="Fault">The fault that ended it early; null if it ended normally.</param>
+/// <param name="IsDiskFault">Whether the fault is a write error.</param>
+/// <param name="IsCancelled">Whether the user stopped it.</param>
 internal sealed record HarvestOutcome(int Frames, int Discarded, TimeSpan Elapsed, string? Fault, bool IsDiskFault, bool IsCancelled)
 {
-    /// <summary>What could not be checked.</summary>
+    /// <summary>Checks that could not be made.</summary>
     public IReadOnlyList<string> Warnings { get; init; } = [];
 
-    /// <summary>The ways of freezing that were tried; null when the way was given.</summary>
+    /// <summary>The freeze methods that were tried; null if the method was given.</summary>
     public FreezeReport? Freezing { get; init; }
 
-    /// <summary>Frames a second of the clock on the wall.</summary>
+    /// <summary>Frames per second of real time.</summary>
     public double FramesPerSecond => Elapsed > TimeSpan.Zero ? Frames / Elapsed.TotalSeconds : 0;
 
-    /// <summary>The exit code that says so.</summary>
+    /// <summary>The exit code for this result.</summary>
     public int ExitCode => this switch
     {
         { IsDiskFault: true } => Terminals.ExitCode.InputOutput,

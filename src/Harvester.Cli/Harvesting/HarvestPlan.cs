@@ -7,19 +7,19 @@ using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Harvesting;
 
-/// <summary>What the command line asks of a harvest.</summary>
+/// <summary>A harvest as the command line describes it.</summary>
 internal sealed record HarvestPlan
 {
-    /// <summary>Where the session goes.</summary>
+    /// <summary>Folder to write the session to.</summary>
     public required string Folder { get; init; }
 
-    /// <summary>Whether a session that lies there is replaced.</summary>
+    /// <summary>Whether an existing session in the folder is replaced.</summary>
     public required bool Overwrite { get; init; }
 
-    /// <summary>How frames are taken and labelled. The table of faces is added when the game is built.</summary>
+    /// <summary>Options of capture and labelling. The table of faces is added when the game is built.</summary>
     public required HarvestOptions Options { get; init; }
 
-    /// <summary>Frames to take, those of other shards included.</summary>
+    /// <summary>Number of frames, including those of other shards.</summary>
     public required int Frames { get; init; }
 
     /// <summary>Random seed of the world.</summary>
@@ -28,36 +28,36 @@ internal sealed record HarvestPlan
     /// <summary>Vertical field of view, degrees.</summary>
     public required double FovDegrees { get; init; }
 
-    /// <summary>File of the roads to drive on; null for a town made from the seed.</summary>
+    /// <summary>File of the road network; null for a town generated from the seed.</summary>
     public required string? Roads { get; init; }
 
-    /// <summary>Files of the lights and lamps that stand by the roads; none to make them up.</summary>
+    /// <summary>Files of traffic lights and street lamps; empty to generate them.</summary>
     public required IReadOnlyList<string> Props { get; init; }
 
-    /// <summary>File of spaces of interest that goes before the simulated game's own; null for none.</summary>
+    /// <summary>Table of faces that takes precedence over the built-in one; null for none.</summary>
     public required string? Faces { get; init; }
 
-    /// <summary>Where to start, metres, world; null for the middle of the roads.</summary>
+    /// <summary>Start position, world, metres; null for the middle of the road network.</summary>
     public required Vector2D? Near { get; init; }
 
-    /// <summary>The game's name of the weather.</summary>
+    /// <summary>Name of the weather, as in the game.</summary>
     public required string Weather { get; init; }
 
-    /// <summary>The hour at the beginning.</summary>
+    /// <summary>Time of day at the start.</summary>
     public required TimeSpan TimeOfDay { get; init; }
 
-    /// <summary>Where the lane indicators are measured.</summary>
+    /// <summary>Look-ahead of the lane indicators.</summary>
     public required LookAhead LookAhead { get; init; }
 
-    /// <summary>Width of the lanes of an ordinary road, metres.</summary>
+    /// <summary>Lane width of ordinary roads, metres.</summary>
     public required double LaneWidth { get; init; }
 
-    /// <summary>Width of the lanes of a narrow road, metres.</summary>
+    /// <summary>Lane width of narrow roads, metres.</summary>
     public required double NarrowLaneWidth { get; init; }
 
-    /// <summary>In what the game misbehaves.</summary>
+    /// <summary>Faults of the real game that the simulated game imitates.</summary>
     public required GameQuirks Quirks { get; init; }
 
-    /// <summary>The same as the option says it; null for nothing.</summary>
-    public required string? QuirksAsked { get; init; }
+    /// <summary>The value of --quirks; null if it is not given.</summary>
+    public required string? QuirksText { get; init; }
 }

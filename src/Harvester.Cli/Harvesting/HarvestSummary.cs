@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
@@ -10,7 +11,7 @@ using Spectre.Console;
 
 namespace Harvester.Cli.Harvesting;
 
-/// <summary>Prints what was harvested, where it is, and what to run next.</summary>
+/// <summary>Prints the counts of a harvest, its folder, and the command to run next.</summary>
 internal static class HarvestSummary
 {
     private static readonly string[] Columns = ["class", "labels", "objects", "nearest", "median distance"];
@@ -26,9 +27,9 @@ internal static class HarvestSummary
             WriteLines(terminal, statistics.Classes);
         }
 
-        terminal.Out.WriteLine(string.Create(
-            CultureInfo.InvariantCulture,
-            $"{Counted.Of(outcome.Frames, "frame")}, {Counted.Of(statistics.Labels, "label")} in {outcome.Elapsed.TotalSeconds:0.0} s ({outcome.FramesPerSecond:0.0} frames/s), {Counted.Of(outcome.Discarded, "frame")} discarded"));
+        string counts = $"{Counted.Of(outcome.Frames, "frame")}, {Counted.Of(statistics.Labels, "label")}";
+        string rate = FormattableString.Invariant($"{outcome.Elapsed.TotalSeconds:0.0} s ({outcome.FramesPerSecond:0.0} frames/s)");
+        terminal.Out.WriteLine($"{counts} in {rate}, {Counted.Of(outcome.Discarded, "frame")} discarded");
         if (outcome.Freezing is { } freezing)
         {
             terminal.Out.WriteLine($"freeze   {freezing}");
@@ -74,13 +75,14 @@ internal static class HarvestSummary
     {
         foreach ((ObjectClass kind, ClassStatistics figures) in classes)
         {
-            terminal.Out.WriteLine(string.Create(
-                CultureInfo.InvariantCulture,
-                $"{JsonName.Of(kind)}: {Counted.Of(figures.Labels, "label")}, {Counted.Of(figures.Objects, "object")}, nearest {figures.MinMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m"));
+            string counts = $"{Counted.Of(figures.Labels, "label")}, {Counted.Of(figures.Objects, "object")}";
+            string distances = FormattableString.Invariant(
+                $"nearest {figures.MinMetres:0.0} m, median distance {figures.MedianDistanceMetres:0.0} m");
+            terminal.Out.WriteLine($"{JsonName.Of(kind)}: {counts}, {distances}");
         }
     }
 
-    /// <summary>The command as the user can type it here: in a clone of the repository, harvester is not on the path.</summary>
+    /// <summary>The command to type in the current folder: in a clone of the repository, harvester is not on the path.</summary>
     private static string Command() =>
         File.Exists(Path.Combine("src", "Harvester.Cli", "Harvester.Cli.csproj"))
             ? "dotnet run -c Release --project src/Harvester.Cli --"

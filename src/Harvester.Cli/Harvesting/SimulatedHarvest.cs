@@ -26,10 +26,10 @@ using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Harvesting;
 
-/// <summary>Builds the simulated game that a plan asks for and harvests it, tick by tick.</summary>
+/// <summary>Builds the simulated game of a plan and harvests it, tick by tick.</summary>
 internal sealed class SimulatedHarvest
 {
-    /// <summary>The simulated game runs at the game's usual frame rate.</summary>
+    /// <summary>Frame rate of the simulated game, a usual one of the real game.</summary>
     public const double TicksPerSecond = 60;
 
     private readonly HarvestPlan _plan;
@@ -43,14 +43,14 @@ internal sealed class SimulatedHarvest
         _faces = faces;
     }
 
-    /// <summary>Reads roads and props, if any are named, and builds the world.</summary>
-    /// <exception cref="DatasetFormatException">A file of roads, props or faces is malformed.</exception>
-    /// <exception cref="UsageException">There is no road where the harvest is to begin.</exception>
+    /// <summary>Reads the files of the plan and builds the world.</summary>
+    /// <exception cref="DatasetFormatException">A file of roads, props or faces is invalid.</exception>
+    /// <exception cref="UsageException">There is no road near the start position.</exception>
     public static SimulatedHarvest Build(HarvestPlan plan, Action<string> warn)
     {
         RoadNetwork? roads = plan.Roads is null ? null : RoadImporter.Import(plan.Roads).Network;
         FaceTable faces = FaceFile.AsWritten(
-            plan.Faces is null ? ModelFaces.Table : ModelFaces.Table.OverriddenBy(FaceFile.ReadGood(plan.Faces, warn)));
+            plan.Faces is null ? ModelFaces.Table : ModelFaces.Table.OverriddenBy(FaceFile.ReadValid(plan.Faces, warn)));
         Lens lens = plan.Options.Lens;
         List<PropPlacement> props = [.. plan.Props.SelectMany(PropPlacementImporter.Import)];
         try
@@ -75,19 +75,20 @@ internal sealed class SimulatedHarvest
         }
     }
 
-    /// <summary>Harvests to the end, to a fault, or until it is cancelled; the session is opened and closed in every case.</summary>
-    /// <param name="report">Is told the frames taken so far after each.</param>
+    /// <summary>Harvests until the end, a fault or cancellation. The session is opened and closed in every case.</summary>
+    /// <param name="folder">Folder to write the session to; empty but for its mark.</param>
+    /// <param name="report">Receives the number of frames after each frame.</param>
     /// <param name="cancellation">Stops between two ticks.</param>
-    /// <exception cref="IOException">The folder cannot be made.</exception>
-    public HarvestOutcome Run(Action<int> report, CancellationToken cancellation)
+    /// <exception cref="IOException">The folder cannot be created.</exception>
+    public HarvestOutcome Run(string folder, Action<int> report, CancellationToken cancellation)
     {
         var clock = Stopwatch.StartNew();
-        using var writer = new SessionWriter(_plan.Folder, Origin());
-        RoadNetwork roads = _plan.Roads is null ? KeepRoads(_game.Roads) : _game.Roads;
+        using var writer = new SessionWriter(folder, Origin());
+        RoadNetwork roads = _plan.Roads is null ? KeepRoads(_game.Roads, writer) : _game.Roads;
         using var session = new HarvestSession(_plan.Options with { Faces = _faces }, Ports(roads), writer);
         do
         {
-            // The game waits for the disk, not the other way round: otherwise its course would depend on the disk's speed.
+            // The game waits for the disk; otherwise the frames would depend on the disk's speed.
             writer.WaitForRoom();
             _game.Tick(1 / TicksPerSecond);
             int before = session.Status.Captured;
@@ -114,9 +115,9 @@ internal sealed class SimulatedHarvest
     }
 
     /// <summary>
-    /// Writes the roads of a made-up town beside the scenes; labels are made on them as they are written, so that they can be made again.
+    /// Writes the roads of a generated town beside the scenes, and returns them as read back: relabelling then finds the same numbers.
     /// </summary>
-    private RoadNetwork KeepRoads(RoadNetwork town)
+    private RoadNetwork KeepRoads(RoadNetwork town, SessionWriter writer)
     {
         if (!_plan.Options.Scenes)
         {
@@ -125,9 +126,7 @@ internal sealed class SimulatedHarvest
 
         using var text = new StringWriter(CultureInfo.InvariantCulture);
         RoadCsvWriter.Write(town, text);
-        string path = Path.Combine(_plan.Folder, FramePaths.Roads);
-        Directory.CreateDirectory(Path.GetDirectoryName(path)!);
-        AtomicFile.Write(path, text.ToString());
+        writer.Keep(FramePaths.Roads, text.ToString());
         return RoadCsvReader.Read(new StringReader(text.ToString()));
     }
 
@@ -168,7 +167,7 @@ internal sealed class SimulatedHarvest
             yield return new("spaces", Path.GetFileName(faces));
         }
 
-        if (_plan.QuirksAsked is { } quirks)
+        if (_plan.QuirksText is { } quirks)
         {
             yield return new("quirks", quirks);
         }

@@ -8,14 +8,14 @@ using Harvester.Play.Settings;
 namespace Harvester.Cli.Relabelling;
 
 /// <summary>
-/// Reads the lens that a calibration found: the lines that harvester calibrate prints, or an ini file with a section [Lens].
+/// Reads a calibrated lens from the output of harvester calibrate, or from an ini file with a section [Lens].
 /// </summary>
 internal static class LensFile
 {
     private const string Section = $"[{HarvestSettings.LensSection}]";
 
     /// <exception cref="IOException">The file cannot be read.</exception>
-    /// <exception cref="DatasetFormatException">A value is missing, or none that a lens can have.</exception>
+    /// <exception cref="DatasetFormatException">A value is missing or out of range.</exception>
     public static Lens Read(string path)
     {
         string text = InputFile.ReadAllText(path);

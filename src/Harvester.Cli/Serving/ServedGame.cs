@@ -8,17 +8,16 @@ using Harvester.Simulation.Game;
 namespace Harvester.Cli.Serving;
 
 /// <summary>
-/// A simulated game at the pace of the clock on the wall, for a client at the other end of a bridge. The steps that a client asks for are
-/// taken as fast as it goes.
+/// A simulated game that runs in real time for a client of a bridge. Single steps that a client requests are taken as fast as possible.
 /// </summary>
 internal sealed class ServedGame(SimulatedGame game, GameEndpoint bridged)
 {
     private const double TickSeconds = 1 / SimulatedHarvest.TicksPerSecond;
 
-    /// <summary>Looks at the bridge in each tick; null for nobody.</summary>
-    public VisitLog? Visits { get; init; }
+    /// <summary>Logs connections, once per tick; null for no log.</summary>
+    public ConnectionLog? Connections { get; init; }
 
-    /// <summary>Serves for so many seconds of the game's time, to a fault, or until it is cancelled.</summary>
+    /// <summary>Serves for a number of seconds of game time, or until a fault or cancellation.</summary>
     public DrivingStatus Run(double seconds, CancellationToken cancellation)
     {
         WallPace pace = new(TickSeconds, TimeProvider.System);
@@ -27,7 +26,7 @@ internal sealed class ServedGame(SimulatedGame game, GameEndpoint bridged)
         {
             pace.Wait(game.IsFrozen, isHurried: bridged.IsStepping, cancellation);
             status = bridged.Tick(TickSeconds);
-            Visits?.Look(bridged.Problem);
+            Connections?.Update(bridged.Problem);
         }
 
         return status;

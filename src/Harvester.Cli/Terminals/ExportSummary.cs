@@ -1,9 +1,10 @@
 using System.Linq;
 using Harvester.Datasets.Exports.Assembly;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Terminals;
 
-/// <summary>What a finished dataset has, in one line.</summary>
+/// <summary>Summarises a finished dataset in one line.</summary>
 internal static class ExportSummary
 {
     public static string Of(string folder, ExportResult result)

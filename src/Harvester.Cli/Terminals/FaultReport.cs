@@ -6,10 +6,10 @@ using System.Runtime.InteropServices;
 
 namespace Harvester.Cli.Terminals;
 
-/// <summary>What is kept of an exception that nobody thought of, so that it can be reported.</summary>
+/// <summary>Keeps the details of an unexpected exception, so that it can be reported.</summary>
 internal static class FaultReport
 {
-    /// <summary>Writes the details to a new file in the folder for temporary files.</summary>
+    /// <summary>Writes the details to a new file in the system's temporary folder.</summary>
     /// <returns>One line for the user, which names the file.</returns>
     public static string Write(Exception fault)
     {
@@ -23,7 +23,7 @@ internal static class FaultReport
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            return $"{what} Please report it: {fault.StackTrace?.Split('\n').FirstOrDefault()?.Trim() ?? "no details are known"}.";
+            return $"{what} Please report it: {fault.StackTrace?.Split('\n').FirstOrDefault()?.Trim() ?? "no details are available"}.";
         }
     }
 

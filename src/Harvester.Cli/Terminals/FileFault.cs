@@ -6,19 +6,19 @@ using Harvester.Sessions.Files;
 namespace Harvester.Cli.Terminals;
 
 /// <summary>
-/// Words the faults of the file system: what, where, what to do. The kind comes from the exception's type and result code; the path only
-/// from the quotation marks in the runtime's message, because the runtime keeps it nowhere else. Messages of this project stay as they are.
+/// Makes messages of file system errors: what, where, what to do. The kind of error comes from the exception's type and result code. The
+/// path comes from the quotation marks in the runtime's message, because no property has it. Messages of this project are kept.
 /// </summary>
 internal static class FileFault
 {
-    // A full disk and an exceeded quota: ENOSPC, EDQUOT on Linux and macOS, ERROR_DISK_FULL, ERROR_HANDLE_DISK_FULL.
+    // Disk full or quota exceeded: ENOSPC, EDQUOT on Linux and on macOS, ERROR_DISK_FULL, ERROR_HANDLE_DISK_FULL.
     private static readonly int[] FullDisk = [28, 122, 69, unchecked((int)0x80070070), unchecked((int)0x80070027)];
 
     private static readonly string? Runtime = typeof(File).Assembly.GetName().Name;
 
-    /// <summary>One line.</summary>
-    /// <param name="fault">What was thrown.</param>
-    /// <param name="output">Where the command writes to, for faults that do not name their file; null if unknown.</param>
+    /// <summary>The message, one line.</summary>
+    /// <param name="fault">The exception.</param>
+    /// <param name="output">The command's output, named if the exception does not name a file; null if unknown.</param>
     public static string TextOf(Exception fault, string? output)
     {
         if (FullDisk.Contains(fault.HResult))
@@ -37,17 +37,18 @@ internal static class FileFault
 
     private static string TextOf(string path, Exception fault) =>
         Directory.Exists(path) ? FolderText(path, fault)
-        : fault is UnauthorizedAccessException ? $"Permission denied: '{path}'. Change its permissions, or name another."
+        : fault is UnauthorizedAccessException ? $"Permission denied: '{path}'. Change its permissions, or name another path."
         : OutputFolder.FileInTheWayOf(path) is { } file ? $"'{file}' is a file. Name a folder."
         : fault is DirectoryNotFoundException ? $"Folder not found: '{Path.GetDirectoryName(path)}'."
         : fault.Message;
 
-    // The runtime denies access to a folder without permission and to a folder in the place of a file alike.
+    // The runtime throws the same exception for a folder without permission and for a folder where a file is expected.
     private static string FolderText(string path, Exception fault) =>
-        fault is UnauthorizedAccessException ? $"'{path}' is a folder where a file is expected, or access to it is denied. Name another."
-        : $"'{path}' is a folder. Name a file.";
+        fault is UnauthorizedAccessException
+            ? $"'{path}' is a folder where a file is expected, or access to it is denied. Name another path."
+            : $"'{path}' is a folder. Name a file.";
 
-    /// <summary>The path in a message, which may have apostrophes itself.</summary>
+    /// <summary>The path in a message; it may contain apostrophes itself.</summary>
     private static string? QuotedIn(string message)
     {
         int start = message.IndexOf('\'', StringComparison.Ordinal) + 1;

@@ -19,13 +19,13 @@ internal sealed class HelpWithNotes : SynchronousCommandLineAction
 
     public override bool ClearsParseErrors => true;
 
-    /// <summary>Gives a command a --help of its own that ends with notes.</summary>
+    /// <summary>Gives a command its own --help, which ends with notes.</summary>
     public static void AddTo(Command command, string notes)
     {
         HelpOption? option = command.Options.OfType<HelpOption>().FirstOrDefault();
         if (option is null)
         {
-            // The commands within it have the root's.
+            // Subcommands without notes keep the help option of the root.
             option = new HelpOption { Recursive = false };
             command.Options.Add(option);
         }

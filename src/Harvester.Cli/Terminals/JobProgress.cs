@@ -5,7 +5,7 @@ using Spectre.Console;
 
 namespace Harvester.Cli.Terminals;
 
-/// <summary>Shows how far a long job is: a moving bar for a person, a line now and then for a file.</summary>
+/// <summary>Shows the progress of a long job: a progress bar in a terminal, a line every few seconds in a file or pipe.</summary>
 internal sealed class JobProgress
 {
     private static readonly TimeSpan BetweenPlainLines = TimeSpan.FromSeconds(5);
@@ -17,9 +17,9 @@ internal sealed class JobProgress
     private readonly JobRate _rate = new();
     private TimeSpan _lastLine;
 
-    /// <param name="terminal">Where it is shown.</param>
-    /// <param name="all">How much there is to do.</param>
-    /// <param name="unit">What it is counted in.</param>
+    /// <param name="terminal">Receives the progress.</param>
+    /// <param name="all">The amount of work.</param>
+    /// <param name="unit">Unit of the amount, in the plural.</param>
     public JobProgress(Terminal terminal, int all, string unit = "frames")
     {
         _terminal = terminal;
@@ -27,18 +27,18 @@ internal sealed class JobProgress
         _unit = unit;
     }
 
-    /// <summary>Runs the job and shows what it reports.</summary>
+    /// <summary>Runs the job and shows the progress it reports.</summary>
     public T Run<T>(Func<Action<int>, T> job)
     {
         _clock.Start();
         return _terminal.IsInteractive ? RunInteractive(job) : job(WriteLine);
     }
 
-    /// <summary>How far the job is: what is done, and rate and time left where the rate is known.</summary>
-    /// <param name="done">What is done.</param>
-    /// <param name="all">What there is to do.</param>
-    /// <param name="perSecond">The rate, greater than 0; null where it is not known.</param>
-    /// <param name="unit">What is counted.</param>
+    /// <summary>The progress as text: what is done, and, if the rate is known, rate and time left.</summary>
+    /// <param name="done">The work done.</param>
+    /// <param name="all">The amount of work.</param>
+    /// <param name="perSecond">The rate, greater than 0; null if unknown.</param>
+    /// <param name="unit">Unit of the amount, in the plural.</param>
     internal static string Describe(int done, int all, double? perSecond, string unit = "frames") => perSecond is { } rate
         ? string.Create(CultureInfo.InvariantCulture, $"{done} of {all} {unit}, {rate:0.0} {unit}/s, {Duration((all - done) / rate)} left")
         : string.Create(CultureInfo.InvariantCulture, $"{done} of {all} {unit}");

@@ -3,20 +3,20 @@ using System;
 namespace Harvester.Cli.Terminals;
 
 /// <summary>
-/// How fast a job goes. It is measured from the first report on: what comes before, building a world or reading a session, happens once and
-/// says nothing about the rest.
+/// The rate of a job, measured from the first report on. Work before that, such as building a world or reading a session, happens once
+/// and is not part of the rate.
 /// </summary>
 internal sealed class JobRate
 {
-    /// <summary>Over less time than this, a rate is as good as any guess.</summary>
+    /// <summary>A rate measured over less time is not reported.</summary>
     private static readonly TimeSpan MinTime = TimeSpan.FromSeconds(1);
 
     private (int Done, TimeSpan At)? _first;
 
     /// <summary>Takes a report.</summary>
-    /// <param name="done">What is done.</param>
-    /// <param name="at">When, on any clock.</param>
-    /// <returns>What is done in a second; null while that is not known.</returns>
+    /// <param name="done">The work done so far.</param>
+    /// <param name="at">Time of the report, from any fixed start.</param>
+    /// <returns>The rate per second; null while it is unknown.</returns>
     public double? Report(int done, TimeSpan at)
     {
         _first ??= (done, at);

@@ -1,22 +1,24 @@
 using System.IO;
 using System.Linq;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Reports;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Files;
 
 namespace Harvester.Cli.Terminals;
 
-/// <summary>Makes room for a new session. Nothing but an earlier session is ever deleted, and only when that was asked for.</summary>
+/// <summary>
+/// Checks the output folder of a session. Only an unfinished result of the same command is replaced, or, with --overwrite, a session.
+/// </summary>
 internal static class OutputFolder
 {
-    private static readonly string[] Files = [SessionInfo.FileName, SessionReader.LabelsFile, ReportWriter.FileName];
-    private static readonly string[] Folders = [FramePaths.Frames, FramePaths.Masks, FramePaths.Scenes];
-
-    /// <summary>Checks that a session may be written to a folder, and changes nothing.</summary>
-    /// <exception cref="IOException">A file is where the folder should be.</exception>
-    /// <exception cref="OccupiedFolderException">The folder holds something that is not to be replaced.</exception>
-    public static void Check(string folder, bool overwrite)
+    /// <summary>Checks that a session may be written to a folder. Changes nothing.</summary>
+    /// <param name="folder">The folder.</param>
+    /// <param name="command">The command that is to write it, as in its mark.</param>
+    /// <param name="overwrite">Whether a session there is to be replaced; null for a command that never replaces one.</param>
+    /// <returns>Whether something is to be replaced; false if the folder is new, empty or has only what the same command left.</returns>
+    /// <exception cref="IOException">The folder, or one above it, is a file.</exception>
+    /// <exception cref="OccupiedFolderException">The folder has files that must not be replaced.</exception>
+    public static bool Check(string folder, string command, bool? overwrite)
     {
         if (FileInTheWayOf(folder) is { } file)
         {
@@ -25,27 +27,22 @@ internal static class OutputFolder
 
         if (HoldsNoFile(folder))
         {
-            return;
+            return false;
         }
 
-        if (!File.Exists(Path.Combine(folder, SessionInfo.FileName)))
+        string? unfinished = UnfinishedMark.CommandIn(folder);
+        if (unfinished != command)
         {
-            throw new OccupiedFolderException($"'{folder}' is not empty and holds no session. Name another folder with --out.");
+            RefuseOccupied(folder, unfinished, overwrite);
         }
 
-        if (!overwrite)
-        {
-            throw new OccupiedFolderException($"'{folder}' already holds a session. Name another folder with --out, or replace it with --overwrite.");
-        }
-
-        if (Directory.EnumerateFileSystemEntries(folder).Select(Path.GetFileName).Except([.. Files, .. Folders])
-            .FirstOrDefault() is { } other)
-        {
-            throw new OccupiedFolderException($"'{folder}' holds other files besides a session, e.g. '{other}'. Name another folder with --out.");
-        }
+        return SessionFolder.ForeignIn(folder) is { } other
+            ? throw new OccupiedFolderException(
+                $"'{folder}' has other files besides a session, e.g. '{other}'. Name another folder with --out.")
+            : unfinished != command;
     }
 
-    /// <summary>A file that stands where the folder or one that holds it should be; null when there is none.</summary>
+    /// <summary>The file in place of the folder or of one above it; null if there is none.</summary>
     public static string? FileInTheWayOf(string folder)
     {
         for (string? path = Path.GetFullPath(folder); path is not null; path = Path.GetDirectoryName(path))
@@ -59,41 +56,27 @@ internal static class OutputFolder
         return null;
     }
 
-    /// <summary>Deletes the session in a folder that has passed the check, or the empty folders of one.</summary>
-    public static void Clear(string folder)
+    private static void RefuseOccupied(string folder, string? unfinished, bool? overwrite)
     {
-        if (!Directory.Exists(folder))
+        const int maxShown = 200;
+        if (unfinished is null && !File.Exists(Path.Combine(folder, SessionInfo.FileName)))
         {
-            return;
+            throw new OccupiedFolderException($"'{folder}' is not empty and has no session. Name another folder with --out.");
         }
 
-        foreach (string file in Files)
+        if (overwrite != true)
         {
-            File.Delete(Path.Combine(folder, file));
-        }
-
-        foreach (string path in Folders.Select(name => Path.Combine(folder, name)).Where(Directory.Exists))
-        {
-            Directory.Delete(path, recursive: true);
+            string what = unfinished is null ? "already has a session. Name"
+                : $"has the unfinished result of '{(unfinished.Length > maxShown ? unfinished[..maxShown] + "..." : unfinished)}'. "
+                    + "Run that command again, name";
+            string replace = overwrite is null ? "delete the folder" : "replace it with --overwrite";
+            throw new OccupiedFolderException($"'{folder}' {what} another folder with --out, or {replace}.");
         }
     }
 
-    /// <summary>
-    /// Deletes what a harvest left that ended before its session was opened, and the folder with it, unless it holds something else.
-    /// </summary>
-    public static void DiscardUnopened(string folder)
-    {
-        if (Directory.Exists(folder) && !File.Exists(Path.Combine(folder, SessionInfo.FileName)))
-        {
-            Clear(folder);
-            if (!Directory.EnumerateFileSystemEntries(folder).Any())
-            {
-                Directory.Delete(folder);
-            }
-        }
-    }
-
-    /// <summary>Whether there is no folder or nothing but folders in it, as a harvest leaves them that found the disk full.</summary>
+    /// <summary>Whether there is no folder, or nothing but folders in it and the beginning of a mark.</summary>
     private static bool HoldsNoFile(string folder) =>
-        !Directory.Exists(folder) || !Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories).Any();
+        !Directory.Exists(folder)
+        || Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories).All(path =>
+            AtomicFile.TargetOf(Path.GetFileName(path)) == UnfinishedMark.FileName);
 }

@@ -6,13 +6,13 @@ using System.Linq;
 
 namespace Harvester.Cli.Terminals;
 
-/// <summary>The command or option that somebody meant who mistyped one.</summary>
+/// <summary>Suggests a command or option for a misspelt one.</summary>
 internal static class Suggestion
 {
-    /// <summary>Letters of a word for each that may be wrong.</summary>
+    /// <summary>One mistake is allowed for this many letters of the word.</summary>
     private const int LettersPerMistake = 3;
 
-    /// <summary>The name most like a word among the commands and options that could stand there; null when none is like it.</summary>
+    /// <summary>The most similar name among the subcommands and options of a command; null if none is similar.</summary>
     public static string? For(string word, CommandResult command)
     {
         string name = word.Split('=')[0];
@@ -26,25 +26,26 @@ internal static class Suggestion
     }
 
     /// <summary>
-    /// The fewest letters that must be put in, left out, exchanged or swapped with their neighbour (optimal string alignment).
+    /// The distance between two words: the smallest number of letters to insert, delete, replace or swap with their neighbour (optimal
+    /// string alignment).
     /// </summary>
     internal static int Mistakes(string a, string b)
     {
-        int[,] least = new int[a.Length + 1, b.Length + 1];
+        int[,] distance = new int[a.Length + 1, b.Length + 1];
         for (int i = 0; i <= a.Length; i++)
         {
             for (int j = 0; j <= b.Length; j++)
             {
-                least[i, j] = i == 0 ? j : j == 0 ? i : Math.Min(
-                    Math.Min(least[i - 1, j], least[i, j - 1]) + 1, least[i - 1, j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1));
+                distance[i, j] = i == 0 ? j : j == 0 ? i : Math.Min(
+                    Math.Min(distance[i - 1, j], distance[i, j - 1]) + 1, distance[i - 1, j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1));
                 if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
                 {
-                    least[i, j] = Math.Min(least[i, j], least[i - 2, j - 2] + 1);
+                    distance[i, j] = Math.Min(distance[i, j], distance[i - 2, j - 2] + 1);
                 }
             }
         }
 
-        return least[a.Length, b.Length];
+        return distance[a.Length, b.Length];
     }
 
     private static IEnumerable<string> NamesIn(CommandResult command)

@@ -6,18 +6,18 @@ using Spectre.Console;
 
 namespace Harvester.Cli.Terminals;
 
-/// <summary>Where a command reads and writes: the process's own streams, or a test's.</summary>
+/// <summary>The streams of a command: those of the process, or those of a test.</summary>
 /// <param name="In">Standard input.</param>
 /// <param name="Out">Standard output: results.</param>
-/// <param name="Error">Standard error: one line for what went wrong.</param>
-/// <param name="IsInteractive">Whether a person watches the output, so that it may move and have colours.</param>
+/// <param name="Error">Standard error: messages, one line each.</param>
+/// <param name="IsInteractive">Whether the output goes to a terminal, so that it may have progress bars and colours.</param>
 internal sealed record Terminal(TextReader In, TextWriter Out, TextWriter Error, bool IsInteractive)
 {
-    /// <summary>A width for output that goes to a file or pipe, which has none of its own.</summary>
+    /// <summary>Columns of output that goes to a file or pipe.</summary>
     private const int PlainWidth = 120;
     private const int MaxErrorLength = 600;
 
-    /// <summary>The process's own streams, UTF-8 and line feeds on every system.</summary>
+    /// <summary>The streams of the process, with UTF-8 and line feeds on every system.</summary>
     public static Terminal OfProcess()
     {
         var utf8 = new UTF8Encoding(encoderShouldEmitUTF8Identifier: false);
@@ -31,12 +31,12 @@ internal sealed record Terminal(TextReader In, TextWriter Out, TextWriter Error,
     }
 
     /// <summary>
-    /// Says in one line what went wrong. Messages quote files, which may be anything: control characters, which a terminal would obey, are
-    /// left out, and what is too long to read is cut.
+    /// Writes a message to standard error. Messages quote the content of files, which may be hostile: control characters, which a terminal
+    /// would obey, are removed, and long messages are truncated.
     /// </summary>
     public void WriteError(string message) => Error.WriteLine($"harvester: {OneLine(message)}");
 
-    /// <summary>A text that may be anything as one line of bounded length, without control characters.</summary>
+    /// <summary>Any text as one line of limited length, without control characters.</summary>
     public static string OneLine(string text)
     {
         string line = string.Join(' ', text.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
@@ -44,7 +44,7 @@ internal sealed record Terminal(TextReader In, TextWriter Out, TextWriter Error,
         return line.Length <= MaxErrorLength ? line : line[..MaxErrorLength] + "...";
     }
 
-    /// <summary>Tables and progress over the same output; without colours and motion when nobody watches.</summary>
+    /// <summary>A console for tables and progress on the same output; without colours and motion if it is not interactive.</summary>
     public IAnsiConsole ToAnsiConsole()
     {
         IAnsiConsole console = AnsiConsole.Create(new AnsiConsoleSettings

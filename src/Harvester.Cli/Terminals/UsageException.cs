@@ -2,7 +2,7 @@ using System;
 
 namespace Harvester.Cli.Terminals;
 
-/// <summary>The options do not go together or make no sense; found after the command line was parsed.</summary>
+/// <summary>The command line is invalid in a way that the parser does not detect.</summary>
 internal sealed class UsageException : Exception
 {
     public UsageException(string message)

@@ -6,18 +6,18 @@ using System.Text.RegularExpressions;
 
 namespace Harvester.Datasets.Diagnosis;
 
-/// <summary>Looks for harvests that threw many of their frames away, and says why, by the reasons of docs/dataset-format.md.</summary>
+/// <summary>Finds harvests that discarded many of their frames, and explains the reasons of docs/dataset-format.md.</summary>
 internal static class DiscardCheck
 {
-    /// <summary>A reason that took a smaller share of the frames begun is part of a good harvest.</summary>
-    private const double UsualShare = 0.1;
+    /// <summary>A reason with a smaller fraction of the started frames is normal.</summary>
+    private const double MaxUsualFraction = 0.1;
 
     private static readonly Regex Counts =
         new(@"(?<captured>\d+) frames?, discarded: (?<discards>(\d+ [a-zA-Z]+(, )?)+)", RegexOptions.CultureInvariant);
     private static readonly Regex GivenFreeze =
         new(@"\[Harvest\] Freeze = (Paused|TimeScale)", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase);
 
-    /// <summary>The harvests that a log tells of.</summary>
+    /// <summary>The findings for the harvests in a log.</summary>
     public static IEnumerable<Finding> Of(IReadOnlyList<LogLine> lines)
     {
         bool isFreezeGiven = lines.Any(line => GivenFreeze.IsMatch(line.Text));
@@ -27,17 +27,17 @@ internal static class DiscardCheck
             .Select(same => same.Last() with { Count = same.Count() });
     }
 
-    /// <summary>One harvest.</summary>
-    /// <param name="captured">Frames kept.</param>
-    /// <param name="discards">Frames thrown away, by reason.</param>
-    /// <param name="isFreezeGiven">Whether the way of freezing was given, not tried.</param>
-    /// <param name="evidence">Where this is stated.</param>
+    /// <summary>The findings for one harvest.</summary>
+    /// <param name="captured">Number of frames kept.</param>
+    /// <param name="discards">Number of frames discarded, by reason.</param>
+    /// <param name="isFreezeGiven">Whether the freeze method was configured, not chosen automatically.</param>
+    /// <param name="evidence">The line with these numbers.</param>
     public static IEnumerable<Finding> Of(
         int captured, IReadOnlyList<KeyValuePair<string, int>> discards, bool isFreezeGiven, LogLine evidence)
     {
         int begun = captured + discards.Sum(discard => discard.Value);
         return discards
-            .Where(discard => discard.Value > UsualShare * begun)
+            .Where(discard => discard.Value > MaxUsualFraction * begun)
             .OrderByDescending(discard => discard.Value)
             .Select(discard =>
             {
@@ -60,34 +60,34 @@ internal static class DiscardCheck
     private static (string Cause, string Advice) Explain(string reason, bool isFreezeGiven) => reason switch
     {
         "black" or "singleColour" => (
-            "The pictures were black or of a single colour: the game runs in exclusive full screen, or the picture cannot be copied.",
+            "The images were black or of a single colour: the game runs in exclusive full screen, or its window cannot be copied.",
             "Choose windowed borderless in the game's graphics settings."),
         "covered" => (
-            "Something lay over the game's window.",
-            "Move other windows and overlays away; harvest on a monitor of its own."),
+            "Something covered the game's window.",
+            "Move other windows and overlays away, or give the game a monitor of its own."),
         "minimised" or "noWindow" => (
             "The game's window was minimised or hidden.",
-            "Leave the window open while a harvest runs; it need not be in the foreground."),
+            "Keep the window open while a harvest runs; it need not be in the foreground."),
         "offScreen" => (
-            "Some of the game's window was on no monitor.",
+            "Part of the game's window was outside the monitors.",
             "Move the window onto one monitor, or choose windowed borderless."),
         "resized" or "moved" => (
             "The game's window was moved or resized while a harvest ran.",
-            "Leave it alone until the harvest has ended."),
+            "Do not move or resize it until the harvest has ended."),
         "unreadable" => (
-            "Windows did not let the picture be copied: the computer was locked, or asked for a password.",
-            "Leave the computer unlocked while a harvest runs."),
+            "Windows did not allow the screen to be copied: the computer was locked, or asked for a password.",
+            "Keep the computer unlocked while a harvest runs."),
         "neverStill" => (
-            "Something went on moving while the game was frozen.",
+            "Something kept moving while the game was frozen.",
             isFreezeGiven ? "Set Freeze = Auto under [Harvest]." : "Remove mods that move the camera or the traffic."),
         "cameraMoved" or "egoMoved" or "objectMoved" or "objectsChanged" or "timeMoved" => (
-            "The scene changed between picture and labels though the game was frozen.",
-            isFreezeGiven ? "Set Freeze = Auto under [Harvest]." : "Remove mods that make, move or delete vehicles and people."),
+            "The scene changed between image and labels although the game was frozen.",
+            isFreezeGiven ? "Set Freeze = Auto under [Harvest]." : "Remove mods that create, move or delete vehicles or people."),
         "tickMissed" => (
             "The game skipped frames of a live harvest.",
             "Lower the graphics settings or Rate under [Harvest], or harvest with Mode = Freeze."),
         _ => (
-            $"Frames were thrown away for the reason {reason}.",
+            $"Frames were discarded for the reason {reason}.",
             "docs/dataset-format.md lists the reasons."),
     };
 }

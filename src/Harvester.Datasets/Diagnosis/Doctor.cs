@@ -9,12 +9,12 @@ namespace Harvester.Datasets.Diagnosis;
 /// <summary>Reads the logs of a game with the mod, or a session, and names the likely cause of a problem.</summary>
 public static class Doctor
 {
-    /// <summary>Reads what a path names: a log, the folder of the game or of its scripts, or a session.</summary>
+    /// <summary>Reads a log, the folder of the game or of its scripts, or a session.</summary>
     /// <param name="path">The file or folder.</param>
-    /// <param name="allRuns">Whether earlier runs in the mod's log count too.</param>
+    /// <param name="allRuns">Whether earlier runs in the mod's log are included.</param>
     /// <exception cref="IOException">A file is missing or cannot be read.</exception>
-    /// <exception cref="DatasetFormatException">The file is no log; the folder holds none and is no game's; session.json is
-    /// malformed.</exception>
+    /// <exception cref="DatasetFormatException">The file is not a log; the folder has no logs and is not the game's; or session.json is
+    /// invalid.</exception>
     public static Diagnosis Examine(string path, bool allRuns = false)
     {
         if (!Directory.Exists(path))
@@ -33,10 +33,11 @@ public static class Doctor
         var search = new LogSearch(folder);
         if (!search.IsGame && search.Logs.Count == 0)
         {
-            throw new DatasetFormatException($"'{folder}' has no log of the mod, and is neither the game's folder nor a session.");
+            throw new DatasetFormatException(
+                $"'{folder}' has no log of the mod, and is neither the game's folder nor a session. Name one of these.");
         }
 
-        // From the bottom up: what is wrong below is the cause of what is wrong above.
+        // From the lowest layer up: a problem in a lower layer causes those in higher layers.
         LogFile[] logs = [.. search.Logs.OrderBy(log => log.Key).Select(log => LogFile.Read(log.Value, allRuns))];
         IEnumerable<Finding> missing = search.IsGame ? MissingLogCheck.Of(logs) : [];
         return new Diagnosis(logs, [.. logs.Where(log => log.Kind != LogKind.Mod).SelectMany(FindingsOf), .. missing,

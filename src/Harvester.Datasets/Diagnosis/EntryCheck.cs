@@ -4,7 +4,7 @@ using System.Text.RegularExpressions;
 
 namespace Harvester.Datasets.Diagnosis;
 
-/// <summary>Reports a log of the mod without a single line that the mod wrote, which would otherwise count as free of problems.</summary>
+/// <summary>Reports a log of the mod without a line written by the mod, which would otherwise seem to have no problems.</summary>
 internal static class EntryCheck
 {
     private static readonly Regex Entry = new(@"^\d{4}-\d\d-\d\d \d\d:\d\d:\d\d ", RegexOptions.CultureInvariant);
@@ -13,6 +13,7 @@ internal static class EntryCheck
         log.Runs.SelectMany(run => run).Any(line => Entry.IsMatch(line.Text))
             ? []
             : [new Finding(
-                $"{LogFile.NameOf(LogKind.Mod)} has no line that the mod wrote: it is empty, damaged or another program's.",
-                "Start the game once more and read the log then; if it stays empty, look whether the disk is full and the folder scripts may be written to.")];
+                $"{LogFile.NameOf(LogKind.Mod)} has no line of the mod: it is empty, damaged, or the log of another program.",
+                "Start the game again, then read the log. If it stays empty, check for a full disk and for write access to the folder "
+                    + "'scripts'.")];
 }

@@ -4,16 +4,16 @@ using System.Text.RegularExpressions;
 
 namespace Harvester.Datasets.Diagnosis;
 
-/// <summary>A problem that shows in single lines of a log.</summary>
-/// <param name="pattern">A regular expression that such a line matches; its groups may be used in the cause as $1.</param>
-/// <param name="cause">What is the matter.</param>
-/// <param name="advice">What to do.</param>
+/// <summary>A problem that single lines of a log show.</summary>
+/// <param name="pattern">A regular expression that matches such a line; the cause may refer to its groups, as in $1.</param>
+/// <param name="cause">The cause, one sentence.</param>
+/// <param name="advice">What to do about it.</param>
 internal sealed class LineRule(string pattern, string cause, string advice)
 {
     private readonly Regex _pattern = new(pattern, RegexOptions.IgnoreCase | RegexOptions.CultureInvariant);
 
     /// <summary>
-    /// One finding for each rule that lines match; a line counts for the first rule alone, so that specific rules stand before general
+    /// A finding for each rule that lines match. A line counts only for the first matching rule, so specific rules must precede general
     /// ones.
     /// </summary>
     public static IEnumerable<Finding> Apply(IReadOnlyList<LineRule> rules, IEnumerable<LogLine> lines) =>

@@ -2,11 +2,12 @@ using System.Collections.Generic;
 
 namespace Harvester.Datasets.Diagnosis;
 
-/// <summary>What ScriptHookVDotNet.log tells of problems; the texts are those of its releases 3.6.0 and later.</summary>
+/// <summary>Problems in ScriptHookVDotNet.log. The patterns match the texts of release 3.6.0 and later.</summary>
 internal static class LoaderRules
 {
     private const string UpdateLoader =
-        "Install the version for this build of the game: for Legacy newer than 1.0.3179 the latest nightly of ScriptHookVDotNet, for Enhanced ScriptHookVDotNetEnhanced.";
+        "Install the version for this build of the game: the latest nightly for Legacy builds after 1.0.3179, or "
+            + "ScriptHookVDotNetEnhanced for Enhanced.";
 
     private const string InstallAgain = "Copy the mod's files from the zip again.";
 
@@ -14,7 +15,7 @@ internal static class LoaderRules
     [
         new(
             "unable to resolve API version.*GtaDataHarvester",
-            "ScriptHookVDotNet is older than the mod needs, 3.6.0.",
+            "ScriptHookVDotNet is older than 3.6.0, which the mod needs.",
             UpdateLoader),
         new(
             "GtaDataHarvester.*(0x80131515|network location)",
@@ -27,22 +28,22 @@ internal static class LoaderRules
         new(
             "scripts because the .* directory is missing",
             "There is no folder 'scripts' in the game's folder.",
-            "Make it, and copy the mod's files into it."),
+            "Create it, and copy the mod's files into it."),
         new(
             "no scripting API|ScriptHookVDotNet3[.]dll is not loaded|unable to load ScriptHookVDotNet",
-            "ScriptHookVDotNet is not installed completely.",
+            "The installation of ScriptHookVDotNet is incomplete.",
             "Copy its .asi, .dll and .ini files into the game's folder; unblock them in their properties."),
         new(
             "script name Harvester[.].* already exists",
             "The mod is installed twice.",
-            "Keep one GtaDataHarvester.dll, in the folder 'scripts' itself."),
+            "Keep a single GtaDataHarvester.dll, directly in the folder 'scripts'."),
         new(
             "found (0 script|no compatible scripts).*GtaDataHarvester|unable to load GtaDataHarvester|failed to load .*GtaDataHarvester",
             "The mod's dll cannot be loaded.",
             InstallAgain + " .NET Framework 4.8 or newer is needed."),
         new(
             "failed to instantiate script Harvester[.]",
-            "The mod failed when it was started.",
+            "The mod failed to start.",
             InstallAgain + " If it fails again, report it with this log."),
         new(
             "script Harvester[.].* is not responding|blocking script! script Harvester[.]",
@@ -50,7 +51,7 @@ internal static class LoaderRules
             "Reload the scripts. If it happens again, report it with both logs."),
         new(
             "executing the script Harvester[.]",
-            "The mod failed in a way that it should not.",
+            "The mod failed unexpectedly.",
             "Reload the scripts, and report it with both logs."),
     ];
 }

@@ -8,7 +8,7 @@ using Harvester.Sessions.Files;
 namespace Harvester.Datasets.Diagnosis;
 
 /// <summary>
-/// A log. The mod's holds all runs since it was installed, of which as a rule only the last one matters; the others hold one.
+/// A log. The mod's log has all runs since it was installed, of which usually only the last matters; the other logs have one run.
 /// </summary>
 public sealed class LogFile
 {
@@ -22,19 +22,19 @@ public sealed class LogFile
         RunsLeftAside = runsLeftAside;
     }
 
-    /// <summary>Who wrote it.</summary>
+    /// <summary>The program that wrote the log.</summary>
     public LogKind Kind { get; }
 
-    /// <summary>Where it is.</summary>
+    /// <summary>Path of the log.</summary>
     public string Path { get; }
 
     /// <summary>The lines of each run, the earliest first; at least one run.</summary>
     public IReadOnlyList<IReadOnlyList<LogLine>> Runs { get; }
 
-    /// <summary>Earlier runs that were not kept.</summary>
+    /// <summary>Number of earlier runs that were skipped.</summary>
     public int RunsLeftAside { get; }
 
-    /// <summary>The usual name of a kind of log.</summary>
+    /// <summary>The default file name of a kind of log.</summary>
     public static string NameOf(LogKind kind) => kind switch
     {
         LogKind.ScriptHook => "ScriptHookV.log",
@@ -42,18 +42,18 @@ public sealed class LogFile
         _ => "GtaDataHarvester.log",
     };
 
-    /// <summary>The largest log, bytes; a harvest of a day writes less than a tenth.</summary>
+    /// <summary>Largest size of a log, bytes; a day's harvest writes less than a tenth of it.</summary>
     private const long MaxBytes = 64 << 20;
 
     private const int MaxLines = 1_000_000;
 
     /// <summary>
-    /// Reads a log, also while the game still writes it. Its kind shows in its name, which may have additions, else in what it says.
+    /// Reads a log, even while the game is writing it. Its kind is detected from its name, which may have additions, or from its content.
     /// </summary>
     /// <param name="path">The file.</param>
     /// <param name="allRuns">Whether earlier runs are kept.</param>
-    /// <exception cref="IOException">It cannot be read.</exception>
-    /// <exception cref="DatasetFormatException">It is none of the three logs.</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    /// <exception cref="DatasetFormatException">The file is not one of the three logs.</exception>
     public static LogFile Read(string path, bool allRuns = false)
     {
         string name = System.IO.Path.GetFileName(path);
@@ -122,7 +122,7 @@ public sealed class LogFile
     }
 
     private static DatasetFormatException TooLong(string path) =>
-        new(FormattableString.Invariant($"'{path}' is larger than {MaxBytes} bytes or {MaxLines} lines. Keep its last part only."));
+        new(FormattableString.Invariant($"'{path}' is larger than {MaxBytes} bytes or {MaxLines} lines. Cut it to its last part."));
 
     private static LogKind? KindByText(string text) =>
         text.Contains("GTA V SCRIPT HOOK", StringComparison.Ordinal) ? LogKind.ScriptHook

@@ -1,6 +1,6 @@
 namespace Harvester.Datasets.Diagnosis;
 
-/// <summary>Who wrote a log, from the bottom up: each of them loads the next.</summary>
+/// <summary>The program that wrote a log, from the lowest layer up: each loads the next.</summary>
 public enum LogKind
 {
     /// <summary>ScriptHookV.log.</summary>
@@ -9,6 +9,6 @@ public enum LogKind
     /// <summary>ScriptHookVDotNet.log.</summary>
     Loader,
 
-    /// <summary>GtaDataHarvester.log, or what a session says of its harvest.</summary>
+    /// <summary>GtaDataHarvester.log, or session.json.</summary>
     Mod,
 }

@@ -1,11 +1,11 @@
 namespace Harvester.Datasets.Diagnosis;
 
-/// <summary>A line of a log, or what a session says.</summary>
+/// <summary>A line of a log, or a statement of session.json.</summary>
 /// <param name="File">Name of the file, without its folder.</param>
-/// <param name="Number">Number of the line, from 1; null where lines mean nothing.</param>
-/// <param name="Text">What it says.</param>
+/// <param name="Number">Line number, from 1; null if the file is not read by lines.</param>
+/// <param name="Text">The text of the line.</param>
 public sealed record LogLine(string File, int? Number, string Text)
 {
-    /// <summary>Where it stands and what it says.</summary>
+    /// <summary>The place and the text.</summary>
     public override string ToString() => Number is { } number ? $"{File} line {number}: {Text}" : $"{File}: {Text}";
 }

@@ -5,7 +5,7 @@ using System.Linq;
 
 namespace Harvester.Datasets.Diagnosis;
 
-/// <summary>Finds the logs of a game: in its folder and in the folder of its scripts, whichever of the two is named.</summary>
+/// <summary>Finds the logs of a game in its folder and in its scripts folder, given either of the two.</summary>
 internal sealed class LogSearch
 {
     private const string Scripts = "scripts";
@@ -13,7 +13,7 @@ internal sealed class LogSearch
     private static readonly EnumerationOptions AnyCase = new() { MatchCasing = MatchCasing.CaseInsensitive };
     private readonly string[] _folders;
 
-    /// <summary>Looks at the folders.</summary>
+    /// <summary>Searches the folders.</summary>
     public LogSearch(string folder)
     {
         string full = Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder));
@@ -28,10 +28,10 @@ internal sealed class LogSearch
             || Logs.ContainsKey(LogKind.Loader);
     }
 
-    /// <summary>The logs that are there.</summary>
+    /// <summary>The logs found.</summary>
     public IReadOnlyDictionary<LogKind, string> Logs { get; }
 
-    /// <summary>Whether this is the folder of a game, in which a log that is missing tells something.</summary>
+    /// <summary>Whether this is the folder of a game, where a missing log is a finding.</summary>
     public bool IsGame { get; }
 
     private string? Find(string name) => _folders.SelectMany(folder => Directory.EnumerateFiles(folder, name, AnyCase)).FirstOrDefault();

@@ -4,14 +4,14 @@ using System.Linq;
 
 namespace Harvester.Datasets.Diagnosis;
 
-/// <summary>What it means that a log is missing, or does not mention the one that it loads.</summary>
+/// <summary>Explains logs that are missing or do not mention the next layer.</summary>
 internal static class MissingLogCheck
 {
     private const string LoaderAsi = "ScriptHookVDotNet.asi";
     private const string Mod = "GtaDataHarvester";
 
-    /// <summary>The lowest layer that is missing, if one is: those above it follow from it.</summary>
-    /// <param name="logs">The logs of a game's folder.</param>
+    /// <summary>The finding for the lowest missing layer, if any; that higher layers are missing follows from it.</summary>
+    /// <param name="logs">The logs in the folder of a game.</param>
     public static IEnumerable<Finding> Of(IReadOnlyList<LogFile> logs)
     {
         LogFile? hook = logs.FirstOrDefault(log => log.Kind == LogKind.ScriptHook);
@@ -21,25 +21,27 @@ internal static class MissingLogCheck
         {
             yield return new Finding(
                 "ScriptHookV was not loaded: the game runs with BattlEye, or ScriptHookV is not in the game's folder.",
-                "Switch BattlEye off in the launcher or start the game with -nobattleye; put ScriptHookV.dll and dinput8.dll beside the game's program.");
+                "Disable BattlEye in the launcher or start the game with -nobattleye; put ScriptHookV.dll and dinput8.dll next to the "
+                    + "game's program.");
         }
         else if (loader is null || (hook is not null && !Mentions(hook, LoaderAsi)))
         {
             yield return new Finding(
                 "ScriptHookVDotNet was not loaded.",
-                "Put its .asi, .dll and .ini files into the game's folder; it needs .NET Framework 4.8 and the Visual C++ Redistributable.");
+                "Put its .asi, .dll and .ini files into the game's folder; it needs .NET Framework 4.8 and the Visual C++ "
+                    + "Redistributable.");
         }
         else if (!Mentions(loader, Mod))
         {
             yield return new Finding(
                 "ScriptHookVDotNet found no GtaDataHarvester.dll.",
-                "Copy the files of the mod's zip into the folder 'scripts' in the game's folder itself.");
+                "Copy the files of the mod's zip directly into the folder 'scripts' in the game's folder.");
         }
         else if (!hasMod)
         {
             yield return new Finding(
-                "The mod wrote no log: it failed when it was loaded, or may not write into its folder.",
-                "Read what ScriptHookVDotNet.log says of it; let the game write into the folder 'scripts'.");
+                "The mod wrote no log: it failed to load, or has no write access to its folder.",
+                "Read what ScriptHookVDotNet.log says about it, and allow the game to write to the folder 'scripts'.");
         }
     }
 

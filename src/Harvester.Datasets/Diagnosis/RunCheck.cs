@@ -6,17 +6,13 @@ using System.Text.RegularExpressions;
 
 namespace Harvester.Datasets.Diagnosis;
 
-/// <summary>
-/// Looks through a run of the mod for what shows in several lines together: features that never ended, and ticks that took long.
-/// </summary>
+/// <summary>Finds problems that several lines of a run show together: features that never ended, and slow ticks.</summary>
 internal static class RunCheck
 {
-    /// <summary>
-    /// The time of a frame at 30 frames per second, milliseconds: a feature whose ticks take longer makes the game stutter.
-    /// </summary>
+    /// <summary>Duration of a frame at 30 frames per second, milliseconds: a feature with longer ticks makes the game stutter.</summary>
     private const double LongTickMilliseconds = 1000.0 / 30;
 
-    /// <summary>Those that copy pictures or stop the game, for which long ticks are usual.</summary>
+    /// <summary>Features that copy images or freeze the game, for which long ticks are normal.</summary>
     private static readonly string[] MayBeSlow = ["The harvest", "The calibration", "The survey of signs", "The drive"];
 
     private static readonly Regex Switching =
@@ -42,10 +38,11 @@ internal static class RunCheck
             }
         }
 
-        // Of several the last one to come on is the likeliest to have to do with it.
+        // The feature that was switched on last is the likeliest cause.
         return on.OrderBy(pair => pair.Value.Number).Reverse().Take(1).Select(pair => new Finding(
             $"The log ends while '{pair.Key}' is on: the game still runs, or it crashed or was killed.",
-            "If it crashed: read the end of ScriptHookVDotNet.log and ScriptHookV.log, and after an update of the game install the latest ScriptHookVDotNet.",
+            "If it crashed, read the end of ScriptHookVDotNet.log and ScriptHookV.log; after an update of the game, install the "
+                + "latest ScriptHookVDotNet.",
             pair.Value));
     }
 
@@ -56,8 +53,10 @@ internal static class RunCheck
             P99: Number(found.Figures, "p99")))
         .Where(found => found.P99 > LongTickMilliseconds && !MayBeSlow.Contains(found.Feature))
         .Select(found => new Finding(
-            string.Create(CultureInfo.InvariantCulture, $"'{found.Feature}' makes the game stutter: one tick in a hundred takes {found.P99:0} ms or more, with {found.Natives:0} natives per tick."),
-            "A native takes about 20 microseconds with ScriptHookVDotNet 3.6.0 and far less with the nightlies: install the latest nightly, or lower Range under [Harvest].",
+            $"'{found.Feature}' makes the game stutter: one tick in a hundred takes " + FormattableString.Invariant(
+                $"{found.P99:0} ms or more, with {found.Natives:0} native calls per tick."),
+            "A native call takes about 20 microseconds with ScriptHookVDotNet 3.6.0 and far less with the nightlies. Install the latest "
+                + "nightly, or lower Range under [Harvest].",
             found.Line));
 
     private static double Number(Match match, string group) => double.Parse(match.Groups[group].Value, CultureInfo.InvariantCulture);

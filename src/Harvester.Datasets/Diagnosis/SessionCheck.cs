@@ -4,10 +4,10 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Diagnosis;
 
-/// <summary>What session.json tells of problems.</summary>
+/// <summary>Problems in session.json.</summary>
 internal static class SessionCheck
 {
-    /// <summary>Looks at a session that was opened.</summary>
+    /// <summary>The findings for a session.</summary>
     public static IEnumerable<Finding> Of(SessionInfo session)
     {
         LogLine Evidence(string text) => new(SessionInfo.FileName, null, text);
@@ -15,23 +15,25 @@ internal static class SessionCheck
         {
             yield return new Finding(
                 "The session was cut off, or is still being recorded.",
-                "What was written is valid: go on with it as with any other.",
+                "What was written is valid and can be used like any other session.",
                 Evidence("state is recording"));
             yield break;
         }
 
         if (session.Fault is { } fault)
         {
-            LogLine[] told = [Evidence(fault)];
-            Finding[] known = [.. LineRule.Apply(ModRules.All, told)];
-            Finding unknown = new("The harvest was ended by a failure.", "The log of that run says more. If it happens again, report it with the log.", told[0]);
+            LogLine line = Evidence(fault);
+            Finding[] known = [.. LineRule.Apply(ModRules.All, [line])];
+            Finding unknown = new(
+                "The harvest ended with an error.", "The log of that run says more. If it happens again, report it with the log.", line);
             foreach (Finding finding in known.DefaultIfEmpty(unknown))
             {
                 yield return finding;
             }
         }
 
-        string counts = $"{captured} captured, discarded: {string.Join(", ", session.Discards.Select(discard => $"{discard.Value} {discard.Key}"))}";
+        string counts = $"{captured} captured, discarded: "
+            + $"{string.Join(", ", session.Discards.Select(discard => $"{discard.Value} {discard.Key}"))}";
         foreach (Finding finding in DiscardCheck.Of(captured, session.Discards, session.IsFreezeGiven, Evidence(counts)))
         {
             yield return finding;

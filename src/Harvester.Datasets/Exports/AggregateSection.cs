@@ -1,7 +1,7 @@
 namespace Harvester.Datasets.Exports;
 
 /// <summary>
-/// A stretch of an aggregate file: a fixed text, or what the frames handed over under one name, in the order of the frames.
+/// A section of an aggregate file: fixed text, or the parts that frames wrote under one name, in the order of the frames.
 /// </summary>
 public sealed record AggregateSection
 {
@@ -17,16 +17,16 @@ public sealed record AggregateSection
     /// <summary>The fixed text; empty for parts.</summary>
     public string Text { get; }
 
-    /// <summary>Name of the parts; null for a fixed text.</summary>
+    /// <summary>Name of the parts; null for fixed text.</summary>
     public string? Part { get; }
 
-    /// <summary>What stands between two parts.</summary>
+    /// <summary>Separator between parts.</summary>
     public string Between { get; }
 
-    /// <summary>What stands after each part.</summary>
+    /// <summary>Text after each part.</summary>
     public string After { get; }
 
-    /// <summary>Whether the parts are names of staged files, whose bytes are meant.</summary>
+    /// <summary>Whether the parts are names of staged files, whose content is inserted.</summary>
     public bool AreFiles { get; }
 
     /// <summary>A fixed text.</summary>
@@ -35,9 +35,9 @@ public sealed record AggregateSection
     /// <summary>Parts as lines.</summary>
     public static AggregateSection Lines(string part) => new("", part, "", "\n", false);
 
-    /// <summary>Parts with something between them.</summary>
+    /// <summary>Parts with a separator.</summary>
     public static AggregateSection Joined(string part, string between) => new("", part, between, "", false);
 
-    /// <summary>The bytes of staged files, one after the other.</summary>
+    /// <summary>The content of staged files, concatenated.</summary>
     public static AggregateSection Files(string part) => new("", part, "", "", true);
 }

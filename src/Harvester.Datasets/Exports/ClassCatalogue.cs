@@ -6,7 +6,7 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Exports;
 
-/// <summary>The classes of a dataset, and which objects belong to them.</summary>
+/// <summary>The classes of a dataset, and the objects that belong to them.</summary>
 internal sealed class ClassCatalogue
 {
     private const int SubclassesPerClass = 1000;
@@ -16,7 +16,7 @@ internal sealed class ClassCatalogue
     private readonly List<DatasetClass> _classes = [];
     private readonly Dictionary<string, DatasetClass> _byName = [];
 
-    /// <summary>Lists the classes that options ask for.</summary>
+    /// <summary>Lists the classes of an export.</summary>
     public ClassCatalogue(ExportOptions options)
     {
         _options = options;
@@ -31,16 +31,16 @@ internal sealed class ClassCatalogue
         }
     }
 
-    /// <summary>The classes, by their numbers.</summary>
+    /// <summary>The classes, by number.</summary>
     public IReadOnlyList<DatasetClass> All => _classes;
 
-    /// <summary>The class of an object; null when its class is not exported.</summary>
+    /// <summary>The class of an object; null if its class is not exported.</summary>
     public DatasetClass? Of(ObjectLabel label) => _options.Includes(label.Class)
         ? DetailOf(label) is { } detail && _byName.TryGetValue(NameOf(label.Class, detail), out DatasetClass? subclass) ? subclass
             : Of(label.Class)
         : null;
 
-    /// <summary>The class of objects of which no more is known; null when it is not exported.</summary>
+    /// <summary>The class of objects without subclass; null if it is not exported.</summary>
     public DatasetClass? Of(ObjectClass kind) => _options.Includes(kind) ? _byName[NameOf(kind)] : null;
 
     private void Add(string name, int category, ObjectClass kind)

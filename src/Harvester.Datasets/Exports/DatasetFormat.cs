@@ -4,65 +4,63 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports;
 
-/// <summary>A dataset format as people choose it.</summary>
-/// <param name="Name">Its name on the command line.</param>
-/// <param name="Description">What it is, in a few words.</param>
-/// <param name="CreateWriter">Makes its writer.</param>
+/// <summary>A dataset format of the export command.</summary>
+/// <param name="Name">Name on the command line.</param>
+/// <param name="Description">A short description.</param>
+/// <param name="CreateWriter">Creates its writer.</param>
 public sealed record DatasetFormat(string Name, string Description, Func<ExportOptions, IDatasetWriter> CreateWriter)
 {
-    /// <summary>Looks at a dataset of this format and says what is wrong with it.</summary>
+    /// <summary>Checks a dataset of this format and returns its problems.</summary>
     internal Func<DatasetContent, IEnumerable<SessionProblem>> Check { get; init; } = _ => [];
 
-    /// <summary>Whether it cannot do without instance masks.</summary>
+    /// <summary>Whether it requires instance masks.</summary>
     public bool NeedsMasks { get; init; }
 
-    /// <summary>Whether it is about lanes and cannot do without them.</summary>
+    /// <summary>Whether it requires lanes.</summary>
     public bool NeedsLanes { get; init; }
 
-    /// <summary>
-    /// Whether its labels follow the masks where there are masks, so that sessions with and without masks cannot be mixed.
-    /// </summary>
+    /// <summary>Whether its labels depend on masks, so that sessions with and without masks cannot be mixed.</summary>
     public bool UsesMasks { get; init; }
 
-    /// <summary>Whether it leaves out frames whose lanes are not known.</summary>
+    /// <summary>Whether frames without known lanes are left out.</summary>
     public bool LeavesOutUnknownLanes { get; init; }
 
-    /// <summary>Whether its objects have one box, of which there are several kinds.</summary>
+    /// <summary>Whether its objects have one 2D box, of a kind that can be chosen.</summary>
     public bool HasBoxes { get; init; }
 
-    /// <summary>Whether a box may reach beyond the image.</summary>
+    /// <summary>Whether boxes may reach beyond the image.</summary>
     public bool HasBoxesBeyondImage { get; init; }
 
-    /// <summary>Whether it says of an object that its occlusion was not determined, instead of leaving the object out.</summary>
+    /// <summary>Whether it can mark objects of unknown occlusion, instead of leaving them out.</summary>
     public bool KeepsUndetermined { get; init; }
 
-    /// <summary>Whether its classes can have other names.</summary>
+    /// <summary>Whether its classes can be renamed.</summary>
     public bool HasNames { get; init; }
 
     /// <summary>The only names that classes can have; null for any.</summary>
     public IReadOnlyCollection<string>? Names { get; init; }
 
-    /// <summary>Whether signs and lights can be divided into classes by what they show.</summary>
+    /// <summary>Whether signs and lights can be split into subclasses.</summary>
     public bool HasSubclasses { get; init; }
 
-    /// <summary>What of objects and their parts is exported unless something else is asked for.</summary>
+    /// <summary>The default selection of objects and parts.</summary>
     public PartSelection DefaultParts { get; init; }
 
-    /// <summary>Whether it has no words for a lens that bends lines.</summary>
+    /// <summary>Whether it cannot represent lens distortion.</summary>
     public bool NeedsRectilinear { get; init; }
 
-    /// <summary>Whether it lists objects; lanes are all that formats about lanes have.</summary>
+    /// <summary>Whether it lists objects; lane formats do not.</summary>
     public bool HasObjects => !NeedsLanes;
 
-    /// <summary>Whether it lists the faces of signs and the heads of lights, which are parts of other objects.</summary>
+    /// <summary>Whether it lists faces of signs and heads of lights, which are parts of other objects.</summary>
     public bool HasParts { get; init; }
 
-    /// <summary>Whether pixels can be described in one way or another.</summary>
+    /// <summary>Whether the encoding of masks can be chosen.</summary>
     public bool HasSegmentations { get; init; }
 
-    /// <summary>Whether the sessions' images are files of the dataset as they are.</summary>
+    /// <summary>Whether the sessions' images become files of the dataset unchanged.</summary>
     public bool KeepsImages { get; init; } = true;
 
-    /// <summary>Whether a session stays together as one sequence, so that splits deal out sessions.</summary>
+    /// <summary>Whether a session stays together as one sequence, so that whole sessions are assigned to splits.</summary>
     public bool KeepsSessions { get; init; }
 }

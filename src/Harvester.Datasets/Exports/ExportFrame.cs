@@ -12,10 +12,9 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports;
 
-/// <summary>One frame on its way into a dataset.</summary>
+/// <summary>A frame to export.</summary>
 public sealed class ExportFrame
 {
-    private readonly SessionReader _session;
     private readonly ObjectSelector _selector;
     private InstanceMap? _mask;
     private InstanceMap? _dividedMask;
@@ -25,14 +24,17 @@ public sealed class ExportFrame
 
     internal ExportFrame(SessionReader session, LabelLine line, ObjectSelector selector, ImageFormat? format)
     {
-        _session = session;
+        Session = session;
         _selector = selector;
         Label = line.Label!;
         LabelText = line.Text;
         ImageExtension = format?.Extension() ?? Path.GetExtension(Label.Image);
     }
 
-    /// <summary>Number of the frame in the dataset, from 0: the sessions' frames one after the other.</summary>
+    /// <summary>The session.</summary>
+    internal SessionReader Session { get; }
+
+    /// <summary>Number of the frame in the dataset, from 0, counted over all sessions.</summary>
     public required int Index { get; init; }
 
     /// <summary>Number of its session, from 0.</summary>
@@ -41,32 +43,32 @@ public sealed class ExportFrame
     /// <summary>Number of the frame in its session, from 0.</summary>
     public required int FrameInSession { get; init; }
 
-    /// <summary>Its split.</summary>
+    /// <summary>The split of the frame.</summary>
     public required string Split { get; init; }
 
     /// <summary>The camera of the session's first frame.</summary>
     public required CameraLabel SessionCamera { get; init; }
 
-    /// <summary>Its label, all objects included.</summary>
+    /// <summary>The label, with all objects.</summary>
     public FrameLabel Label { get; }
 
-    /// <summary>The line of labels.jsonl that it was read from.</summary>
+    /// <summary>The line of labels.jsonl with the label.</summary>
     public string LabelText { get; }
 
-    /// <summary>Eight digits that name the frame in the dataset.</summary>
+    /// <summary>Name of the frame in the dataset: eight digits.</summary>
     public string Name => FormattableString.Invariant($"{Index:D8}");
 
-    /// <summary>End of the exported image's name, with the dot: .png, .bmp or .jpg.</summary>
+    /// <summary>Extension of the exported image: .png, .bmp or .jpg.</summary>
     public string ImageExtension { get; }
 
-    /// <summary>Whether the image is exported in another format than its session keeps it in.</summary>
+    /// <summary>Whether the image is converted to another format.</summary>
     public bool IsImageConverted => ImageExtension != Path.GetExtension(Label.Image);
 
-    /// <summary>Where the image lies.</summary>
+    /// <summary>Path of the image.</summary>
     public string ImagePath => PathOf(Label.Image);
 
     /// <summary>Reads the image.</summary>
-    /// <exception cref="DatasetFormatException">It is missing or damaged.</exception>
+    /// <exception cref="DatasetFormatException">The image is missing or damaged.</exception>
     public PixelBuffer ReadImage()
     {
         try
@@ -79,35 +81,35 @@ public sealed class ExportFrame
         }
     }
 
-    /// <summary>Where the mask lies; null without one.</summary>
+    /// <summary>Path of the mask; null without one.</summary>
     public string? MaskPath => Label.Mask is null ? null : PathOf(Label.Mask);
 
-    /// <summary>The instance mask, read when it is first asked for; null when the session has none.</summary>
+    /// <summary>The instance mask, read on first use; null if the session has none.</summary>
     /// <exception cref="DatasetFormatException">The mask is missing, damaged or of another size than the image.</exception>
     public InstanceMap? Mask => MaskPath is null ? null : _mask ??= ReadMask(MaskPath);
 
-    /// <summary>The instance mask in which faces and heads have pixels of their own; null when the session has none.</summary>
-    /// <exception cref="DatasetFormatException">As of <see cref="Mask"/>.</exception>
+    /// <summary>The instance mask with separate pixels for faces and heads; null if the session has none.</summary>
+    /// <exception cref="DatasetFormatException">As for <see cref="Mask"/>.</exception>
     internal InstanceMap? DividedMask => Mask is { } mask ? _dividedMask ??= PartPixels.Divide(mask, Label) : null;
 
-    /// <summary>The objects to export, by rising id.</summary>
+    /// <summary>The objects to export, by ascending id.</summary>
     internal IReadOnlyList<ExportObject> Objects => Selection.Objects;
 
-    /// <summary>Regions with something that is not exported.</summary>
+    /// <summary>The ignore regions.</summary>
     internal IReadOnlyList<ExportRegion> Ignored => Selection.Ignored;
 
-    /// <summary>The image, pixels.</summary>
+    /// <summary>Size of the image, pixels.</summary>
     internal Box2D Image => new(0, 0, Label.Camera.Width, Label.Camera.Height);
 
     private FrameSelection Selection => _selection ??= _selector.Of(this);
 
-    /// <summary>Whether a label is the post of faces or heads that are the objects.</summary>
+    /// <summary>Whether a label is a post whose faces or heads are exported instead.</summary>
     internal bool IsPost(ObjectLabel label) => _selector.IsPost(label, this);
 
     /// <summary>
-    /// The pixels of an object or a part; null when none is seen or the session has no masks. Those of an object include its parts'.
+    /// The pixels of an object or part; null if none is visible or the session has no masks. Those of an object include its parts.
     /// </summary>
-    /// <exception cref="DatasetFormatException">As of <see cref="Mask"/>.</exception>
+    /// <exception cref="DatasetFormatException">As for <see cref="Mask"/>.</exception>
     internal InstancePixels? PixelsOf(ObjectLabel label)
     {
         if (Mask is null)
@@ -120,11 +122,11 @@ public sealed class ExportFrame
             : (_dividedPixels ??= InstancePixels.AllOf(DividedMask!)).GetValueOrDefault(label.Id);
     }
 
-    /// <summary>A problem with this frame, with the place where it is.</summary>
-    public DatasetFormatException Problem(string message) => new($"{_session.Folder}, frame {Label.Frame}: {message}");
+    /// <summary>An error message that names this frame.</summary>
+    public DatasetFormatException Problem(string message) => new($"{Session.Folder}, frame {Label.Frame}: {message}");
 
     private string PathOf(string name) =>
-        _session.IsWithin(name) ? _session.PathOf(name) : throw Problem($"'{name}' points out of the session.");
+        Session.IsWithin(name) ? Session.PathOf(name) : throw Problem($"'{name}' points outside the session.");
 
     private InstanceMap ReadMask(string path)
     {

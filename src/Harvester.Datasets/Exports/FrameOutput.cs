@@ -3,11 +3,12 @@ using System.Collections.Generic;
 using System.IO;
 using System.Text;
 using Harvester.Datasets.Files;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Datasets.Exports;
 
-/// <summary>Takes what a writer has to say of one frame. Files are written at once; parts are kept for the journal.</summary>
+/// <summary>Receives the output of a writer for one frame. Files are written at once; parts are kept for the journal.</summary>
 public sealed class FrameOutput
 {
     private static readonly UTF8Encoding Utf8 = new(encoderShouldEmitUTF8Identifier: false);
@@ -15,24 +16,26 @@ public sealed class FrameOutput
     private readonly DatasetFolder _folder;
     private readonly ImageTransfer _transfer;
     private readonly PictureEncoder? _encoder;
-    private readonly List<string> _files = [];
+    private readonly Func<ExportFrame, FileDigest> _imageDigest;
+    private readonly List<KeyValuePair<string, FileDigest>> _files = [];
     private readonly List<KeyValuePair<string, string>> _parts = [];
 
-    internal FrameOutput(DatasetFolder folder, ImageTransfer transfer, PictureEncoder? encoder)
+    internal FrameOutput(DatasetFolder folder, ImageTransfer transfer, PictureEncoder? encoder, Func<ExportFrame, FileDigest> imageDigest)
     {
         _folder = folder;
         _transfer = transfer;
         _encoder = encoder;
+        _imageDigest = imageDigest;
     }
 
-    internal IReadOnlyList<string> Files => _files;
+    internal IReadOnlyList<KeyValuePair<string, FileDigest>> Files => _files;
 
     internal IReadOnlyList<KeyValuePair<string, string>> Parts => _parts;
 
-    /// <summary>Takes a frame's image into the dataset, in the format that the export asks for.</summary>
-    /// <param name="path">Its path in the dataset, with forward slashes.</param>
+    /// <summary>Adds the image of a frame to the dataset, in the format of the export.</summary>
+    /// <param name="path">Path in the dataset, with forward slashes.</param>
     /// <param name="frame">The frame.</param>
-    /// <exception cref="DatasetFormatException">The image has to be converted and cannot be read.</exception>
+    /// <exception cref="DatasetFormatException">The image must be converted and cannot be read.</exception>
     public void Image(string path, ExportFrame frame)
     {
         if (frame.IsImageConverted)
@@ -42,11 +45,11 @@ public sealed class FrameOutput
         }
 
         _folder.Transfer(path, frame.ImagePath, _transfer);
-        _files.Add(path);
+        _files.Add(new(path, _imageDigest(frame)));
     }
 
     /// <summary>The bytes that <see cref="Image"/> would write.</summary>
-    /// <exception cref="DatasetFormatException">The image has to be converted and cannot be read.</exception>
+    /// <exception cref="DatasetFormatException">The image must be converted and cannot be read.</exception>
     public byte[] ImageBytes(ExportFrame frame)
     {
         if (!frame.IsImageConverted)
@@ -63,16 +66,12 @@ public sealed class FrameOutput
     public void Text(string path, string content) => File(path, stream => stream.Write(Utf8.GetBytes(content)));
 
     /// <summary>Writes a file.</summary>
-    public void File(string path, Action<Stream> write)
-    {
-        _folder.Write(path, write);
-        _files.Add(path);
-    }
+    public void File(string path, Action<Stream> write) => _files.Add(new(path, _folder.Write(path, write)));
 
-    /// <summary>Writes a file that becomes a part of an aggregate file and does not stay.</summary>
+    /// <summary>Writes a temporary file that becomes a part of an aggregate file.</summary>
     /// <param name="part">Name of the part.</param>
-    /// <param name="name">A name for the file that no other frame uses.</param>
-    /// <param name="write">Writes it.</param>
+    /// <param name="name">Name of the file, unique to this frame.</param>
+    /// <param name="write">Writes the content.</param>
     public void StagedPart(string part, string name, Action<Stream> write)
     {
         string path = $"{DatasetFolder.Staging}/{name}";
@@ -80,8 +79,8 @@ public sealed class FrameOutput
         Part(part, path);
     }
 
-    /// <summary>Hands over a part of an aggregate file: one line, without its end.</summary>
-    /// <exception cref="ArgumentException">It has a line feed.</exception>
+    /// <summary>Adds a part of an aggregate file: one line, without line end.</summary>
+    /// <exception cref="ArgumentException">The part contains a line feed.</exception>
     public void Part(string name, string line)
     {
         if (line.Contains('\n', StringComparison.Ordinal))

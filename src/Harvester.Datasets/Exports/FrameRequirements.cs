@@ -4,10 +4,10 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports;
 
-/// <summary>What a format needs of every frame.</summary>
+/// <summary>Requirements of a format for every frame.</summary>
 internal static class FrameRequirements
 {
-    /// <exception cref="DatasetFormatException">The frame lacks something that the format needs, or has something that it cannot
+    /// <exception cref="DatasetFormatException">The frame lacks something that the format requires, or has something that it cannot
     /// represent.</exception>
     public static void Check(DatasetFormat format, ExportFrame frame)
     {
@@ -23,13 +23,14 @@ internal static class FrameRequirements
 
         if (format.KeepsSessions && IntrinsicsOf(frame.Label.Camera) != IntrinsicsOf(frame.SessionCamera))
         {
-            throw frame.Problem($"its camera calibration differs from the session's first frame, and {format.Name} has one per sequence. Choose another format.");
+            throw frame.Problem("its camera calibration differs from that of the session's first frame, "
+                + $"and {format.Name} has one per sequence. Choose another format.");
         }
 
         if (format.NeedsRectilinear && LensDistortion.PixelsOf(frame.Label.Camera) is var bend and > LensDistortion.MaxPixels)
         {
-            throw frame.Problem(FormattableString.Invariant(
-                $"its lens bends straight lines by {bend:0.0} pixels, and {format.Name} cannot represent lens distortion. Choose another format."));
+            throw frame.Problem(FormattableString.Invariant($"its lens bends straight lines by {bend:0.0} pixels, ")
+                + $"and {format.Name} cannot represent lens distortion. Choose another format.");
         }
     }
 

@@ -4,15 +4,15 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports;
 
-/// <summary>How far a lens moves points of an image from where a pinhole camera shows them.</summary>
+/// <summary>Measures how far a lens shifts points of an image from their pinhole positions.</summary>
 internal static class LensDistortion
 {
-    /// <summary>What a format for pinhole cameras leaves out without harm, pixels: the boxes are no closer to their objects.</summary>
+    /// <summary>Shift below which formats for pinhole cameras accept a lens, pixels: boxes are not more accurate than this.</summary>
     public const double MaxPixels = 1;
 
     private const int Radii = 32;
 
-    /// <summary>The largest shift between the image's centre and its corners, pixels.</summary>
+    /// <summary>The largest shift between the centre of the image and its corners, pixels.</summary>
     public static double PixelsOf(CameraLabel camera)
     {
         (_, double k1, double k2) = camera.Distortion;

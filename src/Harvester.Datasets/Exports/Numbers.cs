@@ -5,13 +5,13 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Exports;
 
-/// <summary>How numbers stand in datasets' text files.</summary>
+/// <summary>Formats and parses numbers in text files of datasets.</summary>
 internal static class Numbers
 {
-    /// <summary>A whole number.</summary>
+    /// <summary>An integer.</summary>
     public static string Text(int value) => value.ToString(CultureInfo.InvariantCulture);
 
-    /// <summary>Numbers with so many decimals at most and blanks between them.</summary>
+    /// <summary>Numbers rounded to a number of decimals, separated by blanks.</summary>
     public static string Row(int decimals, params ReadOnlySpan<double> values)
     {
         string[] texts = new string[values.Length];
@@ -23,7 +23,7 @@ internal static class Numbers
         return string.Join(' ', texts);
     }
 
-    /// <summary>The words as finite numbers, or null when one is none.</summary>
+    /// <summary>Parses words as finite numbers; null if one is not.</summary>
     public static double[]? Parse(IEnumerable<string> words)
     {
         var numbers = new List<double>();

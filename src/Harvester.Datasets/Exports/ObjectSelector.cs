@@ -6,12 +6,12 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Exports;
 
-/// <summary>Chooses what of a frame is exported, as what, and with which box.</summary>
+/// <summary>Selects the objects of a frame to export, with their classes and boxes.</summary>
 internal sealed class ObjectSelector(DatasetFormat format, ExportOptions options)
 {
     private readonly ClassCatalogue _classes = new(options);
 
-    /// <summary>Chooses from a frame.</summary>
+    /// <summary>Selects from a frame.</summary>
     public FrameSelection Of(ExportFrame frame)
     {
         var objects = new List<ExportObject>();
@@ -35,7 +35,7 @@ internal sealed class ObjectSelector(DatasetFormat format, ExportOptions options
         return new FrameSelection(objects, ignored);
     }
 
-    /// <summary>Whether a label is the post of faces or heads that are the objects.</summary>
+    /// <summary>Whether a label is a post whose faces or heads are exported instead.</summary>
     public bool IsPost(ObjectLabel label, ExportFrame frame) =>
         options.Parts == PartSelection.Faces && label.Parent is null && label.Class is ObjectClass.Sign or ObjectClass.TrafficLight
         && (label.KnownParts ?? frame.Label.Objects.Count(other => other.Parent == label.Id)) > 0;
@@ -48,7 +48,7 @@ internal sealed class ObjectSelector(DatasetFormat format, ExportOptions options
         _ => true,
     };
 
-    /// <summary>Pixels are evidence enough where occlusion was not determined, unless a share is asked for.</summary>
+    /// <summary>Visible pixels suffice if the occlusion is unknown, unless a visible fraction is required.</summary>
     private bool IsVisible(ObjectLabel label, ExportFrame frame) => label.VisibleFraction is { } visible
         ? visible >= options.MinVisibleFraction
         : options.MinVisibleFraction == 0 && (format.KeepsUndetermined || VisibleBoxOf(label, frame) is not null);

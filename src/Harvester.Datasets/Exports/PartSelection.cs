@@ -1,11 +1,9 @@
 namespace Harvester.Datasets.Exports;
 
-/// <summary>
-/// Whether parts, their parents or both are exported. The face of a sign and the head of a traffic light are parts.
-/// </summary>
+/// <summary>Whether parts, whole objects or both are exported. Parts are the faces of signs and the heads of traffic lights.</summary>
 public enum PartSelection
 {
-    /// <summary>Faces and heads stand for their signs and lights, whose posts are no objects; everything else is whole.</summary>
+    /// <summary>Faces and heads instead of their signs and lights; all other objects are whole.</summary>
     Faces,
 
     /// <summary>Whole objects and their parts.</summary>

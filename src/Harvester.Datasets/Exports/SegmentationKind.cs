@@ -1,11 +1,11 @@
 namespace Harvester.Datasets.Exports;
 
-/// <summary>How an object's pixels are described where a format has the choice.</summary>
+/// <summary>Encoding of an object's pixels, in formats with a choice.</summary>
 public enum SegmentationKind
 {
-    /// <summary>Run lengths: exact.</summary>
+    /// <summary>Run lengths; exact.</summary>
     Rle,
 
-    /// <summary>Outlines along the borders of pixels: holes are filled.</summary>
+    /// <summary>Polygons along pixel borders; holes are filled.</summary>
     Polygon,
 }

@@ -5,21 +5,22 @@ using System.Linq;
 namespace Harvester.Datasets.Exports;
 
 /// <summary>
-/// Deals frames out to splits. Each block of frames draws its split by a hash of seed, session and block: which split a frame is in does
-/// not depend on other frames, on shards or on filters, and the shares are met on average, not exactly.
+/// Assigns frames to splits. A hash of seed, session and block selects the split of each block of frames, so the split of a frame does not
+/// depend on other frames, shards or filters. The fractions hold on average, not exactly.
 /// </summary>
 public sealed class SplitPlan
 {
-    /// <summary>Shares are typed by people: a third is 0.333.</summary>
+    /// <summary>Tolerance of the sum of fractions: users write 0.333 for a third.</summary>
     private const double ShareTolerance = 0.01;
 
     private readonly int _seed;
 
-    /// <summary>Makes a plan.</summary>
-    /// <param name="splits">The splits; their names differ and their shares add up to 1.</param>
-    /// <param name="seed">Decides who goes where.</param>
-    /// <param name="blockFrames">Frames in a row that stay together, at least 1; a whole session is <see cref="int.MaxValue"/>.</param>
-    /// <exception cref="ArgumentException">The splits are not as described.</exception>
+    /// <summary>Creates a plan.</summary>
+    /// <param name="splits">The splits; their names differ and their fractions add up to 1.</param>
+    /// <param name="seed">Random seed.</param>
+    /// <param name="blockFrames">Number of consecutive frames that stay together, at least 1; <see cref="int.MaxValue"/> for whole
+    /// sessions.</param>
+    /// <exception cref="ArgumentException">The splits do not meet these conditions.</exception>
     public SplitPlan(IReadOnlyList<DatasetSplit> splits, int seed, int blockFrames)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(blockFrames, 1);
@@ -31,7 +32,7 @@ public sealed class SplitPlan
 
         if (Math.Abs(splits.Sum(split => split.ShareFraction) - 1) > ShareTolerance)
         {
-            throw new ArgumentException("The fractions of the splits must add up to 1.");
+            throw new ArgumentException("The fractions must add up to 1.");
         }
 
         Splits = splits;
@@ -45,10 +46,10 @@ public sealed class SplitPlan
     /// <summary>The splits.</summary>
     public IReadOnlyList<DatasetSplit> Splits { get; }
 
-    /// <summary>Frames in a row that stay together.</summary>
+    /// <summary>Number of consecutive frames that stay together.</summary>
     public int BlockFrames { get; }
 
-    /// <summary>Decides who goes where.</summary>
+    /// <summary>Random seed.</summary>
     public int Seed => _seed;
 
     /// <summary>The split of a frame.</summary>
@@ -70,7 +71,7 @@ public sealed class SplitPlan
         return Splits[^1].Name;
     }
 
-    /// <summary>The first split that gets none of some frames; null when each gets one.</summary>
+    /// <summary>The first split that gets none of some frames; null if each gets one.</summary>
     /// <param name="frames">The frames.</param>
     internal string? FirstEmpty(IEnumerable<FramePlace> frames)
     {

@@ -1,6 +1,6 @@
 namespace Harvester.Datasets.Exports;
 
-/// <summary>How many objects of a frame a writer has written.</summary>
-/// <param name="Objects">As objects.</param>
-/// <param name="Ignored">As regions that an evaluation leaves aside.</param>
+/// <summary>Number of objects of a frame that a writer wrote.</summary>
+/// <param name="Objects">Number of objects.</param>
+/// <param name="Ignored">Number of ignore regions.</param>
 public readonly record struct WrittenObjects(int Objects, int Ignored = 0);

@@ -1,11 +1,11 @@
 namespace Harvester.Datasets.Files;
 
-/// <summary>How many unpacked bytes all files of one import may have together: an archive can hold any number of small bombs.</summary>
+/// <summary>Limit of the total unpacked size of all files of an import, because an archive can have any number of small bombs.</summary>
 internal sealed class ByteAllowance(long bytes)
 {
     private long _used;
 
-    /// <exception cref="DatasetFormatException">It is used up.</exception>
+    /// <exception cref="DatasetFormatException">The limit is exceeded.</exception>
     public void Use(string file, long count)
     {
         _used += count;

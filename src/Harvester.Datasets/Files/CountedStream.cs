@@ -5,12 +5,10 @@ using System.Threading.Tasks;
 
 namespace Harvester.Datasets.Files;
 
-/// <summary>
-/// A stream that reports its total number of bytes after each read, so that a decompression bomb can be refused.
-/// </summary>
+/// <summary>A stream that reports its total number of bytes after each read, to detect decompression bombs.</summary>
 /// <param name="inner">The stream.</param>
 /// <param name="passed">Receives the number of bytes so far.</param>
-/// <param name="limit">Looks at the bytes; null for nobody.</param>
+/// <param name="limit">Checks the bytes; null for no check.</param>
 internal sealed class CountedStream(Stream inner, Action<long> passed, IByteLimit? limit = null) : Stream
 {
     private long _position;
@@ -38,7 +36,7 @@ internal sealed class CountedStream(Stream inner, Action<long> passed, IByteLimi
         return read;
     }
 
-    // What is read is a file: waiting for it costs less than handing the read to another thread.
+    // The source is a file: reading it synchronously costs less than switching threads.
     public override ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellationToken = default) =>
         ValueTask.FromResult(Read(buffer.Span));
 

@@ -3,10 +3,10 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Files;
 
-/// <summary>The size of a picture as its header declares it.</summary>
+/// <summary>The size of an image as its header declares it.</summary>
 internal static class DeclaredSize
 {
-    /// <summary>As many as the largest harvest has, 8192 x 8192: a picture in colour takes 200 MB.</summary>
+    /// <summary>Largest number of pixels, that of the largest harvest, 8192 x 8192: a colour image takes 200 MB.</summary>
     private const long MaxPixelCount = 1 << 26;
 
     /// <summary>Checks a size, pixels.</summary>
@@ -15,7 +15,7 @@ internal static class DeclaredSize
         Problem(width, height) is { } problem ? throw new DatasetFormatException($"its header gives {problem}.")
             : new ImageSize((int)width, (int)height);
 
-    /// <summary>Why a size, pixels, cannot be that of an image; null if it can.</summary>
+    /// <summary>Why a size, pixels, is not valid for an image; null if it is.</summary>
     public static string? Problem(long width, long height) =>
         width is >= 1 and <= ushort.MaxValue && height is >= 1 and <= ushort.MaxValue && width * height <= MaxPixelCount
             ? null

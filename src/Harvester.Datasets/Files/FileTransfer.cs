@@ -3,13 +3,12 @@ using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Files;
 
-/// <summary>Brings a file from one dataset into another, whole or not at all.</summary>
+/// <summary>Transfers a file between datasets, atomically.</summary>
 internal static class FileTransfer
 {
-    /// <summary>
-    /// Gives a file a second name, or copies it where that is asked for or cannot be helped. A file of that name is replaced.
-    /// </summary>
-    /// <exception cref="DatasetFormatException">There is no such file.</exception>
+    /// <summary>Links a file, or copies it if requested or if linking is not possible. An existing file is replaced.</summary>
+    /// <exception cref="DatasetFormatException">The source does not exist.</exception>
+    /// <exception cref="IOException">It cannot be read, or the target not be written or closed.</exception>
     public static void Place(string target, string source, ImageTransfer transfer)
     {
         if (!File.Exists(source))
@@ -21,8 +20,14 @@ internal static class FileTransfer
         {
             if (transfer == ImageTransfer.Copy || !HardLink.TryCreate(temporary, source))
             {
-                File.Copy(source, temporary);
+                AtomicFile.Fill(temporary, stream => Copy(source, stream), isDurable: false);
             }
         });
+    }
+
+    private static void Copy(string source, Stream target)
+    {
+        using FileStream file = InputFile.OpenRead(source);
+        file.CopyTo(target);
     }
 }

@@ -3,10 +3,10 @@ using System.Runtime.InteropServices;
 
 namespace Harvester.Datasets.Files;
 
-/// <summary>Gives a file a second name, which .NET has no call for.</summary>
+/// <summary>Creates hard links, for which .NET has no method.</summary>
 internal static class HardLink
 {
-    /// <summary>Whether it could be done: not over two file systems, and not on some.</summary>
+    /// <summary>Creates a link; false if that is not possible, as across file systems.</summary>
     public static bool TryCreate(string name, string existing) =>
         OperatingSystem.IsWindows() ? CreateHardLink(name, existing, IntPtr.Zero) : Link(existing, name) == 0;
 

@@ -1,11 +1,11 @@
 namespace Harvester.Datasets.Files;
 
-/// <summary>How images come from a session into a dataset. The dataset's bytes are the same either way.</summary>
+/// <summary>How images get from a session into a dataset. The bytes of the dataset are the same either way.</summary>
 public enum ImageTransfer
 {
-    /// <summary>A second name for the same file where the file system can do that, else a copy.</summary>
+    /// <summary>As hard links where the file system supports them, otherwise as copies.</summary>
     Link,
 
-    /// <summary>A copy.</summary>
+    /// <summary>As copies.</summary>
     Copy,
 }

@@ -6,29 +6,29 @@ using Harvester.Sessions.Files;
 namespace Harvester.Datasets.Files;
 
 /// <summary>
-/// The gate for every name that is read from a file and stands for a file beside it: it is relative, has no "..", and leads, with all links
-/// resolved, to a place within the folder where no pipe, socket or device is. What passes may be missing.
+/// Resolves names of files that are read from other files. Such a name must be relative, without "..", and lead, with all links resolved,
+/// to a place within the folder that is not a pipe, socket or device. The file may be missing.
 /// </summary>
 public static class InnerPath
 {
     private const int MaxLinks = 40;
 
-    /// <summary>Where a file lies.</summary>
+    /// <summary>The path of a file.</summary>
     /// <param name="folder">The folder; it may be a link itself.</param>
-    /// <param name="name">The file's path within it, with forward slashes.</param>
-    /// <exception cref="DatasetFormatException">The name leads out of the folder, or to no regular file.</exception>
+    /// <param name="name">Path of the file within the folder, with forward slashes.</param>
+    /// <exception cref="DatasetFormatException">The name points outside the folder, or not to a regular file.</exception>
     public static string Of(string folder, string name) =>
-        !IsName(name) ? throw new DatasetFormatException($"'{Shown(name)}' points out of '{folder}', or is no name of a file.")
+        !IsName(name) ? throw new DatasetFormatException($"'{Shown(name)}' points outside '{folder}', or is not a valid file name.")
         : Combined(folder, name) is var path && LeavesThroughLink(folder, name)
-            ? throw new DatasetFormatException($"'{name}' is a link that points out of '{folder}'.")
+            ? throw new DatasetFormatException($"'{name}' is a link that points outside '{folder}'.")
         : RegularFile.IsSpecial(path) ? throw new DatasetFormatException($"'{name}' in '{folder}' is a pipe, a socket or a device.")
         : path;
 
-    /// <summary>Whether a name stands for a place in a folder and leads, with all links resolved, to one.</summary>
+    /// <summary>Whether a name, with all links resolved, leads to a place within a folder.</summary>
     public static bool IsWithin(string folder, string name) => IsName(name) && !LeavesThroughLink(folder, name);
 
-    /// <summary>A path with all links resolved, as far as it is there.</summary>
-    /// <exception cref="IOException">Links lead round in a circle.</exception>
+    /// <summary>A path with all links resolved, as far as it exists.</summary>
+    /// <exception cref="IOException">The links form a cycle.</exception>
     public static string Resolve(string path)
     {
         string resolved = Path.GetFullPath(path);
@@ -46,7 +46,9 @@ public static class InnerPath
         throw new IOException($"'{path}' leads through more than {MaxLinks} links. Name the file itself.");
     }
 
-    /// <summary>Relative on every system, without a step upwards, and without characters that no file system or terminal bears.</summary>
+    /// <summary>
+    /// Whether a name is relative on every system, without "..", and without characters that file systems or terminals do not allow.
+    /// </summary>
     private static bool IsName(string name) =>
         name.Length > 0 && !Path.IsPathRooted(name) && name[0] is not ('/' or '\\')
             && !(OperatingSystem.IsWindows() && name.Contains(':', StringComparison.Ordinal))
@@ -71,7 +73,7 @@ public static class InnerPath
     private static bool IsBelow(string folder, string path) =>
         path.StartsWith(Path.TrimEndingDirectorySeparator(folder) + Path.DirectorySeparatorChar, StringComparison.Ordinal);
 
-    /// <summary>The part of a path nearest to its root that is a link; null for none.</summary>
+    /// <summary>The first part of a path, from its root, that is a link; null for none.</summary>
     private static string? FirstLink(string path)
     {
         string? found = null;

@@ -4,10 +4,10 @@ using System.Text;
 
 namespace Harvester.Datasets.Files;
 
-/// <summary>A text that is read line by line and refuses a line that is too long to be one, before it is in memory.</summary>
+/// <summary>A text that is read by lines. A line that is too long is rejected before it is in memory.</summary>
 /// <param name="text">The text.</param>
-/// <param name="name">What messages call it.</param>
-/// <param name="maxLineCharacters">The longest line.</param>
+/// <param name="name">Name in messages.</param>
+/// <param name="maxLineCharacters">Longest line, characters.</param>
 internal sealed class LimitedTextReader(TextReader text, string name, int maxLineCharacters = InputFile.MaxLineCharacters) : TextReader
 {
     private const int BufferLength = 1 << 14;
@@ -88,7 +88,8 @@ internal sealed class LimitedTextReader(TextReader text, string name, int maxLin
     {
         if (length > maxLineCharacters)
         {
-            throw new DatasetFormatException(FormattableString.Invariant($"{name}, line {_line + 1}: the line has more than {maxLineCharacters} characters; no line of such a file has."));
+            throw new DatasetFormatException(FormattableString.Invariant(
+                $"{name}, line {_line + 1}: the line has more than {maxLineCharacters} characters, the limit."));
         }
     }
 

@@ -2,12 +2,10 @@ using System.IO;
 
 namespace Harvester.Datasets.Files;
 
-/// <summary>
-/// The folder that output should go to holds something that is not to be replaced. The message says what, and what to do.
-/// </summary>
+/// <summary>The output folder has files that must not be replaced. The message says which, and what to do.</summary>
 public sealed class OccupiedFolderException : IOException
 {
-    /// <summary>Makes the exception with a message for people.</summary>
+    /// <summary>Creates the exception with a message for the user.</summary>
     public OccupiedFolderException(string message)
         : base(message)
     {

@@ -6,9 +6,7 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Datasets.Images;
 
-/// <summary>
-/// Reads Windows bitmaps of the kind that sessions have: 24 bits a pixel, not compressed, rows from the bottom or from the top.
-/// </summary>
+/// <summary>Reads Windows bitmaps of the kind in sessions: 24 bits per pixel, uncompressed, bottom-up or top-down.</summary>
 public static class BmpDecoder
 {
     private const int PixelsStartAt = 10;
@@ -17,9 +15,10 @@ public static class BmpDecoder
     private const int CompressionAt = 30;
     private const int HeaderLength = 34;
 
-    /// <summary>Reads a picture.</summary>
-    /// <exception cref="DatasetFormatException">It is not such a picture, or damaged; the message refers to the file as "it".</exception>
-    /// <exception cref="IOException">It cannot be read.</exception>
+    /// <summary>Reads an image.</summary>
+    /// <exception cref="DatasetFormatException">The file is not such an image, or is damaged; the message refers to the file as
+    /// "it".</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
     public static PixelBuffer ReadRgb(string path)
     {
         var picture = new PixelBuffer(ImageHeader.Read(path).Size);

@@ -8,10 +8,10 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Images;
 
-/// <summary>What an image file says of itself in its first bytes.</summary>
+/// <summary>The header of an image file.</summary>
 /// <param name="MediaType">image/png, image/bmp or image/jpeg.</param>
 /// <param name="Size">Width and height, pixels.</param>
-/// <param name="BitsPerPixel">Bits of one pixel, all channels together.</param>
+/// <param name="BitsPerPixel">Bits per pixel, of all channels.</param>
 public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPixel)
 {
     /// <summary>Media type of PNG.</summary>
@@ -34,18 +34,20 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
 
     private static ReadOnlySpan<byte> PngEnd => [0, 0, 0, 0, (byte)'I', (byte)'E', (byte)'N', (byte)'D', 0xAE, 0x42, 0x60, 0x82];
 
-    /// <summary>Reads the header of a PNG, BMP or JPEG file and looks whether the file reaches to its end.</summary>
-    /// <exception cref="DatasetFormatException">It is neither, or cut off; the message refers to the file as "it".</exception>
-    /// <exception cref="IOException">It cannot be read.</exception>
+    /// <summary>Reads the header of a PNG, BMP or JPEG file and checks that the file is not truncated.</summary>
+    /// <exception cref="DatasetFormatException">The file has another format, or is truncated; the message refers to the file as
+    /// "it".</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
     public static ImageHeader Read(string path)
     {
         using FileStream file = InputFile.OpenRead(path);
         return Read(file);
     }
 
-    /// <summary>Reads the header of a PNG, BMP or JPEG file in a stream that is it and nothing else.</summary>
-    /// <exception cref="DatasetFormatException">It is neither, or cut off; the message speaks of the file as "it".</exception>
-    /// <exception cref="IOException">It cannot be read.</exception>
+    /// <summary>As <see cref="Read(string)"/>, for a stream that contains only the image.</summary>
+    /// <exception cref="DatasetFormatException">The file has another format, or is truncated; the message refers to the file as
+    /// "it".</exception>
+    /// <exception cref="IOException">The stream cannot be read.</exception>
     public static ImageHeader Read(Stream file)
     {
         Span<byte> start = stackalloc byte[PngHeaderLength];
@@ -90,7 +92,7 @@ public sealed record ImageHeader(string MediaType, ImageSize Size, int BitsPerPi
                 FormattableString.Invariant($"it is cut off: the BMP file has {file.Length} of {length} bytes."));
         }
 
-        // The height is negative when the rows run from the top.
+        // The height is negative if the rows are top-down.
         return new ImageHeader(
             Bmp,
             DeclaredSize.Of(BinaryPrimitives.ReadInt32LittleEndian(start[18..]),

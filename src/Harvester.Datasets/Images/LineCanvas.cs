@@ -4,14 +4,14 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Datasets.Images;
 
-/// <summary>Draws smooth lines with round ends on a picture.</summary>
-/// <param name="picture">The picture, which the lines change.</param>
+/// <summary>Draws anti-aliased lines with round ends on an image.</summary>
+/// <param name="picture">The image, which is changed.</param>
 internal sealed class LineCanvas(PixelBuffer picture)
 {
-    /// <summary>Draws a line; the part outside the picture is left out.</summary>
-    /// <param name="start">One end, pixels from the upper left corner of the picture.</param>
+    /// <summary>Draws a line, clipped to the image.</summary>
+    /// <param name="start">One end, pixels from the upper left corner of the image.</param>
     /// <param name="end">The other end.</param>
-    /// <param name="width">Thickness, pixels.</param>
+    /// <param name="width">Width, pixels.</param>
     /// <param name="colour">0xRRGGBB.</param>
     /// <param name="opacity">0 to 1.</param>
     public void Line(Vector2D start, Vector2D end, double width, int colour, double opacity = 1)
@@ -25,7 +25,7 @@ internal sealed class LineCanvas(PixelBuffer picture)
         {
             for (int column = left; column < right; column++)
             {
-                // A pixel is covered as far as its middle lies within the line's half width, with a ramp of one pixel at the rim.
+                // Coverage is 1 within the line's half width and falls to 0 over one pixel at the edge.
                 double coverage = (width / 2) + 0.5 - Distance(new Vector2D(column + 0.5, row + 0.5), start, end);
                 if (coverage > 0)
                 {
@@ -35,7 +35,7 @@ internal sealed class LineCanvas(PixelBuffer picture)
         }
     }
 
-    /// <summary>Draws the sides of a box. See <see cref="Line"/>.</summary>
+    /// <summary>Draws the outline of a box. See <see cref="Line"/>.</summary>
     public void Rectangle(Box2D box, double width, int colour, double opacity)
     {
         var upperLeft = new Vector2D(box.XMin, box.YMin);

@@ -5,12 +5,13 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Datasets.Images;
 
-/// <summary>Reads the screenshots of sessions, whatever format they are kept in.</summary>
+/// <summary>Reads the images of sessions, in any of their formats.</summary>
 public static class PictureReader
 {
-    /// <summary>Reads a PNG, BMP or baseline JPEG picture in colour.</summary>
-    /// <exception cref="DatasetFormatException">It is none of them, or damaged; the message speaks of the file as "it".</exception>
-    /// <exception cref="IOException">It cannot be read.</exception>
+    /// <summary>Reads a colour PNG, BMP or baseline JPEG image.</summary>
+    /// <exception cref="DatasetFormatException">The file has another format, or is damaged; the message refers to the file as
+    /// "it".</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
     public static PixelBuffer Read(string path) => ImageHeader.Read(path).MediaType switch
     {
         ImageHeader.Jpeg => JpegDecoder.ReadRgb(path),

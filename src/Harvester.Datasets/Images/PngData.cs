@@ -5,8 +5,8 @@ using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Images;
 
-/// <summary>The compressed data of a PNG file: the content of its IDAT chunks, read from the file as it is asked for.</summary>
-/// <param name="file">The file, behind its signature.</param>
+/// <summary>The compressed data of a PNG file: the content of its IDAT chunks, read on demand.</summary>
+/// <param name="file">The file, positioned after its signature.</param>
 internal sealed class PngData(Stream file) : Stream
 {
     private const int ChecksumLength = 4;
@@ -59,7 +59,7 @@ internal sealed class PngData(Stream file) : Stream
 
     public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
 
-    /// <summary>Passes the chunks before the next one with data.</summary>
+    /// <summary>Skips chunks up to the next one with data.</summary>
     private void FindData()
     {
         Span<byte> head = stackalloc byte[HeadLength];

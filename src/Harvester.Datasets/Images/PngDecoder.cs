@@ -2,6 +2,8 @@ using System;
 using System.Buffers.Binary;
 using System.IO;
 using System.IO.Compression;
+using System.Numerics;
+using System.Runtime.InteropServices;
 using Harvester.Datasets.Files;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
@@ -10,8 +12,7 @@ using Harvester.Sessions.Imaging;
 namespace Harvester.Datasets.Images;
 
 /// <summary>
-/// Reads PNG pictures (ISO/IEC 15948) of the kinds that sessions and datasets have, not interlaced: 8-bit red, green, blue, and grey of 16
-/// or 8 bits.
+/// Reads PNG images (ISO/IEC 15948) of the kinds in sessions and datasets, without interlacing: 8-bit RGB, and greyscale with 16 or 8 bits.
 /// </summary>
 public static class PngDecoder
 {
@@ -22,9 +23,10 @@ public static class PngDecoder
     private const byte ColourTypeRgb = 2;
     private const int BytesPerGreyPixel = 2;
 
-    /// <summary>Reads a picture. Checksums are not looked at: the compressed data has its own.</summary>
-    /// <exception cref="DatasetFormatException">It is not such a picture, or damaged; the message speaks of the file as "it".</exception>
-    /// <exception cref="IOException">It cannot be read.</exception>
+    /// <summary>Reads an image. Chunk checksums are not verified; the compressed data has its own.</summary>
+    /// <exception cref="DatasetFormatException">The file is not such an image, or is damaged; the message refers to the file as
+    /// "it".</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
     public static PixelBuffer ReadRgb(string path)
     {
         ImageSize size = ImageHeader.Read(path).Size;
@@ -34,25 +36,32 @@ public static class PngDecoder
     }
 
     /// <summary>Reads an instance mask.</summary>
-    /// <exception cref="DatasetFormatException">It is not such a picture, or damaged; the message speaks of the file as "it".</exception>
-    /// <exception cref="IOException">It cannot be read.</exception>
+    /// <exception cref="DatasetFormatException">The file is not such an image, or is damaged; the message refers to the file as
+    /// "it".</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
     public static InstanceMap ReadInstanceMap(string path)
     {
         ImageSize size = ImageHeader.Read(path).Size;
         byte[] bytes = new byte[size.PixelCount * BytesPerGreyPixel];
-        Read(path, 16, ColourTypeGrey, "a 16-bit grey", size, BytesPerGreyPixel, bytes);
+        Read(path, 16, ColourTypeGrey, "a 16-bit greyscale", size, BytesPerGreyPixel, bytes);
         var map = new InstanceMap(size);
-        for (int i = 0; i < map.Ids.Length; i++)
+        ReadOnlySpan<ushort> numbers = MemoryMarshal.Cast<byte, ushort>(bytes);
+        if (BitConverter.IsLittleEndian)
         {
-            map.Ids[i] = BinaryPrimitives.ReadUInt16BigEndian(bytes.AsSpan(i * BytesPerGreyPixel));
+            BinaryPrimitives.ReverseEndianness(numbers, map.Ids);
+        }
+        else
+        {
+            numbers.CopyTo(map.Ids);
         }
 
         return map;
     }
 
-    /// <summary>Reads a map of labels, 8 bits each.</summary>
-    /// <exception cref="DatasetFormatException">It is not such a picture, or damaged; the message speaks of the file as "it".</exception>
-    /// <exception cref="IOException">It cannot be read.</exception>
+    /// <summary>Reads an 8-bit label map.</summary>
+    /// <exception cref="DatasetFormatException">The file is not such an image, or is damaged; the message refers to the file as
+    /// "it".</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
     public static InstanceMap ReadLabelMap(string path)
     {
         ImageSize size = ImageHeader.Read(path).Size;
@@ -74,7 +83,7 @@ public static class PngDecoder
         file.ReadExactly(header);
         if (header[BitDepthAt] != bitDepth || header[BitDepthAt + 1] != colourType || header[BitDepthAt + 4] != 0)
         {
-            throw new DatasetFormatException($"it is not {kind} PNG without interlace.");
+            throw new DatasetFormatException($"it is not {kind} PNG without interlacing.");
         }
 
         file.Position = SignatureLength;
@@ -105,20 +114,50 @@ public static class PngDecoder
 
     private static void Unfilter(int filter, Span<byte> current, ReadOnlySpan<byte> above, int pixel)
     {
-        for (int i = 0; i < current.Length; i++)
+        switch (filter)
         {
-            int left = i >= pixel ? current[i - pixel] : 0;
-            int upperLeft = i >= pixel ? above[i - pixel] : 0;
-            int predicted = filter switch
-            {
-                0 => 0,
-                1 => left,
-                2 => above[i],
-                3 => (left + above[i]) / 2,
-                4 => Paeth(left, above[i], upperLeft),
-                _ => throw new InvalidDataException($"PNG has no filter {filter}."),
-            };
-            current[i] = (byte)(current[i] + predicted);
+            case 0:
+                break;
+            case 1:
+                for (int i = pixel; i < current.Length; i++)
+                {
+                    current[i] += current[i - pixel];
+                }
+
+                break;
+            case 2:
+                AddAbove(current, above);
+                break;
+            case 3:
+                for (int i = 0; i < current.Length; i++)
+                {
+                    current[i] += (byte)(((i >= pixel ? current[i - pixel] : 0) + above[i]) / 2);
+                }
+
+                break;
+            case 4:
+                for (int i = 0; i < current.Length; i++)
+                {
+                    current[i] += i >= pixel ? (byte)Paeth(current[i - pixel], above[i], above[i - pixel]) : above[i];
+                }
+
+                break;
+            default:
+                throw new InvalidDataException($"PNG has no filter {filter}.");
+        }
+    }
+
+    private static void AddAbove(Span<byte> current, ReadOnlySpan<byte> above)
+    {
+        int i = 0;
+        for (; i <= current.Length - Vector<byte>.Count; i += Vector<byte>.Count)
+        {
+            (new Vector<byte>(current[i..]) + new Vector<byte>(above[i..])).CopyTo(current[i..]);
+        }
+
+        for (; i < current.Length; i++)
+        {
+            current[i] += above[i];
         }
     }
 

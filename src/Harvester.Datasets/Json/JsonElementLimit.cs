@@ -3,9 +3,9 @@ using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Json;
 
-/// <summary>Refuses an element of the outermost list of a JSON file that is too long to be held whole.</summary>
-/// <param name="name">What messages call the file.</param>
-/// <param name="maxBytes">The longest element, bytes.</param>
+/// <summary>Rejects elements of the outermost list of a JSON file that are too long to be held in memory.</summary>
+/// <param name="name">Name of the file in messages.</param>
+/// <param name="maxBytes">Largest size of an element, bytes.</param>
 internal sealed class JsonElementLimit(string name, int maxBytes) : IByteLimit
 {
     private bool _isInText;
@@ -21,7 +21,7 @@ internal sealed class JsonElementLimit(string name, int maxBytes) : IByteLimit
             if (++_length > maxBytes)
             {
                 throw new DatasetFormatException(
-                    FormattableString.Invariant($"{name}: an element of the list has more than {maxBytes} bytes; none has."));
+                    FormattableString.Invariant($"{name}: an element of the list has more than {maxBytes} bytes, the limit."));
             }
         }
     }

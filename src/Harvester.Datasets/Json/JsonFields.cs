@@ -7,11 +7,18 @@ using Harvester.Geometry;
 
 namespace Harvester.Datasets.Json;
 
-/// <summary>An object of a JSON text whose fields are read by name. Every error names the field by its path, as camera.position.</summary>
+/// <summary>
+/// An object of a JSON text whose fields are read by name. Every error names the field by its path, such as camera.position.
+/// </summary>
 public readonly struct JsonFields
 {
-    /// <summary>No length, time or angle of a session is as large, and sums and products of smaller ones stay numbers.</summary>
+    /// <summary>
+    /// Limit of numbers. No length, time or angle of a session is as large, and sums and products of smaller numbers stay finite.
+    /// </summary>
     private const double MaxMagnitude = 1e12;
+
+    /// <summary>Texts are names, which are kept: as many as a session has objects.</summary>
+    private const int MaxTextCharacters = 4096;
 
     private readonly JsonElement _element;
     private readonly string _path;
@@ -33,23 +40,23 @@ public readonly struct JsonFields
         }
     }
 
-    /// <summary>Whether a field is there and not null.</summary>
+    /// <summary>Whether a field exists and is not null.</summary>
     public bool Has(string name) => _element.TryGetProperty(name, out JsonElement field) && field.ValueKind != JsonValueKind.Null;
 
     /// <summary>The names of all fields, in their order.</summary>
     public IEnumerable<string> Names => _element.EnumerateObject().Select(static member => member.Name);
 
-    /// <summary>A number of at most 1e12, above or below zero.</summary>
+    /// <summary>A number from -1e12 to 1e12.</summary>
     public double Number(string name)
     {
         JsonElement field = Field(name);
         return IsFinite(field, out double value) ? value : throw Wrong(Path(name), "a finite number, 1e12 at most", field);
     }
 
-    /// <summary>A finite number, or null when the field is absent or null.</summary>
+    /// <summary>A finite number; null if the field is absent or null.</summary>
     public double? OptionalNumber(string name) => Has(name) ? Number(name) : null;
 
-    /// <summary>A whole number that fits 64 bits.</summary>
+    /// <summary>A 64-bit integer.</summary>
     public long LongInteger(string name)
     {
         JsonElement field = Field(name);
@@ -58,24 +65,26 @@ public readonly struct JsonFields
             : throw Wrong(Path(name), "a whole number", field);
     }
 
-    /// <summary>A whole number that fits 32 bits.</summary>
+    /// <summary>A 32-bit integer.</summary>
     public int Integer(string name)
     {
         long value = LongInteger(name);
         return value is >= int.MinValue and <= int.MaxValue ? (int)value : throw Wrong(Path(name), "a 32-bit whole number", Field(name));
     }
 
-    /// <summary>A text.</summary>
+    /// <summary>A string.</summary>
     public string Text(string name)
     {
         JsonElement field = Field(name);
-        return field.ValueKind == JsonValueKind.String ? field.GetString()! : throw Wrong(Path(name), "a text", field);
+        string text = field.ValueKind == JsonValueKind.String ? field.GetString()! : throw Wrong(Path(name), "a text", field);
+        return text.Length <= MaxTextCharacters ? text
+            : throw new DatasetFormatException($"{Path(name)} has {text.Length} characters; {MaxTextCharacters} is the limit.");
     }
 
-    /// <summary>A text, or null when the field is absent or null.</summary>
+    /// <summary>A string; null if the field is absent or null.</summary>
     public string? OptionalText(string name) => Has(name) ? Text(name) : null;
 
-    /// <summary>One of an enumeration's names, written with a small first letter.</summary>
+    /// <summary>A value of an enumeration; its name begins with a small letter.</summary>
     public T Name<T>(string name)
         where T : struct, Enum
     {
@@ -85,7 +94,7 @@ public readonly struct JsonFields
             : throw Wrong(Path(name), "one of " + string.Join(", ", JsonNames.All<T>()), Field(name));
     }
 
-    /// <summary>A list of so many finite numbers.</summary>
+    /// <summary>A list of finite numbers, of a given length.</summary>
     public double[] Numbers(string name, int count)
     {
         JsonElement field = Field(name);
@@ -106,10 +115,10 @@ public readonly struct JsonFields
     /// <summary>Whether a field is a list.</summary>
     public bool IsList(string name) => Field(name).ValueKind == JsonValueKind.Array;
 
-    /// <summary>Either true or false.</summary>
+    /// <summary>A boolean.</summary>
     public bool Boolean(string name) => BooleanOf(Field(name), name);
 
-    /// <summary>A truth, or null where it is null or missing.</summary>
+    /// <summary>A boolean; null if the field is absent or null.</summary>
     public bool? OptionalBoolean(string name) => Has(name) ? Boolean(name) : null;
 
     /// <summary>A list of true, false and null.</summary>
@@ -130,7 +139,7 @@ public readonly struct JsonFields
         return [.. truths];
     }
 
-    /// <summary>A list of lists of so many finite numbers each.</summary>
+    /// <summary>A list of lists of finite numbers, each of a given length.</summary>
     public double[][] Rows(string name, int count) => RowsOf(name, count);
 
     /// <summary>A list of three numbers as a vector.</summary>
@@ -149,7 +158,7 @@ public readonly struct JsonFields
         return Checked(() => Harvester.Geometry.Axes.FromVectors(right, forward, up));
     }
 
-    /// <summary>A list of texts.</summary>
+    /// <summary>A list of strings.</summary>
     public string[] Texts(string name)
     {
         JsonElement list = Field(name);
@@ -158,7 +167,10 @@ public readonly struct JsonFields
             : throw Wrong(Path(name), "a list of strings", list);
     }
 
-    /// <summary>An object within this one.</summary>
+    /// <summary>The JSON of a field, exactly as in the text.</summary>
+    public string RawText(string name) => Field(name).GetRawText();
+
+    /// <summary>A nested object.</summary>
     public JsonFields Fields(string name) => new(Field(name), Path(name));
 
     /// <summary>A list of objects.</summary>
@@ -171,7 +183,7 @@ public readonly struct JsonFields
             : throw Wrong(path, "a list of objects", field);
     }
 
-    /// <summary>Makes a value of this object's fields; a value that is refused becomes an error that names this object.</summary>
+    /// <summary>Creates a value from this object's fields; if it is invalid, the error names this object.</summary>
     public T Checked<T>(Func<T> make)
     {
         try
@@ -180,13 +192,13 @@ public readonly struct JsonFields
         }
         catch (ArgumentException e)
         {
-            // The message says what is wrong; the parameter and its value, which follow it, are the code's affair.
+            // Only the first part of the message is for the user; the parameter and its value follow it.
             string message = e.Message.Split(" (Parameter '")[0];
             throw new DatasetFormatException(_path.Length == 0 ? message : $"{_path}: {message}", e);
         }
     }
 
-    /// <summary>Refuses fields of other names, so that a misspelt one is not passed over.</summary>
+    /// <summary>Rejects fields of other names, so that misspelt names are not ignored.</summary>
     /// <exception cref="DatasetFormatException">There is another field.</exception>
     public void AllowOnly(params IReadOnlyList<string> names)
     {
@@ -250,7 +262,7 @@ public readonly struct JsonFields
         field.ValueKind is JsonValueKind.True or JsonValueKind.False ? field.GetBoolean()
             : throw Wrong(Place(name, places), "true or false", field);
 
-    /// <summary>The path of a field's item, as camera.position[2]; made for errors only.</summary>
+    /// <summary>The path of an item of a field, such as camera.position[2]; built for errors only.</summary>
     private string Place(string name, params ReadOnlySpan<int> places)
     {
         string path = Path(name);

@@ -6,35 +6,39 @@ using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Json;
 
-/// <summary>Parses JSON of strangers: no document that is too large, no name twice in one object, no text that is not Unicode.</summary>
+/// <summary>
+/// Parses untrusted JSON. Rejects documents that are too large, duplicate names in an object, and strings that are not valid Unicode.
+/// </summary>
 public static class JsonInput
 {
     private static readonly JsonDocumentOptions Options = new() { AllowDuplicateProperties = false };
 
-    /// <summary>Parses a text.</summary>
-    /// <exception cref="JsonException">It is not JSON.</exception>
-    /// <exception cref="DatasetFormatException">It is too large, has a name twice, or a text that is not Unicode.</exception>
+    /// <summary>Parses a string.</summary>
+    /// <exception cref="JsonException">The text is not valid JSON.</exception>
+    /// <exception cref="DatasetFormatException">The text is too large, or has a duplicate name or a string that is not valid
+    /// Unicode.</exception>
     public static JsonDocument Parse(string text)
     {
         ArgumentNullException.ThrowIfNull(text);
         return text.Length > InputFile.MaxDocumentBytes
             ? throw new DatasetFormatException(
-                FormattableString.Invariant($"it has more than {InputFile.MaxDocumentBytes} characters; no such document has."))
+                FormattableString.Invariant($"it has more than {InputFile.MaxDocumentBytes} characters, the limit."))
             : Checked(() => JsonDocument.Parse(text, Options), text.Contains("\\u", StringComparison.Ordinal));
     }
 
     /// <summary>Parses bytes in UTF-8.</summary>
-    /// <exception cref="JsonException">They are not JSON.</exception>
-    /// <exception cref="DatasetFormatException">They are not UTF-8, have a name twice, or a text that is not Unicode.</exception>
+    /// <exception cref="JsonException">The bytes are not valid JSON.</exception>
+    /// <exception cref="DatasetFormatException">The bytes are not UTF-8, or have a duplicate name or a string that is not valid
+    /// Unicode.</exception>
     public static JsonDocument Parse(ReadOnlyMemory<byte> bytes) => Utf8.IsValid(bytes.Span)
         ? Checked(() => JsonDocument.Parse(bytes, Options), bytes.Span.IndexOf("\\u"u8) >= 0)
         : throw new DatasetFormatException("it is not UTF-8.");
 
     /// <summary>Parses a file.</summary>
-    /// <exception cref="JsonException">It is not JSON.</exception>
-    /// <exception cref="DatasetFormatException">As of <see cref="Parse(ReadOnlyMemory{byte})"/>, or it is too large; the message speaks of
-    /// the file as "it".</exception>
-    /// <exception cref="IOException">It cannot be read.</exception>
+    /// <exception cref="JsonException">The file is not valid JSON.</exception>
+    /// <exception cref="DatasetFormatException">As for <see cref="Parse(ReadOnlyMemory{byte})"/>, or the file is too large; the message
+    /// refers to the file as "it".</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
     public static JsonDocument Read(string path) => Parse(InputFile.ReadAllBytes(path));
 
     private static JsonDocument Checked(Func<JsonDocument> parse, bool hasEscapes)
@@ -53,15 +57,15 @@ public static class JsonInput
         catch (InvalidOperationException e)
         {
             document?.Dispose();
-            throw new DatasetFormatException("a text in it has half a surrogate pair, which is no character.", e);
+            throw new DatasetFormatException("a string in it has an unpaired surrogate, which is not valid Unicode.", e);
         }
         catch (JsonException e) when (e.BytePositionInLine is null)
         {
-            throw new DatasetFormatException("an object in it has a field twice.", e);
+            throw new DatasetFormatException("an object in it has a duplicate field.", e);
         }
     }
 
-    // Texts are decoded when they are asked for, and that is where they fail.
+    // Strings are decoded when they are read; an invalid one throws then.
     private static void Visit(JsonElement element)
     {
         switch (element.ValueKind)

@@ -6,10 +6,10 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Json;
 
-/// <summary>JSON on one line, with numbers rounded for files: no exponent, no minus zero, the same on every system.</summary>
+/// <summary>Writes JSON on one line. Numbers are rounded, without exponent and minus zero, and the same on every system.</summary>
 internal static class JsonLine
 {
-    /// <summary>The text that a function writes.</summary>
+    /// <summary>The text that an action writes.</summary>
     public static string Of(Action<Utf8JsonWriter> write)
     {
         using var bytes = new MemoryStream();
@@ -21,11 +21,11 @@ internal static class JsonLine
         return Encoding.UTF8.GetString(bytes.GetBuffer(), 0, (int)bytes.Length);
     }
 
-    /// <summary>A number with so many decimals at most.</summary>
+    /// <summary>Writes a number, rounded to a number of decimals.</summary>
     public static void Value(this Utf8JsonWriter json, double value, int decimals) =>
         json.WriteRawValue(InvariantNumber.Format(value, decimals), skipInputValidation: true);
 
-    /// <summary>A named number with so many decimals at most; null stays null.</summary>
+    /// <summary>Writes a named number, rounded to a number of decimals, or null.</summary>
     public static void Number(this Utf8JsonWriter json, string name, double? value, int decimals)
     {
         json.WritePropertyName(name);
@@ -39,14 +39,14 @@ internal static class JsonLine
         }
     }
 
-    /// <summary>A named list of numbers.</summary>
+    /// <summary>Writes a named list of numbers.</summary>
     public static void Numbers(this Utf8JsonWriter json, string name, ReadOnlySpan<double> values, int decimals)
     {
         json.WritePropertyName(name);
         json.Values(values, decimals);
     }
 
-    /// <summary>A list of numbers.</summary>
+    /// <summary>Writes a list of numbers.</summary>
     public static void Values(this Utf8JsonWriter json, ReadOnlySpan<double> values, int decimals)
     {
         json.WriteStartArray();

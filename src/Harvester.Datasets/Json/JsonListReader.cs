@@ -6,8 +6,8 @@ using Harvester.Datasets.Files;
 namespace Harvester.Datasets.Json;
 
 /// <summary>
-/// Reads a file that is one JSON object with lists in it, element by element, so that it may be of any length. Fields that are no lists are
-/// passed over.
+/// Reads a file with a JSON object whose fields are lists, element by element, so that the file may have any length. Other fields are
+/// skipped.
 /// </summary>
 internal sealed class JsonListReader : IDisposable
 {
@@ -25,18 +25,18 @@ internal sealed class JsonListReader : IDisposable
 
     public JsonListReader(string path) => _file = InputFile.OpenRead(path);
 
-    /// <summary>Name of the list that the element is in.</summary>
+    /// <summary>Name of the list of the current element.</summary>
     public string List { get; private set; } = "";
 
-    /// <summary>Line of the file where the element begins, from 1.</summary>
+    /// <summary>Line of the file on which the element begins, from 1.</summary>
     public int Line { get; private set; }
 
-    /// <summary>The element that was read last.</summary>
+    /// <summary>The element read last.</summary>
     public JsonElement Element { get; private set; }
 
-    /// <summary>Goes to the next element; false when there is none.</summary>
-    /// <exception cref="JsonException">The file is not JSON.</exception>
-    /// <exception cref="DatasetFormatException">A name or text in it is not Unicode, or an element is too large.</exception>
+    /// <summary>Advances to the next element; returns false at the end.</summary>
+    /// <exception cref="JsonException">The file is not valid JSON.</exception>
+    /// <exception cref="DatasetFormatException">A name or string is not valid Unicode, or an element is too large.</exception>
     public bool Read()
     {
         while (true)
@@ -103,11 +103,11 @@ internal sealed class JsonListReader : IDisposable
         }
         catch (InvalidOperationException e)
         {
-            throw new DatasetFormatException("a name in it is not Unicode text.", e);
+            throw new DatasetFormatException("a name in it is not valid Unicode.", e);
         }
     }
 
-    /// <summary>What stands between the token before and the element: blanks and a comma.</summary>
+    /// <summary>Skips blanks and a comma between the previous token and the element.</summary>
     private static int LeadingBytes(ReadOnlySpan<byte> text) => text.IndexOfAnyExcept(" \t\r\n,"u8);
 
     private void Advance(in Utf8JsonReader reader)
@@ -128,7 +128,8 @@ internal sealed class JsonListReader : IDisposable
             if (_buffer.Length >= InputFile.MaxDocumentBytes)
             {
                 throw new DatasetFormatException(
-                    FormattableString.Invariant($"an element or a text of it has more than {InputFile.MaxDocumentBytes} bytes; none has."));
+                    FormattableString.Invariant(
+                        $"an element or a text of it has more than {InputFile.MaxDocumentBytes} bytes, the limit."));
             }
 
             Array.Resize(ref _buffer, _buffer.Length * 2);

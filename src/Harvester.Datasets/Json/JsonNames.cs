@@ -5,7 +5,7 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Json;
 
-/// <summary>Reads the names of enumerations as files have them.</summary>
+/// <summary>Reads the names of enumeration values in files.</summary>
 public static class JsonNames
 {
     /// <summary>The names of all values, in the order of the enumeration.</summary>
@@ -13,7 +13,7 @@ public static class JsonNames
         where T : struct, Enum =>
         Enum.GetValues<T>().Select(JsonName.Of);
 
-    /// <summary>Reads a name; capitals matter.</summary>
+    /// <summary>Reads a name; case-sensitive.</summary>
     public static bool TryRead<T>(string name, out T value)
         where T : struct, Enum
     {

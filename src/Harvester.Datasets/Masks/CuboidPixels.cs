@@ -9,13 +9,15 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Masks;
 
-/// <summary>The pixels of an image at whose centres the cuboid of a labelled object is, and how far away it is there.</summary>
+/// <summary>The pixels whose centres the cuboid of a labelled object covers, with the distance to the cuboid.</summary>
 internal sealed class CuboidPixels
 {
-    /// <summary>Shares of fewer samples would be coarse, and a face a few pixels wide may hold no pixel's centre at all.</summary>
+    /// <summary>
+    /// Minimum number of samples: fractions of fewer would be coarse, and a face a few pixels wide may cover no pixel centre.
+    /// </summary>
     private const int MinSamples = 16;
 
-    /// <summary>Samples along each side of the box of a cuboid that is so small.</summary>
+    /// <summary>Samples along each side of the box of a smaller cuboid.</summary>
     private const int SamplesAlongSide = 16;
 
     private readonly Camera _camera;
@@ -41,20 +43,19 @@ internal sealed class CuboidPixels
         Samples = Distances.Count >= MinSamples ? [.. Distances.Select(pixel => (pixel.Key, pixel.Value))] : [.. FineSamples(label.Box2D)];
     }
 
-    /// <summary>The object's number.</summary>
+    /// <summary>Id of the object.</summary>
     public ushort Id { get; }
 
-    /// <summary>For each pixel, by its place in the image, the distance to the cuboid's front, metres.</summary>
+    /// <summary>The distance to the cuboid's front, metres, by pixel index.</summary>
     public Dictionary<int, double> Distances { get; } = [];
 
     /// <summary>
-    /// Places spread evenly over the silhouette: the pixel that each lies in, by its place in the image, and the distance to the cuboid's
-    /// front, metres. Empty only
-    /// for a silhouette that is next to nothing.
+    /// Samples spread evenly over the silhouette: pixel index and distance to the cuboid's front, metres. Empty only for a silhouette of
+    /// almost no area.
     /// </summary>
     public IReadOnlyList<(int Pixel, double Distance)> Samples { get; }
 
-    /// <summary>Whether a map shows a number anywhere in the silhouette.</summary>
+    /// <summary>Whether a map has a value anywhere in the silhouette.</summary>
     public bool Shows(InstanceMap map, int number) => Samples.Any(sample => map.Ids[sample.Pixel] == number);
 
     private IEnumerable<(int Pixel, double Distance)> FineSamples(Box2D box)

@@ -9,7 +9,7 @@ using Harvester.Geometry.PixelMaps;
 namespace Harvester.Datasets.Masks;
 
 /// <summary>
-/// A folder of instance maps of another tool: 16-bit grey PNG files whose names are frame numbers, with or without leading zeros.
+/// A folder with instance maps of another tool: 16-bit greyscale PNG files named by frame number, with or without leading zeros.
 /// </summary>
 internal sealed class ExternalMaps
 {
@@ -17,7 +17,7 @@ internal sealed class ExternalMaps
     private readonly Dictionary<int, string> _files = [];
 
     /// <exception cref="DirectoryNotFoundException">There is no such folder.</exception>
-    /// <exception cref="DatasetFormatException">Two files are of one frame.</exception>
+    /// <exception cref="DatasetFormatException">Two files have the same frame number.</exception>
     public ExternalMaps(string folder)
     {
         _folder = folder;
@@ -37,7 +37,7 @@ internal sealed class ExternalMaps
     }
 
     /// <summary>Reads the map of a frame.</summary>
-    /// <exception cref="DatasetFormatException">It is missing, damaged or of another size; the message names the frame or the
+    /// <exception cref="DatasetFormatException">The map is missing, damaged or of another size; the message names the frame or the
     /// file.</exception>
     public InstanceMap Read(int frame, ImageSize size)
     {

@@ -16,10 +16,10 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Masks;
 
-/// <summary>One frame's map in the session's own numbers, and what follows from it for the objects.</summary>
+/// <summary>A frame's map with the session's ids, and the labels that follow from it.</summary>
 internal sealed class ImportedFrame
 {
-    /// <summary>As many as docs/dataset-format.md promises.</summary>
+    /// <summary>Number of decimals that docs/dataset-format.md specifies.</summary>
     private const int FractionDecimals = 4;
 
     private static readonly JsonSerializerOptions AsItIs = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
@@ -29,8 +29,8 @@ internal sealed class ImportedFrame
     private readonly Dictionary<ushort, CuboidPixels> _cuboids;
     private readonly Dictionary<ushort, Box2D> _bounds = [];
 
-    /// <summary>Takes a map and writes the objects' ids into it.</summary>
-    /// <exception cref="DatasetFormatException">The map has a number that is no object's id, where it may have none.</exception>
+    /// <summary>Reads a map and replaces its values by object ids.</summary>
+    /// <exception cref="DatasetFormatException">The map has a value that is not an object id, where the values must be ids.</exception>
     public ImportedFrame(FrameLabel label, InstanceMap map, MaskNumbers numbers)
     {
         _frame = label.Frame;
@@ -51,15 +51,13 @@ internal sealed class ImportedFrame
         }
     }
 
-    /// <summary>The map; its numbers are the objects' ids, that of the whole object where a part of it is seen.</summary>
+    /// <summary>The map; its values are object ids. A part has the id of its whole object.</summary>
     public InstanceMap Map { get; }
 
-    /// <summary>How many objects the map shows anything of.</summary>
+    /// <summary>Number of objects with at least one pixel.</summary>
     public int Seen => _labels.Keys.Count(IsSeen);
 
-    /// <summary>
-    /// The frame's line of labels with what follows from the map; all its other fields stay as they are, unknown ones too.
-    /// </summary>
+    /// <summary>The label line with the fields that follow from the map; all other fields, even unknown ones, are unchanged.</summary>
     public string Rewrite(string line)
     {
         JsonObject label = JsonNode.Parse(line)!.AsObject();
@@ -82,7 +80,7 @@ internal sealed class ImportedFrame
         return label.ToJsonString(AsItIs);
     }
 
-    /// <summary>How much of an object is hidden, by the map; null where the map does not tell and what is known of it stays.</summary>
+    /// <summary>The occluded fraction by the map; null if the map does not determine it and the known one stays.</summary>
     private double? OccludedFraction(ushort id) =>
         _labels[id].Parent is null ? IsSeen(id) ? CoveredFraction(id) : 1
         : OwnerOf(id) == 0 || _cuboids[id].Samples.Count == 0 ? null
@@ -90,29 +88,32 @@ internal sealed class ImportedFrame
         : CoveredFraction(id) is var covered && covered < FoundByRays(id) ? null
         : covered;
 
-    // Where a nearer object is seen the object is hidden as far as it fills its cuboid's silhouette there. Taking that it fills it there
-    // as it does elsewhere, what is hidden of the object is what is covered of the silhouette.
+    // Where a nearer object is visible, the object is hidden as far as it fills its silhouette there. If it fills that part like the rest,
+    // the occluded fraction of the object is that of the silhouette.
     private double CoveredFraction(ushort id)
     {
         IReadOnlyList<(int Pixel, double Distance)> samples = _cuboids[id].Samples;
         return samples.Count == 0 ? 0 : (double)samples.Count(sample => IsCovered(id, sample.Pixel, sample.Distance)) / samples.Count;
     }
 
-    /// <summary>How much rays found hidden of a part, also by the rest of its object, of which the map shows the same number.</summary>
+    /// <summary>
+    /// The occluded fraction of a part by rays, which also hit the rest of its object; the map has the same value for both.
+    /// </summary>
     private double FoundByRays(ushort id) =>
         _labels[id] is { OcclusionMethod: not OcclusionMethod.Imported, OccludedFraction: { } found } ? found : 0;
 
-    /// <summary>Whether another object that is nearer is seen at a pixel.</summary>
+    /// <summary>Whether a nearer object is visible at a pixel.</summary>
     private bool IsCovered(ushort id, int pixel, double distance) =>
         Map.Ids[pixel] is var shown and not 0 && shown != OwnerOf(id) && _cuboids[shown].Distances.TryGetValue(pixel, out double its)
             && its < distance;
 
-    /// <summary>Whether the map shows a pixel of an object, or one of a part's object where the part is.</summary>
+    /// <summary>Whether a pixel shows an object or, for a part, its whole object.</summary>
     private bool IsSeen(ushort id) =>
         _labels[id].Parent is null ? _bounds.ContainsKey(id) : OwnerOf(id) is var owner and not 0 && _cuboids[id].Shows(Map, owner);
 
     /// <summary>
-    /// The id that an object's pixels have: the part's object's for a part; 0 when that is not listed, so that the part has no pixels.
+    /// The id of an object's pixels: for a part, that of its whole object; 0 if the whole object is not listed, so that the part has no
+    /// pixels.
     /// </summary>
     private ushort OwnerOf(ushort id) =>
         _labels[id].Parent is not { } parent ? id
@@ -132,7 +133,8 @@ internal sealed class ImportedFrame
             else if (number != 0)
             {
                 Map.Ids[i] = _labels.ContainsKey(number) ? OwnerOf(number) : throw new DatasetFormatException(
-                    $"The map of frame {_frame} has the number {number}, which is no object's id in that frame; numbers of the tool's own need --match.");
+                    $"The mask of frame {_frame} has the value {number}, which is not the id of an object in that frame. If the values "
+                        + "are not ids, use --match.");
             }
         }
     }

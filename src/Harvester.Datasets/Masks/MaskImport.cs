@@ -1,7 +1,11 @@
 namespace Harvester.Datasets.Masks;
 
-/// <summary>What an import of masks did.</summary>
-/// <param name="Frames">Frames that have their mask from it now.</param>
-/// <param name="Objects">Labels of objects in them.</param>
-/// <param name="Seen">Those that have a pixel in their mask.</param>
-public sealed record MaskImport(int Frames, int Objects, int Seen);
+/// <summary>The result of an import of masks.</summary>
+/// <param name="Frames">Number of frames with imported masks.</param>
+/// <param name="Objects">Number of labelled objects in them.</param>
+/// <param name="Seen">Number of these with visible pixels.</param>
+public sealed record MaskImport(int Frames, int Objects, int Seen)
+{
+    /// <summary>Folder of the session as it was before the import, if it could not be deleted; otherwise null.</summary>
+    public string? Leftover { get; init; }
+}

@@ -1,7 +1,7 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using System.Text;
 using System.Threading;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
@@ -13,61 +13,107 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Datasets.Masks;
 
 /// <summary>
-/// Takes the instance maps of another tool, made of stencil or depth buffers for example, into a session: its masks, visible boxes and
-/// occlusion are theirs from then on. Nothing of the session changes before all of them were found good.
+/// Imports the instance maps of another tool, made from stencil or depth buffers for example, as the masks of a session, and recomputes
+/// visible boxes and occlusion from them. The session with the new masks is written beside the old one and replaces it in one step.
 /// </summary>
 public static class MaskImporter
 {
+    private static readonly EnumerationOptions OwnEntries = new()
+    {
+        RecurseSubdirectories = true,
+        AttributesToSkip = FileAttributes.ReparsePoint,
+    };
+
     /// <summary>Imports a map for every frame of a session.</summary>
     /// <param name="session">The session.</param>
-    /// <param name="folder">Where the maps are: 16-bit grey PNG files named by frame number.</param>
-    /// <param name="numbers">What the numbers in them mean.</param>
-    /// <param name="cancellation">Stops between two frames; the session is as it was.</param>
-    /// <exception cref="DatasetFormatException">A label or a map is at fault; the message names it.</exception>
-    /// <exception cref="IOException">A file cannot be read or written.</exception>
-    public static MaskImport Import(SessionReader session, string folder, MaskNumbers numbers, CancellationToken cancellation = default)
+    /// <param name="folder">Folder of the maps: 16-bit greyscale PNG files named by frame number.</param>
+    /// <param name="numbers">The meaning of their values.</param>
+    /// <param name="finish">Updates what else depends on the masks in the new session, such as a report; null for nothing.</param>
+    /// <param name="sync">When to wait for the disk.</param>
+    /// <param name="cancellation">Stops between two frames; the session is unchanged then.</param>
+    /// <exception cref="DatasetFormatException">A label or a map is invalid; the message names it.</exception>
+    /// <exception cref="IOException">A file cannot be read or written; the session is unchanged then.</exception>
+    public static MaskImport Import(
+        SessionReader session,
+        string folder,
+        MaskNumbers numbers,
+        Action<SessionReader>? finish = null,
+        SyncMode sync = SyncMode.Batch,
+        CancellationToken cancellation = default)
     {
         ArgumentNullException.ThrowIfNull(session);
         var maps = new ExternalMaps(folder);
-        string staged = AtomicFile.TemporaryFor(session.PathOf(FramePaths.Masks));
+        using FolderReplacement replacement = FolderReplacement.Begin(session.Folder);
+        string made = replacement.Folder;
+        Directory.CreateDirectory(Path.Combine(made, FramePaths.Masks));
         var encoder = new PngEncoder();
+        bool isDurable = sync != SyncMode.Never;
         var done = new MaskImport(0, 0, 0);
-        Directory.CreateDirectory(staged);
-        try
+        AtomicLines.Write(Path.Combine(made, SessionReader.LabelsFile), isDurable, lines =>
+            AtomicLines.Write(Path.Combine(made, Manifest.FileName), isDurable, manifest =>
         {
-            AtomicFile.Write(session.PathOf(SessionReader.LabelsFile), file =>
+            using var digests = new CarriedDigests(session);
+            foreach ((string line, FrameLabel label) in session.ReadTexts().Zip(session.ReadLabels()))
             {
-                using (var lines = new StreamWriter(file, new UTF8Encoding(false), leaveOpen: true) { NewLine = "\n" })
-                {
-                    foreach ((string line, FrameLabel label) in session.ReadTexts().Zip(session.ReadLabels()))
-                    {
-                        cancellation.ThrowIfCancellationRequested();
-                        var size = new ImageSize(label.Camera.Width, label.Camera.Height);
-                        var frame = new ImportedFrame(label, maps.Read(label.Frame, size), numbers);
-                        string mask = Path.Combine(staged, Path.GetFileName(FramePaths.Mask(label.Frame)));
-                        AtomicFile.Write(mask, stream => encoder.Write(frame.Map, stream));
-                        lines.WriteLine(frame.Rewrite(line));
-                        done = new MaskImport(done.Frames + 1, done.Objects + label.Objects.Count, done.Seen + frame.Seen);
-                    }
-                }
+                cancellation.ThrowIfCancellationRequested();
+                var size = new ImageSize(label.Camera.Width, label.Camera.Height);
+                var frame = new ImportedFrame(label, maps.Read(label.Frame, size), numbers);
+                FileDigest digest = default;
+                AtomicFile.Write(
+                    Path.Combine(made, FramePaths.Mask(label.Frame)),
+                    stream => digest = DigestStream.Write(stream, content => encoder.Write(frame.Map, content)),
+                    isDurable);
+                string rewritten = frame.Rewrite(line);
+                lines.WriteLine(rewritten);
+                manifest.WriteLine(Manifest.FrameLine(
+                    label.Frame, FileDigest.Of(rewritten), FilesOf(session, label, digest, digests)));
+                done = new MaskImport(done.Frames + 1, done.Objects + label.Objects.Count, done.Seen + frame.Seen);
+            }
 
-                MoveAll(staged, session.PathOf(FramePaths.Masks));
-            });
-        }
-        finally
+            foreach (string name in OthersOf(session))
+            {
+                manifest.WriteLine(Manifest.FileLine(name, digests.Of(name)));
+            }
+        }));
+        FolderCopy.AddMissing(session.Folder, made);
+        finish?.Invoke(new SessionReader(made));
+        if (isDurable)
         {
-            Directory.Delete(staged, recursive: true);
+            Sync(made);
         }
 
-        return done;
+        return done with { Leftover = replacement.Complete() };
     }
 
-    private static void MoveAll(string from, string to)
+    private static void Sync(string made)
     {
-        Directory.CreateDirectory(to);
-        foreach (string file in Directory.EnumerateFiles(from))
+        var batch = new SyncBatch();
+        batch.AddFolder(made);
+        foreach (string folder in Directory.EnumerateDirectories(made, "*", OwnEntries))
         {
-            File.Move(file, Path.Combine(to, Path.GetFileName(file)), overwrite: true);
+            batch.AddFolder(folder);
+        }
+
+        // What the file system could not link is a copy, which nothing has brought to the disk yet.
+        foreach (string file in Directory.EnumerateFiles(made, "*", OwnEntries))
+        {
+            batch.Add(file);
+        }
+
+        batch.Flush();
+    }
+
+    private static IEnumerable<KeyValuePair<string, FileDigest>> FilesOf(
+        SessionReader session, FrameLabel label, FileDigest mask, CarriedDigests digests)
+    {
+        yield return new(label.Image, digests.Of(label.Frame, label.Image));
+        yield return new(FramePaths.Mask(label.Frame), mask);
+        if (label.Frame >= 0 && FramePaths.Scene(label.Frame) is var scene && File.Exists(session.PathOf(scene)))
+        {
+            yield return new(scene, digests.Of(label.Frame, scene));
         }
     }
+
+    private static IEnumerable<string> OthersOf(SessionReader session) =>
+        ((string[])[FramePaths.Roads, FramePaths.Faces, SessionInfo.FileName]).Where(name => File.Exists(session.PathOf(name)));
 }

@@ -1,11 +1,11 @@
 namespace Harvester.Datasets.Masks;
 
-/// <summary>What the numbers in another tool's maps mean.</summary>
+/// <summary>The meaning of the values in another tool's maps.</summary>
 public enum MaskNumbers
 {
-    /// <summary>The ids of the labels, that of a whole object or of a part of it; any other number is an error.</summary>
+    /// <summary>Ids of labels, of whole objects or of parts; any other value is an error.</summary>
     Ids,
 
-    /// <summary>The tool's own: each is matched with the object whose cuboid its pixels cover best; the others are no object.</summary>
+    /// <summary>Arbitrary numbers: each is matched with the object whose cuboid it overlaps most, if any.</summary>
     Overlap,
 }

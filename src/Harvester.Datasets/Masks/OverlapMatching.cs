@@ -6,21 +6,19 @@ using Harvester.Geometry.PixelMaps;
 namespace Harvester.Datasets.Masks;
 
 /// <summary>
-/// Finds out which object is meant by each number of another tool's map: the pair of number and object whose pixels agree best (the
-/// intersection over union of the number's pixels and the cuboid's silhouette) is taken first, each number and each object once. An object
-/// with parts agrees as well as the best of its own cuboid and theirs: little more than a sign's face may be seen of it.
+/// Matches the values of another tool's map with objects, greedily: the pair with the highest intersection over union of the value's pixels
+/// and the cuboid's silhouette first, each value and each object once. For an object with parts, the best of its own cuboid and theirs
+/// counts, because sometimes only a sign's face is visible.
 /// </summary>
 internal static class OverlapMatching
 {
-    /// <summary>
-    /// An object hardly reaches out of its cuboid; a number with less than this share of its pixels within is another thing.
-    /// </summary>
+    /// <summary>Smallest fraction of a value's pixels inside the cuboid: objects hardly extend beyond their cuboids.</summary>
     private const double MinFractionWithin = 0.5;
 
-    /// <summary>The objects' ids by the map's numbers; numbers that are no object's are missing.</summary>
+    /// <summary>Object ids by map value; values without an object are absent.</summary>
     /// <param name="map">The map.</param>
     /// <param name="objects">The objects and their parts.</param>
-    /// <param name="ownerOf">The id that the pixels of an object or a part have; 0 for none.</param>
+    /// <param name="ownerOf">The id of an object's or part's pixels; 0 for none.</param>
     public static Dictionary<ushort, ushort> Match(InstanceMap map, IReadOnlyList<CuboidPixels> objects, Func<ushort, ushort> ownerOf)
     {
         Dictionary<ushort, int> areas = map.Ids.CountBy(number => number).ToDictionary();

@@ -8,14 +8,16 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Props;
 
-/// <summary>Reads lists of props as the public dumps have them: objects with Name, Position and Rotation (X, Y, Z in degrees).</summary>
+/// <summary>
+/// Reads lists of props in the format of the public dumps: objects with Name, Position and Rotation (X, Y, Z in degrees).
+/// </summary>
 public static class PropPlacementImporter
 {
-    /// <summary>The largest list, bytes; the public dump of all props of one kind has less than a tenth.</summary>
+    /// <summary>Largest size of a list, bytes; the public dump of all props of one kind has less than a tenth of it.</summary>
     private const int MaxBytes = 32 << 20;
 
     /// <summary>Reads a list of props.</summary>
-    /// <exception cref="DatasetFormatException">The file is no such list; the message names the place.</exception>
+    /// <exception cref="DatasetFormatException">The file is not a valid list; the message names the place.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
     public static IReadOnlyList<PropPlacement> Import(string path)
     {
@@ -27,7 +29,7 @@ public static class PropPlacementImporter
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"{file}, line {e.LineNumber + 1}: not JSON, from character {e.BytePositionInLine + 1} on.",
+            throw new DatasetFormatException($"{file}, line {e.LineNumber + 1}: invalid JSON at byte {e.BytePositionInLine + 1}.",
                 e);
         }
     }
@@ -36,7 +38,7 @@ public static class PropPlacementImporter
     {
         if (root.ValueKind != JsonValueKind.Array)
         {
-            throw new DatasetFormatException($"{file}: a list of props was expected.");
+            throw new DatasetFormatException($"{file}: expected a list of props.");
         }
 
         var props = new List<PropPlacement>(root.GetArrayLength());

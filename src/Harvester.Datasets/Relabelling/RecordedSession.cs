@@ -18,7 +18,7 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Relabelling;
 
-/// <summary>A session with the scenes that its labels were made from, and with what was asked for when they were.</summary>
+/// <summary>A session with the scenes and options from which its labels were made.</summary>
 internal sealed class RecordedSession
 {
     private RecordedSession(SessionReader session, HarvestOptions options, JsonFields settings)
@@ -27,7 +27,8 @@ internal sealed class RecordedSession
         Options = options;
         string? lookAhead = settings.OptionalText("lookAhead");
         LookAhead = lookAhead is null ? LookAhead.Thesis : LookAhead.Parse(lookAhead)
-            ?? throw new DatasetFormatException($"{SessionInfo.FileName}: settings.lookAhead must be metres, or seconds such as 1s, not '{lookAhead}'.");
+            ?? throw new DatasetFormatException(
+                $"{SessionInfo.FileName}: settings.lookAhead must be metres, or seconds such as 1s, not '{lookAhead}'.");
         LaneWidthMetres = Width(settings, "laneWidth", RoadGeometry.LaneWidth);
         NarrowLaneWidthMetres = Width(settings, "narrowLaneWidth", RoadGeometry.NarrowLaneWidth);
     }
@@ -35,31 +36,33 @@ internal sealed class RecordedSession
     /// <summary>The session.</summary>
     public SessionReader Session { get; }
 
-    /// <summary>The options of the harvest; the lens is each scene's own.</summary>
+    /// <summary>The options of the harvest. The lens is part of each scene.</summary>
     public HarvestOptions Options { get; }
 
-    /// <summary>Where the lane indicators were measured.</summary>
+    /// <summary>The look-ahead of the lane indicators.</summary>
     public LookAhead LookAhead { get; }
 
-    /// <summary>Width of the lanes of an ordinary road, metres.</summary>
+    /// <summary>Lane width of ordinary roads, metres.</summary>
     public double LaneWidthMetres { get; }
 
-    /// <summary>Width of the lanes of a narrow road, metres.</summary>
+    /// <summary>Lane width of narrow roads, metres.</summary>
     public double NarrowLaneWidthMetres { get; }
 
     /// <summary>Opens a session.</summary>
-    /// <exception cref="DatasetFormatException">It has no scenes, or its session.json or table of faces is not as it should be.</exception>
+    /// <exception cref="DatasetFormatException">The session has no scenes, or its session.json or table of faces is invalid.</exception>
     public static RecordedSession Open(SessionReader session)
     {
         if (!Directory.Exists(session.PathOf(FramePaths.Scenes)))
         {
             throw new DatasetFormatException(
-                $"'{session.Folder}' has no {FramePaths.Scenes}: it was harvested without them, or relabelled. Relabel the original session.");
+                $"'{session.Folder}' has no {FramePaths.Scenes}: it was harvested without them, or relabelled. Relabel the original "
+                    + "session.");
         }
 
         if (SessionHeader.Read(session).Shard is { } shard)
         {
-            throw new DatasetFormatException($"'{session.Folder}' is shard {shard} of a session. Merge the shards first, then relabel the merged session.");
+            throw new DatasetFormatException(
+                $"'{session.Folder}' is shard {shard} of a session. Merge the shards first, then relabel the merged session.");
         }
 
         using JsonDocument document = JsonInput.Read(session.PathOf(SessionInfo.FileName));
@@ -84,17 +87,17 @@ internal sealed class RecordedSession
             header.Fields("settings"));
     }
 
-    /// <summary>The roads that lie in the session, and null for one that has none.</summary>
-    /// <exception cref="DatasetFormatException">The file is malformed.</exception>
+    /// <summary>The roads in the session; null if it has none.</summary>
+    /// <exception cref="DatasetFormatException">The file is invalid.</exception>
     public RoadNetwork? ReadRoads() => Named(Session, FramePaths.Roads, KeptFiles.ReadRoads);
 
     /// <summary>The frames with their scenes, in order.</summary>
-    /// <exception cref="DatasetFormatException">A label or a scene is malformed.</exception>
+    /// <exception cref="DatasetFormatException">A label or scene is invalid.</exception>
     /// <exception cref="IOException">A scene cannot be read.</exception>
     public IEnumerable<(FrameLabel Label, RecordedScene Scene)> Frames() =>
         Session.ReadLabels().Select(label => (label, ReadScene(label)));
 
-    /// <summary>The numbers that objects have in it.</summary>
+    /// <summary>The ids of its objects.</summary>
     public RecordedIds ReadIds()
     {
         var ids = new RecordedIds();
@@ -125,7 +128,7 @@ internal sealed class RecordedSession
         ? kind
         : throw new DatasetFormatException($"{SessionInfo.FileName}: unknown class '{name}'.");
 
-    /// <summary>What a file of the session holds; where it is malformed, the message names the file.</summary>
+    /// <summary>Reads a file of the session; if it is invalid, the message names the file.</summary>
     private static T Named<T>(SessionReader session, string name, Func<SessionReader, T> read)
     {
         try

@@ -9,51 +9,54 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Relabelling;
 
-/// <summary>What is to be labelled otherwise than it was; what is null stays as the session has it.</summary>
+/// <summary>Options of relabelling. What is null stays as recorded.</summary>
 public sealed record RelabelOptions
 {
-    /// <summary>The classes.</summary>
+    /// <summary>The classes to label.</summary>
     public IReadOnlyList<ObjectClass>? Classes { get; init; }
 
-    /// <summary>How far objects are labelled, metres; not farther than was recorded.</summary>
+    /// <summary>Distance up to which objects are labelled, metres; at most the recorded one.</summary>
     public double? RangeMetres { get; init; }
 
-    /// <summary>Objects whose box in the image is smaller are not labelled, square pixels.</summary>
+    /// <summary>Smallest area of the 2D box of labelled objects, square pixels.</summary>
     public double? MinBoxAreaPixels { get; init; }
 
-    /// <summary>Objects whose box in the image is narrower or lower are not labelled, pixels.</summary>
+    /// <summary>Smallest width and height of the 2D box of labelled objects, pixels.</summary>
     public double? MinBoxSidePixels { get; init; }
 
-    /// <summary>Objects that are hidden by more are not labelled, 0 to 1.</summary>
+    /// <summary>Largest occluded fraction of labelled objects, 0 to 1.</summary>
     public double? MaxOccludedFraction { get; init; }
 
-    /// <summary>The lens, as a calibration found it.</summary>
+    /// <summary>The calibrated lens.</summary>
     public Lens? Lens { get; init; }
 
-    /// <summary>Faces of signs and heads of lights that go before the recorded ones, model by model.</summary>
+    /// <summary>Table of faces that takes precedence over the recorded one, model by model.</summary>
     public FaceTable? Faces { get; init; }
 
-    /// <summary>Name of the file of those, for session.json.</summary>
+    /// <summary>Name of its file, for session.json.</summary>
     public string? FacesName { get; init; }
 
-    /// <summary>The roads.</summary>
+    /// <summary>The road network.</summary>
     public RoadNetwork? Roads { get; init; }
 
-    /// <summary>Name of the file of those, for session.json.</summary>
+    /// <summary>Name of its file, for session.json.</summary>
     public string? RoadsName { get; init; }
 
-    /// <summary>Where the lane indicators are measured.</summary>
+    /// <summary>Look-ahead of the lane indicators.</summary>
     public LookAhead? LookAhead { get; init; }
 
-    /// <summary>Width of the lanes of an ordinary road, metres.</summary>
+    /// <summary>Lane width of ordinary roads, metres.</summary>
     public double? LaneWidthMetres { get; init; }
 
-    /// <summary>Width of the lanes of a narrow road, metres.</summary>
+    /// <summary>Lane width of narrow roads, metres.</summary>
     public double? NarrowLaneWidthMetres { get; init; }
 
-    /// <summary>How pictures come into the new session.</summary>
+    /// <summary>Whether images are linked or copied.</summary>
     public ImageTransfer Images { get; init; }
 
-    /// <summary>Which frames.</summary>
+    /// <summary>When to wait for the disk.</summary>
+    public SyncMode Sync { get; init; }
+
+    /// <summary>The shard to process.</summary>
     public Shard Shard { get; init; } = Shard.Whole;
 }

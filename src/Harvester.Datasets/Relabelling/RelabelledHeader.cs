@@ -12,11 +12,11 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Relabelling;
 
-/// <summary>The session.json of a relabelled session: the recorded one with what is otherwise, and with who relabelled it.</summary>
+/// <summary>The session.json of a relabelled session: the recorded one with the changed options and the tool that relabelled it.</summary>
 internal sealed class RelabelledHeader(RecordedSession recorded, RelabelOptions changes, HarvestOptions options)
 {
-    /// <summary>Writes it.</summary>
-    public void Write(string folder, int frames)
+    /// <summary>The text of the file.</summary>
+    public string Text(int frames)
     {
         SessionHeader header = SessionHeader.Read(recorded.Session);
         JsonObject json = header.Json;
@@ -43,12 +43,13 @@ internal sealed class RelabelledHeader(RecordedSession recorded, RelabelOptions 
             SetLens(json["camera"]!.AsObject(), lens);
         }
 
+        header.SetManifest();
         if (json["counters"] is JsonObject counters)
         {
             counters["captured"] = frames;
         }
 
-        header.Write(folder);
+        return header.ToString();
     }
 
     private static void SetLens(JsonObject camera, Lens lens)

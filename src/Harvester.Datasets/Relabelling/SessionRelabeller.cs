@@ -1,7 +1,6 @@
 using System;
 using System.IO;
 using System.Linq;
-using System.Text;
 using System.Threading;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Labelling;
@@ -20,9 +19,7 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Relabelling;
 
-/// <summary>
-/// Makes a new session of a recorded one: the same pictures, with labels made again in another way. docs/relabel.md says what of each.
-/// </summary>
+/// <summary>Creates a new session from a recorded one, with the same images and new labels. docs/relabel.md describes each field.</summary>
 public sealed class SessionRelabeller
 {
     private readonly RecordedSession _recorded;
@@ -30,10 +27,10 @@ public sealed class SessionRelabeller
     private readonly HarvestOptions _options;
     private readonly PngEncoder _png = new();
 
-    /// <summary>Prepares.</summary>
-    /// <param name="session">A session as harvested, with its scenes.</param>
-    /// <param name="changes">What is to be otherwise.</param>
-    /// <exception cref="DatasetFormatException">The session has no scenes or is malformed, or does not hold what is asked for.</exception>
+    /// <summary>Prepares relabelling.</summary>
+    /// <param name="session">A harvested session with scenes.</param>
+    /// <param name="changes">The options to change.</param>
+    /// <exception cref="DatasetFormatException">The session has no scenes or is invalid, or lacks data that the options need.</exception>
     public SessionRelabeller(SessionReader session, RelabelOptions changes)
     {
         _recorded = RecordedSession.Open(session);
@@ -42,7 +39,7 @@ public sealed class SessionRelabeller
         if (changes.RangeMetres > recorded.RangeMetres)
         {
             throw new DatasetFormatException(FormattableString.Invariant(
-                $"'{session.Folder}' was recorded up to {recorded.RangeMetres} m, so nothing is known beyond. Use a range of {recorded.RangeMetres} m at most, or harvest again with a larger one."));
+                $"'{session.Folder}' was recorded up to {recorded.RangeMetres} m. Use at most this range, or harvest again."));
         }
 
         _options = recorded with
@@ -57,18 +54,18 @@ public sealed class SessionRelabeller
         };
     }
 
-    /// <summary>Makes the new session.</summary>
-    /// <param name="folder">Where it goes: a new or empty folder.</param>
-    /// <param name="report">Is told the number of frames done after each.</param>
-    /// <param name="cancellation">Stops between two frames and leaves no session.</param>
+    /// <summary>Writes the new session.</summary>
+    /// <param name="folder">Folder to write to, new or empty.</param>
+    /// <param name="report">Receives the number of frames after each frame.</param>
+    /// <param name="cancellation">Stops between two frames; no session is left then.</param>
     /// <returns>The number of frames.</returns>
-    /// <exception cref="DatasetFormatException">A label or scene is malformed, or all object numbers are used up.</exception>
+    /// <exception cref="DatasetFormatException">A label or scene is invalid, or all object ids are used up.</exception>
     /// <exception cref="OccupiedFolderException">The folder is not empty.</exception>
-    /// <exception cref="IOException">Something cannot be read or written.</exception>
+    /// <exception cref="IOException">A file cannot be read or written.</exception>
     public int Run(string folder, Action<int> report, CancellationToken cancellation = default)
     {
         ArgumentNullException.ThrowIfNull(report);
-        if (Directory.Exists(folder) && Directory.EnumerateFileSystemEntries(folder).Any())
+        if (Directory.Exists(folder) && !UnfinishedMark.IsAllOf(folder))
         {
             throw new OccupiedFolderException($"'{folder}' is not empty. Name another folder.");
         }
@@ -80,10 +77,9 @@ public sealed class SessionRelabeller
         int position = 0;
         int frames = 0;
         bool masks = _recorded.Options.Masks;
-        Directory.CreateDirectory(folder);
-        AtomicFile.Write(Path.Combine(folder, SessionReader.LabelsFile), file =>
+        using var digests = new CarriedDigests(_recorded.Session);
+        NewSession.Write(folder, _changes.Sync, session =>
         {
-            using var lines = new StreamWriter(file, new UTF8Encoding(false), leaveOpen: true) { NewLine = "\n" };
             foreach ((FrameLabel label, RecordedScene scene) in _recorded.Frames())
             {
                 cancellation.ThrowIfCancellationRequested();
@@ -102,12 +98,11 @@ public sealed class SessionRelabeller
 
                 FrameLabel made = label;
                 Checked(() => made = labeller.Relabel(scene, label, () => Picture(label)));
-                PlaceFiles(folder, label, made);
-                lines.WriteLine(JsonLabelWriter.Line(made));
+                PlaceFiles(session, digests, label, made);
+                session.EndFrame(made.Frame, JsonLabelWriter.Line(made));
                 report(++frames);
             }
-        });
-        new RelabelledHeader(_recorded, _changes, _options with { Lens = lens, Masks = masks }).Write(folder, frames);
+        }, () => new RelabelledHeader(_recorded, _changes, _options with { Lens = lens, Masks = masks }).Text(frames));
         return frames;
     }
 
@@ -137,7 +132,8 @@ public sealed class SessionRelabeller
 
         return _changes.LookAhead is null && _changes.LaneWidthMetres is null && _changes.NarrowLaneWidthMetres is null
             ? null
-            : throw new DatasetFormatException($"'{_recorded.Session.Folder}' has no recorded roads. To measure other lanes, name a road network with --roads.");
+            : throw new DatasetFormatException(
+                $"'{_recorded.Session.Folder}' has no recorded roads. To measure other lanes, name a road network with --roads.");
     }
 
     private FixedRoads Fixed(RoadNetwork roads, string source) => new(
@@ -159,9 +155,9 @@ public sealed class SessionRelabeller
         }
     }
 
-    private void PlaceFiles(string folder, FrameLabel recorded, FrameLabel made)
+    private void PlaceFiles(NewSession session, CarriedDigests digests, FrameLabel recorded, FrameLabel made)
     {
-        Place(folder, recorded.Image);
+        Place(recorded.Image);
         if (made.Mask is not { } mask)
         {
             return;
@@ -170,7 +166,7 @@ public sealed class SessionRelabeller
         var kept = made.Objects.Select(item => item.Id).ToHashSet();
         if (recorded.Objects.All(item => kept.Contains(item.Id) || item.Parent is not null))
         {
-            Place(folder, mask);
+            Place(mask);
             return;
         }
 
@@ -180,18 +176,9 @@ public sealed class SessionRelabeller
             map.Ids[i] = kept.Contains(map.Ids[i]) ? map.Ids[i] : (ushort)0;
         }
 
-        AtomicFile.Write(Prepare(folder, mask), file => _png.Write(map, file));
-    }
+        session.WriteFile(mask, file => _png.Write(map, file));
 
-    private void Place(string folder, string name)
-    {
-        FileTransfer.Place(Prepare(folder, name), _recorded.Session.PathOf(name), _changes.Images);
-    }
-
-    private static string Prepare(string folder, string name)
-    {
-        string target = InnerPath.Of(folder, name);
-        Directory.CreateDirectory(Path.GetDirectoryName(target)!);
-        return target;
+        void Place(string name) =>
+            session.Place(name, _recorded.Session, _changes.Images, () => digests.Of(recorded.Frame, name));
     }
 }

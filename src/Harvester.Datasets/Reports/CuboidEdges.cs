@@ -6,13 +6,15 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Reports;
 
-/// <summary>The twelve edges of a cuboid as lines of the image.</summary>
+/// <summary>The twelve edges of a cuboid, projected to lines in the image.</summary>
 public static class CuboidEdges
 {
-    /// <summary>Edges that cross the near plane are cut a little beyond it, so that rounding does not put the cut behind it.</summary>
+    /// <summary>
+    /// Edges that cross the near plane are cut slightly beyond it, so that rounding does not put the cut behind the plane.
+    /// </summary>
     private const double BeyondNearPlane = 1 + 1e-9;
 
-    /// <summary>The edges, or what of them lies before the near plane; their ends may lie outside the image.</summary>
+    /// <summary>The edges, clipped at the near plane; their ends may lie outside the image.</summary>
     public static IEnumerable<(Vector2D Start, Vector2D End)> Of(Camera camera, Cuboid cuboid)
     {
         double near = camera.Intrinsics.NearClip * BeyondNearPlane;

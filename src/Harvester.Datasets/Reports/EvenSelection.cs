@@ -4,17 +4,17 @@ using System.Linq;
 
 namespace Harvester.Datasets.Reports;
 
-/// <summary>Chooses some of a row of things at even distances, the first and the last among them.</summary>
+/// <summary>Selects evenly spaced items of a sequence, including the first and the last.</summary>
 public static class EvenSelection
 {
-    /// <summary>The chosen indices, rising.</summary>
-    /// <param name="count">How many things there are; 0 or more.</param>
-    /// <param name="most">How many to choose at most; at least 1.</param>
-    public static IReadOnlyList<int> Of(int count, int most)
+    /// <summary>The selected indices, ascending.</summary>
+    /// <param name="count">Number of items; 0 or more.</param>
+    /// <param name="max">Largest number of items to select; at least 1.</param>
+    public static IReadOnlyList<int> Of(int count, int max)
     {
         ArgumentOutOfRangeException.ThrowIfNegative(count);
-        ArgumentOutOfRangeException.ThrowIfLessThan(most, 1);
-        int chosen = Math.Min(count, most);
+        ArgumentOutOfRangeException.ThrowIfLessThan(max, 1);
+        int chosen = Math.Min(count, max);
         return chosen == 1 ? [0] : [.. Enumerable.Range(0, chosen).Select(i => (int)((long)i * (count - 1) / (chosen - 1)))];
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
@@ -6,20 +7,23 @@ using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
 using Harvester.Geometry;
+using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Reports;
 
-/// <summary>The data of a session's report as report.js reads it. Numbers are rounded to what can be seen.</summary>
+/// <summary>The data of a session's report, as report.js reads it. Numbers are rounded to what is visible.</summary>
 internal static class ReportData
 {
     private const int Decimals = 2;
+    private const int PixelDecimals = 1;
 
-    /// <summary>Writes it as one object.</summary>
+    /// <summary>Writes the data as one object.</summary>
     public static void Write(
-        Utf8JsonWriter json, string title, SessionInfo info, SessionStatistics statistics, IReadOnlyList<FrameLabel> frames)
+        Utf8JsonWriter json, string title, SessionInfo info, SessionStatistics statistics, IReadOnlyList<FrameLabel> frames,
+        double pictureScale)
     {
         json.WriteStartObject();
         json.WriteString("title", title);
@@ -27,7 +31,13 @@ internal static class ReportData
         json.WriteNumber("height", info.Image.Height);
         ReportFigures.Write(json, info, statistics);
         json.WriteString("note",
-            string.Join(" ", [Note(statistics.Frames, frames.Count), .. info.Unchecked.Select(open => $"Note: {open}")]));
+            string.Join(
+                " ",
+                [
+                    Note(statistics.Frames, frames.Count), .. pictureScale < 1 ? [Note(pictureScale)] : Array.Empty<string>(),
+                    .. info.Unchecked.Select(open => $"Note: {open}"),
+                ]));
+        WriteObjects(json, frames);
         json.WriteStartArray("frames");
         foreach (FrameLabel frame in frames)
         {
@@ -41,8 +51,29 @@ internal static class ReportData
     private static string Note(int all, int shown) =>
         shown == all
             ? string.Create(CultureInfo.InvariantCulture, $"This page shows all {all} frames of the session.")
-            : string.Create(
-                CultureInfo.InvariantCulture, $"This page shows {shown} of the session's {all} frames, evenly spaced. The statistics cover all of them.");
+            : string.Create(CultureInfo.InvariantCulture, $"This page shows {shown} of the session's {all} frames, evenly spaced. ")
+                + "The statistics cover all of them.";
+
+    private static string Note(double pictureScale) =>
+        string.Create(CultureInfo.InvariantCulture, $"Images are scaled to {100 * pictureScale:0} % so that the page stays small.");
+
+    /// <summary>What does not change from frame to frame, by the objects' numbers.</summary>
+    private static void WriteObjects(Utf8JsonWriter json, IEnumerable<FrameLabel> frames)
+    {
+        json.WriteStartObject("objects");
+        foreach (ObjectLabel item in frames.SelectMany(frame => frame.Objects).DistinctBy(item => item.Id))
+        {
+            json.WriteStartObject(item.Id.ToString(CultureInfo.InvariantCulture));
+            json.WriteString("class", JsonName.Of(item.Class));
+            json.WriteString("model", item.Model);
+            json.WriteString("name", item.Name);
+            Vector3D half = item.Box3D.HalfExtents;
+            json.Numbers("size", [2 * half.Y, 2 * half.X, 2 * half.Z], Decimals);
+            json.WriteEndObject();
+        }
+
+        json.WriteEndObject();
+    }
 
     private static void WriteFrame(Utf8JsonWriter json, FrameLabel frame)
     {
@@ -73,20 +104,13 @@ internal static class ReportData
     {
         json.WriteStartObject();
         json.WriteNumber("id", item.Id);
-        json.WriteString("class", JsonName.Of(item.Class));
-        json.WriteString("model", item.Model);
-        json.WriteString("name", item.Name);
         WriteBox(json, "box", item.Box2D);
-        WriteBox(json, "amodal", item.Box2DAmodal);
-        json.WriteStartArray("edges");
-        foreach ((Vector2D start, Vector2D end) in CuboidEdges.Of(camera, item.Box3D))
+        if (item.Box2DAmodal != item.Box2D)
         {
-            json.Values([start.X, start.Y, end.X, end.Y], Decimals);
+            WriteBox(json, "amodal", item.Box2DAmodal);
         }
 
-        json.WriteEndArray();
-        Vector3D half = item.Box3D.HalfExtents;
-        json.Numbers("size", [2 * half.Y, 2 * half.X, 2 * half.Z], Decimals);
+        WriteCuboid(json, item.Box3D, camera);
         json.Number("truncated", item.TruncatedFraction, Decimals);
         json.Number("occluded", item.OccludedFraction, Decimals);
         json.WriteString("method", JsonName.Of(item.OcclusionMethod));
@@ -95,6 +119,25 @@ internal static class ReportData
         json.WriteEndObject();
     }
 
+    /// <summary>The pixels of the corners, or of what the near plane leaves of the edges.</summary>
+    private static void WriteCuboid(Utf8JsonWriter json, Cuboid cuboid, Camera camera)
+    {
+        Projection[] corners = [.. Enumerable.Range(0, Cuboid.CornerCount).Select(number => camera.Project(cuboid.Corner(number)))];
+        if (corners.All(corner => corner.Outcome != ProjectionOutcome.BehindNearPlane))
+        {
+            json.Numbers("corners", [.. corners.SelectMany(corner => new[] { corner.U, corner.V })], PixelDecimals);
+            return;
+        }
+
+        json.WriteStartArray("edges");
+        foreach ((Vector2D start, Vector2D end) in CuboidEdges.Of(camera, cuboid))
+        {
+            json.Values([start.X, start.Y, end.X, end.Y], PixelDecimals);
+        }
+
+        json.WriteEndArray();
+    }
+
     private static void WriteBox(Utf8JsonWriter json, string name, Box2D box) =>
-        json.Numbers(name, [box.XMin, box.YMin, box.XMax, box.YMax], Decimals);
+        json.Numbers(name, [box.XMin, box.YMin, box.XMax, box.YMax], PixelDecimals);
 }

@@ -13,13 +13,13 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Reports;
 
-/// <summary>The figures of a whole session in a report's data.</summary>
+/// <summary>The statistics of a session in the data of a report.</summary>
 internal static class ReportFigures
 {
     private const int Decimals = 2;
     private const int PercentPerUnit = 100;
 
-    /// <summary>Writes them as fields of the object that is open.</summary>
+    /// <summary>Writes them as fields of the current object.</summary>
     public static void Write(Utf8JsonWriter json, SessionInfo info, SessionStatistics statistics)
     {
         WriteFacts(json, info, statistics);
@@ -126,8 +126,8 @@ internal static class ReportFigures
             json.WriteStartObject(name);
             json.WriteString("unit", IndicatorTable.All[IndicatorTable.IndexOf(name)].Unit);
             json.WriteNumber("frames", span.Count);
-            json.Number("least", span.Least, Decimals);
-            json.Number("greatest", span.Greatest, Decimals);
+            json.Number("least", span.Min, Decimals);
+            json.Number("greatest", span.Max, Decimals);
             json.WriteEndObject();
         }
 

@@ -1,12 +1,13 @@
 namespace Harvester.Datasets.Reports;
 
-/// <summary>
-/// How much of a session goes into a report, so that a browser opens it at once. The figures are of the whole session all the same.
-/// </summary>
-/// <param name="Frames">Frames at most; at least 1.</param>
-/// <param name="ImageBytes">Size of their images' files together at most, bytes; one frame is always shown.</param>
-public sealed record ReportLimits(int Frames = 100, long ImageBytes = 48L * 1024 * 1024)
+/// <summary>Limits of a report, so that a browser opens it quickly. The statistics always cover the whole session.</summary>
+/// <param name="Frames">Largest number of frames; at least 1.</param>
+/// <param name="Labels">Largest number of labels in them together.</param>
+/// <param name="ImageBytes">
+/// Largest total size of the embedded JPEG images, bytes; they are scaled down to it. At least one frame is always shown.
+/// </param>
+public sealed record ReportLimits(int Frames = 100, int Labels = 100_000, long ImageBytes = 5_500_000)
 {
-    /// <summary>Whether images are links to the session's files instead: a small page, which shows them only where it finds them.</summary>
+    /// <summary>Whether images are linked instead of embedded: the page is small, and works only next to the session.</summary>
     public bool LinksImages { get; init; }
 }

@@ -4,7 +4,6 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Harvester.Datasets.Files;
-using Harvester.Datasets.Images;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
 using Harvester.Pages;
@@ -14,24 +13,24 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Datasets.Reports;
 
 /// <summary>
-/// Writes a session as one HTML page: its frames with their boxes, and its statistics. The page holds the images unless it is to link them.
+/// Writes a session as one HTML page: its frames with their boxes, and its statistics. The images are embedded or linked.
 /// </summary>
 public sealed class ReportWriter
 {
-    /// <summary>Name of a session's report when none is given.</summary>
-    public const string FileName = "report.html";
+    /// <summary>Default name of a session's report.</summary>
+    public const string FileName = SessionFolder.Report;
 
     private readonly SessionReader _session;
     private readonly ReportLimits _limits;
 
-    /// <summary>Reports on a session.</summary>
+    /// <summary>Creates a writer for the report of a session.</summary>
     public ReportWriter(SessionReader session, ReportLimits? limits = null)
     {
         _session = session;
         _limits = limits ?? new ReportLimits();
     }
 
-    /// <summary>Writes the report; an older one is replaced only when the new one is complete.</summary>
+    /// <summary>Writes the report. An existing one is replaced only when the new one is complete.</summary>
     /// <param name="path">The file to write.</param>
     /// <returns>The number of frames shown.</returns>
     /// <exception cref="DatasetFormatException">The session cannot be read.</exception>
@@ -47,17 +46,26 @@ public sealed class ReportWriter
     {
         SessionInfo info = _session.ReadInfo();
         SessionStatistics statistics = SessionStatistics.Of(_session.ReadLabels());
-        IReadOnlyList<int> chosen = Choose(statistics.Frames);
-        List<FrameLabel> frames = [.. LabelsAt(chosen)];
+        List<FrameLabel> frames = Shown(EvenSelection.Of(statistics.Frames, _limits.Frames));
+        PictureEmbedder? embedder = null;
+        if (!_limits.LinksImages && frames.Count > 0)
+        {
+            (embedder, int count) = PictureEmbedder.Fitting(PathsOf(frames), _limits.ImageBytes);
+            frames = count == frames.Count ? frames : [.. EvenSelection.Of(frames.Count, count).Select(index => frames[index])];
+        }
 
         string title = Path.GetFileName(Path.GetFullPath(_session.Folder));
         HtmlPage.Write(stream, $"{title}: session report", Asset("report.css"), page =>
         {
             page.Markup(Asset("report.html"));
-            page.Json("data", json => ReportData.Write(json, title, info, statistics, frames));
-            foreach ((int index, FrameLabel frame) in frames.Index())
+            page.Json("data", json => ReportData.Write(json, title, info, statistics, frames, embedder?.Scale ?? 1));
+            if (embedder is null)
             {
-                WriteImage(page, $"image-{index}", _session.PathOf(frame.Image), folder);
+                WriteLinks(page, PathsOf(frames), folder);
+            }
+            else
+            {
+                WritePictures(page, embedder.Embed(PathsOf(frames)));
             }
 
             page.Code("script", Asset("report.js"));
@@ -65,19 +73,26 @@ public sealed class ReportWriter
         return frames.Count;
     }
 
-    private IReadOnlyList<int> Choose(int count)
+    private List<FrameLabel> Shown(IReadOnlyList<int> chosen)
     {
-        IReadOnlyList<int> chosen = EvenSelection.Of(count, _limits.Frames);
-        if (_limits.LinksImages)
+        var frames = new List<FrameLabel>();
+        int labels = 0;
+        foreach (FrameLabel frame in LabelsAt(chosen))
         {
-            return chosen;
+            labels += frame.Objects.Count;
+            if (labels > _limits.Labels)
+            {
+                throw new DatasetFormatException($"'{_session.Folder}': the {chosen.Count} frames of the report have more than "
+                    + $"{_limits.Labels} labels together, the limit. Use --frames for fewer.");
+            }
+
+            frames.Add(frame);
         }
 
-        long bytes = LabelsAt(chosen).Sum(label => new FileInfo(_session.PathOf(label.Image)).Length);
-        return bytes <= _limits.ImageBytes
-            ? chosen
-            : EvenSelection.Of(count, (int)Math.Max(1, chosen.Count * _limits.ImageBytes / bytes));
+        return frames;
     }
+
+    private string[] PathsOf(IEnumerable<FrameLabel> frames) => [.. frames.Select(frame => _session.PathOf(frame.Image))];
 
     private IEnumerable<FrameLabel> LabelsAt(IReadOnlyList<int> indices)
     {
@@ -93,23 +108,29 @@ public sealed class ReportWriter
         }
     }
 
-    /// <summary>An image as the page's script finds it: a script element holds it without the browser decoding it at once.</summary>
-    private void WriteImage(MarkupWriter page, string id, string path, string folder)
+    private static void WriteLinks(MarkupWriter page, IEnumerable<string> paths, string folder)
     {
-        page.Start("script").With("type", "text/plain").With("id", id);
-        if (_limits.LinksImages)
+        foreach ((int index, string path) in paths.Index())
         {
-            page.With("data-href", Address(folder, path));
+            StartImage(page, index);
+            page.With("data-href", Address(folder, path)).End().NewLine();
         }
-        else
-        {
-            page.With("data-type", ImageHeader.Read(path).MediaType).Base64(InputFile.ReadAllBytes(path, InputFile.MaxPictureBytes));
-        }
-
-        page.End().NewLine();
     }
 
-    /// <summary>A file as a page in a folder names it.</summary>
+    private static void WritePictures(MarkupWriter page, IEnumerable<EmbeddedPicture> pictures)
+    {
+        foreach ((int index, EmbeddedPicture picture) in pictures.Index())
+        {
+            StartImage(page, index);
+            page.With("data-type", picture.MediaType).Base64(picture.Bytes).End().NewLine();
+        }
+    }
+
+    /// <summary>Starts an image in a script element, which the browser does not decode until the page's script asks for it.</summary>
+    private static void StartImage(MarkupWriter page, int index) =>
+        page.Start("script").With("type", "text/plain").With("id", $"image-{index}");
+
+    /// <summary>The address of a file, relative to the folder of a page.</summary>
     private static string Address(string folder, string file)
     {
         string path = Path.GetRelativePath(folder, Path.GetFullPath(file));

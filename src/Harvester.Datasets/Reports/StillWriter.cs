@@ -6,7 +6,6 @@ using Harvester.Datasets.Reports.Colours;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
-using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Imaging.Pictures;
 using Harvester.Sessions.Labels;
@@ -14,7 +13,7 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Datasets.Reports;
 
 /// <summary>
-/// Draws one frame of a session with its 2D and 3D boxes, in the colours of the classes; the more of an object is hidden, the fainter.
+/// Draws a frame of a session with its 2D and 3D boxes, in the colours of the classes. Boxes of occluded objects are fainter.
 /// </summary>
 public static class StillWriter
 {
@@ -25,24 +24,23 @@ public static class StillWriter
     private const double EdgeWidth = 1;
     private const double EdgeOpacity = 0.6;
 
-    /// <summary>How much fainter a box is when all of its object is hidden.</summary>
+    /// <summary>How much fainter the box of a fully occluded object is, as a fraction.</summary>
     private const double HiddenFading = 0.7;
 
-    /// <summary>Writes the picture as PNG.</summary>
+    /// <summary>Writes the image as PNG.</summary>
     /// <param name="session">The session.</param>
-    /// <param name="frame">The frame's number.</param>
-    /// <param name="path">Where the picture goes.</param>
+    /// <param name="frame">The frame number.</param>
+    /// <param name="path">The file to write.</param>
     /// <exception cref="DatasetFormatException">There is no such frame, or it cannot be read.</exception>
     /// <exception cref="IOException">A file cannot be read or written.</exception>
     public static void Write(SessionReader session, int frame, string path)
     {
-        FrameLabel label = session.ReadLabels().FirstOrDefault(candidate => candidate.Frame == frame)
-            ?? throw new DatasetFormatException($"'{session.Folder}' has no frame {frame}.");
+        FrameLabel label = LabelOf(session, frame);
         PixelBuffer picture = ReadPicture(session, label.Image);
         var canvas = new LineCanvas(picture);
         Camera camera = LabelCamera.Of(label.Camera);
 
-        // The farthest first, so that the nearest lies on top.
+        // Sorted by distance, farthest first, so that the nearest is on top.
         foreach (ObjectLabel item in label.Objects.OrderByDescending(item => item.DistanceMetres))
         {
             int colour = ClassColours.Of(item.Class);
@@ -56,7 +54,24 @@ public static class StillWriter
             canvas.Rectangle(item.Box2D, BoxWidth, colour, opacity);
         }
 
-        AtomicFile.Write(path, file => new PngEncoder().Write(picture, file));
+        OutputFile.Write(path, file => new PngEncoder().Write(picture, file));
+    }
+
+    private static FrameLabel LabelOf(SessionReader session, int frame)
+    {
+        FrameLabel? last = null;
+        foreach (FrameLabel label in session.ReadLabels())
+        {
+            if (label.Frame == frame)
+            {
+                return label;
+            }
+
+            last = label;
+        }
+
+        string end = last is null ? "It is empty." : $"Its last frame is {last.Frame}.";
+        throw new DatasetFormatException($"'{session.Folder}' has no frame {frame}. {end}");
     }
 
     private static PixelBuffer ReadPicture(SessionReader session, string image)

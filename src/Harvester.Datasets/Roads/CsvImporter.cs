@@ -6,7 +6,7 @@ using Harvester.Sessions.Roads;
 
 namespace Harvester.Datasets.Roads;
 
-/// <summary>Reads the project's own files of roads.</summary>
+/// <summary>Reads the project's own road files.</summary>
 internal static class CsvImporter
 {
     public static RoadImport Import(RoadSource source)
@@ -14,7 +14,7 @@ internal static class CsvImporter
         using TextReader reader = source.OpenText();
         try
         {
-            return new RoadImport(RoadCsvReader.Read(reader), "csv of the harvester", []);
+            return new RoadImport(RoadCsvReader.Read(reader), "CSV of this project", []);
         }
         catch (FormatException e)
         {

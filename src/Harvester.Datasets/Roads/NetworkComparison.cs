@@ -6,17 +6,17 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Datasets.Roads;
 
 /// <summary>
-/// How far two road networks agree on the direction of traffic. A link is matched with the link of the other network on which its middle
-/// lies and which runs along it, so that the networks need not have the same nodes.
+/// Compares the directions of traffic in two road networks. A link is matched with the link of the other network on which its midpoint lies
+/// and to which it is nearly parallel, so the networks need not have the same nodes.
 /// </summary>
 public sealed class NetworkComparison
 {
     /// <summary>
-    /// A link lies on another within this distance, metres: positions that were truncated are off by 0.25 m along each axis.
+    /// Largest distance of a link's midpoint from the matching link, metres: truncated positions are off by up to 0.25 m along each axis.
     /// </summary>
     private const double SamePlace = 2;
 
-    /// <summary>Cosine of the angle by which two links of one road may differ, 20 degrees.</summary>
+    /// <summary>Cosine of the largest angle between matching links, 20 degrees.</summary>
     private const double MinAlong = 0.94;
 
     private const double CellMetres = 64;
@@ -42,28 +42,28 @@ public sealed class NetworkComparison
         }
     }
 
-    /// <summary>Links of the first network.</summary>
+    /// <summary>Number of links of the first network.</summary>
     public int Links { get; private set; }
 
-    /// <summary>Of these, links that lie on one of the second.</summary>
+    /// <summary>Number of these that match a link of the second.</summary>
     public int Matched { get; private set; }
 
-    /// <summary>Matched links with the same lanes either way.</summary>
+    /// <summary>Number of matched links with the same lanes in both directions.</summary>
     public int SameLanes { get; private set; }
 
-    /// <summary>Matched links that are driven one way only in both networks.</summary>
+    /// <summary>Number of matched links that are one-way in both networks.</summary>
     public int OneWayInBoth { get; private set; }
 
-    /// <summary>Of these, links that both networks drive the same way.</summary>
+    /// <summary>Number of these with the same direction in both networks.</summary>
     public int SameWay { get; private set; }
 
-    /// <summary>Of these, links that the networks drive opposite ways.</summary>
+    /// <summary>Number of these with opposite directions.</summary>
     public int OppositeWays => OneWayInBoth - SameWay;
 
-    /// <summary>Matched links that are one-way in one network only.</summary>
+    /// <summary>Number of matched links that are one-way in only one network.</summary>
     public int OneWayInOne { get; private set; }
 
-    /// <summary>Compares the links of a network with those of another.</summary>
+    /// <summary>Compares the links of two networks.</summary>
     public static NetworkComparison Of(RoadNetwork network, RoadNetwork other)
     {
         ArgumentNullException.ThrowIfNull(network);
@@ -91,7 +91,7 @@ public sealed class NetworkComparison
         OneWayInOne += link.IsOneWay != there.IsOneWay ? 1 : 0;
     }
 
-    /// <summary>The nearest link on which the middle between two places lies, looked at in their direction; null for none.</summary>
+    /// <summary>The nearest link that the segment between two points matches; null if there is none.</summary>
     private RoadLink? Along(Vector3D from, Vector3D to)
     {
         Vector3D middle = (from + to) * 0.5;

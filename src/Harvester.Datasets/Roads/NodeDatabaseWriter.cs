@@ -8,18 +8,19 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Roads;
 
-/// <summary>Writes the node database as comma-separated values; a vector is three numbers with spaces between them.</summary>
+/// <summary>Writes the node database as comma-separated values. A vector is three numbers separated by spaces.</summary>
 public static class NodeDatabaseWriter
 {
-    /// <summary>The columns: those of the thesis's Figure 22 by its names, then those that say how far to trust them.</summary>
+    /// <summary>The columns of Figure 22 of the thesis, with its names, followed by columns on their reliability.</summary>
     public const string Columns =
-        "nodeId,onMarking,oneWay,leftStart,leftEnd,rightStart,rightEnd,heading,lanes,oncomingLanes,laneWidth,laneWidthSource,medianWidth,confidence,junction,node";
+        "nodeId,onMarking,oneWay,leftStart,leftEnd,rightStart,rightEnd,heading,"
+        + "lanes,oncomingLanes,laneWidth,laneWidthSource,medianWidth,confidence,junction,node";
 
     private const int MetreDecimals = 3;
     private const int UnitDecimals = 6;
 
     /// <summary>Writes all entries.</summary>
-    /// <returns>How many there are.</returns>
+    /// <returns>The number of entries.</returns>
     /// <exception cref="IOException">The file cannot be written.</exception>
     public static int Write(NodeDatabase database, TextWriter text)
     {

@@ -14,23 +14,22 @@ using Harvester.Sessions.Roads;
 namespace Harvester.Datasets.Roads;
 
 /// <summary>
-/// Reads a road network from a file, a folder or a zip archive. What the files are is told from their content, not their names;
-/// any of them may be packed by gzip.
+/// Reads a road network from a file, a folder or a zip archive. The format is detected from the content of the files, not from their names;
+/// files may be gzip-compressed.
 /// </summary>
 public static class RoadImporter
 {
-    /// <summary>The most bytes that the files of a folder or an archive have together, unpacked.</summary>
+    /// <summary>Largest total size of the files of a folder or archive, bytes unpacked.</summary>
     private const long MaxImportBytes = 2L << 30;
 
     /// <summary>Reads a road network.</summary>
     /// <param name="path">A file, a folder, or a zip archive.</param>
-    /// <param name="lanesIn">Which way the "lanes in" of paths.ipl and paths.xml are driven; other files say it themselves.</param>
-    /// <exception cref="DatasetFormatException">The files are of no known format, or not as their format asks; the message names the
-    /// place.</exception>
+    /// <param name="lanesIn">Direction of the "lanes in" of paths.ipl and paths.xml; the other formats define it.</param>
+    /// <exception cref="DatasetFormatException">The format is unknown or a file is invalid; the message names the place.</exception>
     /// <exception cref="IOException">A file cannot be read.</exception>
     public static RoadImport Import(string path, LanesIn lanesIn = LanesIn.Forward) => Import(path, lanesIn, MaxImportBytes);
 
-    /// <summary>The same with another limit on the files together, bytes unpacked.</summary>
+    /// <summary>As <see cref="Import(string, LanesIn)"/>, with another limit of the total size, bytes unpacked.</summary>
     internal static RoadImport Import(string path, LanesIn lanesIn, long largest)
     {
         ArgumentException.ThrowIfNullOrEmpty(path);
@@ -84,7 +83,9 @@ public static class RoadImporter
 
         return cells.Count > 0
             ? YndImporter.Import(cells)
-            : throw new DatasetFormatException($"{path}: unknown road format. Supported: *.ynd.xml, paths.ipl, paths.xml, the JSON dump of nodes, and this project's CSV.");
+            : throw new DatasetFormatException(
+                $"{path}: unknown road format. Supported: *.ynd.xml, paths.ipl, paths.xml, the JSON dump of nodes, and this project's "
+                + "CSV.");
     }
 
     private static Func<RoadSource, RoadImport>? ImporterOf(string head, LanesIn lanesIn) =>

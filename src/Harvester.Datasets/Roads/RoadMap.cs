@@ -12,7 +12,7 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Datasets.Roads;
 
-/// <summary>A map of a network, north up, with roads coloured by kind: orange highways, blue one-way roads, brown unpaved ways.</summary>
+/// <summary>A map of a road network, north up, with roads coloured by kind.</summary>
 public sealed class RoadMap
 {
     private const double StreetWidthPixels = 1.6;
@@ -20,10 +20,10 @@ public sealed class RoadMap
     private const int WidthDecimals = 2;
     private const int MinSideWithLegend = 200;
 
-    /// <summary>Straight pieces in which a curve is drawn.</summary>
+    /// <summary>Number of straight segments in which a curve is drawn.</summary>
     private const int Pieces = 4;
 
-    /// <summary>Fraction of a pixel that is rounding: the longer side would else be a pixel too long.</summary>
+    /// <summary>Fractions of a pixel below this are rounding errors; without it, the longer side could be one pixel too long.</summary>
     private const double RoundingPixels = 1e-6;
 
     private readonly RoadCurves _curves;
@@ -33,8 +33,8 @@ public sealed class RoadMap
 
     /// <summary>Prepares a map.</summary>
     /// <param name="network">The roads.</param>
-    /// <param name="area">The part to show, metres, world: x to the east, y to the north; all of it when null.</param>
-    /// <param name="longSidePixels">Pixels of the map's longer side; at least 16.</param>
+    /// <param name="area">The part to draw, world, metres, x east and y north; null for all.</param>
+    /// <param name="longSidePixels">Length of the longer side, pixels; at least 16.</param>
     /// <exception cref="ArgumentException">The network has no nodes, or the area is empty.</exception>
     public RoadMap(RoadNetwork network, Box2D? area, int longSidePixels)
     {
@@ -55,16 +55,16 @@ public sealed class RoadMap
         Size = new ImageSize(PixelsOf(width), PixelsOf(height));
     }
 
-    /// <summary>Size of the map.</summary>
+    /// <summary>Size of the map, pixels.</summary>
     public ImageSize Size { get; }
 
-    /// <summary>How many metres a pixel is wide and high.</summary>
+    /// <summary>Size of a pixel, metres.</summary>
     public double MetresPerPixel => 1 / _pixelsPerMetre;
 
-    /// <summary>Whether there is any road to see.</summary>
+    /// <summary>Whether any road is in the map.</summary>
     public bool HasRoads => RoadMapStyle.InOrder.Any(style => Lines(style).Any());
 
-    /// <summary>Draws the map as a picture.</summary>
+    /// <summary>Draws the map as a raster image.</summary>
     public PixelBuffer Draw()
     {
         var picture = new PixelBuffer(Size);
@@ -84,7 +84,7 @@ public sealed class RoadMap
         return picture;
     }
 
-    /// <summary>Writes the map as an SVG picture with a path for each kind of road, and with a legend unless the map is tiny.</summary>
+    /// <summary>Writes the map as SVG, with a path for each kind of road and a legend, unless the map is tiny.</summary>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     public void WriteSvg(Stream stream) => SvgImage.Write(stream, Size.Width, Size.Height, svg =>
     {

@@ -2,10 +2,10 @@ using Harvester.Geometry.Roads;
 
 namespace Harvester.Datasets.Roads;
 
-/// <summary>How a kind of road is drawn on a map; the kinds are drawn in this order, the important ones last.</summary>
+/// <summary>How a kind of road is drawn on a map. The kinds are drawn in this order, the important ones last.</summary>
 /// <param name="Name">The kind.</param>
 /// <param name="Colour">0xRRGGBB.</param>
-/// <param name="Weight">Width of its line, as a multiple of that of a street.</param>
+/// <param name="Weight">Line width, as a multiple of that of a street.</param>
 internal sealed record RoadMapStyle(string Name, int Colour, double Weight)
 {
     public static readonly RoadMapStyle Water = new("water", 0x96BEDC, 0.6);

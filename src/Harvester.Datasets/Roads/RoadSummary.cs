@@ -8,7 +8,7 @@ namespace Harvester.Datasets.Roads;
 /// <summary>Counts and lengths of a road network.</summary>
 public static class RoadSummary
 {
-    /// <summary>Names and values in a fixed order; flags that no node or link has are left out.</summary>
+    /// <summary>Names and values in a fixed order; flags that no node or link has are omitted.</summary>
     public static IReadOnlyList<(string Name, string Value)> Of(RoadNetwork network)
     {
         ArgumentNullException.ThrowIfNull(network);

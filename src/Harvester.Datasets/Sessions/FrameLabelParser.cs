@@ -15,11 +15,13 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Datasets.Sessions;
 
 /// <summary>
-/// Reads one line of labels.jsonl; its fields are those of docs/dataset-format.md. Fields that later versions add are passed over.
+/// Reads a line of labels.jsonl, as docs/dataset-format.md describes it. Unknown fields, which later versions may add, are ignored.
 /// </summary>
 public static class FrameLabelParser
 {
-    /// <exception cref="DatasetFormatException">The line is not such a label; the message names the field.</exception>
+    private static readonly string[] PictureEndings = [".png", ".bmp", ".jpg", ".jpeg"];
+
+    /// <exception cref="DatasetFormatException">The line is not a valid label; the message names the field.</exception>
     public static FrameLabel Parse(string line)
     {
         try
@@ -29,7 +31,7 @@ public static class FrameLabelParser
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"not JSON, from character {e.BytePositionInLine + 1} on.", e);
+            throw new DatasetFormatException($"invalid JSON at byte {e.BytePositionInLine + 1}.", e);
         }
     }
 
@@ -40,8 +42,8 @@ public static class FrameLabelParser
             frame.Number("timeSeconds"),
             frame.Integer("lagFrames"),
             frame.Number("lagSeconds"),
-            frame.Text("image"),
-            frame.OptionalText("mask"),
+            PictureName(frame, "image"),
+            frame.Has("mask") ? PictureName(frame, "mask") : null,
             ReadCamera(frame.Fields("camera")),
             ReadEgo(frame.Fields("ego")),
             ReadEnvironment(frame.Fields("environment")),
@@ -52,6 +54,14 @@ public static class FrameLabelParser
             IgnoreRegions = frame.Has("ignoreRegions") ? [.. frame.List("ignoreRegions").Select(ReadIgnoreRegion)] : [],
             Lanes = frame.Has("lanes") ? LanesParser.Parse(frame.Fields("lanes")) : null,
         };
+
+    /// <summary>The name of a picture; that of another file of the session, such as labels.jsonl, is refused.</summary>
+    private static string PictureName(JsonFields frame, string field)
+    {
+        string name = frame.Text(field);
+        return Array.Exists(PictureEndings, ending => name.EndsWith(ending, StringComparison.OrdinalIgnoreCase)) ? name
+            : throw new DatasetFormatException($"{field} must name a picture ({string.Join(", ", PictureEndings)}), not \"{name}\".");
+    }
 
     private static PixelMapLabel ReadPixelMap(JsonFields map) =>
         new(map.Integer("resolutionPixels"), map.Integer("interpolatedPixels"), map.Integer("raysCast"));

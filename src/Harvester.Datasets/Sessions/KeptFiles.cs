@@ -8,13 +8,11 @@ using Harvester.Sessions.Roads;
 
 namespace Harvester.Datasets.Sessions;
 
-/// <summary>
-/// The files of a session that all of its scenes have in common: the roads, and the faces and heads that it was labelled by.
-/// </summary>
+/// <summary>The files that all scenes of a session share: the roads and the table of faces.</summary>
 internal static class KeptFiles
 {
-    /// <summary>The roads; null for a session that keeps none.</summary>
-    /// <exception cref="DatasetFormatException">The file is malformed; the message says where in it.</exception>
+    /// <summary>The roads; null if the session has none.</summary>
+    /// <exception cref="DatasetFormatException">The file is invalid; the message names the place in it.</exception>
     public static RoadNetwork? ReadRoads(SessionReader session)
     {
         string path = session.PathOf(FramePaths.Roads);
@@ -34,8 +32,8 @@ internal static class KeptFiles
         }
     }
 
-    /// <summary>The table of faces and heads; null for a session that keeps none.</summary>
-    /// <exception cref="DatasetFormatException">The file is malformed; the message says where in it.</exception>
+    /// <summary>The table of faces; null if the session has none.</summary>
+    /// <exception cref="DatasetFormatException">The file is invalid; the message names the place in it.</exception>
     public static FaceTable? ReadFaces(SessionReader session)
     {
         string path = session.PathOf(FramePaths.Faces);

@@ -5,11 +5,11 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Sessions;
 
-/// <summary>Cameras of labels that were read from a file, whose values may be out of range.</summary>
+/// <summary>Creates cameras from labels read from a file, whose values may be out of range.</summary>
 public static class LabelCamera
 {
     /// <summary>The camera that a label describes.</summary>
-    /// <exception cref="DatasetFormatException">A value is outside its range; the message names it.</exception>
+    /// <exception cref="DatasetFormatException">A value is out of range; the message names it.</exception>
     public static Camera Of(CameraLabel label)
     {
         try

@@ -12,11 +12,11 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Sessions;
 
-/// <summary>Reads the scene of a frame; its fields are those of docs/relabel.md. Time and weather are the label's.</summary>
+/// <summary>Reads the scene of a frame, as docs/relabel.md describes it. Time and weather come from the label.</summary>
 internal static class SceneParser
 {
-    /// <exception cref="DatasetFormatException">The file is not a scene; the message names the field, not the file.</exception>
-    /// <exception cref="IOException">It cannot be read.</exception>
+    /// <exception cref="DatasetFormatException">The file is not a valid scene; the message names the field, not the file.</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
     public static RecordedScene Read(string path, FrameLabel label)
     {
         try
@@ -26,7 +26,7 @@ internal static class SceneParser
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"not JSON, from character {e.BytePositionInLine + 1} on.", e);
+            throw new DatasetFormatException($"invalid JSON at byte {e.BytePositionInLine + 1}.", e);
         }
     }
 
@@ -52,7 +52,7 @@ internal static class SceneParser
         RecordedOcclusion[] occlusions = [.. scene.List("occlusions").Select(OcclusionOf)];
         HashSet<int> handles = [.. snapshot.Entities.Select(entity => entity.Handle)];
         return occlusions.FirstOrDefault(found => !handles.Contains(found.Handle)) is { } stray
-            ? throw new DatasetFormatException($"occlusions: {stray.Handle} is no entity's handle.")
+            ? throw new DatasetFormatException($"occlusions: {stray.Handle} is not the handle of an entity.")
             : new RecordedScene(
                 snapshot,
                 lens.Checked(() => new Lens(

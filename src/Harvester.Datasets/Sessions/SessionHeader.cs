@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using System.IO;
 using System.Linq;
 using System.Text;
 using System.Text.Encodings.Web;
@@ -11,8 +10,7 @@ using Harvester.Sessions.Files;
 namespace Harvester.Datasets.Sessions;
 
 /// <summary>
-/// A session.json to change and write again. What is not changed keeps its bytes: numbers and texts stay as they were written, and the
-/// layout is that of a harvest.
+/// A session.json that can be changed and written again. Unchanged parts keep their bytes, and the layout is that of a harvest.
 /// </summary>
 internal sealed class SessionHeader
 {
@@ -23,11 +21,11 @@ internal sealed class SessionHeader
 
     private SessionHeader(JsonObject json) => Json = json;
 
-    /// <summary>All of it.</summary>
+    /// <summary>The root object.</summary>
     public JsonObject Json { get; }
 
-    /// <summary>The shard that the session is; null for a whole one.</summary>
-    /// <exception cref="DatasetFormatException">The text is no shard.</exception>
+    /// <summary>The shard that the session is; null for a complete session.</summary>
+    /// <exception cref="DatasetFormatException">The text is not a shard.</exception>
     public Shard? Shard
     {
         get => (Json[Settings] as JsonObject)?[ShardKey] is { } text
@@ -45,17 +43,22 @@ internal sealed class SessionHeader
         }
     }
 
-    /// <summary>Reads a session's.</summary>
-    /// <exception cref="DatasetFormatException">It is not what its format asks for; the message names file and field.</exception>
+    /// <summary>Says that the session has a manifest; its place in the file stays if it said so before.</summary>
+    public void SetManifest() => Json["manifest"] = true;
+
+    /// <summary>Reads the session.json of a session.</summary>
+    /// <exception cref="DatasetFormatException">The file is invalid; the message names file and field.</exception>
     public static SessionHeader Read(SessionReader session)
     {
         session.ReadInfo();
-        return new SessionHeader(JsonNode.Parse(InputFile.ReadAllBytes(session.PathOf(SessionInfo.FileName)))!.AsObject());
+        return Parse(InputFile.ReadAllBytes(session.PathOf(SessionInfo.FileName)));
     }
 
-    /// <summary>Writes it into a folder.</summary>
-    public void Write(string folder) =>
-        AtomicFile.Write(Path.Combine(folder, SessionInfo.FileName), ToString());
+    /// <summary>Parses a text that <see cref="SessionInfo"/> can read.</summary>
+    public static SessionHeader Parse(byte[] text) => new(JsonNode.Parse(text)!.AsObject());
+
+    /// <summary>Makes a header of an object.</summary>
+    public static SessionHeader Of(JsonObject json) => new(json);
 
     /// <summary>The text of the file.</summary>
     public override string ToString()

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using System.Text;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -7,38 +8,41 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Sessions;
 
-/// <summary>What session.json says of a session as a whole, as far as readers need it.</summary>
-/// <param name="Game">The game it was harvested from.</param>
-/// <param name="Seed">What everything random of the game was drawn from; null in a game without a seed.</param>
-/// <param name="Image">Size of all its images, pixels.</param>
-/// <param name="CapturedFrames">How many frames it counted; null when the recording was cut off before it could count.</param>
-/// <param name="Fault">Why the recording ended; null for a good end or none.</param>
+/// <summary>The content of session.json that readers need.</summary>
+/// <param name="Game">The game of the harvest.</param>
+/// <param name="Seed">The random seed; null for a game without one.</param>
+/// <param name="Image">Size of all images, pixels.</param>
+/// <param name="CapturedFrames">Number of frames; null if the recording was cut off before it was written.</param>
+/// <param name="Fault">The fault that ended the recording; null if there was none.</param>
 public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? CapturedFrames, string? Fault)
 {
     /// <summary>Name of the file.</summary>
     public const string FileName = "session.json";
 
-    /// <summary>Whether it keeps the scenes that its labels were made from; null where it does not say.</summary>
+    /// <summary>Whether the session has scenes; null if it is not recorded.</summary>
     public bool? KeepsScenes { get; init; }
 
-    /// <summary>Frames that were begun and thrown away, by reason; empty for a session that was cut off.</summary>
+    /// <summary>Whether the session was closed with a manifest; false in sessions of earlier versions.</summary>
+    public bool HasManifest { get; init; }
+
+    /// <summary>Number of discarded frames by reason; empty for a session that was cut off.</summary>
     public IReadOnlyList<KeyValuePair<string, int>> Discards { get; init; } = [];
 
     /// <summary>
-    /// Whether the game was frozen in a way that was given; false where both were tried, and in sessions of earlier versions.
+    /// Whether the freeze method was configured; false if it was chosen automatically, and in sessions of earlier versions.
     /// </summary>
     public bool IsFreezeGiven { get; init; }
 
-    /// <summary>The version of the format that this reader knows.</summary>
+    /// <summary>The supported version of the format.</summary>
     private const int KnownFormatVersion = 1;
 
     /// <summary>
-    /// What was not made sure of when the session was recorded, a line each; empty when all was, and for one that was cut off.
+    /// Checks that could not be made when the session was recorded, one line each; empty if all were made, or if the session was cut off.
     /// </summary>
     public IReadOnlyList<string> Unchecked { get; init; } = [];
 
     /// <summary>Reads the file.</summary>
-    /// <exception cref="DatasetFormatException">It is not what its format asks for; the message names the field, not the file.</exception>
+    /// <exception cref="DatasetFormatException">The file is invalid; the message names the field, not the file.</exception>
     internal static SessionInfo Read(string path)
     {
         try
@@ -48,13 +52,28 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"not JSON, line {e.LineNumber + 1}.", e);
+            throw new DatasetFormatException($"invalid JSON in line {e.LineNumber + 1}.", e);
+        }
+    }
+
+    /// <summary>Reads the content of the file.</summary>
+    /// <exception cref="DatasetFormatException">It is not what its format asks for; the message names the field, not the file.</exception>
+    internal static SessionInfo Parse(byte[] content)
+    {
+        try
+        {
+            using JsonDocument document = JsonInput.Parse(Encoding.UTF8.GetString(content));
+            return Read(new JsonFields(document.RootElement));
+        }
+        catch (JsonException e)
+        {
+            throw new DatasetFormatException($"invalid JSON in line {e.LineNumber + 1}.", e);
         }
     }
 
     private static IEnumerable<string> UncheckedOf(JsonFields session)
     {
-        // Markers that are seen in time show both.
+        // Markers seen in time prove both.
         if (session.Fields("start").Has("cameraErrorPixels"))
         {
             yield break;
@@ -96,6 +115,7 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
         {
             KeepsScenes = session.Has("options") && session.Fields("options").Has("scenes") ? session.Fields("options").Boolean("scenes")
                 : null,
+            HasManifest = session.Has("manifest") && session.Boolean("manifest"),
             Discards = session.Has("counters") && session.Fields("counters").Has("discards")
                 ? DiscardsOf(session.Fields("counters").Fields("discards")) : [],
             IsFreezeGiven = session.Has("options") && session.Fields("options").OptionalText("freezeBy") is not (null or "auto"),

@@ -1,11 +1,11 @@
 namespace Harvester.Datasets.Sessions;
 
-/// <summary>Something that is wrong with a session.</summary>
-/// <param name="File">The file of the session that says it.</param>
-/// <param name="Line">The line in it, from 1; null when it concerns no line.</param>
-/// <param name="Message">What is wrong.</param>
+/// <summary>A problem of a session or dataset.</summary>
+/// <param name="File">The file with the problem.</param>
+/// <param name="Line">Line number, from 1; null if the problem has no line.</param>
+/// <param name="Message">The problem, a sentence.</param>
 public sealed record SessionProblem(string File, int? Line, string Message)
 {
-    /// <summary>One line for people.</summary>
+    /// <summary>The problem as one line of text.</summary>
     public override string ToString() => Line is { } line ? $"{File}, line {line}: {Message}" : $"{File}: {Message}";
 }

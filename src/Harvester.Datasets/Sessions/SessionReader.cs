@@ -8,16 +8,21 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Sessions;
 
-/// <summary>Reads a session as it lies on disk; labels are streamed, so that a session of any length can be read.</summary>
+/// <summary>Reads a session on disk. Labels are streamed, so that sessions of any length can be read.</summary>
 public sealed class SessionReader
 {
-    /// <summary>Name of the file of labels.</summary>
+    /// <summary>Name of the label file.</summary>
     public const string LabelsFile = "labels.jsonl";
 
-    /// <summary>Takes a session's folder.</summary>
+    /// <summary>Opens the folder of a session.</summary>
     /// <exception cref="DirectoryNotFoundException">There is no such folder.</exception>
     /// <exception cref="FileNotFoundException">The folder is not a session.</exception>
     public SessionReader(string folder)
+        : this(folder, SessionInfo.FileName)
+    {
+    }
+
+    private SessionReader(string folder, params string[] marks)
     {
         if (!Directory.Exists(folder))
         {
@@ -26,55 +31,48 @@ public sealed class SessionReader
         }
 
         Folder = folder;
-        if (!File.Exists(PathOf(SessionInfo.FileName)))
+        if (!marks.Any(mark => File.Exists(PathOf(mark))))
         {
-            throw new FileNotFoundException($"'{folder}' is not a session: it has no {SessionInfo.FileName}.");
+            throw new FileNotFoundException($"'{folder}' is not a session: it has no {string.Join(" and no ", marks)}.");
         }
     }
 
-    /// <summary>The session's folder, as it was given.</summary>
+    /// <summary>The folder of the session, as given.</summary>
     public string Folder { get; }
 
     /// <summary>
-    /// Whether the labels end in a line without a line feed, a leftover of a harvest that was cut off; it is no part of the session.
+    /// Whether the label file ends in a line without line feed, left by a harvest that was cut off. That line is not part of the session.
     /// </summary>
     public bool HasUnfinishedLine
     {
         get
         {
             string path = PathOf(LabelsFile);
-            if (!File.Exists(path))
-            {
-                return false;
-            }
-
-            using FileStream file = InputFile.OpenRead(path);
-            if (file.Length == 0)
-            {
-                return false;
-            }
-
-            file.Seek(-1, SeekOrigin.End);
-            return file.ReadByte() != '\n';
+            return File.Exists(path) && LineEnd.IsMissing(path);
         }
     }
 
-    /// <summary>Whether a name that a label gives for a file stays within the session, with all links resolved.</summary>
+    /// <summary>Opens the folder of a damaged session, which may lack session.json.</summary>
+    /// <exception cref="DirectoryNotFoundException">The folder does not exist.</exception>
+    /// <exception cref="FileNotFoundException">The folder has neither session.json nor labels.</exception>
+    internal static SessionReader OpenDamaged(string folder) => new(folder, SessionInfo.FileName, LabelsFile);
+
+    /// <summary>Whether the name of a file in a label stays within the session, with all links resolved.</summary>
     public bool IsWithin(string name) => InnerPath.IsWithin(Folder, name);
 
-    /// <summary>Where a file of the session lies.</summary>
-    /// <param name="name">Its path within the session, with forward slashes.</param>
-    /// <exception cref="DatasetFormatException">The name leads out of the session, or to a pipe or a device.</exception>
+    /// <summary>The path of a file of the session.</summary>
+    /// <param name="name">Path within the session, with forward slashes.</param>
+    /// <exception cref="DatasetFormatException">The name points outside the session, or to a pipe or device.</exception>
     public string PathOf(string name) => InnerPath.Of(Folder, name);
 
     /// <summary>
-    /// Whether a path is that of a file of the session: one with a name of its own, one in its folders, or one that a label names.
+    /// Whether a path belongs to the session: to one of its own files, to a file in its folders, or to a file that a label refers to.
     /// </summary>
     /// <param name="path">The path; links are resolved.</param>
     public bool Holds(string path)
     {
         string name = Path.GetRelativePath(InnerPath.Resolve(Folder), InnerPath.Resolve(path)).Replace('\\', '/');
-        return name is SessionInfo.FileName or LabelsFile
+        return name is SessionInfo.FileName or LabelsFile or Manifest.FileName
             || ((string[])[FramePaths.Frames, FramePaths.Masks, FramePaths.Scenes])
                 .Contains(name.Split('/')[0], StringComparer.OrdinalIgnoreCase)
             || (InnerPath.IsWithin(Folder, name)
@@ -82,7 +80,7 @@ public sealed class SessionReader
     }
 
     /// <summary>Reads session.json.</summary>
-    /// <exception cref="DatasetFormatException">It is not what its format asks for; the message names file and field.</exception>
+    /// <exception cref="DatasetFormatException">The file is invalid; the message names file and field.</exception>
     public SessionInfo ReadInfo()
     {
         try
@@ -96,30 +94,31 @@ public sealed class SessionReader
     }
 
     /// <summary>The labels, in the order of the file.</summary>
-    /// <exception cref="DatasetFormatException">A line cannot be read; the message names file, line and field.</exception>
+    /// <exception cref="DatasetFormatException">A line is invalid; the message names file, line and field.</exception>
     public IEnumerable<FrameLabel> ReadLabels() => ReadGoodLines().Select(line => line.Label!);
 
-    /// <summary>The labels with the text that they were read from, in the order of the file.</summary>
-    /// <exception cref="DatasetFormatException">A line cannot be read; the message names file, line and field.</exception>
+    /// <summary>The labels with their text, in the order of the file.</summary>
+    /// <exception cref="DatasetFormatException">A line is invalid; the message names file, line and field.</exception>
     public IEnumerable<LabelLine> ReadGoodLines() => ReadLines().Select(line =>
         (line.Problem ?? IdProblem(line.Label!)) is { } problem
             ? throw new DatasetFormatException($"{PathOf(LabelsFile)}, line {line.Number}: {problem}")
             : line);
 
-    /// <summary>The lines of labels, those that cannot be read included; none when not one frame was written.</summary>
-    public IEnumerable<LabelLine> ReadLines() => ReadTexts().Select((line, index) => ReadLine(index + 1, line));
+    /// <summary>The lines of the label file, including invalid ones; empty if no frame was written.</summary>
+    public IEnumerable<LabelLine> ReadLines() =>
+        ReadAhead.Select(ReadTexts().Index(), static line => ReadLine(line.Index + 1, line.Item));
 
-    /// <summary>How many lines of labels there are, good or not.</summary>
+    /// <summary>Number of lines of the label file, valid or not.</summary>
     public int CountLines() => ReadTexts().Count();
 
-    /// <summary>The lines of labels as they stand there, without one that has no end.</summary>
+    /// <summary>The text of the lines, without an unfinished last one.</summary>
     internal IEnumerable<string> ReadTexts()
     {
         string path = PathOf(LabelsFile);
         return !File.Exists(path) ? [] : HasUnfinishedLine ? InputFile.ReadLines(path).SkipLast(1) : InputFile.ReadLines(path);
     }
 
-    /// <summary>Objects are looked up by their ids, which are the numbers in masks.</summary>
+    /// <summary>Checks ids: objects are looked up by id, which is also their value in masks.</summary>
     private static string? IdProblem(FrameLabel label)
     {
         var seen = new HashSet<int>();

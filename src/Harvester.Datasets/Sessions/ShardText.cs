@@ -3,10 +3,10 @@ using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Sessions;
 
-/// <summary>Shards as texts: 2/8.</summary>
+/// <summary>Parses shards, such as 2/8.</summary>
 public static class ShardText
 {
-    /// <summary>The shard that a text names; null for any other text.</summary>
+    /// <summary>The shard that a text describes; null if it is not a shard.</summary>
     public static Shard? Parse(string text)
     {
         string[] words = text.Split('/');

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using System.Text;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
@@ -12,68 +11,80 @@ using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Sharding;
 
-/// <summary>Puts the shards of a session together: the same bytes as one run without shards gives.</summary>
+/// <summary>Merges the shards of a session; the result is byte-identical to that of a single run.</summary>
 public static class SessionMerger
 {
-    /// <summary>Whether a folder holds a session or a shard of one.</summary>
+    /// <summary>Whether a folder is a session or a shard of one.</summary>
     public static bool IsSession(string folder) => File.Exists(Path.Combine(folder, SessionInfo.FileName));
 
-    /// <summary>Merges.</summary>
+    /// <summary>Merges shards.</summary>
     /// <param name="shards">Folders of the shards, in any order.</param>
-    /// <param name="folder">Where the session goes: a new or empty folder.</param>
-    /// <param name="transfer">How pictures get from the shards into the session.</param>
+    /// <param name="folder">Folder to write the session to, new or empty.</param>
+    /// <param name="transfer">Whether images are linked or copied.</param>
+    /// <param name="sync">When to wait for the disk.</param>
     /// <returns>The number of frames.</returns>
-    /// <exception cref="DatasetFormatException">A shard is missing, unfinished, twice there, or of another session.</exception>
+    /// <exception cref="DatasetFormatException">A shard is missing, unfinished, given twice, or of another session.</exception>
     /// <exception cref="OccupiedFolderException">The folder is not empty.</exception>
     /// <exception cref="IOException">Something cannot be read or written.</exception>
-    public static int Merge(IReadOnlyList<string> shards, string folder, ImageTransfer transfer)
+    public static int Merge(IReadOnlyList<string> shards, string folder, ImageTransfer transfer, SyncMode sync = SyncMode.Batch)
     {
-        if (Directory.Exists(folder) && Directory.EnumerateFileSystemEntries(folder).Any())
+        if (Directory.Exists(folder) && !UnfinishedMark.IsAllOf(folder))
         {
             throw new OccupiedFolderException($"'{folder}' is not empty. Name another folder.");
         }
 
         IReadOnlyList<SessionShard> sources = Find(shards);
-        Directory.CreateDirectory(folder);
+        var digests = new Dictionary<SessionReader, CarriedDigests>();
         int frames = 0;
-        AtomicFile.Write(Path.Combine(folder, SessionReader.LabelsFile), file =>
+        try
         {
-            using var lines = new StreamWriter(file, new UTF8Encoding(false), leaveOpen: true) { NewLine = "\n" };
-            foreach ((string line, SessionReader source) in InOrder(sources))
+            foreach (SessionShard shard in sources)
             {
-                lines.WriteLine(line);
-                foreach (string name in FilesOf(line, frames, source))
-                {
-                    Place(folder, name, source, transfer);
-                }
-
-                PlaceIfThere(folder, FramePaths.Scene(frames), source, transfer);
-                frames++;
+                digests.Add(shard.Session, new CarriedDigests(shard.Session));
             }
-        });
-        foreach (string name in (string[])[FramePaths.Faces, FramePaths.Roads])
+
+            NewSession.Write(folder, sync, session => frames = PlaceAll(session, sources, digests, transfer),
+                () => sources[0].WholeHeader(frames));
+            return frames;
+        }
+        finally
         {
-            PlaceIfThere(folder, name, sources[0].Session, transfer);
+            foreach (CarriedDigests each in digests.Values)
+            {
+                each.Dispose();
+            }
+        }
+    }
+
+    private static int PlaceAll(
+        NewSession session,
+        IReadOnlyList<SessionShard> sources,
+        Dictionary<SessionReader, CarriedDigests> digests,
+        ImageTransfer transfer)
+    {
+        int frames = 0;
+        foreach ((string line, SessionReader source) in InOrder(sources))
+        {
+            foreach (string name in FilesOf(line, frames, source).Concat(IfThere(FramePaths.Scene(frames), source)))
+            {
+                int frame = frames;
+                session.Place(name, source, transfer, () => digests[source].Of(frame, name));
+            }
+
+            session.EndFrame(frames, line);
+            frames++;
         }
 
-        sources[0].WriteWholeHeader(folder, frames);
+        SessionReader first = sources[0].Session;
+        foreach (string name in ((string[])[FramePaths.Faces, FramePaths.Roads]).SelectMany(name => IfThere(name, first)))
+        {
+            session.Place(name, first, transfer, () => digests[first].Of(name));
+        }
+
         return frames;
     }
 
-    private static void PlaceIfThere(string folder, string name, SessionReader source, ImageTransfer transfer)
-    {
-        if (File.Exists(source.PathOf(name)))
-        {
-            Place(folder, name, source, transfer);
-        }
-    }
-
-    private static void Place(string folder, string name, SessionReader source, ImageTransfer transfer)
-    {
-        string target = InnerPath.Of(folder, name);
-        Directory.CreateDirectory(Path.GetDirectoryName(target)!);
-        FileTransfer.Place(target, source.PathOf(name), transfer);
-    }
+    private static IEnumerable<string> IfThere(string name, SessionReader source) => File.Exists(source.PathOf(name)) ? [name] : [];
 
     private static IReadOnlyList<SessionShard> Find(IReadOnlyList<string> folders)
     {
@@ -85,7 +96,8 @@ public static class SessionMerger
             first ??= shard;
             if (shard.Common != first.Common)
             {
-                throw new DatasetFormatException($"'{folder}' and '{folders[0]}' are shards of different sessions: their {SessionInfo.FileName} differ.");
+                throw new DatasetFormatException(
+                    $"'{folder}' and '{folders[0]}' are shards of different sessions: their {SessionInfo.FileName} differ.");
             }
 
             found.Add(shard.Shard, folder, shard);
@@ -94,7 +106,7 @@ public static class SessionMerger
         return found.Complete();
     }
 
-    // Frames go round: frame f is the next of shard f modulo their number, until all have come to their end.
+    // Frame f is the next of shard f modulo the number of shards, until all shards have ended.
     private static IEnumerable<(string Line, SessionReader Source)> InOrder(IReadOnlyList<SessionShard> shards)
     {
         List<IEnumerator<string>> lines = [.. shards.Select(shard => shard.ReadLines().GetEnumerator())];
@@ -107,7 +119,7 @@ public static class SessionMerger
                 string line = lines[frame % lines.Count].Current;
                 yield return line.StartsWith(string.Create(CultureInfo.InvariantCulture, $"{{\"frame\":{frame},"), StringComparison.Ordinal)
                     ? (line, source)
-                    : throw new DatasetFormatException($"'{source.Folder}' lacks frame {frame}; it is truncated or was changed.");
+                    : throw new DatasetFormatException($"'{source.Folder}' has no frame {frame}; it is truncated or was changed.");
             }
 
             if (lines.FindIndex(each => each.MoveNext()) is var longer and >= 0)
@@ -136,7 +148,7 @@ public static class SessionMerger
         }
 
         return names.OfType<string>().FirstOrDefault(name => !source.IsWithin(name)) is { } outside
-            ? throw new DatasetFormatException($"'{source.Folder}', frame {frame}: '{outside}' points out of the session.")
+            ? throw new DatasetFormatException($"'{source.Folder}', frame {frame}: '{outside}' points outside the session.")
             : names.OfType<string>();
     }
 }

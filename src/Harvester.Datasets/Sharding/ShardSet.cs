@@ -6,8 +6,8 @@ using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Sharding;
 
-/// <summary>The shards of one job as they are found: each once, and in the end all of them.</summary>
-/// <typeparam name="T">What is known of a shard.</typeparam>
+/// <summary>Collects the shards of a job and checks that each is there exactly once.</summary>
+/// <typeparam name="T">The data of a shard.</typeparam>
 internal sealed class ShardSet<T>
 {
     private const int MaxNamedShards = 100;
@@ -15,23 +15,24 @@ internal sealed class ShardSet<T>
     private readonly SortedDictionary<int, T> _found = [];
     private int _count;
 
-    /// <summary>Takes a shard.</summary>
-    /// <exception cref="DatasetFormatException">It is there already, or of a job with another number of shards.</exception>
+    /// <summary>Adds a shard.</summary>
+    /// <exception cref="DatasetFormatException">The shard was already added, or belongs to a job with another number of shards.</exception>
     public void Add(Shard shard, string folder, T value)
     {
         _count = _count == 0 ? shard.Count : _count;
         if (shard.Count != _count)
         {
-            throw new DatasetFormatException($"'{folder}' is one of {shard.Count} shards, but others are of {_count}.");
+            throw new DatasetFormatException(
+                $"'{folder}' is one of {shard.Count} shards, but others are of {_count}. Merge the shards of one run.");
         }
 
         if (!_found.TryAdd(shard.Number, value))
         {
-            throw new DatasetFormatException($"Shard {shard} occurs twice, the second time in '{folder}'.");
+            throw new DatasetFormatException($"Shard {shard} occurs twice, the second time in '{folder}'. Name each shard once.");
         }
     }
 
-    /// <summary>All shards in the order of their numbers.</summary>
+    /// <summary>All shards by number.</summary>
     /// <exception cref="DatasetFormatException">Some are missing.</exception>
     public IReadOnlyList<T> Complete()
     {

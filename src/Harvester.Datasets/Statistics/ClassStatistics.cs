@@ -3,7 +3,7 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Statistics;
 
-/// <summary>What a session has of one class of objects.</summary>
+/// <summary>Statistics of one object class in a session.</summary>
 public sealed class ClassStatistics
 {
     private readonly HashSet<(int Session, int Id)> _ids = [];
@@ -12,22 +12,22 @@ public sealed class ClassStatistics
     private double _occlusionSum;
     private int _occlusionCount;
 
-    /// <summary>Labels: an object counts in each frame in which it is seen.</summary>
+    /// <summary>Number of labels: an object counts in each frame in which it is labelled.</summary>
     public int Labels => _distances.Count;
 
-    /// <summary>Different objects.</summary>
+    /// <summary>Number of different objects.</summary>
     public int Objects => _ids.Count;
 
-    /// <summary>How many of them are parts of others: faces of signs, heads of lights.</summary>
+    /// <summary>Number of these that are parts of others: faces of signs, heads of traffic lights.</summary>
     public int Parts => _parts.Count;
 
-    /// <summary>Distance of the nearest, metres.</summary>
-    public double MinMetres => _distances.Least;
+    /// <summary>Distance of the nearest object, metres.</summary>
+    public double MinMetres => _distances.Min;
 
-    /// <summary>Median of the distances, metres, to 1/4096 of it: of an even number, the mean of the two in the middle.</summary>
+    /// <summary>Median distance, metres, accurate to 1/4096 of its value; of an even number, the mean of the two middle values.</summary>
     public double MedianDistanceMetres => _distances.Median;
 
-    /// <summary>Mean of the occluded fractions, where they were determined; null where none was.</summary>
+    /// <summary>Mean of the known occluded fractions; null if all are unknown.</summary>
     public double? MeanOccludedFraction => _occlusionCount == 0 ? null : _occlusionSum / _occlusionCount;
 
     internal void Add(ObjectLabel label, int session)

@@ -4,14 +4,14 @@ using System.Linq;
 
 namespace Harvester.Datasets.Statistics;
 
-/// <summary>Counts of numbers in bins.</summary>
+/// <summary>A histogram: counts of numbers in bins.</summary>
 public sealed class Histogram
 {
     private readonly double[] _starts;
     private readonly int[] _counts;
 
-    /// <summary>Makes an empty histogram whose last bin takes all numbers from its start on.</summary>
-    /// <param name="starts">Where each bin begins, rising, in the unit of the numbers.</param>
+    /// <summary>Creates an empty histogram whose last bin has no upper end.</summary>
+    /// <param name="starts">Lower ends of the bins, ascending, in the unit of the numbers.</param>
     public Histogram(params double[] starts)
         : this(starts, null)
     {
@@ -30,22 +30,22 @@ public sealed class Histogram
         End = end;
     }
 
-    /// <summary>Where each bin begins; it ends where the next one begins.</summary>
+    /// <summary>Lower ends of the bins; a bin ends where the next one begins.</summary>
     public IReadOnlyList<double> Starts => _starts;
 
-    /// <summary>Where the last bin ends, itself included; null when it takes all numbers from its start on.</summary>
+    /// <summary>Upper end of the last bin, inclusive; null if it has none.</summary>
     public double? End { get; }
 
-    /// <summary>How many numbers fell into each bin.</summary>
+    /// <summary>Count of numbers in each bin.</summary>
     public IReadOnlyList<int> Counts => _counts;
 
-    /// <summary>An empty histogram with bins of one width from 0 up to a number, and a last one for that number and all above.</summary>
+    /// <summary>An empty histogram with bins of equal width from 0, and a last bin without upper end.</summary>
     public static Histogram Even(double upTo, int bins) => new([.. Starting(upTo, bins), upTo], null);
 
-    /// <summary>An empty histogram of fractions, with bins of one width from 0 to 1.</summary>
+    /// <summary>An empty histogram of fractions, with bins of equal width from 0 to 1.</summary>
     public static Histogram Fractions(int bins) => new([.. Starting(1, bins)], 1);
 
-    /// <summary>Counts a number; one below the first bin counts in it, and so does one above the end in the last.</summary>
+    /// <summary>Counts a number. Numbers below the first bin count in the first, numbers above the last bin in the last.</summary>
     public void Add(double value)
     {
         int found = Array.BinarySearch(_starts, value);

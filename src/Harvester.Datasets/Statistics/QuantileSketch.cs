@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Harvester.Datasets.Statistics;
 
 /// <summary>
-/// Finds medians without keeping the numbers: it counts them in bins that are 1/4096 of their numbers wide, so that their number depends on
-/// how far the numbers spread, not on how many there are.
+/// Finds medians without storing the numbers: counts them in bins whose width is 1/4096 of their value. The number of bins depends on the
+/// range of the numbers, not on their count.
 /// </summary>
 internal sealed class QuantileSketch
 {
@@ -14,31 +14,34 @@ internal sealed class QuantileSketch
 
     private readonly SortedDictionary<long, (int Count, double Sum)> _bins = [];
 
-    /// <summary>How many numbers it has counted.</summary>
+    /// <summary>Count of numbers.</summary>
     public int Count { get; private set; }
 
-    /// <summary>How many bins it holds: 4,096 at most for each doubling of the numbers.</summary>
+    /// <summary>Number of bins: at most 4,096 for each doubling of the numbers.</summary>
     public int Bins => _bins.Count;
 
-    /// <summary>The least number. There must be one.</summary>
-    public double Least { get; private set; } = double.PositiveInfinity;
+    /// <summary>The smallest number. There must be at least one number.</summary>
+    public double Min { get; private set; } = double.PositiveInfinity;
 
-    /// <summary>The median, of an even count the mean of the two in the middle; at most 1/4096 of it off. There must be a number.</summary>
+    /// <summary>
+    /// The median, accurate to 1/4096 of its value; of an even count, the mean of the two middle numbers. There must be at least one
+    /// number.
+    /// </summary>
     public double Median => (At((Count - 1) / 2) + At(Count / 2)) / 2;
 
-    /// <summary>Counts a number, finite and at least 0.</summary>
+    /// <summary>Counts a number; it must be finite and at least 0.</summary>
     public void Add(double value)
     {
         ArgumentOutOfRangeException.ThrowIfNegative(value);
-        // The bits of doubles that are not negative rise as the doubles do: the highest ones say the bin.
+        // The bit patterns of non-negative doubles are ordered as the doubles are, so the highest bits give the bin.
         long bin = BitConverter.DoubleToInt64Bits(value) >> (MantissaBits - KeptBits);
         (int count, double sum) = _bins.GetValueOrDefault(bin);
         _bins[bin] = (count + 1, sum + value);
         Count++;
-        Least = Math.Min(Least, value);
+        Min = Math.Min(Min, value);
     }
 
-    /// <summary>The number at a place in the order, from 0: the mean of its bin.</summary>
+    /// <summary>The number at a position of the sorted order, from 0, approximated by the mean of its bin.</summary>
     private double At(int place)
     {
         int before = 0;

@@ -2,15 +2,17 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Datasets.Exports.Formats.Kitti;
+using Harvester.Datasets.Files;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Statistics;
 
-/// <summary>Figures of a whole session, gathered in one pass over its labels.</summary>
+/// <summary>Statistics of sessions, collected in one pass over their labels.</summary>
 public sealed class SessionStatistics
 {
+    private const int MaxWeathers = 1000;
     private const double FarMetres = 150;
     private const int DistanceBins = 15;
     private const double LargeSidePixels = 400;
@@ -23,10 +25,10 @@ public sealed class SessionStatistics
     private readonly SortedDictionary<string, IndicatorSpan> _indicators = new(StringComparer.Ordinal);
     private int _session;
 
-    /// <summary>Gathers the figures of one session.</summary>
+    /// <summary>Collects the statistics of one session.</summary>
     public static SessionStatistics Of(IEnumerable<FrameLabel> labels) => Of([labels]);
 
-    /// <summary>Gathers the figures of several sessions, whose objects are different ones even where their ids are the same.</summary>
+    /// <summary>Collects the statistics of several sessions. Objects of different sessions are different, even with equal ids.</summary>
     public static SessionStatistics Of(IEnumerable<IEnumerable<FrameLabel>> sessions)
     {
         var statistics = new SessionStatistics();
@@ -43,42 +45,40 @@ public sealed class SessionStatistics
         return statistics;
     }
 
-    /// <summary>Frames.</summary>
+    /// <summary>Number of frames.</summary>
     public int Frames { get; private set; }
 
-    /// <summary>Labels of all classes.</summary>
+    /// <summary>Number of labels of all classes.</summary>
     public int Labels => _classes.Values.Sum(kind => kind.Labels);
 
-    /// <summary>Labels a frame; 0 without frames.</summary>
+    /// <summary>Labels per frame; 0 without frames.</summary>
     public double LabelsPerFrame => Frames == 0 ? 0 : (double)Labels / Frames;
 
-    /// <summary>
-    /// Labels of what KITTI labels too: vehicles, people and other things that move, not signs and lights with their faces and heads.
-    /// </summary>
+    /// <summary>Number of labels of kinds that KITTI labels too: all but signs and traffic lights with their faces and heads.</summary>
     public int LabelsAsKitti => _classes.Where(kind => KittiClasses.Has(kind.Key)).Sum(kind => kind.Value.Labels);
 
-    /// <summary>The same a frame; 0 without frames.</summary>
+    /// <summary>These labels per frame; 0 without frames.</summary>
     public double LabelsAsKittiPerFrame => Frames == 0 ? 0 : (double)LabelsAsKitti / Frames;
 
-    /// <summary>Figures by class, in the order of the classes; only those that occur.</summary>
+    /// <summary>Statistics by class, in the order of the classes; only classes that occur.</summary>
     public IReadOnlyDictionary<ObjectClass, ClassStatistics> Classes => _classes;
 
-    /// <summary>The weathers that occur, in the order of the letters.</summary>
+    /// <summary>The weathers that occur, in alphabetical order.</summary>
     public IReadOnlyCollection<string> Weathers => _framesOfWeathers.Keys;
 
-    /// <summary>How many frames have each weather, in the order of the letters.</summary>
+    /// <summary>Number of frames with each weather, in alphabetical order.</summary>
     public IReadOnlyDictionary<string, int> FramesOfWeathers => _framesOfWeathers;
 
-    /// <summary>How many frames have each hour of the day, 0 to 23; only those that occur.</summary>
+    /// <summary>Number of frames with each hour of the day, 0 to 23; only hours that occur.</summary>
     public IReadOnlyDictionary<int, int> FramesOfHours => _framesOfHours;
 
-    /// <summary>Between what values the lane indicators were; only those that were valid in some frame.</summary>
+    /// <summary>Ranges of the lane indicators; only indicators that are valid in some frame.</summary>
     public IReadOnlyDictionary<string, IndicatorSpan> Indicators => _indicators;
 
-    /// <summary>The game's time of the first frame, seconds.</summary>
+    /// <summary>Game time of the first frame, seconds.</summary>
     public double FirstTimeSeconds { get; private set; }
 
-    /// <summary>The game's time of the last frame, seconds.</summary>
+    /// <summary>Game time of the last frame, seconds.</summary>
     public double LastTimeSeconds { get; private set; }
 
     /// <summary>Labels by distance, metres.</summary>
@@ -91,15 +91,15 @@ public sealed class SessionStatistics
     public Histogram BoxWidths { get; } = Histogram.Even(LargeSidePixels, SideBins);
 
     /// <summary>
-    /// Labels by area of the box in the image, square pixels: from squares of 8 to 512 pixels a side, COCO's limits of 32 and 96 among
-    /// them.
+    /// Labels by area of the box in the image, square pixels. The bins are squares with sides from 8 to 512 pixels, including COCO's limits
+    /// of 32 and 96.
     /// </summary>
     public Histogram BoxAreas { get; } = new(0, 8 * 8, 16 * 16, 32 * 32, 64 * 64, 96 * 96, 128 * 128, 256 * 256, 512 * 512);
 
     /// <summary>Labels by truncated fraction.</summary>
     public Histogram TruncatedFractions { get; } = Histogram.Fractions(FractionBins);
 
-    /// <summary>Labels by occluded fraction, where it was determined.</summary>
+    /// <summary>Labels by occluded fraction, if known.</summary>
     public Histogram OccludedFractions { get; } = Histogram.Fractions(FractionBins);
 
     private void Add(FrameLabel label)
@@ -107,6 +107,11 @@ public sealed class SessionStatistics
         FirstTimeSeconds = Frames == 0 ? label.TimeSeconds : FirstTimeSeconds;
         LastTimeSeconds = label.TimeSeconds;
         Frames++;
+        if (_framesOfWeathers.Count > MaxWeathers)
+        {
+            throw new DatasetFormatException($"the labels name more than {MaxWeathers} kinds of weather; the game has 15.");
+        }
+
         _framesOfWeathers[label.Environment.Weather] = _framesOfWeathers.GetValueOrDefault(label.Environment.Weather) + 1;
         _framesOfHours[label.Environment.TimeOfDay.Hours] = _framesOfHours.GetValueOrDefault(label.Environment.TimeOfDay.Hours) + 1;
         if (label.Lanes is { } lanes)

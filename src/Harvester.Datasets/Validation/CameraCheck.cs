@@ -7,10 +7,12 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Validation;
 
-/// <summary>What must hold for the camera of a frame: it can be made, and its focal lengths follow from the rest.</summary>
+/// <summary>Checks the camera of a frame: its values are valid, and its focal lengths agree with the others.</summary>
 internal static class CameraCheck
 {
-    /// <summary>The field of view and the aspect are rounded to nine decimals in files, which is far less than this.</summary>
+    /// <summary>
+    /// Tolerance of the focal lengths, far above the effect of rounding the field of view and the aspect ratio to nine decimals.
+    /// </summary>
     private const double RoundingPixels = 0.001;
 
     public static IEnumerable<string> Problems(CameraLabel label)
@@ -26,7 +28,8 @@ internal static class CameraCheck
         }
 
         return Math.Abs(label.Fx - made.Fx) > RoundingPixels || Math.Abs(label.Fy - made.Fy) > RoundingPixels
-            ? [FormattableString.Invariant($"camera: fx and fy are {label.Fx} and {label.Fy}, but the other fields make them {made.Fx:0.######} and {made.Fy:0.######}.")]
+            ? [FormattableString.Invariant(
+                $"camera: fx and fy are {label.Fx} and {label.Fy}, but the other fields give {made.Fx:0.######} and {made.Fy:0.######}.")]
             : [];
     }
 }

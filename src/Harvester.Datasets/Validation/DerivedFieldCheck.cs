@@ -9,13 +9,13 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Validation;
 
-/// <summary>Fields of a line that follow from others and so are not part of the label that was read from it.</summary>
+/// <summary>Checks the fields of a line that follow from others, which the label read from it does not have.</summary>
 internal static class DerivedFieldCheck
 {
-    /// <summary>The two fractions and their product are each rounded to four decimals: at most 1.5e-4 in all.</summary>
+    /// <summary>Tolerance of fractions: two of them and their product, each rounded to four decimals, differ by at most 1.5e-4.</summary>
     private const double RoundingFraction = 2e-4;
 
-    /// <summary>Angles are rounded to four decimals; one so near to 90 may have been on either side.</summary>
+    /// <summary>Tolerance of angles, which are rounded to four decimals: within it of 90 degrees, either side is accepted.</summary>
     private const double RoundingDegrees = 1e-4;
 
     /// <param name="label">The label.</param>
@@ -45,15 +45,16 @@ internal static class DerivedFieldCheck
         double? visible = fields.OptionalNumber("visibleFraction");
         if (visible is null != item.VisibleFraction is null || Math.Abs((visible - item.VisibleFraction) ?? 0) > RoundingFraction)
         {
-            yield return FormattableString.Invariant(
-                $"object {item.Id}: visibleFraction is {Text(visible)}, but (1 - truncatedFraction)(1 - occludedFraction) is {Text(item.VisibleFraction)}.");
+            yield return $"object {item.Id}: visibleFraction is {Text(visible)}, "
+                + $"but (1 - truncatedFraction)(1 - occludedFraction) is {Text(item.VisibleFraction)}.";
         }
 
         // Labels of earlier versions do not list their boxes.
         string[] boxes = fields.Has("boxes") ? [.. fields.Texts("boxes")] : [.. item.Boxes.Select(JsonName.Of)];
         if (!boxes.SequenceEqual(item.Boxes.Select(JsonName.Of)))
         {
-            yield return $"object {item.Id}: boxes is [{string.Join(", ", boxes)}], but the label has [{string.Join(", ", item.Boxes.Select(JsonName.Of))}].";
+            yield return $"object {item.Id}: boxes is [{string.Join(", ", boxes)}], but the label has "
+                + $"[{string.Join(", ", item.Boxes.Select(JsonName.Of))}].";
         }
 
         if (item.Face is { FacingAngleDegrees: >= 0 and <= 180 and var angle }

@@ -6,14 +6,14 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Validation;
 
-/// <summary>What must hold for an object that is a part of another.</summary>
+/// <summary>Checks the fields of objects that are parts of others.</summary>
 internal static class FaceCheck
 {
     public static IEnumerable<string> Problems(ObjectLabel item)
     {
         if (item.Face is null != item.Parent is null)
         {
-            yield return "parent and space go together: a part has both, an object of its own neither.";
+            yield return "parent and space must be given together: a part has both, any other object neither.";
         }
 
         if (item.Parent is { } parent && (parent is < 1 or > ushort.MaxValue || parent == item.Id))
@@ -33,7 +33,7 @@ internal static class FaceCheck
 
         if (face.Light is null != (item.Class != ObjectClass.TrafficLight))
         {
-            yield return "light must be given for a trafficLight and for nothing else.";
+            yield return "light must be given for a trafficLight, and only for it.";
         }
 
         if (face.Light is { } light)
@@ -45,7 +45,8 @@ internal static class FaceCheck
 
             if (light.Method == LightMethod.Unknown != (light.State == LightState.Unknown))
             {
-                yield return $"light.state is {JsonName.Of(light.State)} by the method {JsonName.Of(light.Method)}; unknown goes with unknown only.";
+                yield return $"light.state is {JsonName.Of(light.State)}, but light.method is {JsonName.Of(light.Method)}; if one is "
+                    + "unknown, both must be.";
             }
         }
     }

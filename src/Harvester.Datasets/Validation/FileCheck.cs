@@ -10,34 +10,42 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Datasets.Validation;
 
 /// <summary>
-/// The files that labels name: they lie in the session, belong to one frame, are whole, and have the size that the label says; masks show
-/// what the label says.
+/// Checks the files that labels refer to: they lie in the session, belong to one frame only, are complete, have the size in the label and
+/// agree with the manifest; masks agree with the labels.
 /// </summary>
-internal sealed class FileCheck
+/// <param name="session">The session.</param>
+/// <param name="isQuick">Whether pictures are not decoded.</param>
+internal sealed class FileCheck(SessionReader session, bool isQuick)
 {
     private const int MaskBitsPerPixel = 16;
 
-    private readonly SessionReader _session;
     private readonly HashSet<string> _named = new(StringComparer.Ordinal);
 
-    public FileCheck(SessionReader session) => _session = session;
+    /// <summary>Takes the names of a label for it, and returns those that an earlier one has. Labels come in their order.</summary>
+    public IReadOnlyList<string> Claim(FrameLabel label) =>
+        [.. new[] { label.Image, label.Mask }.OfType<string>().Where(name => session.IsWithin(name) && !_named.Add(name))];
 
-    public IEnumerable<string> Problems(FrameLabel label)
+    /// <summary>What is wrong with the files of a label; several labels may be asked for at once.</summary>
+    /// <param name="label">The label.</param>
+    /// <param name="taken">Names in it that an earlier label has.</param>
+    /// <param name="manifest">What the manifest says of the frame; null for nothing.</param>
+    public IEnumerable<string> Problems(FrameLabel label, IReadOnlyList<string> taken, ManifestFrame? manifest)
     {
-        IEnumerable<string> mask = label.Mask is { } name ? MaskProblems(label, name) : MaskCheck.ProblemsWithoutMask(label);
-        return Problem("image", label.Image, label.Camera, bitsPerPixel: null) is { } image ? mask.Prepend(image) : mask;
+        IEnumerable<string> mask = label.Mask is { } name ? MaskProblems(label, name, taken, manifest)
+            : MaskCheck.ProblemsWithoutMask(label);
+        return Problem("image", label.Image, label.Camera, null, taken, manifest) is { } image ? mask.Prepend(image) : mask;
     }
 
-    private IEnumerable<string> MaskProblems(FrameLabel label, string name)
+    private IEnumerable<string> MaskProblems(FrameLabel label, string name, IReadOnlyList<string> taken, ManifestFrame? manifest)
     {
-        if (Problem("mask", name, label.Camera, MaskBitsPerPixel) is { } problem)
+        if (Problem("mask", name, label.Camera, MaskBitsPerPixel, taken, manifest) is { } problem)
         {
             return [problem];
         }
 
         try
         {
-            return MaskCheck.Problems(label, PngDecoder.ReadInstanceMap(_session.PathOf(name)));
+            return isQuick ? [] : MaskCheck.Problems(label, PngDecoder.ReadInstanceMap(session.PathOf(name)));
         }
         catch (DatasetFormatException e)
         {
@@ -45,19 +53,20 @@ internal sealed class FileCheck
         }
     }
 
-    private string? Problem(string field, string name, CameraLabel camera, int? bitsPerPixel)
+    private string? Problem(
+        string field, string name, CameraLabel camera, int? bitsPerPixel, IReadOnlyList<string> taken, ManifestFrame? manifest)
     {
-        if (!_session.IsWithin(name))
+        if (!session.IsWithin(name))
         {
-            return $"{field} '{name}' points out of the session.";
+            return $"{field} '{name}' points outside the session.";
         }
 
-        if (!_named.Add(name))
+        if (taken.Contains(name))
         {
-            return $"{field} '{name}' belongs to an earlier line already.";
+            return $"{field} '{name}' is already used by an earlier line.";
         }
 
-        string path = _session.PathOf(name);
+        string path = session.PathOf(name);
         if (!File.Exists(path))
         {
             return $"{field} '{name}' is missing.";
@@ -65,7 +74,17 @@ internal sealed class FileCheck
 
         try
         {
-            return Problem($"{field} '{name}'", ImageHeader.Read(path), camera, bitsPerPixel);
+            if (Problem($"{field} '{name}'", ImageHeader.Read(path), camera, bitsPerPixel) is { } problem)
+            {
+                return problem;
+            }
+
+            if (!isQuick)
+            {
+                PictureIntegrity.Check(path);
+            }
+
+            return DigestCheck.Problem(path, name, manifest) is { } damage ? $"{field} '{name}' {damage}" : null;
         }
         catch (DatasetFormatException e)
         {
@@ -81,6 +100,6 @@ internal sealed class FileCheck
         }
 
         return bitsPerPixel is { } bits && header.BitsPerPixel != bits
-            ? $"{what} has {header.BitsPerPixel} bits a pixel instead of {bits}." : null;
+            ? $"{what} has {header.BitsPerPixel} bits per pixel instead of {bits}." : null;
     }
 }

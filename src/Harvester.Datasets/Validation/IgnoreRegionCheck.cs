@@ -5,7 +5,7 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Validation;
 
-/// <summary>What must hold for the ignore regions of a frame.</summary>
+/// <summary>Checks the ignore regions of a frame.</summary>
 internal static class IgnoreRegionCheck
 {
     public static IEnumerable<string> Problems(FrameLabel label)
@@ -21,12 +21,14 @@ internal static class IgnoreRegionCheck
 
             if (!image.Contains(region.Box2D, ObjectCheck.RoundingPixels))
             {
-                yield return $"ignoreRegions[{i}]: box2d {ObjectCheck.Text(region.Box2D)} does not lie in the image of {label.Camera.Width} x {label.Camera.Height}.";
+                yield return $"ignoreRegions[{i}]: box2d {ObjectCheck.Text(region.Box2D)} does not lie in the image of "
+                    + $"{label.Camera.Width} x {label.Camera.Height}.";
             }
 
             if (region.DistanceMetres < 0)
             {
-                yield return FormattableString.Invariant($"ignoreRegions[{i}]: distanceMetres is {region.DistanceMetres}; it must be 0 or more.");
+                yield return FormattableString.Invariant(
+                    $"ignoreRegions[{i}]: distanceMetres is {region.DistanceMetres}; it must be 0 or more.");
             }
         }
     }

@@ -6,7 +6,7 @@ using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Validation;
 
-/// <summary>The roads and the table of faces and heads that lie beside a session's scenes can be read, where they are there.</summary>
+/// <summary>Checks that the roads and the table of faces beside a session's scenes can be read, if they exist.</summary>
 internal static class KeptFilesCheck
 {
     public static IEnumerable<SessionProblem> Problems(SessionReader session)

@@ -7,11 +7,11 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Datasets.Validation;
 
 /// <summary>
-/// What must hold for the lanes of a frame: the ranges of docs/lanes.md, scaled with the lane, and the values that stand for nothing.
+/// Checks the lanes of a frame against the ranges of docs/lanes.md, scaled with the lane width, and the values of invalid indicators.
 /// </summary>
 internal static class LanesCheck
 {
-    /// <summary>Numbers in files are rounded to at least three decimals, and scaled by the width of a lane.</summary>
+    /// <summary>Tolerance: numbers are rounded to at least three decimals, and scaled with the lane width.</summary>
     private const double Rounding = 0.01;
 
     public static IEnumerable<string> Problems(LanesLabel lanes)
@@ -26,7 +26,7 @@ internal static class LanesCheck
             yield return $"lanes.lane is {lane}, but lanes.laneCount is {count}.";
         }
 
-        // How wide the lanes are is known at the look-ahead point only; at the car they may be narrower or wider.
+        // The lane width is known at the look-ahead point only; at the car it may differ.
         double atLookAhead = (lanes.LaneWidthMetres ?? LaneSection.TorcsLaneWidth) / LaneSection.TorcsLaneWidth;
         foreach ((string name, LaneIndicators indicators, double? scaleOfMarkings) in new (
             string Name, LaneIndicators Indicators, double? Scale)[]
@@ -52,7 +52,7 @@ internal static class LanesCheck
         if (!indicator.IsValid)
         {
             return Math.Abs(indicator.Value - range.InactiveValue) > Rounding
-                ? FormattableString.Invariant($"{indicator.Value}, but what is not valid has {range.InactiveValue}.")
+                ? FormattableString.Invariant($"{indicator.Value}, but an invalid indicator must have {range.InactiveValue}.")
                 : null;
         }
 

@@ -11,9 +11,7 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Validation;
 
-/// <summary>
-/// What must hold between a label and its mask: every number in the mask is an object's, and visible boxes are the bounds of pixels.
-/// </summary>
+/// <summary>Checks that a mask agrees with its label: every value is an object id, and visible boxes bound the pixels.</summary>
 internal static class MaskCheck
 {
     private const int MaxNamedNumbers = 5;
@@ -24,7 +22,7 @@ internal static class MaskCheck
         int[] strays = [.. seen.Keys.Except(label.Objects.Select(item => item.Id)).Order()];
         if (strays.Length > 0)
         {
-            yield return $"mask '{label.Mask}' has {Text(strays)}, no object's id in this line.";
+            yield return $"mask '{label.Mask}' has ids without an object in this line: {Text(strays)}.";
         }
 
         HashSet<int> listed = [.. label.Objects.Select(item => item.Id)];
@@ -41,11 +39,13 @@ internal static class MaskCheck
             Box2D? bounds = seen.TryGetValue(item.Id, out InstancePixels? pixels) ? pixels.Box : null;
             if (bounds != item.Box2DVisible)
             {
-                yield return $"object {item.Id}: box2dVisible is {Text(item.Box2DVisible)}, but the bounds of its pixels in the mask are {Text(bounds)}.";
+                yield return $"object {item.Id}: box2dVisible is {Text(item.Box2DVisible)}, but the bounds of its pixels in the mask are "
+                    + $"{Text(bounds)}.";
             }
             else if (bounds is null && item is { VisibleFraction: > 0, Parent: null })
             {
-                yield return FormattableString.Invariant($"object {item.Id}: visibleFraction is {item.VisibleFraction:0.####}, but it has no pixel in the mask.");
+                yield return FormattableString.Invariant(
+                    $"object {item.Id}: visibleFraction is {item.VisibleFraction:0.####}, but it has no pixel in the mask.");
             }
         }
     }
@@ -56,23 +56,25 @@ internal static class MaskCheck
         int parent = part.Parent!.Value;
         if (seen.ContainsKey(part.Id))
         {
-            yield return $"the mask has its number, but it is a part, and pixels of parts have the number of the whole, {parent}.";
+            yield return $"the mask has its id, but it is a part; pixels of parts have the id of the whole object, {parent}.";
         }
 
         if (part.VisibleFraction > 0 && !seen.ContainsKey(parent))
         {
-            yield return FormattableString.Invariant($"visibleFraction is {part.VisibleFraction:0.####}, but its object, {parent}, has no pixel in the mask.");
+            yield return FormattableString.Invariant(
+                $"visibleFraction is {part.VisibleFraction:0.####}, but its whole object, {parent}, has no pixel in the mask.");
         }
 
-        // Rays know when a part is hidden by the rest of its object; a map does not, so there the object's pixels are the part's.
+        // Rays tell whether a part is hidden by the rest of its object. A map does not, so the pixels of the object there count as the
+        // part's.
         if (part is { OcclusionMethod: OcclusionMethod.Imported, OccludedFraction: 1 }
             && new CuboidPixels(LabelCamera.Of(label.Camera), part).Shows(map, parent))
         {
-            yield return $"occludedFraction is 1, but the mask shows its object, {parent}, where it is.";
+            yield return $"occludedFraction is 1, but the mask shows its whole object, {parent}, in its place.";
         }
     }
 
-    /// <summary>What must hold for a label without a mask.</summary>
+    /// <summary>Checks a label without a mask.</summary>
     public static IEnumerable<string> ProblemsWithoutMask(FrameLabel label)
     {
         if (label.PixelMap is not null)

@@ -6,16 +6,16 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Validation;
 
-/// <summary>What must hold for one object of a frame by itself.</summary>
+/// <summary>Checks single objects of a frame.</summary>
 internal static class ObjectCheck
 {
-    /// <summary>Numbers in files are rounded; a hundredth of a pixel is more than that.</summary>
+    /// <summary>Tolerance of pixels, above their rounding in files.</summary>
     internal const double RoundingPixels = 0.01;
 
-    /// <summary>The box of visible pixels runs along pixel borders, so it may stand over the exact box by less than a pixel.</summary>
+    /// <summary>Boxes of visible pixels run along pixel borders and may extend beyond the exact box by less than a pixel.</summary>
     private const double PixelBorder = 1;
 
-    /// <summary>Distances are rounded in files, to centimetres at worst.</summary>
+    /// <summary>Tolerance of distances, which are rounded to centimetres or better.</summary>
     private const double RoundingMetres = 0.01;
 
     private const int MaxId = ushort.MaxValue;
@@ -47,7 +47,7 @@ internal static class ObjectCheck
             yield return Of(item, $"box2d {Text(item.Box2D)} does not lie within box2dAmodal {Text(item.Box2DAmodal)}.");
         }
 
-        // A mask of another tool, which has no pixelMap, may show an object beyond its cuboid.
+        // An imported mask, which has no pixelMap, may show an object beyond its cuboid.
         if (frame.PixelMap is not null && item.Box2DVisible is { } visible && !item.Box2D.Contains(visible, PixelBorder))
         {
             yield return Of(item, $"box2dVisible {Text(visible)} does not lie within box2d {Text(item.Box2D)}.");
@@ -76,7 +76,7 @@ internal static class ObjectCheck
         }
     }
 
-    /// <summary>A box for people.</summary>
+    /// <summary>A box as text.</summary>
     internal static string Text(Box2D box) =>
         string.Create(CultureInfo.InvariantCulture, $"[{box.XMin:0.##}, {box.YMin:0.##}, {box.XMax:0.##}, {box.YMax:0.##}]");
 

@@ -6,14 +6,16 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Validation;
 
-/// <summary>The scenes of a session that keeps them: every frame has one, and it can be read.</summary>
+/// <summary>Checks the scenes of a session: every frame has one that can be read.</summary>
 internal sealed class SceneCheck(SessionReader session, SessionInfo? info)
 {
-    // Sessions of earlier versions do not say whether they keep scenes.
+    // Sessions of earlier versions do not record whether they have scenes.
     private readonly bool _keepsScenes = info?.KeepsScenes ?? Directory.Exists(session.PathOf(FramePaths.Scenes));
 
-    /// <summary>What is wrong with a frame's scene; null for nothing.</summary>
-    public string? Problem(FrameLabel label)
+    /// <summary>The problem of a frame's scene; null for none.</summary>
+    /// <param name="label">The frame.</param>
+    /// <param name="manifest">The frame's entry in the manifest; null if it has none.</param>
+    public string? Problem(FrameLabel label, ManifestFrame? manifest)
     {
         string name = FramePaths.Scene(label.Frame);
         string path = session.PathOf(name);
@@ -30,7 +32,7 @@ internal sealed class SceneCheck(SessionReader session, SessionInfo? info)
         try
         {
             _ = SceneParser.Read(path, label);
-            return null;
+            return DigestCheck.Problem(path, name, manifest) is { } damage ? $"scene '{name}' {damage}" : null;
         }
         catch (DatasetFormatException e)
         {

@@ -6,7 +6,7 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Validation;
 
-/// <summary>What must hold from line to line: rising frame numbers and times, and object numbers that mean one object.</summary>
+/// <summary>Checks consecutive lines: frame numbers and times increase, and an id stands for one object.</summary>
 internal sealed class SequenceCheck
 {
     private readonly Dictionary<int, (ObjectClass Class, string Model)> _objects = [];
@@ -18,7 +18,7 @@ internal sealed class SequenceCheck
     {
         if (label.Frame <= _lastFrame)
         {
-            yield return $"frame is {label.Frame}, but the numbers must rise and {_lastFrame} came before.";
+            yield return $"frame is {label.Frame}, but the previous frame is {_lastFrame}; frame numbers must increase.";
         }
 
         if (label.TimeSeconds < 0)
@@ -27,7 +27,8 @@ internal sealed class SequenceCheck
         }
         else if (label.TimeSeconds < _lastTime && label.GameFrame > _lastGameFrame)
         {
-            yield return FormattableString.Invariant($"timeSeconds is {label.TimeSeconds}, but {_lastTime} came before; it falls only with gameFrame, in a game that was started anew.");
+            yield return FormattableString.Invariant($"timeSeconds is {label.TimeSeconds}, but was {_lastTime} in the previous frame; ")
+                + "it may decrease only if gameFrame does too, after a restart of the game.";
         }
 
         (_lastFrame, _lastTime, _lastGameFrame) = (label.Frame, label.TimeSeconds, label.GameFrame);
@@ -42,7 +43,8 @@ internal sealed class SequenceCheck
             if (!_objects.TryAdd(item.Id, (item.Class, item.Model)) && _objects[item.Id] != (item.Class, item.Model))
             {
                 (ObjectClass earlierClass, string earlierModel) = _objects[item.Id];
-                yield return $"object {item.Id} is {Describe(item.Class, item.Model)}, but was {Describe(earlierClass, earlierModel)} in an earlier frame.";
+                yield return $"object {item.Id} is {Describe(item.Class, item.Model)}, but was {Describe(earlierClass, earlierModel)} in "
+                    + "an earlier frame.";
             }
         }
     }

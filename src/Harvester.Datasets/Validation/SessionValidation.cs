@@ -3,19 +3,22 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Validation;
 
-/// <summary>What a validation found.</summary>
-/// <param name="Info">What session.json says; null when it cannot be read.</param>
-/// <param name="Frames">Frames whose labels could be read.</param>
-/// <param name="Objects">Objects in them.</param>
-/// <param name="Problems">All that is wrong, in the order of the files; empty for a good session.</param>
+/// <summary>The result of validating a session.</summary>
+/// <param name="Info">The content of session.json; null if it cannot be read.</param>
+/// <param name="Frames">Number of frames with readable labels.</param>
+/// <param name="Objects">Number of objects in them.</param>
+/// <param name="Problems">All problems, in the order of the files; empty for a valid session.</param>
 public sealed record SessionValidation(SessionInfo? Info, int Frames, int Objects, IReadOnlyList<SessionProblem> Problems)
 {
-    /// <summary>Labels of which it is not known whether anything of the object is seen.</summary>
+    /// <summary>Number of labels of objects whose visibility is unknown.</summary>
     public int Undetermined { get; init; }
 
-    /// <summary>Ignore regions of objects of which it could not be determined whether they are seen.</summary>
+    /// <summary>Number of ignore regions of objects whose visibility could not be determined.</summary>
     public int UndeterminedRegions { get; init; }
 
-    /// <summary>Whether nothing is wrong.</summary>
+    /// <summary>Whether the session has a manifest.</summary>
+    public bool HasManifest { get; init; }
+
+    /// <summary>Whether there are no problems.</summary>
     public bool IsGood => Problems.Count == 0;
 }

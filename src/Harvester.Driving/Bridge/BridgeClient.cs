@@ -1,14 +1,15 @@
 using System;
 using System.Net;
 using System.Net.Sockets;
+using System.Text;
 using System.Threading;
 
 namespace Harvester.Driving.Bridge;
 
-/// <summary>One connection of a socket bridge. It counts once it has shown the token, or at once where none is asked for.</summary>
+/// <summary>One connection of a socket bridge. It becomes the client once it has sent a valid hello.</summary>
 internal sealed class BridgeClient : IDisposable
 {
-    /// <summary>What the network may hold back on this side, bytes: less than two pictures. Linux would let it grow to megabytes.</summary>
+    /// <summary>Size of the send buffer, bytes: less than two images. Linux would let it grow to megabytes.</summary>
     private const int SendBufferBytes = 65_536;
 
     private readonly TcpClient _connection;
@@ -16,7 +17,7 @@ internal sealed class BridgeClient : IDisposable
     private readonly SocketReception _reception;
     private readonly FrameCredit _credit = new();
     private readonly object _sending = new();
-    private bool _isPending;
+    private bool _isPending = true;
     private volatile bool _isClosed;
 
     private BridgeClient(TcpClient connection, SocketReception reception)
@@ -29,34 +30,29 @@ internal sealed class BridgeClient : IDisposable
         _stream = connection.GetStream();
         Place = PlaceOf(connection.Client.RemoteEndPoint);
         _reception = reception;
-        _isPending = !string.IsNullOrEmpty(reception.Options.Token);
     }
 
-    /// <summary>Address and port of the other side.</summary>
+    /// <summary>Address and port of the client.</summary>
     public string Place { get; }
 
+    private bool IsTokenRequired => !string.IsNullOrEmpty(_reception.Options.Token);
+
+    private string WantedHello => IsTokenRequired ? "a hello with the right token" : "a hello";
+
     /// <summary>
-    /// Serves a connection on a thread of its own until it ends. Of connections without a token the one served last counts.
+    /// Serves a connection on a thread of its own until it ends. Of the connections that have sent a valid hello, the newest is the client.
     /// </summary>
     public static void Serve(TcpClient connection, SocketReception reception)
     {
         BridgeClient client = Of(connection, reception);
-        if (client._isPending)
-        {
-            reception.Pending.Enter(client)?.CutOff("a connection without the token was closed because too many others were waiting.");
-        }
-        else
-        {
-            client.BeWelcome();
-        }
-
+        reception.Pending.Enter(client)?.CutOff("a connection without a hello was closed because too many others were waiting.");
         new Thread(client.Receive) { IsBackground = true, Name = "Harvester socket bridge: receive" }.Start();
     }
 
-    /// <summary>Whether the client may be sent a frame now; it counts as sent then.</summary>
+    /// <summary>Whether the client may be sent a frame now; if so, the frame counts as sent.</summary>
     public bool MayGet(BridgeState state) => _credit.TrySpend(state);
 
-    /// <summary>Sends a message; a client that does not take it is cut off.</summary>
+    /// <summary>Sends a message; a client that does not receive it is disconnected.</summary>
     public void Send(byte[] header, ArraySegment<byte> payload)
     {
         try
@@ -80,7 +76,7 @@ internal sealed class BridgeClient : IDisposable
         _connection.Close();
     }
 
-    /// <summary>A connection may have ended before anything of it can be asked for.</summary>
+    /// <summary>Creates a client. The connection may have ended already, so its address may be unknown.</summary>
     private static BridgeClient Of(TcpClient connection, SocketReception reception)
     {
         try
@@ -104,9 +100,8 @@ internal sealed class BridgeClient : IDisposable
 
     private void Receive()
     {
-        // A limit of a single read would not do: a client that trickles its bytes never keeps one waiting.
-        using Timer? deadline = _isPending ? new Timer(_ => EndWait(), null, _reception.Options.TokenPatience, Timeout.InfiniteTimeSpan)
-            : null;
+        // A timeout of a single read would not suffice: a client that trickles its bytes never exceeds it.
+        using var deadline = new Timer(_ => EndWait(), null, _reception.Options.HelloPatience, Timeout.InfiniteTimeSpan);
         try
         {
             while (SocketFraming.ReadHeader(_stream) is { } header)
@@ -136,7 +131,7 @@ internal sealed class BridgeClient : IDisposable
     {
         if (_isPending)
         {
-            ShowToken(header);
+            BeIntroduced(header);
         }
         else
         {
@@ -154,26 +149,32 @@ internal sealed class BridgeClient : IDisposable
         }
     }
 
-    /// <summary>Counts from now on, and is sent nothing that was taken for another.</summary>
-    private void BeWelcome()
+    /// <summary>Makes this connection the client. Frames taken for an earlier client are not sent to it.</summary>
+    private void BecomeClient()
     {
         BridgeClient? earlier = null;
         _reception.Outbox.Clear(() => earlier = _reception.Inbox.Welcome(this));
         earlier?.Dispose();
     }
 
-    private void ShowToken(string header)
+    private void BeIntroduced(string header)
     {
         JsonFields hello = JsonFields.Parse(header);
-        if (hello.Text("type") != "hello" || !SameToken(hello.Text("token"), _reception.Options.Token!))
+        if (hello.Text("type") != BridgeProtocol.HelloType
+            || (IsTokenRequired && !(hello.Has("token") && SameToken(hello.Text("token"), _reception.Options.Token!))))
         {
-            throw new BridgeException("the first message must be a hello with the right token.");
+            throw new BridgeException($"the first message must be {WantedHello}.");
         }
 
+        BridgeProtocol.CheckClient(hello);
         _isPending = false;
         if (_reception.Pending.TryLeave(this))
         {
-            BeWelcome();
+            Send(Encoding.UTF8.GetBytes(BridgeProtocol.HelloOfGame), default);
+            if (!_isClosed)
+            {
+                BecomeClient();
+            }
         }
     }
 
@@ -181,12 +182,12 @@ internal sealed class BridgeClient : IDisposable
     {
         if (_reception.Pending.TryLeave(this))
         {
-            Send(BridgeText.Error("the first message must be a hello with the right token, sent in time."), default);
-            CutOff("a connection was closed because it did not send the token in time.");
+            Send(BridgeText.Error($"the first message must be {WantedHello}, sent in time."), default);
+            CutOff($"a connection was closed because it did not send {WantedHello} in time.");
         }
     }
 
-    /// <summary>Compares in a time that does not tell how much of the token was right.</summary>
+    /// <summary>Compares in a time that does not reveal how much of the token was right.</summary>
     private static bool SameToken(string given, string wanted)
     {
         int difference = given.Length ^ wanted.Length;

@@ -2,21 +2,21 @@ using System;
 
 namespace Harvester.Driving.Bridge;
 
-/// <summary>A client has sent something that is no message; its line says what.</summary>
+/// <summary>A client has sent something invalid; the message says what.</summary>
 public sealed class BridgeException : Exception
 {
-    /// <summary>Makes one without a reason.</summary>
+    /// <summary>Creates an exception without a message.</summary>
     public BridgeException()
     {
     }
 
-    /// <summary>Makes one with a reason in one line.</summary>
+    /// <summary>Creates an exception with a message of one line.</summary>
     public BridgeException(string message)
         : base(message)
     {
     }
 
-    /// <summary>Makes one with a reason and its cause.</summary>
+    /// <summary>Creates an exception with a message of one line and its cause.</summary>
     public BridgeException(string message, Exception innerException)
         : base(message, innerException)
     {

@@ -6,14 +6,14 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Driving.Bridge;
 
-/// <summary>The words of both bridges; docs/bridge.md is their contract.</summary>
+/// <summary>The texts of both bridges, specified in docs/bridge.md.</summary>
 internal static class BridgeText
 {
     private const int Decimals = 6;
 
     /// <summary>
-    /// The content of state.txt: a line of thirteen numbers as in Figure 23, a line with frame, time, speed, fast, the picture's name and
-    /// the angle ahead.
+    /// The content of state.txt: a line of thirteen numbers as in Figure 23 of the thesis, and a line with frame, time, speed, fast, the
+    /// image's name and the angle ahead.
     /// </summary>
     public static byte[] StateFile(BridgeState state, string picture)
     {
@@ -34,7 +34,7 @@ internal static class BridgeText
         return Encoding.ASCII.GetBytes(text.ToString());
     }
 
-    /// <summary>The header that goes before a picture on the socket.</summary>
+    /// <summary>The header of an image on the socket.</summary>
     public static byte[] Header(BridgeState state)
     {
         var json = new JsonText();
@@ -53,7 +53,7 @@ internal static class BridgeText
         return Encoding.UTF8.GetBytes(json.ToString());
     }
 
-    /// <summary>A header that tells the client what it did wrong.</summary>
+    /// <summary>A header that reports an error of the client.</summary>
     public static byte[] Error(string reason)
     {
         var json = new JsonText();

@@ -5,14 +5,14 @@ using System.Diagnostics.CodeAnalysis;
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// What the client has said and the drive has not done yet: commands that wait for a step's end, and the newest controls or indicators.
-/// Those that came before a reset are void with it, those that came behind it wait until it is done.
+/// What the client has sent and the drive has not done yet: commands that wait for the end of a step, and the newest controls or
+/// indicators. A reset voids those sent before it; those sent after it wait until it is done.
 /// </summary>
 /// <param name="bridge">The bridge to the client.</param>
 /// <param name="report">Receives a message for each fault of the client.</param>
 internal sealed class ClientAgenda(IDrivingBridge bridge, Action<string> report)
 {
-    /// <summary>A client that sends faster than the ticks go does not keep a tick busy.</summary>
+    /// <summary>Limits the work of a tick if a client sends faster than the game ticks.</summary>
     private const int MaxMessagesPerTick = 300;
 
     private const int MaxCommandsWaiting = 256;
@@ -20,8 +20,8 @@ internal sealed class ClientAgenda(IDrivingBridge bridge, Action<string> report)
     private ClientMessage? _newest;
     private int _resetsWaiting;
 
-    /// <summary>Takes what has come over the bridge.</summary>
-    /// <returns>Whether the client is gone, or another one speaks now; nothing of the one before is left.</returns>
+    /// <summary>Takes the messages that the bridge has received.</summary>
+    /// <returns>Whether the client has disconnected or been replaced; nothing of the earlier client is left then.</returns>
     public bool Receive()
     {
         bool isClientGone = false;
@@ -47,7 +47,7 @@ internal sealed class ClientAgenda(IDrivingBridge bridge, Action<string> report)
         return isClientGone;
     }
 
-    /// <summary>The command whose turn it is.</summary>
+    /// <summary>Takes the next command that may run now.</summary>
     public bool TryTakeCommand([NotNullWhen(true)] out ClientMessage? command)
     {
         command = _commands.Count > 0 ? _commands.Dequeue() : null;
@@ -55,7 +55,7 @@ internal sealed class ClientAgenda(IDrivingBridge bridge, Action<string> report)
         return command is not null;
     }
 
-    /// <summary>The newest controls or indicators that have not been taken; null when there are none, or a reset comes first.</summary>
+    /// <summary>Takes the newest controls or indicators; null if there are no new ones, or if a reset comes first.</summary>
     public ClientMessage? TakeNewest()
     {
         if (_resetsWaiting > 0)

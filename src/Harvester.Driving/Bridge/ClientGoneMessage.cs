@@ -1,7 +1,7 @@
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// The bridge's own word, which no client can say: the client is gone, or another has taken its place. What it asked for is void; nothing
-/// that it said comes after this.
+/// Reports that the client has disconnected or been replaced. Only the bridge creates it; a client cannot send it. The client's requests
+/// are void, and no message of that client follows.
 /// </summary>
 public sealed record ClientGoneMessage : ClientMessage;

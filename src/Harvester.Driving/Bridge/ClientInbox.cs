@@ -4,16 +4,15 @@ using System.Diagnostics.CodeAnalysis;
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// What the one client that counts has said, until the game takes it: commands in their order, of controls and indicators only the newest.
-/// A reset voids those that came before it. Each word comes with who says it, under one lock with who counts. So once a client is gone or
-/// another has its place, nothing that it said is given out any more, and the game is told so by a <see cref="ClientGoneMessage"/> before
-/// anything that comes after.
+/// Messages of the current client, until the game takes them: commands in order; of controls and indicators only the newest. A reset voids
+/// controls and indicators received before it. Sender and message are stored under one lock with the current client, so once a client has
+/// disconnected or been replaced, none of its messages is handed out, and a <see cref="ClientGoneMessage"/> precedes all that follows.
 /// </summary>
-/// <typeparam name="TClient">Clients; one and the same object is one and the same client.</typeparam>
+/// <typeparam name="TClient">Clients, compared by reference.</typeparam>
 internal sealed class ClientInbox<TClient>
     where TClient : class
 {
-    /// <summary>A client that sends commands faster than the game takes them loses the newest.</summary>
+    /// <summary>If a client sends commands faster than the game takes them, the newest are dropped.</summary>
     private const int CommandCapacity = 256;
 
     private readonly object _gate = new();
@@ -23,7 +22,7 @@ internal sealed class ClientInbox<TClient>
     private bool _isClientGone;
     private bool _isClosed;
 
-    /// <summary>The client that counts; null when there is none.</summary>
+    /// <summary>The current client; null if there is none.</summary>
     public TClient? Client
     {
         get
@@ -35,8 +34,8 @@ internal sealed class ClientInbox<TClient>
         }
     }
 
-    /// <summary>Lets a client count from now on, in the place of another.</summary>
-    /// <returns>Who does not count (any more): the other, or the newcomer when the box is closed; null when there is nobody.</returns>
+    /// <summary>Makes a client the current one, in place of another.</summary>
+    /// <returns>The client to disconnect: the earlier one, or the newcomer if the inbox is closed; null if there is none.</returns>
     public TClient? Welcome(TClient newcomer)
     {
         lock (_gate)
@@ -45,8 +44,8 @@ internal sealed class ClientInbox<TClient>
         }
     }
 
-    /// <summary>Takes it that a client is gone.</summary>
-    /// <returns>Whether it counted until now.</returns>
+    /// <summary>Removes a client that has disconnected.</summary>
+    /// <returns>Whether it was the current one.</returns>
     public bool Leave(TClient client)
     {
         lock (_gate)
@@ -55,8 +54,8 @@ internal sealed class ClientInbox<TClient>
         }
     }
 
-    /// <summary>Lets nobody count any more.</summary>
-    /// <returns>Who did; null for nobody.</returns>
+    /// <summary>Removes the current client and accepts no other.</summary>
+    /// <returns>The client that was removed; null if there was none.</returns>
     public TClient? Close()
     {
         lock (_gate)
@@ -66,8 +65,8 @@ internal sealed class ClientInbox<TClient>
         }
     }
 
-    /// <summary>Puts in what a client says; if it does not count, that goes nowhere.</summary>
-    /// <returns>False when a command was dropped for want of room.</returns>
+    /// <summary>Stores a message of a client. A message of any client but the current one is ignored.</summary>
+    /// <returns>False if a command was dropped because the inbox is full.</returns>
     public bool TryPut(TClient client, ClientMessage message)
     {
         lock (_gate)
@@ -98,7 +97,7 @@ internal sealed class ClientInbox<TClient>
         }
     }
 
-    /// <summary>Takes a message out: that a client is gone, then commands, then controls or indicators.</summary>
+    /// <summary>Takes the next message: first that a client is gone, then commands, then controls or indicators.</summary>
     public bool TryTake([NotNullWhen(true)] out ClientMessage? message)
     {
         lock (_gate)

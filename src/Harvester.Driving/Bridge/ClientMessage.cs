@@ -1,4 +1,4 @@
 namespace Harvester.Driving.Bridge;
 
-/// <summary>What the other side of a bridge asks for.</summary>
+/// <summary>A message of a client.</summary>
 public abstract record ClientMessage;

@@ -14,8 +14,8 @@ public static class ClientMessageParser
     private const double MaxCoordinate = 100_000;
     private const double MaxHeadingDegrees = 360;
 
-    /// <summary>The message of a header.</summary>
-    /// <exception cref="BridgeException">The header is no message; the line says what is wrong.</exception>
+    /// <summary>Parses a header.</summary>
+    /// <exception cref="BridgeException">The header is not a valid message; the exception says what is wrong.</exception>
     public static ClientMessage Parse(string header)
     {
         JsonFields fields = JsonFields.Parse(header ?? throw new ArgumentNullException(nameof(header)));
@@ -31,16 +31,17 @@ public static class ClientMessageParser
             "pause" => new PauseMessage(fields.Boolean("paused")),
             "step" => new StepMessage(SecondsOf(fields)),
             "requestFrame" => new RequestFrameMessage(),
-            _ => throw new BridgeException($"type {ClientText.Quoted(type)} is not one of controls, indicators, reset, environment, pause, step, requestFrame."),
+            _ => throw new BridgeException(
+                $"type {ClientText.Quoted(type)} is not one of controls, indicators, reset, environment, pause, step, requestFrame."),
         };
     }
 
-    /// <summary>The number of a frame.</summary>
-    /// <exception cref="BridgeException">It is none.</exception>
+    /// <summary>Converts a number to a frame number.</summary>
+    /// <exception cref="BridgeException">The number is not a whole number of 0 or more.</exception>
     internal static long FrameOf(double number)
     {
-        const double greatestWhole = 9007199254740992;
-        return number >= 0 && number <= greatestWhole && Math.Floor(number) == number
+        const double maxExact = 9007199254740992;
+        return number >= 0 && number <= maxExact && Math.Floor(number) == number
             ? (long)number
             : throw new BridgeException("the frame must be a whole number, 0 or more.");
     }
@@ -68,7 +69,8 @@ public static class ClientMessageParser
         string weather = fields.Text("weather");
         return WeatherNames.IsKnown(weather)
             ? weather
-            : throw new BridgeException($"field weather is {ClientText.Quoted(weather)}, which is not one of {string.Join(", ", WeatherNames.All)}.");
+            : throw new BridgeException(
+                $"field weather is {ClientText.Quoted(weather)}, which is not one of {string.Join(", ", WeatherNames.All)}.");
     }
 
     private static TimeSpan TimeOf(JsonFields fields) =>

@@ -3,12 +3,12 @@ using System.Globalization;
 
 namespace Harvester.Driving.Bridge;
 
-/// <summary>Words of a client's as they may be repeated in a line of ours: they may be long, and of several lines.</summary>
+/// <summary>Makes text of a client safe to repeat in a message of one line: it may be long and have several lines.</summary>
 internal static class ClientText
 {
     private const int MaxLetters = 40;
 
-    /// <summary>The beginning of a text in quotes, with a question mark for each letter that does not print.</summary>
+    /// <summary>The beginning of a text in quotation marks, with a question mark for each unprintable character.</summary>
     public static string Quoted(string text)
     {
         string beginning = text.Length > MaxLetters ? text.Substring(0, MaxLetters) : text;

@@ -4,27 +4,28 @@ using System.IO;
 using System.Threading;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// The bridge of Figure 23 of the thesis: two machines share a folder. Out go a picture a frame and state.txt with the thirteen
-/// indicators; in come indicators.txt or controls.txt, and commands as command.json. Every file appears whole, by renaming. All of the
-/// disk's work is done by a thread of its own. A folder does not tell who writes or that nobody does any more: a client counts as gone when
-/// nothing has been written for long, and another begins with a hello.
+/// The bridge of Figure 23 of the thesis: two machines share a folder. The game writes an image per frame and state.txt with the thirteen
+/// indicators; the client writes indicators.txt or controls.txt, and commands as command.json. Files are renamed into place, so each
+/// appears complete. A thread of its own does all disk work. A folder does not show who writes or whether anybody still does: a client
+/// counts as disconnected after a time without new files, and a hello begins a new one.
 /// </summary>
 public sealed class FolderBridge : IDrivingBridge
 {
     /// <summary>
-    /// How long a client may give no sign of life, seconds, when nothing else is said: enough for a learner to think between two steps.
+    /// Default time without a sign of life after which a client counts as disconnected, seconds: enough for a learner between two steps.
     /// </summary>
     public const double DefaultPatienceSeconds = 30;
 
     private const double MillisecondsPerSecond = 1000;
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(5);
 
-    /// <summary>Another machine's folder may keep the thread waiting for minutes.</summary>
+    /// <summary>A folder on another machine may block the thread for minutes.</summary>
     private static readonly TimeSpan MaxWaitForThread = TimeSpan.FromSeconds(5);
 
     private readonly string _folder;
@@ -37,17 +38,19 @@ public sealed class FolderBridge : IDrivingBridge
     private readonly WatchedFile _controls;
     private readonly WatchedFile _command;
     private readonly WatchedFile _alive;
+    private readonly WriterLock _lock;
     private readonly Thread _thread;
     private double _heardMilliseconds;
     private volatile bool _stopping;
     private volatile string? _problem;
 
-    /// <summary>Opens the bridge; what a client left in the folder earlier is not taken for new.</summary>
-    /// <param name="folder">The shared folder; it is made where it is not there.</param>
-    /// <param name="picture">Size of the pictures, pixels.</param>
-    /// <param name="patienceSeconds">After how long without a sign of life the client counts as gone, seconds of the player's time.</param>
-    /// <exception cref="IOException">The folder cannot be made.</exception>
-    /// <exception cref="UnauthorizedAccessException">The folder may not be made.</exception>
+    /// <summary>Opens the bridge. Files that a client left in the folder earlier are ignored.</summary>
+    /// <param name="folder">The shared folder; it is created if it does not exist.</param>
+    /// <param name="picture">Size of the images, pixels.</param>
+    /// <param name="patienceSeconds">Time without a sign of life after which the client counts as disconnected, real seconds.</param>
+    /// <exception cref="FolderLockedException">Another process serves a game over the folder.</exception>
+    /// <exception cref="IOException">The folder cannot be created.</exception>
+    /// <exception cref="UnauthorizedAccessException">The folder may not be created.</exception>
     public FolderBridge(string folder, ImageSize picture, double patienceSeconds = DefaultPatienceSeconds)
         : this(folder, picture, patienceSeconds, new PlayerClock())
     {
@@ -58,7 +61,17 @@ public sealed class FolderBridge : IDrivingBridge
         _folder = folder ?? throw new ArgumentNullException(nameof(folder));
         _patienceSeconds = patienceSeconds;
         _clock = clock;
-        Directory.CreateDirectory(folder);
+        _lock = WriterLock.Take(folder);
+        try
+        {
+            Directory.CreateDirectory(folder);
+        }
+        catch
+        {
+            _lock.Dispose();
+            throw;
+        }
+
         _outbox = new FrameOutbox(picture);
         _frames = new FrameFiles(folder);
         _indicators = Watched("indicators.txt");
@@ -87,6 +100,7 @@ public sealed class FolderBridge : IDrivingBridge
         _stopping = true;
         _outbox.Close();
         _thread.Join(MaxWaitForThread);
+        _lock.Dispose();
     }
 
     private WatchedFile Watched(string name)
@@ -100,6 +114,7 @@ public sealed class FolderBridge : IDrivingBridge
     {
         using FrameFiles frames = _frames;
         Try(frames.DeleteEarlier);
+        Try(frames.WriteHello);
         while (!_stopping)
         {
             Try(Send);
@@ -111,7 +126,8 @@ public sealed class FolderBridge : IDrivingBridge
     }
 
     /// <summary>
-    /// A disk that fails now may work a moment later, and a client's bad file is followed by a good one: the bridge goes on.
+    /// Runs an action and records its failure. A disk may work again a moment later, and a client may correct a bad file, so the bridge
+    /// goes on.
     /// </summary>
     private void Try(Action action)
     {
@@ -148,8 +164,14 @@ public sealed class FolderBridge : IDrivingBridge
 
     private void TakeCommand(string text)
     {
-        if (JsonFields.Parse(text).Text("type") == "hello")
+        JsonFields command = JsonFields.Parse(text);
+        if (command.Text("type") == BridgeProtocol.HelloType)
         {
+            if (command.Has("version"))
+            {
+                BridgeProtocol.CheckClient(command);
+            }
+
             _inbox.Leave(this);
             _inbox.Welcome(this);
         }

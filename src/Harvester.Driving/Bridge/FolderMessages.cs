@@ -6,9 +6,9 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// The text files by which a client of the shared folder drives: indicators.txt with thirteen numbers, controls.txt with three
-/// (steering, throttle, brake); numbers with a point, separated by blanks or line ends. One number more is the frame that is answered.
-/// The last character is a line end, or the file may be cut off within a number: 0.2 for 0.25.
+/// The text files with which a client of the shared folder drives: indicators.txt with thirteen numbers, controls.txt with three (steering,
+/// throttle, brake). Numbers have a decimal point and are separated by blanks or line ends. One further number is the frame that is
+/// answered. The file must end with a line feed: a truncated file might have 0.2 for 0.25.
 /// </summary>
 internal static class FolderMessages
 {

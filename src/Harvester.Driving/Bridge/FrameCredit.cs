@@ -1,8 +1,8 @@
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// Says when a client may be sent a frame: when it has answered the last one, or has asked for one. What has been sent waits in the buffers
-/// of two machines and cannot be taken back, so a second frame behind one that is not answered would be old by the time it is read.
+/// Decides when a client may be sent a frame: when it has answered the last one or has asked for one. A sent frame waits in the buffers of
+/// two machines and cannot be taken back, so a frame sent before the last is answered would be old when it is read.
 /// </summary>
 internal sealed class FrameCredit
 {
@@ -11,8 +11,8 @@ internal sealed class FrameCredit
     private bool _isAnswered = true;
 
     /// <summary>
-    /// Takes it that a frame is sent now, where it may be. One that was asked for needs no answer: the client has said that it wants it,
-    /// and a world that stands may show it what it has seen and answered already.
+    /// Spends the credit for a frame, if it may be sent. A requested frame needs no answer: the client wants it, and while the game is
+    /// paused it may show what the client has seen and answered already.
     /// </summary>
     public bool TrySpend(BridgeState state)
     {
@@ -35,9 +35,8 @@ internal sealed class FrameCredit
     }
 
     /// <summary>
-    /// Hears a word of the client's. It answers the frame that it names and those before, or all that were sent if it names none. A step
-    /// and a request answer nothing: they bring the frame that they ask for, and another with it would be one more than the client waits
-    /// for.
+    /// Takes note of a message. It answers the frame that it names and all before it, or every frame sent if it names none. A step and a
+    /// request answer nothing: they lead to the frame that they ask for, and an answer would add one that the client does not wait for.
     /// </summary>
     public void Hear(ClientMessage word)
     {

@@ -9,16 +9,15 @@ using Harvester.Sessions.Imaging.Pictures;
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// The files that go out over a shared folder: a picture a frame, of which the last ones stay, and state.txt. Each appears whole, by
-/// renaming, state.txt after its picture. A frame that cannot be written now, as when a client holds state.txt open, is kept for another
-/// try.
+/// Writes the files of a shared folder: an image per frame, of which the last few are kept, and state.txt. Each is renamed into place,
+/// state.txt after its image. A frame that cannot be written now, as while a client holds state.txt open, is kept for another attempt.
 /// </summary>
 internal sealed class FrameFiles(string folder) : IDisposable
 {
     private const string State = "state.txt";
     private const int PicturesKept = 10;
 
-    /// <summary>Where so many cannot be deleted, writing more would fill the disk.</summary>
+    /// <summary>If this many cannot be deleted, writing more would fill the disk.</summary>
     private const int MaxPictures = 100;
 
     private readonly List<string> _pictures = [];
@@ -29,7 +28,7 @@ internal sealed class FrameFiles(string folder) : IDisposable
     private bool _mayHaveLeftovers;
 
     /// <summary>
-    /// Deletes the pictures of earlier drives and what these left unfinished, known by their names. What somebody holds fast stays.
+    /// Deletes the images and temporary files of earlier drives, recognised by their names. Files that another process holds open stay.
     /// </summary>
     /// <exception cref="IOException">The folder cannot be read.</exception>
     /// <exception cref="UnauthorizedAccessException">The folder may not be read.</exception>
@@ -46,7 +45,13 @@ internal sealed class FrameFiles(string folder) : IDisposable
         DeleteLeftovers();
     }
 
-    /// <summary>Puts a frame in the place of the one that could not be written yet.</summary>
+    /// <summary>Writes the game's hello, with the version of the protocol.</summary>
+    /// <exception cref="IOException">It cannot be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">It may not be written.</exception>
+    public void WriteHello() =>
+        AtomicFile.Write(Path.Combine(folder, BridgeProtocol.HelloFile), BridgeProtocol.HelloOfGame + "\n", isDurable: false);
+
+    /// <summary>Sets the frame to write, in place of one that could not be written yet.</summary>
     public void Put(BridgeState state, PixelBuffer picture)
     {
         _png.SetLength(0);
@@ -55,10 +60,10 @@ internal sealed class FrameFiles(string folder) : IDisposable
         _isPictureWritten = false;
     }
 
-    /// <summary>Writes the frame that waits, if one does.</summary>
-    /// <exception cref="IOException">It cannot be written now.</exception>
-    /// <exception cref="UnauthorizedAccessException">It may not be written.</exception>
-    /// <exception cref="BridgeException">Too many old pictures cannot be deleted.</exception>
+    /// <summary>Writes the waiting frame, if there is one.</summary>
+    /// <exception cref="IOException">The frame cannot be written now.</exception>
+    /// <exception cref="UnauthorizedAccessException">The folder is not writable.</exception>
+    /// <exception cref="BridgeException">Too many old images cannot be deleted.</exception>
     public void Write()
     {
         if (_waiting is not { } state)
@@ -77,7 +82,7 @@ internal sealed class FrameFiles(string folder) : IDisposable
         _waiting = null;
     }
 
-    /// <summary>Gives back memory; the files stay.</summary>
+    /// <summary>Frees memory; the files stay.</summary>
     public void Dispose() => _png.Dispose();
 
     private void WritePicture(string name)
@@ -89,14 +94,14 @@ internal sealed class FrameFiles(string folder) : IDisposable
                 FormattableString.Invariant($"{MaxPictures} old pictures cannot be deleted; no frame is written until they can."));
         }
 
-        // The folder may have been taken away.
+        // The folder may have been deleted.
         Directory.CreateDirectory(folder);
         WriteWhole(name, _png.GetBuffer(), (int)_png.Length);
         _pictures.Add(name);
         _isPictureWritten = true;
     }
 
-    /// <summary>Makes room for one picture more. What somebody holds fast goes another time.</summary>
+    /// <summary>Makes room for one more image. A file that another process holds open is deleted at a later frame.</summary>
     private void DeleteOldPictures()
     {
         for (int i = _pictures.Count - PicturesKept; i >= 0; i--)
@@ -110,7 +115,7 @@ internal sealed class FrameFiles(string folder) : IDisposable
 
     private static bool IsPicture(string name) => Regex.IsMatch(name, @"\Aframe_[0-9]{8}\.png\z");
 
-    /// <returns>Whether it is gone, as it is with the folder too.</returns>
+    /// <returns>Whether the file is gone; it is too if the folder is.</returns>
     private static bool TryDelete(string path)
     {
         try
@@ -132,7 +137,7 @@ internal sealed class FrameFiles(string folder) : IDisposable
     {
         try
         {
-            AtomicFile.Write(Path.Combine(folder, name), stream => stream.Write(bytes, 0, count));
+            AtomicFile.Write(Path.Combine(folder, name), stream => stream.Write(bytes, 0, count), isDurable: false);
         }
         catch
         {
@@ -142,11 +147,12 @@ internal sealed class FrameFiles(string folder) : IDisposable
 
         if (_mayHaveLeftovers)
         {
-            // Of a write that failed, the temporary file may have been as little to be deleted as the file to be written.
+            // After a failed write, the temporary file may be as impossible to delete as the target was to write.
             DeleteLeftovers();
             _mayHaveLeftovers = false;
         }
     }
 
-    private void DeleteLeftovers() => AtomicFile.DeleteLeftovers(folder, target => target == State || IsPicture(target));
+    private void DeleteLeftovers() =>
+        AtomicFile.DeleteLeftovers(folder, target => target is State or BridgeProtocol.HelloFile || IsPicture(target));
 }

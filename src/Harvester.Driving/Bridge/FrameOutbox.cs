@@ -7,8 +7,8 @@ using Harvester.Sessions.Imaging;
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// The newest frame until the bridge's thread takes it. Two pictures go back and forth, so that nothing is allocated for pictures. Whoever
-/// was promised a frame that a newer one has replaced is owed the newer one.
+/// The newest frame until the bridge's thread takes it. Two images are swapped, so that none is allocated per frame. If a requested frame
+/// is replaced by a newer one, the newer one counts as requested.
 /// </summary>
 internal sealed class FrameOutbox(ImageSize size)
 {
@@ -18,8 +18,8 @@ internal sealed class FrameOutbox(ImageSize size)
     private BridgeState? _state;
     private bool _closed;
 
-    /// <summary>Puts a frame in the place of the one that waits.</summary>
-    /// <exception cref="ArgumentException">The picture is of another size.</exception>
+    /// <summary>Stores a frame in place of the one that waits.</summary>
+    /// <exception cref="ArgumentException">The image has another size.</exception>
     public void Put(BridgeState state, PixelBuffer picture)
     {
         if (picture.Size != size)
@@ -35,13 +35,13 @@ internal sealed class FrameOutbox(ImageSize size)
         }
     }
 
-    /// <summary>Waits for a frame and takes it; the picture stays the taker's until it takes the next.</summary>
+    /// <summary>Waits for a frame and takes it. The caller may use the image until it takes the next.</summary>
     /// <param name="patience">Maximum time to wait.</param>
-    /// <param name="mayGo">Whether a frame may be taken now; one that may not waits on, until a newer one replaces it.</param>
-    /// <param name="state">The frame's state; null if there is none.</param>
+    /// <param name="mayGo">Whether a frame may be taken now; one that may not waits until a newer one replaces it.</param>
+    /// <param name="state">The frame's state; null if there is no frame.</param>
     /// <param name="picture">The frame's image.</param>
     /// <returns>
-    /// False when the box is closed, nothing that may go came within the time, or the wait was ended by <see cref="Wake"/>.
+    /// False if the outbox is closed, no frame could be taken within the time, or <see cref="Wake"/> ended the wait.
     /// </returns>
     public bool TryTake(
         TimeSpan patience, Func<BridgeState, bool> mayGo, [NotNullWhen(true)] out BridgeState? state, out PixelBuffer picture)
@@ -66,7 +66,7 @@ internal sealed class FrameOutbox(ImageSize size)
         }
     }
 
-    /// <summary>Has whoever waits ask again whether the frame may go.</summary>
+    /// <summary>Makes a waiting thread check again whether the frame may be taken.</summary>
     public void Wake()
     {
         lock (_gate)
@@ -75,7 +75,7 @@ internal sealed class FrameOutbox(ImageSize size)
         }
     }
 
-    /// <summary>Drops the frame that waits, together with a change of who it was for.</summary>
+    /// <summary>Drops the waiting frame and applies a change of client in one step.</summary>
     public void Clear(Action change)
     {
         lock (_gate)
@@ -85,7 +85,7 @@ internal sealed class FrameOutbox(ImageSize size)
         }
     }
 
-    /// <summary>Wakes whoever waits, for good.</summary>
+    /// <summary>Ends all waiting for good.</summary>
     public void Close()
     {
         lock (_gate)

@@ -3,8 +3,8 @@ using System.Net.Sockets;
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// Lets the network itself ask whether the other machine still answers, also while nothing is said, as in a world that stands: a machine
-/// that was switched off or cut off never says that it goes.
+/// Lets TCP check whether the other machine still answers, even while nothing is sent, as in a paused game: a machine that was switched off
+/// or cut off sends no notice.
 /// </summary>
 internal static class KeepAlive
 {
@@ -12,12 +12,12 @@ internal static class KeepAlive
     private const int SecondsBetweenQuestions = 1;
     private const int QuestionsWithoutAnswer = 5;
 
-    // The same numbers on all systems; .NET Framework has no names for them.
+    // These numbers are the same on all systems; .NET Framework has no names for them.
     private const SocketOptionName Time = (SocketOptionName)3;
     private const SocketOptionName RetryCount = (SocketOptionName)16;
     private const SocketOptionName Interval = (SocketOptionName)17;
 
-    /// <summary>Asks for it. A system that cannot be told how often asks at its own pace.</summary>
+    /// <summary>Enables keep-alive. A system on which the interval cannot be set uses its own.</summary>
     public static void Ask(Socket socket)
     {
         socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.KeepAlive, true);

@@ -1,5 +1,5 @@
 namespace Harvester.Driving.Bridge;
 
-/// <summary>Stops the world or lets it go on.</summary>
-/// <param name="IsPaused">Whether it is to stand still.</param>
+/// <summary>Pauses or resumes the game.</summary>
+/// <param name="IsPaused">Whether the game is to be paused.</param>
 public sealed record PauseMessage(bool IsPaused) : ClientMessage;

@@ -3,9 +3,9 @@ using System.Collections.Generic;
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// Connections that have not sent the token yet, up to a maximum. Each is removed exactly once, whether because it has sent the token, its
-/// time is over, or a newer connection replaces it. At the maximum, the one that has waited longest is replaced: it is the least likely to
-/// send the token.
+/// Connections that have not sent a valid hello yet, up to a maximum. Each is removed exactly once: because it has sent one, its time is
+/// over, or a newer connection replaces it. At the maximum, the connection that has waited longest is replaced: it is the least likely to
+/// send one.
 /// </summary>
 /// <param name="places">Maximum number of pending connections; at least 1.</param>
 internal sealed class PendingClients<T>(int places)
@@ -29,7 +29,7 @@ internal sealed class PendingClients<T>(int places)
 
     /// <summary>Adds a pending connection.</summary>
     /// <returns>
-    /// The connection to close: the one that has waited longest, or the new one after <see cref="Close"/>; null for none.
+    /// The connection to close: the one that has waited longest, or the new one after <see cref="Close"/>; null if there is none.
     /// </returns>
     public T? Enter(T newcomer)
     {

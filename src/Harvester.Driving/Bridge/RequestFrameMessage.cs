@@ -1,4 +1,4 @@
 namespace Harvester.Driving.Bridge;
 
-/// <summary>Asks for a frame now, besides those that come at the bridge's rate.</summary>
+/// <summary>Requests a frame now, in addition to those sent at the bridge's rate.</summary>
 public sealed record RequestFrameMessage : ClientMessage;

@@ -10,10 +10,10 @@ using Harvester.Sessions.Imaging.Pictures;
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// A bridge over TCP, to one client at a time: a newer client takes the place of the older, once it has shown the token where one is asked
-/// for. Frames go out as a JSON header and a PNG, messages come in as JSON headers; docs/bridge.md has the protocol. Threads of its own do
-/// all the waiting, and a client that sends nonsense or does not take a frame is cut off, never waited for. A client is sent the newest
-/// frame when it has answered the last one.
+/// A bridge over TCP, to one client at a time. A newer client replaces the older one once it has sent a valid hello, with the token if one
+/// is required. Frames are sent as a JSON header and a PNG; messages are JSON headers; docs/bridge.md specifies the protocol. Threads of
+/// its own do all the waiting. A client that sends invalid messages or does not receive a frame is disconnected. A client is sent the
+/// newest frame when it has answered the last one.
 /// </summary>
 public sealed class SocketBridge : IDrivingBridge
 {
@@ -24,7 +24,7 @@ public sealed class SocketBridge : IDrivingBridge
     private volatile bool _stopping;
     private volatile string? _problem;
 
-    /// <summary>Starts to listen for clients.</summary>
+    /// <summary>Starts listening for clients.</summary>
     /// <param name="options">Address, port and token.</param>
     /// <param name="picture">Size of the images, pixels.</param>
     /// <exception cref="ArgumentException">The address is not a loopback address and there is no token.</exception>
@@ -50,7 +50,7 @@ public sealed class SocketBridge : IDrivingBridge
         _sender = Start(Send, "Harvester socket bridge: send");
     }
 
-    /// <summary>Where the bridge listens, with the port that it was given.</summary>
+    /// <summary>The address and port at which the bridge listens; the port is the actual one if 0 was requested.</summary>
     public IPEndPoint EndPoint => (IPEndPoint)_listener.LocalEndpoint;
 
     /// <inheritdoc/>
@@ -59,7 +59,7 @@ public sealed class SocketBridge : IDrivingBridge
     /// <inheritdoc/>
     public string? Client => _reception.Inbox.Client?.Place;
 
-    /// <summary>Number of connections that have not sent the token yet.</summary>
+    /// <summary>Number of connections that have not sent a valid hello yet.</summary>
     internal int Pending => _reception.Pending.Count;
 
     /// <inheritdoc/>
@@ -78,7 +78,7 @@ public sealed class SocketBridge : IDrivingBridge
         _listener.Stop();
         _reception.Outbox.Close();
 
-        // A frame that is on its way is sent whole, if the client takes it.
+        // A frame in transmission is sent completely, if the client receives it.
         _sender.Join(_reception.Options.SendPatience);
         _reception.Inbox.Close()?.Dispose();
         foreach (BridgeClient stranger in _reception.Pending.Close())
@@ -124,7 +124,7 @@ public sealed class SocketBridge : IDrivingBridge
         using var png = new System.IO.MemoryStream();
         while (!_stopping)
         {
-            // A frame that nobody is there for is taken too, and dropped.
+            // Without a client, frames are taken and dropped.
             BridgeClient? client = null;
             if (_reception.Outbox.TryTake(TimeSpan.FromSeconds(1), MayGo, out BridgeState? state, out PixelBuffer picture)
                 && client is not null)

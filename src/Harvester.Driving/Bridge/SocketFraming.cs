@@ -47,7 +47,9 @@ internal static class SocketFraming
         int payloadLength = GetInt(lengths, 4);
         if (headerLength is < 2 or > MaxHeaderLength || payloadLength != 0)
         {
-            throw new BridgeException(FormattableString.Invariant($"a message with a header of {headerLength} and a payload of {payloadLength} bytes; 2 to {MaxHeaderLength} and 0 are allowed."));
+            throw new BridgeException(FormattableString.Invariant(
+                $"a message has a header of {headerLength} and a payload of {payloadLength} bytes; 2 to {MaxHeaderLength}")
+                + " and 0 are allowed.");
         }
 
         byte[] header = new byte[headerLength];
@@ -62,7 +64,7 @@ internal static class SocketFraming
             int read = stream.Read(buffer, from, buffer.Length - from);
             if (read == 0)
             {
-                throw new EndOfStreamException("The client went away in the middle of a message.");
+                throw new EndOfStreamException("The client disconnected in the middle of a message.");
             }
 
             from += read;

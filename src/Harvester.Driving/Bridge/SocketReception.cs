@@ -3,13 +3,13 @@ using System;
 namespace Harvester.Driving.Bridge;
 
 /// <summary>
-/// What the connections of a socket bridge share: the rules, who counts and who does not yet, what goes out, and who hears of trouble.
+/// What the connections of a socket bridge share: options, the current and the pending clients, outgoing frames, and error reports.
 /// </summary>
 /// <param name="Options">How long, and with what token, a connection is admitted.</param>
-/// <param name="Inbox">What the client that counts has said.</param>
-/// <param name="Pending">The connections that have yet to show the token.</param>
+/// <param name="Inbox">Messages of the current client.</param>
+/// <param name="Pending">The connections that have not sent a valid hello yet.</param>
 /// <param name="Outbox">The frame that waits to be sent.</param>
-/// <param name="Report">Is told what a client does wrong, on any thread.</param>
+/// <param name="Report">Receives a message for each error of a client, on any thread.</param>
 internal sealed record SocketReception(
     SocketBridgeOptions Options, ClientInbox<BridgeClient> Inbox, PendingClients<BridgeClient> Pending, FrameOutbox Outbox,
         Action<string> Report);

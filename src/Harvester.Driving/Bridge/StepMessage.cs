@@ -1,5 +1,5 @@
 namespace Harvester.Driving.Bridge;
 
-/// <summary>Lets a paused world go on for so long, then stops it and sends a frame: a learner's lock-step.</summary>
+/// <summary>Lets a paused game run for a time, then pauses it and sends a frame: the lock-step of a learner.</summary>
 /// <param name="Seconds">Game time, more than 0 and at most 10 seconds.</param>
 public sealed record StepMessage(double Seconds) : ClientMessage;

@@ -7,22 +7,20 @@ using Harvester.Sessions.Files;
 
 namespace Harvester.Driving.Bridge;
 
-/// <summary>
-/// A small text file that somebody else writes again and again; each writing is read once. Never more is read than it may hold.
-/// </summary>
+/// <summary>A small text file that another process rewrites repeatedly; each version is read once. Its size is limited.</summary>
 internal sealed class WatchedFile(string path)
 {
     private const int MaxBytes = 65_536;
 
-    /// <summary>A writer may keep a file to itself for a moment.</summary>
+    /// <summary>A writer may keep the file locked for a moment.</summary>
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(1);
 
     private readonly Stopwatch _unreadable = new();
     private (DateTime Written, long Length)? _seen;
     private (DateTime Written, long Length)? _failed;
 
-    /// <summary>Takes what stands in the file now for seen, so that only a later writing counts.</summary>
-    /// <returns>Whether it was new.</returns>
+    /// <summary>Marks the file's current content as seen, so that only a later version counts.</summary>
+    /// <returns>Whether the content was new.</returns>
     public bool TrySee()
     {
         if (Version() is not { } version || version == _seen)
@@ -34,10 +32,9 @@ internal sealed class WatchedFile(string path)
         return true;
     }
 
-    /// <summary>Reads the file if it has been written since the last time.</summary>
-    /// <returns>False when it has not, is not there, or is being written just now.</returns>
-    /// <exception cref="BridgeException">It is too large to be what it should be, or cannot be read for long; told once for each
-    /// writing.</exception>
+    /// <summary>Reads the file if it has been written since the last call.</summary>
+    /// <returns>False if it has not, does not exist, or is being written right now.</returns>
+    /// <exception cref="BridgeException">The file is too large, or has been unreadable for long; thrown once for each version.</exception>
     public bool TryReadNew([NotNullWhen(true)] out string? text)
     {
         text = null;
@@ -54,7 +51,7 @@ internal sealed class WatchedFile(string path)
 
         if (Version() != version)
         {
-            // Another writing has come in between, and the next look reads that.
+            // The file has been written again meanwhile; the next call reads that.
             return false;
         }
 
@@ -77,7 +74,7 @@ internal sealed class WatchedFile(string path)
         return file.Exists ? (file.LastWriteTimeUtc, file.Length) : null;
     }
 
-    /// <summary>What the file holds, or a byte more than it may; null when it cannot be read now.</summary>
+    /// <summary>The file's content, or one byte more than the limit; null if the file cannot be read now.</summary>
     private MemoryStream? Read(out string? fault)
     {
         fault = null;

@@ -6,6 +6,6 @@ public enum ControllerKind
     /// <summary>The controller published with DeepDriving (<see cref="DeepDrivingController"/>).</summary>
     DeepDriving,
 
-    /// <summary>Stanley's law of steering, with a time gap to the vehicle ahead.</summary>
+    /// <summary>Stanley's steering law, with a time gap to the vehicle ahead.</summary>
     Stanley,
 }

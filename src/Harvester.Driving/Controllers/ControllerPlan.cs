@@ -3,18 +3,20 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Driving.Controllers;
 
-/// <summary>Settings of a controller, and the one place where controllers are created for cars of the game or the simulation.</summary>
+/// <summary>Settings of a controller. Creates the controllers for cars of the game or the simulation.</summary>
 public sealed record ControllerPlan
 {
-    /// <summary>Vehicles here are up to 8 m longer than the cars of TORCS; from centre to centre that is half, metres.</summary>
+    /// <summary>
+    /// Allowance for vehicles up to 8 m longer than the cars of TORCS, metres: half of that, as distances are from centre to centre.
+    /// </summary>
     private const double VehicleAllowance = 4;
 
     /// <summary>The control law to use.</summary>
     public required ControllerKind Kind { get; init; }
 
     /// <summary>
-    /// How far ahead of the car the angle of the indicators is measured, metres, 0 or more: 10 (default) for indicators of labels, 0 for
-    /// those sent by a client, whose angle is at the car as in TORCS.
+    /// Distance ahead of the car at which the angle of the indicators is measured, metres, 0 or more: 10 (default) for indicators of
+    /// labels, 0 for those sent by a client, whose angle is at the car as in TORCS.
     /// </summary>
     public double LookAheadMetres { get; init; } = 10;
 

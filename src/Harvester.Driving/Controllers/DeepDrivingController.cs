@@ -7,12 +7,12 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Driving.Controllers;
 
 /// <summary>
-/// The controller published with DeepDriving for TORCS roads of up to three lanes, restated from its rules and constants:
-/// it steers by steering = (angle - centre / 8) / 0.541 / damping toward the centre line of the lane it is in or moves to,
-/// changes lane when a vehicle is within 15 m and the lane beside was free for six seconds, and otherwise slows down behind it by the
-/// optimal-velocity model. The drift back to a preferred lane is left out: it differs with the number of lanes, which no indicator tells.
-/// It lives on <see cref="DrivingState.TorcsEquivalent"/>, ten times a second, and on the angle at the car, as in TORCS. Where the angle is
-/// measured further ahead, the one at the car is worked out from those seen before, and the bend that is seen so is fed forward.
+/// The controller published with DeepDriving for TORCS roads of up to three lanes, reimplemented from its rules and constants. It steers by
+/// steering = (angle - centre / 8) / 0.541 / damping towards the centre line of the lane it is in or moves to, changes lane when a vehicle
+/// is within 15 m and the neighbouring lane was free for six seconds, and otherwise slows down behind it by the optimal-velocity model. The
+/// drift back to a preferred lane is left out: it depends on the number of lanes, which no indicator gives. It uses <see
+/// cref="DrivingState.TorcsEquivalent"/>, ten times per second, and the angle at the car, as in TORCS. If the angle is measured farther
+/// ahead, the one at the car is derived from earlier ones, and the curvature found that way is fed forward.
 /// </summary>
 public sealed class DeepDrivingController : IController
 {
@@ -23,7 +23,7 @@ public sealed class DeepDrivingController : IController
     private const double NoLaneBeyond = 8;
     private const double SteadySteering = 0.2;
 
-    /// <summary>The published greatest speed, m/s.</summary>
+    /// <summary>The published maximum speed, m/s.</summary>
     public const double MaxSpeed = 20;
 
     private const int FramesToClear = 60;
@@ -31,7 +31,7 @@ public sealed class DeepDrivingController : IController
     private const int TrendLength = 5;
     private const double PeriodSeconds = 0.1;
 
-    /// <summary>From a command to its effect, seconds: bends are steered for so much earlier.</summary>
+    /// <summary>Delay from a command to its effect, seconds: the car steers into bends this much earlier.</summary>
     private const double SteeringLeadSeconds = 0.2;
 
     private readonly RoadAhead? _road;
@@ -46,29 +46,29 @@ public sealed class DeepDrivingController : IController
     private double _previousMr = 2;
 
     /// <summary>Creates a controller for indicators whose angle is measured at the car, as in TORCS.</summary>
-    /// <param name="steeringLockRadians">Angle of the car's front wheels at full lock, radians; that of TORCS unless given.</param>
+    /// <param name="steeringLockRadians">Angle of the car's front wheels at full lock, radians; by default that of TORCS.</param>
     /// <param name="vehicleAllowanceMetres">
-    /// Taken off the distances to vehicles, metres: the published controller stops 5 m from a vehicle, centre to centre, which is right for
-    /// the short cars of TORCS only.
+    /// Subtracted from the distances to vehicles, metres: the published controller stops 5 m from a vehicle, centre to centre, which suits
+    /// only the short cars of TORCS.
     /// </param>
-    /// <param name="mostSpeed">Speed on a free straight road, m/s, greater than 0; 20 as published unless given.</param>
+    /// <param name="maxSpeed">Speed on a free straight road, m/s, greater than 0; by default 20, as published.</param>
     public DeepDrivingController(
-        double steeringLockRadians = SteeringLockRadians, double vehicleAllowanceMetres = 0, double mostSpeed = MaxSpeed)
+        double steeringLockRadians = SteeringLockRadians, double vehicleAllowanceMetres = 0, double maxSpeed = MaxSpeed)
     {
-        _mostSpeed = mostSpeed;
+        _mostSpeed = maxSpeed;
         _lockShare = SteeringLockRadians / steeringLockRadians;
         _vehicleAllowance = vehicleAllowanceMetres;
     }
 
     /// <summary>Creates a controller for indicators whose angle is measured ahead of the car.</summary>
     /// <param name="car">Steering lock, wheelbase and other traits of the driven car.</param>
-    /// <param name="lookAheadMetres">How far ahead of the car the angle is measured, metres, 0 or more.</param>
+    /// <param name="lookAheadMetres">Distance ahead of the car at which the angle is measured, metres, 0 or more.</param>
     /// <param name="vehicleAllowanceMetres">Subtracted from the distances to vehicles, metres.</param>
-    /// <param name="mostSpeed">Speed on a free straight road, m/s, greater than 0.</param>
+    /// <param name="maxSpeed">Speed on a free straight road, m/s, greater than 0.</param>
     /// <exception cref="ArgumentNullException"><paramref name="car"/> is null.</exception>
     /// <exception cref="ArgumentOutOfRangeException"><paramref name="lookAheadMetres"/> is negative.</exception>
-    public DeepDrivingController(CarTraits car, double lookAheadMetres, double vehicleAllowanceMetres, double mostSpeed)
-        : this((car ?? throw new ArgumentNullException(nameof(car))).SteeringLockRadians, vehicleAllowanceMetres, mostSpeed) =>
+    public DeepDrivingController(CarTraits car, double lookAheadMetres, double vehicleAllowanceMetres, double maxSpeed)
+        : this((car ?? throw new ArgumentNullException(nameof(car))).SteeringLockRadians, vehicleAllowanceMetres, maxSpeed) =>
         _road = new RoadAhead(lookAheadMetres, PeriodSeconds, car, new PlaceBesideLine());
 
     /// <inheritdoc/>
@@ -104,13 +104,13 @@ public sealed class DeepDrivingController : IController
         double onWheel = cut * _lockShare;
         if (_road is { } road)
         {
-            road.WantedWheelAngle = cut * SteeringLockRadians;
+            road.RequestedWheelAngle = cut * SteeringLockRadians;
         }
 
         return error >= 0 ? new DrivingControls(onWheel, 0.2 * (error + 1), 0) : new DrivingControls(onWheel, 0, 0.1 * -error);
     }
 
-    /// <summary>The speed to follow a vehicle at a distance: 0 at 5 m, 15 m/s at 15 m.</summary>
+    /// <summary>The speed behind a vehicle at a distance: 0 at 5 m, 15 m/s at 15 m.</summary>
     private static double SpeedBehind(double distance)
     {
         const double c = 2.772;
@@ -140,7 +140,7 @@ public sealed class DeepDrivingController : IController
         return false;
     }
 
-    /// <summary>Finds the line to steer to, metres to the right of the car, and how gently.</summary>
+    /// <summary>Finds the line to steer towards, metres to the right of the car, and the damping.</summary>
     private double Steer(LaneIndicators at, out double centre)
     {
         bool isInLane = at.ToMarkingMR.Value - at.ToMarkingML.Value < MaxLaneWidth;

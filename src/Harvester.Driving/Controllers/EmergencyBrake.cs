@@ -4,29 +4,29 @@ using Harvester.Capture.Ports;
 namespace Harvester.Driving.Controllers;
 
 /// <summary>
-/// Brakes for a controller that does not brake enough: where to come to the speed of the vehicle ahead at a distance of
-/// <see cref="StandingDistance"/> takes more than a comfortable braking, v² - v'² over twice the way that is left, it brakes by just that,
-/// and nearer than that it lets nobody drive up to a vehicle. It leaves the steering alone, and the pedals too until then. Who comes into
-/// sight is taken for standing until he is seen to move.
+/// Brakes for a controller that does not brake enough. If reaching the speed of the vehicle ahead at a distance of <see
+/// cref="StandingDistance"/> takes more than comfortable braking, v² - v'² over twice the remaining distance, it brakes by exactly that;
+/// nearer than that, it does not let the car approach a vehicle. Steering, and until then the pedals, are the controller's. A vehicle that
+/// comes into sight is assumed to stand still until it is seen to move.
 /// </summary>
 public sealed class EmergencyBrake : IController
 {
-    /// <summary>Way left to the vehicle ahead, centre to centre, metres: room for the halves of a bus and of the car.</summary>
+    /// <summary>Distance to the vehicle ahead, centre to centre, metres: room for half of a bus and half of the car.</summary>
     public const double StandingDistance = 11;
 
-    /// <summary>Braking from which on it acts, m/s².</summary>
+    /// <summary>Deceleration from which it intervenes, m/s².</summary>
     public const double Comfortable = 2;
 
     private const double PeriodSeconds = 0.1;
 
-    /// <summary>Whatever is left of the way, it is not taken for less, metres.</summary>
+    /// <summary>Minimum of the remaining distance in the formula, metres.</summary>
     private const double MinDistance = 1;
 
     private readonly IController _controller;
     private readonly CarTraits _car;
     private readonly LeaderEstimate _leader = new(speedOfNewcomers: 0);
 
-    /// <summary>Puts the brake behind a controller.</summary>
+    /// <summary>Adds the brake to a controller.</summary>
     public EmergencyBrake(IController controller, CarTraits car)
     {
         _controller = controller ?? throw new ArgumentNullException(nameof(controller));

@@ -3,9 +3,9 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Driving.Controllers;
 
-/// <summary>Drives a car by the indicators, asked about ten times a second.</summary>
+/// <summary>Drives a car by the indicators; called about ten times per second.</summary>
 public interface IController
 {
-    /// <summary>What to do now.</summary>
+    /// <summary>Returns the controls for the current state.</summary>
     DrivingControls Drive(DrivingState state);
 }

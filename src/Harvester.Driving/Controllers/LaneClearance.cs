@@ -1,7 +1,8 @@
 namespace Harvester.Driving.Controllers;
 
 /// <summary>
-/// Whether the lane beside has been free long enough to move there: no vehicle nearer than 20 m for so many frames in a row.
+/// Decides whether the neighbouring lane has been free long enough to move there: no vehicle nearer than 20 m for a number of frames in a
+/// row.
 /// </summary>
 internal sealed class LaneClearance
 {
@@ -11,7 +12,7 @@ internal sealed class LaneClearance
 
     public bool IsClear(int framesNeeded) => _framesFree >= framesNeeded;
 
-    /// <summary>Takes the distance of one frame; a single near reading between far ones counts as noise.</summary>
+    /// <summary>Adds the distance of one frame; a single near reading between far ones counts as noise.</summary>
     public void Observe(double distance)
     {
         bool isOccupied = _previousDistance < OccupiedWithinMetres && distance < OccupiedWithinMetres;

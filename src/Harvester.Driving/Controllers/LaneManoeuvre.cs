@@ -1,6 +1,6 @@
 namespace Harvester.Driving.Controllers;
 
-/// <summary>What a controller does about its lane.</summary>
+/// <summary>What a controller does with its lane.</summary>
 internal enum LaneManoeuvre
 {
     Keep,

@@ -4,8 +4,8 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Driving.Controllers;
 
 /// <summary>
-/// Which lane to be in, told by the indicators of both systems together. While the car is near a marking the lanes on either side
-/// are told apart by where it is bound; a change of lane is over when the car is well within the lane it moved to.
+/// The lane to drive in, from the indicators of both systems. While the car is near a marking, the direction of its lane change
+/// distinguishes the lanes on either side; a lane change is over when the car is well within the lane it moved to.
 /// </summary>
 internal sealed class LaneTarget
 {
@@ -18,7 +18,7 @@ internal sealed class LaneTarget
 
     public void MoveTo(int side) => _boundFor = side;
 
-    /// <summary>Offset of the wanted lane's centre, metres to the right of the car; null when the indicators tell no lane.</summary>
+    /// <summary>Offset of the target lane's centre, metres to the right of the car; null if the indicators give no lane.</summary>
     public double? Centre(LaneIndicators at)
     {
         if (at.ToMarkingML.IsValid && at.ToMarkingMR.IsValid)
@@ -52,7 +52,7 @@ internal sealed class LaneTarget
             return (at.ToMarkingRR.Value + at.ToMarkingMR.Value) / 2;
         }
 
-        // The centre of the lane jumped by a lane's width: the car has crossed into the lane it was bound for.
+        // The centre of the lane jumped by a lane's width: the car has crossed into the target lane.
         _boundFor = 0;
         _lastLaneCentre = own;
         return own;

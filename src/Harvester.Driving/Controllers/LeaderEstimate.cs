@@ -4,30 +4,29 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Driving.Controllers;
 
 /// <summary>
-/// How far the vehicle ahead is and how fast it drives, from noisy distances: a filter of fixed weights (alpha, beta) that knows the
-/// car's own speed.
+/// Estimates distance and speed of the vehicle ahead from noisy distances: an alpha-beta filter that knows the car's own speed.
 /// </summary>
-/// <param name="speedOfNewcomers">What a vehicle that has just come into sight is taken to drive, m/s; null for as fast as the car.</param>
+/// <param name="speedOfNewcomers">Assumed speed of a vehicle that has just come into sight, m/s; null for the car's own speed.</param>
 internal sealed class LeaderEstimate(double? speedOfNewcomers = null)
 {
     private const double GapWeight = 0.35;
     private const double SpeedWeight = 0.06;
 
-    /// <summary>A distance that differs by more is another vehicle's, metres.</summary>
+    /// <summary>A distance that differs by more belongs to another vehicle, metres.</summary>
     private const double OtherVehicle = 14;
 
-    /// <summary>Frames without the vehicle after which it is gone.</summary>
+    /// <summary>Number of frames without the vehicle after which it is gone.</summary>
     private const int FramesUntilGone = 3;
 
     private int _framesWithout;
 
-    /// <summary>Metres to it, centre to centre; null when there is none.</summary>
+    /// <summary>Distance to it, centre to centre, metres; null if there is none.</summary>
     public double? Gap { get; private set; }
 
     /// <summary>Its speed along the road, m/s.</summary>
     public double Speed { get; private set; }
 
-    /// <summary>Takes a frame: the nearest of the vehicles ahead in the lane, or in the two lanes that the car is between.</summary>
+    /// <summary>Adds a frame: the nearest of the vehicles ahead in the lane, or in the two lanes that the car is between.</summary>
     /// <param name="at">The indicators of the frame, metres.</param>
     /// <param name="ownSpeed">The car's own speed, m/s.</param>
     /// <param name="seconds">Time since the previous frame, seconds.</param>

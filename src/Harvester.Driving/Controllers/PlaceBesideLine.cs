@@ -4,12 +4,12 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Driving.Controllers;
 
 /// <summary>
-/// How far beside the road's line the car and its lane are, and what that makes of a bend. Angles are seen so many metres ahead along the
-/// line; on the outside of a bend the car drives more metres than the line has, and less on the inside.
+/// Lateral distance of the car and its lane from the road's line, and its effect in bends. Angles are measured at a distance along the
+/// line; on the outside of a bend the car drives a longer distance than the line, and on the inside a shorter one.
 /// </summary>
 internal sealed class PlaceBesideLine
 {
-    /// <summary>However sharp the bend, the way is not taken for shorter or longer than by these factors on the line.</summary>
+    /// <summary>Minimum ratio of the car's distance to that along the line, however sharp the bend.</summary>
     private const double MinOfLine = 0.4;
     private const double MaxOfLine = 2;
 
@@ -17,8 +17,8 @@ internal sealed class PlaceBesideLine
     private double _laneRightOfLine;
 
     /// <summary>
-    /// Takes a frame. The leftmost marking of the car's direction that is seen is taken for the line. On a road of two directions that is
-    /// what it is, but for half of the median; on a one-way road the line is in the middle of the lanes, but those have few sharp bends.
+    /// Adds a frame. The leftmost visible marking of the car's direction is used as the line. On a road with two directions it is the line,
+    /// except for half of the median; on a one-way road the line is in the middle of the lanes, but such roads have few sharp bends.
     /// </summary>
     public void Observe(LaneIndicators at)
     {
@@ -33,10 +33,12 @@ internal sealed class PlaceBesideLine
         }
     }
 
-    /// <summary>Metres along the line while the car drives so many, where the line bends so, 1/m.</summary>
+    /// <summary>Distance along the line for a distance driven, metres, where the line has a curvature, 1/m.</summary>
     public double AlongLine(double metres, double curvature) => metres / WayByLine(curvature, _carRightOfLine);
 
-    /// <summary>How the middle of the lane bends where the line bends so, 1/m: the same turn on a longer or shorter way.</summary>
+    /// <summary>
+    /// Curvature of the middle of the lane where the line has a curvature, 1/m: the same turn over a longer or shorter distance.
+    /// </summary>
     public double BendOfLane(double curvature) => curvature / WayByLine(curvature, _laneRightOfLine);
 
     private static double WayByLine(double curvature, double rightOfLine) =>

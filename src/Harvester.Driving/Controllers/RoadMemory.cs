@@ -4,20 +4,20 @@ using System.Collections.Generic;
 namespace Harvester.Driving.Controllers;
 
 /// <summary>
-/// Where the road leads between the car and its look-ahead point, put together from the angles seen there while the car drove on. From
-/// it come the angle at the car and the bends ahead, which a single frame does not tell apart. Lengths are metres along the road,
-/// headings radians in a frame of the memory's own, positive to the left.
+/// The course of the road between the car and its look-ahead point, assembled from the angles measured there while the car drove. It gives
+/// the angle at the car and the bends ahead, which a single frame cannot separate. Lengths are metres along the road; headings are radians
+/// in a frame of its own, positive to the left.
 /// </summary>
-/// <param name="lookAheadMetres">How far ahead the angles are measured; 0 or more.</param>
+/// <param name="lookAheadMetres">Distance ahead at which the angles are measured; 0 or more.</param>
 internal sealed class RoadMemory(double lookAheadMetres)
 {
-    /// <summary>Frames nearer to each other than this count as one place: a standing car sees it again and again.</summary>
+    /// <summary>Frames closer together than this count as one position: a standing car measures it repeatedly.</summary>
     private const double SamePlace = 0.4;
 
-    /// <summary>Places within this distance of one that is asked for are weighed in; they even out the noise of single frames.</summary>
+    /// <summary>Positions within this distance are averaged to reduce the noise of single frames.</summary>
     private const double Reach = 4;
 
-    /// <summary>Added to the spread of the places, m²: few of them tell no bend.</summary>
+    /// <summary>Added to the variance of the positions, m²: too few of them show no bend.</summary>
     private const double SpreadOfNone = 2;
 
     private const double SeedStep = 1;
@@ -30,7 +30,7 @@ internal sealed class RoadMemory(double lookAheadMetres)
     private double _station;
     private double _heading;
 
-    /// <summary>The car has driven so far and turned by so much to the left.</summary>
+    /// <summary>Moves the car along the road: the distance driven and the angle turned, positive to the left.</summary>
     public void Advance(double metres, double turned)
     {
         _station += metres;
@@ -38,14 +38,14 @@ internal sealed class RoadMemory(double lookAheadMetres)
         _seen.RemoveAll(place => place.Station < _station - Reach);
     }
 
-    /// <summary>The road's heading at the look-ahead point less the car's.</summary>
+    /// <summary>Adds the road's heading at the look-ahead point minus the car's.</summary>
     public void See(double angle)
     {
         double station = _station + _lookAheadMetres;
         double heading = _heading + angle;
         if (_seen.Count == 0)
         {
-            // Nothing is known of the way to there. Who hands a car over hands it over along its road: an arc that begins in its direction.
+            // The road up to there is unknown. Assume that the drive begins along the road: an arc that begins in the car's direction.
             for (double share = 0; share < 1; share += SeedStep / _lookAheadMetres)
             {
                 _seen.Add((_station + (share * _lookAheadMetres), _heading + (share * angle), 1));
@@ -68,10 +68,10 @@ internal sealed class RoadMemory(double lookAheadMetres)
         }
     }
 
-    /// <summary>Forgets everything, as where the road is lost from sight.</summary>
+    /// <summary>Forgets everything, as when the road is lost.</summary>
     public void Forget() => _seen.Clear();
 
-    /// <summary>The road's heading some way ahead less the car's, and how it bends there, 1/m.</summary>
+    /// <summary>The road's heading at a distance ahead minus the car's, and the curvature there, 1/m.</summary>
     public (double Angle, double Curvature) At(double metresAhead)
     {
         double station = _station + metresAhead;

@@ -5,19 +5,21 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Driving.Controllers;
 
 /// <summary>
-/// Steers by Stanley's law on the centre of the lane (wheel angle = heading error + atan(k · lateral error / speed), with the road's
-/// curvature fed forward), keeps a time gap to the vehicle ahead by the intelligent driver model, and moves to a free lane when a
-/// slower vehicle blocks its own. Uses all thirteen indicators, in metres, with their valid flags. The angle at the car and the bends
-/// ahead it works out from the angles seen ahead and from how the car has turned since.
+/// Steers by Stanley's law towards the centre of the lane (wheel angle = heading error + atan(k · lateral error / speed), with the road's
+/// curvature fed forward), keeps a time gap to the vehicle ahead by the intelligent driver model, and moves to a free lane if a slower
+/// vehicle blocks its own. Uses all thirteen indicators, in metres, with their valid flags. The angle at the car and the bends ahead are
+/// derived from the angles measured ahead and from how the car has turned since.
 /// </summary>
 public sealed class StanleyController : IController
 {
     private const int FramesToClear = 30;
 
-    /// <summary>How much further the neighbouring lane must be free than the car's own for a lane change, metres.</summary>
+    /// <summary>
+    /// Minimum advantage of the neighbouring lane for a lane change: how much farther it must be free than the car's own, metres.
+    /// </summary>
     private const double GainOfLane = 15;
 
-    /// <summary>Below this speed, m/s, the car stays in its lane: in a queue, a lane change would end across the marking.</summary>
+    /// <summary>Minimum speed for a lane change, m/s: in a queue, a lane change would end across the marking.</summary>
     private const double SlowestToChange = 3;
 
     private const double BendStep = 2;
@@ -49,7 +51,7 @@ public sealed class StanleyController : IController
         ConsiderLaneChange(state);
         ObserveCentre(at, state.SpeedMetresPerSecond);
         double wheelAngle = WheelAngle(state.SpeedMetresPerSecond);
-        _road.WantedWheelAngle = wheelAngle;
+        _road.RequestedWheelAngle = wheelAngle;
         _acceleration += _options.PedalWeight * (Acceleration(state) - _acceleration);
         double steering = wheelAngle / _options.Car.SteeringLockRadians;
         return _acceleration >= 0
@@ -59,7 +61,7 @@ public sealed class StanleyController : IController
 
     private void ObserveCentre(LaneIndicators at, double speed)
     {
-        // A car that points to the right of the road moves to the right, and the middle of the lane to its left.
+        // If the car points to the right of the road, it moves to the right, and the middle of the lane moves to its left.
         double? predicted = _centre - (speed * _options.PeriodSeconds * Math.Sin(_road.At(0).Angle));
         double? measured = _lane.Centre(at);
         double laneWidth = at.ToMarkingMR.Value - at.ToMarkingML.Value;
@@ -94,17 +96,17 @@ public sealed class StanleyController : IController
     private double WheelAngle(double speed)
     {
         double angle = _road.At(0).Angle;
-        double error = Math.Max(-_options.LargestLateralError, Math.Min(_options.LargestLateralError, _centre ?? 0));
+        double error = Math.Max(-_options.MaxLateralError, Math.Min(_options.MaxLateralError, _centre ?? 0));
         double lateral = Math.Atan2(-_options.LateralGain * error, speed + _options.SofteningSpeed);
-        lateral = Math.Max(-_options.LargestLateralAngle, Math.Min(_options.LargestLateralAngle, lateral));
+        lateral = Math.Max(-_options.MaxLateralAngle, Math.Min(_options.MaxLateralAngle, lateral));
         return angle + lateral + _road.WheelAngleAt(speed * _options.SteeringLeadSeconds, speed);
     }
 
-    /// <summary>The intelligent driver model: free acceleration less an interaction with the vehicle ahead.</summary>
+    /// <summary>The intelligent driver model: free acceleration minus an interaction with the vehicle ahead.</summary>
     private double Acceleration(DrivingState state)
     {
         double speed = state.SpeedMetresPerSecond;
-        double wanted = WantedSpeed(state);
+        double wanted = TargetSpeed(state);
         double free = speed <= wanted
             ? _options.Acceleration * (1 - Math.Pow(speed / wanted, 4))
             : -Math.Min(_options.Car.FullBraking, 2 * (speed - wanted));
@@ -119,8 +121,8 @@ public sealed class StanleyController : IController
         return Math.Max(-_options.Car.FullBraking, Math.Min(_options.Acceleration, free));
     }
 
-    /// <summary>As fast as the road allows: a bend ahead is reached at its own speed by braking comfortably.</summary>
-    private double WantedSpeed(DrivingState state)
+    /// <summary>The speed that the road allows: the speed of a bend ahead is reached by comfortable braking.</summary>
+    private double TargetSpeed(DrivingState state)
     {
         double wanted = state.IsFast ? _options.CruiseSpeed : _options.CautiousSpeed;
         for (double ahead = 0; ahead <= _options.LookAheadMetres; ahead += BendStep)

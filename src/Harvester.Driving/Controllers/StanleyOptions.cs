@@ -11,7 +11,7 @@ public sealed record StanleyOptions
     /// <summary>Time between two frames, seconds.</summary>
     public double PeriodSeconds { get; init; } = 0.1;
 
-    /// <summary>How far ahead the angle is measured, metres along the road.</summary>
+    /// <summary>Distance ahead at which the angle is measured, metres along the road.</summary>
     public double LookAheadMetres { get; init; } = 10;
 
     /// <summary>Gain of the lateral error, 1/s.</summary>
@@ -20,13 +20,13 @@ public sealed record StanleyOptions
     /// <summary>Added to the speed in the lateral term, so that it stays gentle at a crawl, m/s.</summary>
     public double SofteningSpeed { get; init; } = 2;
 
-    /// <summary>Limit of the lateral error that is steered against, metres, so that a lane change is not abrupt.</summary>
-    public double LargestLateralError { get; init; } = 1.5;
+    /// <summary>Maximum lateral error that is corrected, metres, so that a lane change is not abrupt.</summary>
+    public double MaxLateralError { get; init; } = 1.5;
 
     /// <summary>
-    /// Limit of the heading against the lane when steering to its centre, radians; at low speed the car would turn across.
+    /// Maximum heading relative to the lane when steering to its centre, radians; at low speed the car would otherwise turn across.
     /// </summary>
-    public double LargestLateralAngle { get; init; } = 0.4;
+    public double MaxLateralAngle { get; init; } = 0.4;
 
     /// <summary>Weight of a measured lateral error against the predicted one, 0 to 1; 1 uses the measured one only.</summary>
     public double LateralWeight { get; init; } = 0.35;
@@ -37,7 +37,7 @@ public sealed record StanleyOptions
     /// <summary>Speed on a free straight road, m/s.</summary>
     public double CruiseSpeed { get; init; } = 14;
 
-    /// <summary>Speed where the road is not known to be straight, m/s.</summary>
+    /// <summary>Speed if the road is not known to be straight, m/s.</summary>
     public double CautiousSpeed { get; init; } = 10;
 
     /// <summary>Maximum lateral acceleration in bends, m/s².</summary>
@@ -47,7 +47,7 @@ public sealed record StanleyOptions
     public double TimeGap { get; init; } = 1.4;
 
     /// <summary>
-    /// Distance kept to the vehicle ahead when standing, centre to centre, metres: room for the halves of a bus and of the car.
+    /// Distance to the vehicle ahead at a standstill, centre to centre, metres: room for half of a bus and half of the car.
     /// </summary>
     public double StandingDistance { get; init; } = 12;
 
@@ -60,6 +60,6 @@ public sealed record StanleyOptions
     /// <summary>Weight of a new acceleration against the one before, 0 to 1; 1 passes the noise of each frame to the pedals.</summary>
     public double PedalWeight { get; init; } = 0.4;
 
-    /// <summary>A vehicle ahead within so many seconds makes a free lane beside worth moving to.</summary>
+    /// <summary>Maximum time gap to a vehicle ahead at which the car moves to a free neighbouring lane, seconds.</summary>
     public double BlockedWithinSeconds { get; init; } = 3;
 }

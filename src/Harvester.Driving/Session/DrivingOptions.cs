@@ -11,7 +11,7 @@ public sealed record DrivingOptions
     private readonly double _patienceSeconds = SilenceWatch.DefaultPatienceSeconds;
     private readonly int _settleTicks = 4;
 
-    /// <summary>Frames per second of the world's time; greater than 0.</summary>
+    /// <summary>Frames per second of the game's time; greater than 0.</summary>
     /// <exception cref="ArgumentOutOfRangeException">Not greater than 0, or not finite.</exception>
     public double RateHz
     {
@@ -19,10 +19,10 @@ public sealed record DrivingOptions
         init => _rateHz = Positive(value, nameof(RateHz));
     }
 
-    /// <summary>Size of the pictures, pixels; DeepDriving's when not set. The bridge must be made for the same.</summary>
+    /// <summary>Size of the images, pixels; by default DeepDriving's. The bridge must use the same.</summary>
     public ImageSize Picture { get; init; } = new(280, 210);
 
-    /// <summary>How long controls hold, seconds of the world's time; greater than 0.</summary>
+    /// <summary>How long controls hold, seconds of the game's time; greater than 0.</summary>
     /// <exception cref="ArgumentOutOfRangeException">Not greater than 0, or not finite.</exception>
     public double PatienceSeconds
     {
@@ -31,8 +31,8 @@ public sealed record DrivingOptions
     }
 
     /// <summary>
-    /// By how many ticks the picture may be behind, 0 or more: so long a stopped world must have stood before its frame is sent, and so
-    /// long before a picture nothing may be drawn that does not belong into it.
+    /// Maximum number of ticks by which the picture may lag, 0 or more. A paused world must have stood still that long before its frame is
+    /// sent, and nothing that does not belong in an image may be drawn for that long before it.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">Less than 0.</exception>
     public int SettleTicks

@@ -7,10 +7,10 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Driving.Session;
 
 /// <summary>
-/// The game's side of a drive over a bridge: call <see cref="Tick"/> once in every tick of the game, from the game's own thread. It
-/// sends frames at their rate, drives the car by the client's messages, and brakes when the client is silent. If the client sends
-/// indicators, a controller here turns them into controls. Nothing waits, and nothing is thrown to the caller after construction: a fault
-/// of a port ends the drive with a message, and so does the player at the wheel. The caller disposes the bridge.
+/// The game's side of a drive over a bridge: call <see cref="Tick"/> once in every tick of the game, from the game's own thread. It sends
+/// frames at the frame rate, drives the car by the client's messages, and brakes when the client is silent. If the client sends indicators,
+/// a controller here turns them into controls. Calls never block, and after construction nothing is thrown to the caller: a fault of a port
+/// ends the drive with a message, and so does the player by driving. The caller disposes the bridge.
 /// </summary>
 public sealed class DrivingSession : IDisposable
 {
@@ -59,7 +59,7 @@ public sealed class DrivingSession : IDisposable
     /// <summary>The current state of the drive.</summary>
     public DrivingStatus Status { get; private set; }
 
-    /// <summary>The last thing that went wrong without ending the drive, as one line; null when nothing has.</summary>
+    /// <summary>The last problem that did not end the drive, as one line; null if there was none.</summary>
     public string? Problem { get; private set; }
 
     /// <summary>Whether an image may be grabbed in the next ticks, so that overlays must not be drawn now.</summary>
@@ -80,8 +80,8 @@ public sealed class DrivingSession : IDisposable
     }
 
     /// <summary>
-    /// Discards what is known of the road, the controller's memory and the current controls. To be called when the game itself has moved
-    /// the car.
+    /// Discards what is known of the road, the controller's memory and the current controls. Call it when the game itself has moved the
+    /// car.
     /// </summary>
     public void Forget()
     {

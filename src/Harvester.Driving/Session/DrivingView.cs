@@ -13,10 +13,10 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Driving.Session;
 
-/// <summary>What a driver gets to see: the picture, and the car with the lanes around it. The picture's memory is used again.</summary>
+/// <summary>What a client sees: the image, and the car with the lanes around it. The image's memory is reused.</summary>
 internal sealed class DrivingView
 {
-    /// <summary>Vehicles whose origins lie so far beyond the indicators' range may still reach into it, metres.</summary>
+    /// <summary>Vehicles whose origins lie this far beyond the indicators' range may still reach into it, metres.</summary>
     private const double MaxHalfVehicle = 10;
 
     private readonly GamePorts _game;
@@ -31,14 +31,14 @@ internal sealed class DrivingView
         Picture = new PixelBuffer(picture);
     }
 
-    /// <summary>The picture last taken.</summary>
+    /// <summary>The last image.</summary>
     public PixelBuffer Picture { get; }
 
-    /// <summary>Whether the lanes were known when a picture was last taken.</summary>
+    /// <summary>Whether the lanes were known when the last image was taken.</summary>
     public bool AreLanesKnown { get; private set; }
 
-    /// <summary>Takes picture and state of this tick.</summary>
-    /// <returns>Null when the picture cannot be used.</returns>
+    /// <summary>Takes image and state of this tick.</summary>
+    /// <returns>Null if the image cannot be used.</returns>
     public BridgeState? Take(long frame, out string? refusal)
     {
         refusal = _game.Screen.Grab(Picture).Refusal;
@@ -66,8 +66,8 @@ internal sealed class DrivingView
     }
 
     /// <summary>
-    /// What a controller knows when a client has read the indicators off a picture. Lane width and straightness are those last seen on the
-    /// road.
+    /// The controller's input when a client has estimated the indicators from an image. Lane width and straightness are the last known ones
+    /// of the road.
     /// </summary>
     public DrivingState StateOf(LaneIndicators torcsEquivalent)
     {
@@ -82,7 +82,7 @@ internal sealed class DrivingView
         };
     }
 
-    /// <summary>Forgets where the car was.</summary>
+    /// <summary>Forgets the car's position.</summary>
     public void Forget() => _lanes?.Forget();
 
     private LanesLabel? ReadLanes(EgoState ego)

@@ -9,7 +9,7 @@ namespace Harvester.Driving.Session;
 /// <param name="options">The frame rate and the ticks until an image has settled.</param>
 /// <param name="bridge">The bridge to the client.</param>
 /// <param name="view">Reads image, car and lanes of a frame.</param>
-/// <param name="pace">Tells whether the world is running, paused or stepping.</param>
+/// <param name="pace">Whether the world is running, paused or stepping.</param>
 internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge bridge, DrivingView view, WorldPace pace)
 {
     private const double HalfATick = 0.5;
@@ -31,24 +31,24 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
         pace.IsPaused || pace.IsStepping || _isAskedFor || _isMissed
             || _schedule.SecondsUntilDue(_nowSeconds) < (options.SettleTicks + HalfATick) * _tickSeconds;
 
-    /// <summary>Starts a tick; to be called before <see cref="PublishIfTime"/>.</summary>
+    /// <summary>Starts a tick; call it before <see cref="PublishIfTime"/>.</summary>
     public void BeginTick(double nowSeconds)
     {
         _tickSeconds = nowSeconds - _nowSeconds;
         _nowSeconds = nowSeconds;
     }
 
-    /// <summary>Has a frame published as soon as there is one.</summary>
+    /// <summary>Requests a frame as soon as possible.</summary>
     public void Ask() => _isAskedFor = true;
 
-    /// <summary>Has a frame published at the end of the step that begins now.</summary>
+    /// <summary>Requests a frame at the end of the step that begins now.</summary>
     public void AskAtEndOfStep() => IsStepOpen = true;
 
-    /// <summary>Forgets what was asked for.</summary>
+    /// <summary>Forgets all requests.</summary>
     public void Forget() => IsStepOpen = _isAskedFor = _isMissed = false;
 
-    /// <summary>Publishes a frame if it is time for one.</summary>
-    /// <returns>Why there is none though it is time; null when all is well.</returns>
+    /// <summary>Publishes a frame if one is due.</summary>
+    /// <returns>Why no frame was published although one is due; otherwise null.</returns>
     public string? PublishIfTime()
     {
         string? problem = IsTime() ? Take() : null;
@@ -60,7 +60,7 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
     {
         bool isDue = !pace.IsStepping && _schedule.TakeIfDue(_nowSeconds) && !pace.IsPaused;
 
-        // What was drawn before anyone asked must have gone from the picture.
+        // What was drawn before the request must have disappeared from the image.
         bool isAskedFor = (_isAskedFor || _isMissed) && _quietTicks >= options.SettleTicks;
         return (isDue || isAskedFor || IsStepOpen) && !pace.IsStepping && pace.IsSettled;
     }
@@ -71,7 +71,7 @@ internal sealed class FramePublisher(DrivingOptions options, IDrivingBridge brid
         IsStepOpen = false;
         if (view.Take(Frames, out string? refusal) is not { } state)
         {
-            // Commands go on, or the client could not let the world go on; the frame is sent as soon as there is a picture.
+            // Commands are still executed, or the client could not resume the world; the frame is sent as soon as there is an image.
             _isAskedFor |= isStepOver;
             _isMissed = true;
             return $"the game's picture cannot be used: {refusal}.";

@@ -2,7 +2,7 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Driving.Session;
 
-/// <summary>The world's time in the place of the player's: nobody is silent for long while the world stands still.</summary>
+/// <summary>A clock with the game's time: no client counts as silent while the world is paused.</summary>
 internal sealed class WorldClock(IWorld world) : IClock
 {
     private const double MillisecondsPerSecond = 1000;

@@ -9,20 +9,20 @@ namespace Harvester.Driving.Session;
 /// <param name="settleTicks">Ticks after a pause until the image shows the paused world.</param>
 internal sealed class WorldPace(IPause pause, int settleTicks)
 {
-    /// <summary>A step may end so much early, seconds, for a world whose time is a sum of rounded ticks.</summary>
+    /// <summary>Tolerance at the end of a step, seconds, for a world whose time is a sum of rounded ticks.</summary>
     private const double Rounding = 1e-6;
 
     private double? _stepEndSeconds;
     private double _lastSeconds;
     private int _stillTicks;
 
-    /// <summary>Whether the world stands still, or is about to.</summary>
+    /// <summary>Whether the world is paused, or about to be.</summary>
     public bool IsPaused { get; private set; }
 
     /// <summary>Whether a step is under way.</summary>
     public bool IsStepping => _stepEndSeconds is not null;
 
-    /// <summary>Whether what the game shows may be taken for what is.</summary>
+    /// <summary>Whether the image shows the current state.</summary>
     public bool IsSettled => !IsPaused || _stillTicks >= settleTicks;
 
     public void Pause()
@@ -33,7 +33,7 @@ internal sealed class WorldPace(IPause pause, int settleTicks)
         pause.Freeze();
     }
 
-    /// <summary>Lets the world go on, if it was stopped here.</summary>
+    /// <summary>Resumes the world, if it was paused here.</summary>
     public void GoOn()
     {
         _stepEndSeconds = null;
@@ -44,14 +44,14 @@ internal sealed class WorldPace(IPause pause, int settleTicks)
         }
     }
 
-    /// <summary>Lets the world go on for so long and stops it then.</summary>
+    /// <summary>Runs the world for a time and pauses it then.</summary>
     public void Step(double nowSeconds, double seconds)
     {
         GoOn();
         _stepEndSeconds = nowSeconds + seconds - Rounding;
     }
 
-    /// <summary>Does one tick's share: stops the world at the end of a step.</summary>
+    /// <summary>Does the work of one tick: pauses the world at the end of a step.</summary>
     public void Tick(double nowSeconds)
     {
         _stillTicks = IsPaused && nowSeconds == _lastSeconds ? _stillTicks + 1 : 0;

@@ -7,18 +7,18 @@ using Harvester.Evaluation.Figures;
 
 namespace Harvester.Evaluation.Clients;
 
-/// <summary>Drives over a bridge: each new frame is answered by what the controller makes of it.</summary>
-/// <param name="link">To the game.</param>
-/// <param name="newController">Makes who drives; asked again when the car was put elsewhere.</param>
-/// <param name="patience">For so long, on the clock, it waits for a frame.</param>
-/// <param name="clock">The clock.</param>
+/// <summary>Drives over a bridge: the controller answers each new frame.</summary>
+/// <param name="link">The link to the game.</param>
+/// <param name="newController">Creates the controller; called again when the car has been teleported.</param>
+/// <param name="patience">Real time to wait for a frame.</param>
+/// <param name="clock">Real time.</param>
 public sealed class ClientDriver(IBridgeLink link, Func<IController> newController, TimeSpan patience, TimeProvider clock)
 {
     private static readonly TimeSpan Look = TimeSpan.FromMilliseconds(100);
 
     /// <summary>
-    /// What has no frame after it for so long may have been lost, or the game is slow. A frame is asked for: it tells which, for the world
-    /// of a lost answer still stands where it stood.
+    /// After this time without a frame, the last message may be lost, or the game is slow. A requested frame tells: if the answer was lost,
+    /// the world has not moved.
     /// </summary>
     private static readonly TimeSpan AskAfter = TimeSpan.FromSeconds(2);
 
@@ -29,24 +29,24 @@ public sealed class ClientDriver(IBridgeLink link, Func<IController> newControll
     private bool _isAsking;
     private DrivingControls _answer;
 
-    /// <summary>Frames answered.</summary>
+    /// <summary>Number of frames answered.</summary>
     public long Frames { get; private set; }
 
-    /// <summary>Time driven, seconds of the game's.</summary>
+    /// <summary>Time driven, seconds of game time.</summary>
     public double Seconds { get; private set; }
 
-    /// <summary>Way of the car as its speed tells it, metres.</summary>
+    /// <summary>Distance driven, integrated from the speed, metres.</summary>
     public double Metres { get; private set; }
 
     /// <summary>Whether the game has closed the bridge.</summary>
     public bool IsEndedByGame { get; private set; }
 
     /// <summary>Drives until it is stopped, the time is over or the game closes the bridge.</summary>
-    /// <param name="stepSeconds">Lets the world go on by so much with each answer, so that it waits for the controller; null where it goes
-    /// its own way.</param>
-    /// <param name="seconds">Of the game's time.</param>
-    /// <param name="cancellation">Stops it.</param>
-    /// <exception cref="IOException">The bridge has failed, or no frame has come for too long.</exception>
+    /// <param name="stepSeconds">Game time by which each answer advances the world, which waits for the controller; null if the world runs
+    /// by itself.</param>
+    /// <param name="seconds">Time limit, seconds of game time.</param>
+    /// <param name="cancellation">Stops the drive.</param>
+    /// <exception cref="IOException">The bridge fails, or no frame arrives for too long.</exception>
     public void Run(double? stepSeconds, double seconds, CancellationToken cancellation)
     {
         _heard = _spoke = clock.GetTimestamp();
@@ -87,7 +87,7 @@ public sealed class ClientDriver(IBridgeLink link, Func<IController> newControll
 
     private void Take(ClientFrame frame)
     {
-        // A game that was started anew begins its time anew.
+        // After a restart of the game, its time begins again.
         double passed = Math.Max(0, frame.TimeSeconds - (_last?.TimeSeconds ?? frame.TimeSeconds));
         double speed = frame.State.SpeedMetresPerSecond;
         if (_last?.Position is { } before && frame.Position is { } now

@@ -3,9 +3,9 @@ using Harvester.Geometry;
 
 namespace Harvester.Evaluation.Clients;
 
-/// <summary>What a frame of a bridge tells a client, but for the picture.</summary>
-/// <param name="Frame">Its number.</param>
-/// <param name="TimeSeconds">The game's time, seconds.</param>
-/// <param name="State">What a controller drives by.</param>
-/// <param name="Position">Where the car is, metres, world; null where the bridge does not tell.</param>
+/// <summary>The data of a frame of a bridge, without the image.</summary>
+/// <param name="Frame">Frame number.</param>
+/// <param name="TimeSeconds">Game time, seconds.</param>
+/// <param name="State">The input of a controller.</param>
+/// <param name="Position">Position of the car, world, metres; null if the bridge does not send it.</param>
 public sealed record ClientFrame(long Frame, double TimeSeconds, DrivingState State, Vector3D? Position);

@@ -5,10 +5,10 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Evaluation.Clients;
 
-/// <summary>Indicators as a bridge sends them: numbers without flags.</summary>
+/// <summary>Indicators as a bridge sends them: numbers without validity flags.</summary>
 internal static class ClientIndicators
 {
-    /// <summary>The indicators; where no marking is in sight, none is active, the angle neither.</summary>
+    /// <summary>The indicators. If no marking is in range, none is valid, not even the angle.</summary>
     public static LaneIndicators Of(IReadOnlyList<double> torcsEquivalent)
     {
         LaneIndicators indicators = IndicatorOrder.FromValues(torcsEquivalent);
@@ -16,7 +16,7 @@ internal static class ClientIndicators
         return isOnRoad ? indicators : LaneIndicators.Unknown;
     }
 
-    /// <summary>Indicators in metres with the angle at the look-ahead point, which the road of TORCS does not tell.</summary>
+    /// <summary>Indicators in metres, with the angle at the look-ahead point, which the TORCS equivalents do not have.</summary>
     public static LaneIndicators InMetres(LaneIndicators torcsEquivalent, LaneSection section, double angleAhead)
     {
         LaneIndicators metres = TorcsEquivalent.InMetres(torcsEquivalent, section);
@@ -24,7 +24,7 @@ internal static class ClientIndicators
     }
 
     /// <summary>
-    /// Width of a lane for which the indicators in metres are as they are; that of ordinary roads where they do not tell.
+    /// Lane width for which the indicators in metres equal the TORCS equivalents; the ordinary width if they do not determine it.
     /// </summary>
     public static LaneSection SectionOf(IReadOnlyList<double> torcsEquivalent, IReadOnlyList<double> metres)
     {
@@ -34,6 +34,6 @@ internal static class ClientIndicators
         return tells ? new LaneSection(1, LaneSection.TorcsLaneWidth * metres[known] / torcsEquivalent[known]) : Ordinary;
     }
 
-    /// <summary>An ordinary road.</summary>
+    /// <summary>Lane width of ordinary roads.</summary>
     public static LaneSection Ordinary { get; } = new(1, Harvester.Geometry.Roads.RoadGeometry.LaneWidth);
 }

@@ -2,8 +2,10 @@ using System;
 using System.Diagnostics;
 using System.Globalization;
 using System.IO;
+using System.Text;
 using System.Threading;
 using Harvester.Capture.Ports;
+using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Files;
@@ -11,16 +13,16 @@ using Harvester.Sessions.Files;
 namespace Harvester.Evaluation.Clients;
 
 /// <summary>
-/// The far end of a folder bridge: state.txt in, controls.txt and command.json out, each whole by renaming. It tells neither where the car
-/// is, where it points nor how wide its lane is; the latter is taken for that of ordinary roads. A state that stood there before does not
-/// count.
+/// The client's side of a folder bridge: reads state.txt, writes controls.txt and command.json, each atomically. The state has no position,
+/// heading or lane width; the width of ordinary roads is assumed. A state file that existed before is ignored.
 /// </summary>
 public sealed class FolderLink : IBridgeLink
 {
+    private const int MaxStateLength = 65_536;
     private static readonly int Values = IndicatorTable.Count + 4;
     private static readonly TimeSpan Poll = TimeSpan.FromMilliseconds(3);
 
-    /// <summary>A file that somebody else has open for a moment, or a disk that fails for one, is tried again for so long.</summary>
+    /// <summary>Time for which an operation is repeated if a file is open elsewhere or the disk fails briefly.</summary>
     private static readonly TimeSpan PatienceOfWriting = TimeSpan.FromSeconds(2);
 
     private readonly string _folder;
@@ -28,19 +30,22 @@ public sealed class FolderLink : IBridgeLink
     private bool _isHeard;
     private int _commands;
 
-    /// <summary>Looks into the folder.</summary>
+    /// <summary>Opens the folder.</summary>
     /// <param name="folder">The shared folder.</param>
-    /// <exception cref="IOException">It is not there, or nothing can be written there.</exception>
+    /// <exception cref="IOException">
+    /// The folder does not exist or cannot be written to, or the game there speaks another version.
+    /// </exception>
     public FolderLink(string folder)
     {
         _folder = Directory.Exists(folder) ? folder
             : throw new IOException($"Shared folder not found: '{folder}'. Start the game's side first; it creates the folder.");
+        CheckVersion();
         _seen = ReadState();
 
         AskForFrame();
     }
 
-    /// <summary>A file may be written by somebody else before the game has read it.</summary>
+    /// <summary>Another process may overwrite a file before the game has read it.</summary>
     public bool MayLose => true;
 
     /// <inheritdoc/>
@@ -52,6 +57,12 @@ public sealed class FolderLink : IBridgeLink
             string? state = ReadState();
             if (state is not null && state != _seen && FrameOf(state) is { } frame)
             {
+                if (!_isHeard)
+                {
+                    // The game may have begun after this client has.
+                    CheckVersion();
+                }
+
                 _seen = state;
                 _isHeard = true;
                 return frame;
@@ -65,36 +76,60 @@ public sealed class FolderLink : IBridgeLink
 
     /// <inheritdoc/>
     public void Send(DrivingControls controls, long frame) => WriteWhole(
-        "controls.txt", FormattableString.Invariant($"{controls.Steering:0.######} {controls.Throttle:0.######} {controls.Brake:0.######} {frame}\n"));
+        "controls.txt", FormattableString.Invariant(
+            $"{controls.Steering:0.######} {controls.Throttle:0.######} {controls.Brake:0.######} {frame}\n"));
 
     /// <summary>
-    /// Asks for a frame; until the first has come by a hello, with which a world goes on that an earlier client has stopped.
+    /// Requests a frame. Until the first frame has arrived, a hello does this; it also resumes a world that an earlier client has frozen.
     /// </summary>
-    public void AskForFrame() => Command(_isHeard ? "{\"type\":\"requestFrame\"}" : "{\"type\":\"hello\"}");
+    public void AskForFrame() => Command(_isHeard ? "{\"type\":\"requestFrame\"}" : Hello);
 
     /// <inheritdoc/>
     public void Step(double seconds) =>
         Command(string.Create(CultureInfo.InvariantCulture, $"{{\"type\":\"step\",\"seconds\":{seconds}}}"));
 
-    /// <summary>Nothing is held.</summary>
+    /// <summary>There is nothing to release.</summary>
     public void Dispose()
     {
     }
 
-    private string? ReadState()
+    private static string Hello { get; } =
+        string.Create(CultureInfo.InvariantCulture, $"{{\"type\":\"{BridgeProtocol.HelloType}\",\"version\":{BridgeProtocol.Version}}}");
+
+    /// <summary>A game that names no version is taken for one of the same.</summary>
+    private void CheckVersion()
     {
         try
         {
-            return File.ReadAllText(Path.Combine(_folder, "state.txt"));
+            if (Read(BridgeProtocol.HelloFile) is { } hello && BridgeProtocol.ProblemOfGame(hello) is { } problem)
+            {
+                throw new IOException($"Cannot drive over '{_folder}': {problem} Use programs of the same version.");
+            }
+        }
+        catch (BridgeException e)
+        {
+            throw new IOException($"'{Path.Combine(_folder, BridgeProtocol.HelloFile)}' is not a valid hello of the game: {e.Message}", e);
+        }
+    }
+
+    private string? ReadState() => Read("state.txt");
+
+    private string? Read(string name)
+    {
+        try
+        {
+            using FileStream file = RegularFile.OpenRead(Path.Combine(_folder, name), FileShare.ReadWrite | FileShare.Delete);
+            byte[] bytes = new byte[MaxStateLength];
+            return Encoding.UTF8.GetString(bytes, 0, file.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false));
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            // It is being replaced just now, or is not there yet; what lasts is told by the silence.
+            // The file is being replaced or does not exist yet. If that lasts, no frame arrives, which is reported.
             return null;
         }
     }
 
-    /// <summary>What a state says; null for one that is not whole.</summary>
+    /// <summary>Parses a state; null if it is incomplete.</summary>
     private static ClientFrame? FrameOf(string state)
     {
         string[] words = state.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries);
@@ -107,7 +142,7 @@ public sealed class FolderLink : IBridgeLink
             }
         }
 
-        // The picture's name lies between.
+        // The image's name is in between.
         if (words.Length < Values + 2 || !TryNumber(words[Values + 1], out double angleAhead))
         {
             return null;
@@ -125,7 +160,7 @@ public sealed class FolderLink : IBridgeLink
 
     private void Command(string json)
     {
-        // A file of the same time and length would not be taken for new: blanks tell one from the next.
+        // A file of the same time and length would not be recognised as new, so blanks vary its length.
         _commands = (_commands + 1) % 16;
         WriteWhole("command.json", json + new string(' ', _commands));
     }
@@ -138,7 +173,7 @@ public sealed class FolderLink : IBridgeLink
         {
             try
             {
-                AtomicFile.Write(path, text);
+                AtomicFile.Write(path, text, isDurable: false);
                 return;
             }
             catch (Exception e) when (e is IOException or UnauthorizedAccessException && tried.Elapsed < PatienceOfWriting)

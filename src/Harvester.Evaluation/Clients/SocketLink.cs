@@ -4,6 +4,7 @@ using System.IO;
 using System.Net.Sockets;
 using System.Text;
 using System.Text.Json;
+using System.Text.Json.Serialization;
 using Harvester.Capture.Ports;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Controllers;
@@ -12,20 +13,23 @@ using Harvester.Geometry.Lanes;
 
 namespace Harvester.Evaluation.Clients;
 
-/// <summary>The far end of a socket bridge.</summary>
+/// <summary>The client's side of a socket bridge.</summary>
 public sealed class SocketLink : IBridgeLink
 {
     private const int MaxMessageLength = 64 << 20;
 
+    private static readonly JsonSerializerOptions WithoutNull = new() { DefaultIgnoreCondition = JsonIgnoreCondition.WhenWritingNull };
+
     private readonly TcpClient _connection = new() { NoDelay = true };
     private readonly NetworkStream _stream;
+    private bool _isGreeted;
 
-    /// <summary>Connects.</summary>
+    /// <summary>Connects to a game.</summary>
     /// <param name="host">Name or address of the game's machine.</param>
-    /// <param name="port">Its port.</param>
-    /// <param name="token">What it asks for; null for nothing.</param>
-    /// <param name="patience">How long it waits for an answer, and for a message that has begun.</param>
-    /// <exception cref="IOException">Nobody listens there.</exception>
+    /// <param name="port">Port of the game.</param>
+    /// <param name="token">The game's secret; null for none.</param>
+    /// <param name="patience">Time to wait for an answer, and for the rest of a message.</param>
+    /// <exception cref="IOException">The connection fails.</exception>
     public SocketLink(string host, int port, string? token, TimeSpan patience)
     {
         try
@@ -33,11 +37,7 @@ public sealed class SocketLink : IBridgeLink
             Connect(host, port, patience);
             _stream = _connection.GetStream();
             _stream.ReadTimeout = _stream.WriteTimeout = (int)patience.TotalMilliseconds;
-            if (token is not null)
-            {
-                Write(new { type = "hello", token });
-            }
-
+            Write(new { type = BridgeProtocol.HelloType, version = BridgeProtocol.Version, token });
             AskForFrame();
         }
         catch
@@ -58,7 +58,13 @@ public sealed class SocketLink : IBridgeLink
             return null;
         }
 
-        // Of what has come while nobody looked the last counts: the newest frame, or why the game closes the bridge.
+        if (!_isGreeted)
+        {
+            TakeHello(Encoding.UTF8.GetString(ReadHeader()));
+            return null;
+        }
+
+        // Of the messages that have arrived, the last one counts: the newest frame, or the reason why the game closes the bridge.
         byte[] newest = ReadHeader();
         while (_connection.Available > 0)
         {
@@ -88,13 +94,35 @@ public sealed class SocketLink : IBridgeLink
     /// <inheritdoc/>
     public void Dispose() => _connection.Dispose();
 
-    private static ClientFrame FrameOf(JsonFields header)
+    private void TakeHello(string header)
+    {
+        try
+        {
+            CheckError(JsonFields.Parse(header));
+            if (BridgeProtocol.ProblemOfGame(header) is { } problem)
+            {
+                throw new IOException($"Cannot drive over this bridge: {problem} Use programs of the same version.");
+            }
+
+            _isGreeted = true;
+        }
+        catch (BridgeException e)
+        {
+            throw new IOException($"The game sent an invalid hello: {e.Message}", e);
+        }
+    }
+
+    private static void CheckError(JsonFields header)
     {
         if (header.Text("type") == "error")
         {
             throw new IOException($"The game has closed the bridge: {header.Text("reason")}");
         }
+    }
 
+    private static ClientFrame FrameOf(JsonFields header)
+    {
+        CheckError(header);
         double[] torcs = header.Numbers("torcsEquivalent", IndicatorTable.All.Count);
         double[] metres = header.Numbers("indicators", IndicatorTable.All.Count);
         double[] position = header.Numbers("position", 3);
@@ -123,13 +151,13 @@ public sealed class SocketLink : IBridgeLink
         }
         catch (AggregateException e) when (e.InnerException is SocketException fault)
         {
-            throw new IOException($"Cannot connect to {host}:{port}: {fault.Message}", fault);
+            throw new IOException($"Cannot connect to {host}:{port}: {fault.Message.TrimEnd('.')}. Start the game's side first.", fault);
         }
     }
 
     private void Write<T>(T message)
     {
-        byte[] header = JsonSerializer.SerializeToUtf8Bytes(message);
+        byte[] header = JsonSerializer.SerializeToUtf8Bytes(message, WithoutNull);
         byte[] whole = new byte[8 + header.Length];
         BinaryPrimitives.WriteInt32BigEndian(whole, header.Length);
         header.CopyTo(whole, 8);
@@ -139,12 +167,12 @@ public sealed class SocketLink : IBridgeLink
         }
         catch (IOException e) when (IsClosing(e))
         {
-            // What the game said last, and why it closed the bridge, may still wait to be read: the next frame that is asked for tells.
+            // The last message, with the reason for closing the bridge, may still be unread; the next request for a frame reads it.
             return;
         }
     }
 
-    /// <summary>The header of a message; its picture is passed over.</summary>
+    /// <summary>The header of a message; its image is skipped.</summary>
     private byte[] ReadHeader()
     {
         byte[] lengths = new byte[8];

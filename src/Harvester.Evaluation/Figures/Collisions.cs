@@ -4,10 +4,10 @@ using System.Linq;
 
 namespace Harvester.Evaluation.Figures;
 
-/// <summary>Finds where a car ran into others: the first of the samples in which it touches a vehicle.</summary>
+/// <summary>Finds collisions: the first sample of each contact with a vehicle.</summary>
 public static class Collisions
 {
-    /// <summary>Numbers of the samples, one for each vehicle touched.</summary>
+    /// <summary>Indices of the samples, one for each vehicle touched.</summary>
     public static IEnumerable<int> In(IReadOnlyList<DriveSample> samples)
     {
         ArgumentNullException.ThrowIfNull(samples);

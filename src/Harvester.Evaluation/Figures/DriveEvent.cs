@@ -3,12 +3,12 @@ using Harvester.Geometry;
 
 namespace Harvester.Evaluation.Figures;
 
-/// <summary>Something that happened in a drive.</summary>
-/// <param name="TimeSeconds">When, seconds of the game's time.</param>
-/// <param name="X">Where, metres, world.</param>
-/// <param name="Y">Where, metres, world.</param>
-/// <param name="IsByController">Whether the controller drove then, or the car's own driver.</param>
-/// <param name="IsInJunction">Whether it was in a junction.</param>
+/// <summary>An event of a drive.</summary>
+/// <param name="TimeSeconds">Game time, seconds.</param>
+/// <param name="X">East, world, metres.</param>
+/// <param name="Y">North, world, metres.</param>
+/// <param name="IsByController">Whether the controller drove, not the built-in driver.</param>
+/// <param name="IsInJunction">Whether the car was in a junction.</param>
 public sealed record DriveEvent(double TimeSeconds, double X, double Y, bool IsByController, bool IsInJunction)
 {
     private const int Decimals = 3;
@@ -16,9 +16,10 @@ public sealed record DriveEvent(double TimeSeconds, double X, double Y, bool IsB
     internal Vector2D Place => new(X, Y);
 
     internal string Description =>
-        FormattableString.Invariant($"{TimeSeconds:0.0} s at {X:0.0}, {Y:0.0} m, {(IsByController ? "controller" : "built-in driver")}{(IsInJunction ? ", in a junction" : "")}");
+        FormattableString.Invariant($"{TimeSeconds:0.0} s at {X:0.0}, {Y:0.0} m, ")
+        + (IsByController ? "controller" : "built-in driver") + (IsInJunction ? ", in a junction" : "");
 
-    /// <summary>What happened at a sample.</summary>
+    /// <summary>The event at a sample.</summary>
     public static DriveEvent At(DriveSample sample)
     {
         ArgumentNullException.ThrowIfNull(sample);

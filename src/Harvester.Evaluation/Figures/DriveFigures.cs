@@ -5,58 +5,58 @@ using System.Linq;
 namespace Harvester.Evaluation.Figures;
 
 /// <summary>
-/// What a drive comes to. What the car's own driver drove, in junctions and where he had to give way, is not the controller's.
+/// The figures of a drive. What the built-in driver drives, in junctions and where it gives way, does not count for the controller.
 /// </summary>
 public sealed record DriveFigures
 {
     private const int Decimals = 4;
 
-    /// <summary>Seconds of the game's time.</summary>
+    /// <summary>Duration, seconds of game time.</summary>
     public required double Seconds { get; init; }
 
-    /// <summary>Way of the car, metres.</summary>
+    /// <summary>Distance driven, metres.</summary>
     public required double Metres { get; init; }
 
-    /// <summary>Of it driven by the controller, metres.</summary>
+    /// <summary>Distance driven by the controller, metres.</summary>
     public required double ControllerMetres { get; init; }
 
-    /// <summary>Of that outside of junctions, metres: there lanes are judged.</summary>
+    /// <summary>Distance driven by the controller outside junctions, where lane keeping is evaluated, metres.</summary>
     public required double JudgedMetres { get; init; }
 
     /// <summary>Mean speed while the controller drives, m/s.</summary>
     public required double ControllerMeanSpeed { get; init; }
 
-    /// <summary>Times that the controller left its lane, outside of junctions.</summary>
+    /// <summary>Number of lane departures by the controller, outside junctions.</summary>
     public required int LaneDepartures { get; init; }
 
-    /// <summary>Times that it changed lanes.</summary>
+    /// <summary>Number of lane changes by the controller.</summary>
     public required int LaneChanges { get; init; }
 
-    /// <summary>Root of the mean squared distance from the middle of the lane, metres, but around changes of lane.</summary>
+    /// <summary>Root mean square of the lateral error, metres, without samples around lane changes.</summary>
     public required double RmsLateralError { get; init; }
 
-    /// <summary>Greatest distance from the middle of the lane, metres, but around changes of lane.</summary>
+    /// <summary>Largest lateral error, metres, without samples around lane changes.</summary>
     public required double LargestLateralError { get; init; }
 
-    /// <summary>Vehicles that the controller ran into outside of junctions.</summary>
+    /// <summary>Number of vehicles that the controller hit outside junctions.</summary>
     public required int Collisions { get; init; }
 
-    /// <summary>Vehicles that the controller ran into in junctions.</summary>
+    /// <summary>Number of vehicles that the controller hit in junctions.</summary>
     public required int CollisionsInJunctions { get; init; }
 
-    /// <summary>Vehicles that the car's own driver ran into outside of junctions.</summary>
+    /// <summary>Number of vehicles that the built-in driver hit outside junctions.</summary>
     public required int CollisionsOfOwnDriver { get; init; }
 
-    /// <summary>Vehicles that the car's own driver ran into in junctions.</summary>
+    /// <summary>Number of vehicles that the built-in driver hit in junctions.</summary>
     public required int CollisionsOfOwnDriverInJunctions { get; init; }
 
-    /// <summary>Root of the mean squared jerk along the car while the controller drives, m/s³.</summary>
+    /// <summary>Root mean square of the longitudinal jerk while the controller drives, m/s³.</summary>
     public required double RmsJerk { get; init; }
 
-    /// <summary>Times that the car was put elsewhere: at the end of the roads, when stuck, or for another start.</summary>
+    /// <summary>Number of times the car was repositioned: at the end of the roads, when stuck, or for another start.</summary>
     public required int Relocations { get; init; }
 
-    /// <summary>Works out the figures of samples taken at equal intervals of time.</summary>
+    /// <summary>Computes the figures of samples taken at equal intervals.</summary>
     public static DriveFigures Of(IReadOnlyList<DriveSample> samples)
     {
         ArgumentNullException.ThrowIfNull(samples);
@@ -108,15 +108,18 @@ public sealed record DriveFigures
         };
     }
 
-    /// <summary>The figures as names and values with their units, to print.</summary>
+    /// <summary>The figures as names and values with units, for display.</summary>
     public IEnumerable<(string Name, string Value)> Rows()
     {
         yield return ("distance driven", FormattableString.Invariant($"{Metres:0} m in {Seconds:0} s"));
-        yield return ("by the controller", FormattableString.Invariant($"{ControllerMetres:0} m, of which {JudgedMetres:0} m outside junctions; mean speed {ControllerMeanSpeed:0.0} m/s"));
+        yield return ("by the controller", FormattableString.Invariant(
+            $"{ControllerMetres:0} m, of which {JudgedMetres:0} m outside junctions; mean speed {ControllerMeanSpeed:0.0} m/s"));
         yield return ("lane departures", FormattableString.Invariant($"{LaneDepartures}"));
         yield return ("lane changes", FormattableString.Invariant($"{LaneChanges}"));
         yield return ("lateral error", FormattableString.Invariant($"{RmsLateralError:0.000} m RMS, {LargestLateralError:0.00} m max"));
-        yield return ("collisions", FormattableString.Invariant($"{Collisions} outside junctions, {CollisionsInJunctions} inside; built-in driver: {CollisionsOfOwnDriver} outside junctions, {CollisionsOfOwnDriverInJunctions} inside"));
+        yield return ("collisions", FormattableString.Invariant($"{Collisions} outside junctions, {CollisionsInJunctions} inside; ")
+            + FormattableString.Invariant(
+                $"built-in driver: {CollisionsOfOwnDriver} outside junctions, {CollisionsOfOwnDriverInJunctions} inside"));
         yield return ("jerk", FormattableString.Invariant($"{RmsJerk:0.0} m/s³ RMS"));
         yield return ("repositioned", FormattableString.Invariant($"{Relocations}"));
     }

@@ -7,10 +7,10 @@ using System.Text.Json;
 
 namespace Harvester.Evaluation.Figures;
 
-/// <summary>A drive on disk: how it was driven, what it came to, and what went wrong.</summary>
+/// <summary>A drive on disk: its settings, figures and events.</summary>
 public sealed record DriveRecord
 {
-    /// <summary>Name of its file.</summary>
+    /// <summary>Name of the file.</summary>
     public const string FileName = "drive.json";
 
     private static readonly JsonSerializerOptions Json = new()
@@ -21,28 +21,28 @@ public sealed record DriveRecord
         Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping,
     };
 
-    /// <summary>Version of the file's form.</summary>
+    /// <summary>Version of the file format.</summary>
     public int FormatVersion { get; } = 1;
 
     /// <summary>The options of the drive; "controller" is always among them.</summary>
     public required IReadOnlyDictionary<string, string> Settings { get; init; }
 
-    /// <summary>Whether the drive went on to its end; false when it was cancelled before.</summary>
+    /// <summary>Whether the drive was completed; false if it was cancelled.</summary>
     public required bool IsWhole { get; init; }
 
     /// <summary>The figures.</summary>
     public required DriveFigures Figures { get; init; }
 
-    /// <summary>Where the controller left its lane.</summary>
+    /// <summary>The lane departures of the controller.</summary>
     public required IReadOnlyList<DriveEvent> Departures { get; init; }
 
-    /// <summary>Where the car ran into others.</summary>
+    /// <summary>The collisions.</summary>
     public required IReadOnlyList<DriveEvent> Collisions { get; init; }
 
-    /// <summary>Judges a drive.</summary>
+    /// <summary>Evaluates a drive.</summary>
     /// <param name="settings">The options of the drive.</param>
-    /// <param name="samples">The drive, sampled at equal intervals of time.</param>
-    /// <param name="isWhole">Whether it went on to its end.</param>
+    /// <param name="samples">Samples of the drive at equal intervals.</param>
+    /// <param name="isWhole">Whether the drive was completed.</param>
     public static DriveRecord Of(IReadOnlyDictionary<string, string> settings, IReadOnlyList<DriveSample> samples, bool isWhole = true)
     {
         ArgumentNullException.ThrowIfNull(samples);
@@ -56,7 +56,7 @@ public sealed record DriveRecord
         };
     }
 
-    /// <summary>Writes it as JSON.</summary>
+    /// <summary>Writes the record as JSON.</summary>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     public void Write(Stream stream)
     {

@@ -3,16 +3,16 @@ using Harvester.Geometry;
 
 namespace Harvester.Evaluation.Figures;
 
-/// <summary>A body as seen from above: a rectangle on the ground with a range of heights.</summary>
-/// <param name="Centre">Middle, metres, world x and y.</param>
-/// <param name="Forward">Unit vector of its length.</param>
-/// <param name="HalfLength">Metres.</param>
-/// <param name="HalfWidth">Metres.</param>
+/// <summary>A body seen from above: a rectangle on the ground with a range of heights.</summary>
+/// <param name="Centre">Centre, world x and y, metres.</param>
+/// <param name="Forward">Unit vector along its length.</param>
+/// <param name="HalfLength">Half of the length, metres.</param>
+/// <param name="HalfWidth">Half of the width, metres.</param>
 /// <param name="Bottom">Height of its lowest point, metres.</param>
 /// <param name="Top">Height of its highest point, metres.</param>
 public readonly record struct GroundBox(Vector2D Centre, Vector2D Forward, double HalfLength, double HalfWidth, double Bottom, double Top)
 {
-    /// <summary>The box of a model's extents at a pose; what little a slope tilts it is passed over.</summary>
+    /// <summary>The box of a model's extents at a pose, ignoring the small tilt on slopes.</summary>
     public static GroundBox Of(Pose pose, Vector3D min, Vector3D max)
     {
         Vector3D centre = pose.ToWorld((min + max) * 0.5);
@@ -28,7 +28,7 @@ public readonly record struct GroundBox(Vector2D Centre, Vector2D Forward, doubl
             centre.Z + halfHeight);
     }
 
-    /// <summary>Whether two bodies share room: no line along a side of either parts them.</summary>
+    /// <summary>Whether two bodies overlap: no line along a side of either separates them.</summary>
     public bool Overlaps(GroundBox other) =>
         Bottom < other.Top && other.Bottom < Top
         && !IsParted(other, Forward) && !IsParted(other, Left(Forward))

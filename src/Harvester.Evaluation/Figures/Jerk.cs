@@ -3,10 +3,10 @@ using System.Collections.Generic;
 
 namespace Harvester.Evaluation.Figures;
 
-/// <summary>How roughly a controller uses the pedals: the second difference of the speed, m/s³.</summary>
+/// <summary>The longitudinal jerk of a controller: the second difference of the speed, m/s³.</summary>
 public static class Jerk
 {
-    /// <summary>The jerk at each sample that the controller drove up to, with its number.</summary>
+    /// <summary>The jerk at each sample up to which the controller drove, with the index of the sample.</summary>
     public static IEnumerable<(int Sample, double Jerk)> Of(IReadOnlyList<DriveSample> samples)
     {
         ArgumentNullException.ThrowIfNull(samples);

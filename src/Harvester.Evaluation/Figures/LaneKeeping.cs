@@ -4,20 +4,19 @@ using System.Collections.Generic;
 namespace Harvester.Evaluation.Figures;
 
 /// <summary>
-/// Finds where a car left its lane and where it changed lanes. A part of the car beyond the lanes of its direction is a departure. A part
-/// of it on the lane beside is a change of lane if the car ends up there, a departure too if it comes back, and neither if a junction or
-/// the own driver puts an end to it.
+/// Finds lane departures and lane changes. A part of the car beyond the lanes of its direction is a departure. A part of it on the adjacent
+/// lane is a lane change if the car ends up there, a departure if it returns, and neither if a junction or the built-in driver intervenes.
 /// </summary>
 public sealed class LaneKeeping
 {
-    /// <summary>Before and after a change of lane the car is not meant to be in the middle of one, seconds.</summary>
+    /// <summary>Time before and after a lane change in which the lateral error is not evaluated, seconds.</summary>
     private const double AroundChange = 4;
 
     private readonly IReadOnlyList<DriveSample> _samples;
     private readonly List<int> _departures = [];
     private readonly List<(int First, int Last)> _crossings = [];
 
-    /// <summary>Judges the stretches of a drive that the controller drove outside of junctions.</summary>
+    /// <summary>Evaluates the parts of a drive that the controller drove outside junctions.</summary>
     public LaneKeeping(IReadOnlyList<DriveSample> samples)
     {
         ArgumentNullException.ThrowIfNull(samples);
@@ -31,13 +30,13 @@ public sealed class LaneKeeping
         }
     }
 
-    /// <summary>Numbers of the samples with which departures begin.</summary>
+    /// <summary>Indices of the samples at which departures begin.</summary>
     public IReadOnlyList<int> Departures => _departures;
 
-    /// <summary>How many changes of lane there were.</summary>
+    /// <summary>Number of lane changes.</summary>
     public int Changes { get; private set; }
 
-    /// <summary>Metres to the right of the middle of the lane, of every sample that is neither in nor around a change of lane.</summary>
+    /// <summary>Lateral errors of all samples not in or around a lane change, metres to the right of the lane centre.</summary>
     public IEnumerable<double> LateralErrors()
     {
         int crossing = 0;
@@ -60,7 +59,7 @@ public sealed class LaneKeeping
 
     private bool IsAround(int sample, int other) => Math.Abs(_samples[sample].TimeSeconds - _samples[other].TimeSeconds) < AroundChange;
 
-    /// <summary>Follows the car from where it is over a marking to where it is not.</summary>
+    /// <summary>Follows the car from where it crosses a marking to where it no longer does.</summary>
     private int Judge(int first)
     {
         LanePlacement? before = first > 0 && !_samples[first].IsTeleported ? LaneOf(_samples[first - 1]) : null;

@@ -1,12 +1,12 @@
 namespace Harvester.Evaluation.Figures;
 
-/// <summary>A car across the lanes of its direction.</summary>
+/// <summary>A car's place across the lanes of its direction.</summary>
 /// <param name="Road">Number of the road.</param>
-/// <param name="Lane">Its lane from the left, from 0; null beside the lanes of its direction.</param>
-/// <param name="Lanes">Lanes of its direction.</param>
-/// <param name="LaneWidth">Metres.</param>
-/// <param name="RightOfCentre">Metres to the right of the middle of its lane.</param>
-/// <param name="HalfBreadth">Half of what the car takes up across the road, turned as it is, metres.</param>
+/// <param name="Lane">Index of the lane from the left, from 0; null outside the lanes of its direction.</param>
+/// <param name="Lanes">Number of lanes in its direction.</param>
+/// <param name="LaneWidth">Lane width, metres.</param>
+/// <param name="RightOfCentre">Distance to the right of the lane centre, metres.</param>
+/// <param name="HalfBreadth">Half of the car's extent across the road at its current heading, metres.</param>
 public sealed record LanePlacement(int Road, int? Lane, int Lanes, double LaneWidth, double RightOfCentre, double HalfBreadth)
 {
     /// <summary>Whether a part of the car is left of its lane.</summary>

@@ -7,21 +7,20 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Evaluation.Noise;
 
 /// <summary>
-/// Lets a controller see the indicators as a network would that errs: normal errors, independent from indicator to indicator and from
-/// frame to frame. The errors are those on a road of TORCS; in metres of a wider lane they are as much larger. What is not among the
-/// thirteen numbers stays true: which of them are active, how wide the lane is, whether the road is straight for long, and what the car
-/// knows of itself, its speed and its heading.
+/// Adds the errors of a network to a controller's indicators: normally distributed, independent between indicators and frames. The levels
+/// are those on a road of TORCS; in metres on a wider lane they are proportionally larger. Everything but the thirteen numbers stays exact:
+/// which of them are valid, the lane width, whether the road is straight for long, and the car's speed and heading.
 /// </summary>
 public sealed class NoisyIndicators : IController
 {
-    /// <summary>Standard deviation of a normal error by its mean absolute value: √(π/2).</summary>
+    /// <summary>Ratio of the standard deviation to the mean absolute value of a normal distribution: √(π/2).</summary>
     private static readonly double DeviationByMeanError = Math.Sqrt(Math.PI / 2);
 
     private readonly IController _controller;
     private readonly NoiseLevels _levels;
     private readonly Random _random;
 
-    /// <summary>Puts noise before a controller.</summary>
+    /// <summary>Wraps a controller.</summary>
     public NoisyIndicators(IController controller, NoiseLevels levels, int seed)
     {
         ArgumentNullException.ThrowIfNull(controller);
@@ -48,11 +47,11 @@ public sealed class NoisyIndicators : IController
         });
     }
 
-    /// <summary>An angle with the error that another has: a network that reads a picture errs alike in both.</summary>
+    /// <summary>An angle with the error of another one: a network has the same error in both.</summary>
     private static Indicator WithErrorOf(Indicator angle, Indicator truth, Indicator noisy) =>
         angle.IsValid && truth.IsValid ? Indicator.Of(angle.Value + (noisy.Value - truth.Value)) : angle;
 
-    /// <summary>Metres on the road for a metre on a road of TORCS.</summary>
+    /// <summary>Metres on the road per metre on a road of TORCS.</summary>
     private static double LaneScale(DrivingState state)
     {
         LaneIndicators metres = state.Indicators;
@@ -74,7 +73,7 @@ public sealed class NoisyIndicators : IController
             ? Indicator.Of(Math.Clamp(Noisy(indicator, _levels.VehicleMetres).Value, 0, IndicatorCalculator.VehicleRange))
             : indicator;
 
-    /// <summary>A standard normal number by the formula of Box and Muller.</summary>
+    /// <summary>A standard normal number (Box and Muller).</summary>
     private double Normal() =>
         Math.Sqrt(-2 * Math.Log(1 - _random.NextDouble())) * Math.Cos(2 * Math.PI * _random.NextDouble());
 }

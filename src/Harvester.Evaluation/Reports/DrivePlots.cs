@@ -7,7 +7,7 @@ using Harvester.Pages.Plots;
 
 namespace Harvester.Evaluation.Reports;
 
-/// <summary>The plots of a drive, which has at least two samples.</summary>
+/// <summary>The plots of a drive with at least two samples.</summary>
 internal sealed class DrivePlots
 {
     public const string ByController = "controller";
@@ -35,7 +35,7 @@ internal sealed class DrivePlots
 
     private double Length => _distances[^1];
 
-    /// <summary>Where the car drove, with rings where something went wrong.</summary>
+    /// <summary>The path of the car, with rings around events.</summary>
     public LinePlot Map(DriveRecord record)
     {
         LinePlot map = LinePlot.Map(_samples.Select(sample => sample.Position));
@@ -93,7 +93,7 @@ internal sealed class DrivePlots
 
     public LinePlot Progress()
     {
-        // Each start has a time of its own; the samples come at equal intervals.
+        // Each start has its own time; the samples have equal intervals.
         double step = _samples[1].TimeSeconds - _samples[0].TimeSeconds;
         var plot = new LinePlot(PlotAxis.Around("time, s", 0, step * (_samples.Count - 1)), PlotAxis.Around(DistanceDriven, 0, Length));
         AddByDriver(plot, i => new Vector2D(step * i, _distances[i]));
@@ -107,13 +107,13 @@ internal sealed class DrivePlots
     {
         foreach (List<int> piece in Pieces<bool>(sample => sample.IsByController))
         {
-            // A piece begins where the one before ended, so that there is no gap between them.
+            // A piece begins where the previous one ends, so that there is no gap.
             IEnumerable<int> joined = piece[0] > 0 && !_samples[piece[0]].IsTeleported ? piece.Prepend(piece[0] - 1) : piece;
             plot.Add(new PlotLine(_samples[piece[0]].IsByController ? ByController : ByBuiltInDriver, [.. joined.Select(place)]));
         }
     }
 
-    /// <summary>Runs of samples of the same kind, cut where the car was repositioned; samples without a kind are in none.</summary>
+    /// <summary>Runs of samples of the same kind, split where the car was repositioned; samples without a kind are in none.</summary>
     private IEnumerable<List<int>> Pieces<T>(Func<DriveSample, T?> kindOf)
         where T : struct
     {

@@ -10,12 +10,13 @@ namespace Harvester.Evaluation.Reports;
 /// <summary>Shows a drive as one HTML page: its figures, a map, and plots of lateral error, speed, jerk and progress.</summary>
 public static class DriveReport
 {
-    /// <summary>Name of the page.</summary>
+    /// <summary>Name of the file.</summary>
     public const string FileName = "report.html";
 
     private const string Style = """
         body { max-width: 1060px; }
-        table { width: auto; } td { text-align: left; white-space: normal; } td + td { padding-left: 24px; } tr:first-child td { border-top: 0; }
+        table { width: auto; } td { text-align: left; white-space: normal; } td + td { padding-left: 24px; }
+        tr:first-child td { border-top: 0; }
         .panels { grid-template-columns: minmax(0, 1fr); } figure .hint { margin-bottom: 10px; }
         .controller { stroke: var(--accent); } .builtin { stroke: #9aa4ae; } .bound { stroke: #cf8a00; stroke-dasharray: 5 4; }
         .departure { stroke: #cf8a00; } .collision { stroke: #cf222e; }
@@ -85,7 +86,8 @@ public static class DriveReport
         WriteFigure(
             page,
             "Lateral error",
-            "Distance from the lane centre, positive to the right, while the controller drives outside junctions. It jumps at a lane change. "
+            "Distance from the lane centre, positive to the right, while the controller drives outside junctions. It jumps at a lane "
+                + "change. "
             + "Dashed: where the side of the car reaches the marking of a lane 5.4 m wide.",
             plots.LateralError());
         WriteFigure(page, "Speed", "", plots.Speed());

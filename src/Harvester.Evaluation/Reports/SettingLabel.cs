@@ -3,12 +3,12 @@ using System.Linq;
 
 namespace Harvester.Evaluation.Reports;
 
-/// <summary>A setting of a drive for a reader: drive.json has lookAheadMetres: 10, the page has "look ahead: 10 m".</summary>
+/// <summary>A setting of a drive in words: drive.json has lookAheadMetres: 10, the page has "look ahead: 10 m".</summary>
 internal static class SettingLabel
 {
     private static readonly (string Suffix, string Unit)[] Units = [("Metres", " m"), ("Seconds", " s")];
 
-    /// <summary>Its name in words, and its value with the unit that the key names.</summary>
+    /// <summary>The name in words, and the value with the unit from the key.</summary>
     public static (string Name, string Value) Of(string key, string value)
     {
         (string suffix, string unit) = Units.FirstOrDefault(

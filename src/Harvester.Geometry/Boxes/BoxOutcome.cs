@@ -1,14 +1,14 @@
 namespace Harvester.Geometry.Boxes;
 
-/// <summary>Where a cuboid comes to lie for a camera.</summary>
+/// <summary>Where a cuboid lies for a camera.</summary>
 public enum BoxOutcome
 {
-    /// <summary>Some of it lies in the image.</summary>
+    /// <summary>At least part of it is in the image.</summary>
     InImage,
 
-    /// <summary>It lies in front of the near plane, but beside the image.</summary>
+    /// <summary>It is in front of the near plane, but outside the image.</summary>
     OutsideImage,
 
-    /// <summary>All of it lies nearer than the near plane or behind the camera.</summary>
+    /// <summary>All of it is nearer than the near plane or behind the camera.</summary>
     BehindNearPlane,
 }

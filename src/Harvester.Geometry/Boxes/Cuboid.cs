@@ -9,10 +9,13 @@ public sealed record Cuboid
     private static readonly int[] EdgeStarts = [0, 0, 0, 1, 1, 2, 2, 3, 4, 4, 5, 6];
     private static readonly int[] EdgeEnds = [1, 2, 4, 3, 5, 3, 6, 7, 5, 6, 7, 7];
 
-    /// <summary>How many corners a cuboid has.</summary>
-    internal const int CornerCount = 8;
+    /// <summary>Number of corners of a cuboid.</summary>
+    public const int CornerCount = 8;
 
-    /// <summary>Makes a cuboid.</summary>
+    /// <summary>Number of edges of a cuboid.</summary>
+    internal const int EdgeCount = 12;
+
+    /// <summary>Creates a cuboid.</summary>
     /// <param name="centre">Its centre in the world, metres.</param>
     /// <param name="halfExtents">Half of its size along right, forward and up, metres; each 0 or more (a plate has one 0).</param>
     /// <param name="axes">Its orientation.</param>
@@ -42,7 +45,7 @@ public sealed record Cuboid
         }
     }
 
-    /// <summary>The twelve edges as their ends in the world, metres.</summary>
+    /// <summary>The twelve edges as end points in the world, metres.</summary>
     public IEnumerable<(Vector3D Start, Vector3D End)> EdgesInWorld
     {
         get
@@ -64,13 +67,13 @@ public sealed record Cuboid
     public Axes Axes { get; }
 
     /// <summary>
-    /// The cuboid of an entity from its model's dimensions. These are a minimum and a maximum about the model's origin and not
-    /// symmetric, so the centre is not the entity's position.
+    /// The cuboid of an entity from its model's dimensions. These are a minimum and a maximum about the model's origin and not symmetric,
+    /// so the centre differs from the entity's position.
     /// </summary>
     /// <param name="min">Rear, left, lower corner in the model's frame, metres.</param>
     /// <param name="max">Front, right, upper corner in the model's frame, metres; no component less than <paramref name="min"/>'s.</param>
     /// <param name="entity">The entity's pose in the world.</param>
-    /// <exception cref="ArgumentOutOfRangeException">A value is not finite or the corners are inside out.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">A value is not finite, or a minimum is greater than its maximum.</exception>
     public static Cuboid FromModel(Vector3D min, Vector3D max, Pose entity)
     {
         Guard.Finite(min, nameof(min));
@@ -81,7 +84,7 @@ public sealed record Cuboid
     /// <summary>
     /// A corner in the world, metres. Bit 0 of the number is right, bit 1 forward, bit 2 up; a cleared bit is the opposite side.
     /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">The number is not 0 to 7.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The number is not from 0 to 7.</exception>
     public Vector3D Corner(int number)
     {
         if (number is < 0 or > 7)
@@ -95,6 +98,9 @@ public sealed record Cuboid
             (number & 4) != 0 ? HalfExtents.Z : -HalfExtents.Z));
     }
 
+    /// <summary>An edge as the numbers of its corners.</summary>
+    internal static (int Start, int End) Edge(int number) => (EdgeStarts[number], EdgeEnds[number]);
+
     /// <summary>Whether a point of the world lies in the cuboid, faces included.</summary>
     public bool Contains(Vector3D world)
     {
@@ -103,10 +109,10 @@ public sealed record Cuboid
     }
 
     /// <summary>
-    /// Where a ray runs through the cuboid: the distances of entry and exit, metres. Entry is 0 when the ray starts inside.
-    /// The slab test: the ray is inside while it is between all three pairs of faces, so the last entry must come before the first exit.
+    /// Intersects a ray with the cuboid: the distances of entry and exit, metres. Entry is 0 if the ray starts inside. Slab test: the ray
+    /// is inside while it is between all three pairs of faces, so the last entry must come before the first exit.
     /// </summary>
-    /// <returns>Null when the ray misses the cuboid or leaves it behind.</returns>
+    /// <returns>Null if the ray misses the cuboid or starts beyond it.</returns>
     public RaySpan? Intersect(Ray ray)
     {
         Vector3D origin = Axes.ToLocal(ray.Origin - Centre);

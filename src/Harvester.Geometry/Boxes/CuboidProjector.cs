@@ -5,20 +5,22 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Geometry.Boxes;
 
 /// <summary>
-/// Algorithm 1 of the thesis, done right: the twelve edges are clipped at the near plane in the camera's frame, what is left is
-/// projected, its convex hull is the outline, and the outline is cut with the image. A lens that bends lines bends the outline after
-/// the hull is taken, for it is only before the lens that the outline of a convex body is convex.
+/// Algorithm 1 of the thesis with near-plane clipping: the twelve edges are clipped at the near plane in the camera's frame, the remaining
+/// parts are projected, their convex hull is the outline, and the outline is clipped to the image. A distorting lens is applied to the
+/// outline after the hull is taken, because the outline of a convex body is convex only before distortion.
 /// </summary>
 public static class CuboidProjector
 {
     /// <summary>
-    /// Projects a cuboid. One that contains the camera's position covers the whole image; one behind the near plane gives nothing;
-    /// one that touches the image only in a line or a point is outside it.
+    /// Projects a cuboid. One that contains the camera's position covers the whole image; one that touches the image only in a line or a
+    /// point is outside it.
     /// </summary>
     public static CuboidProjection Project(Camera camera, Cuboid cuboid)
     {
         Guard.NotNull(camera, nameof(camera));
-        return Project(camera, cuboid, VisibleEdgeEnds(camera, Guard.NotNull(cuboid, nameof(cuboid))));
+        ProjectorBuffers buffers = ProjectorBuffers.OfThread;
+        AddEnds(buffers, camera, Guard.NotNull(cuboid, nameof(cuboid)));
+        return WithSilhouette(buffers, camera, BoxesOf(buffers, camera, cuboid));
     }
 
     /// <summary>Projects a convex body within a cuboid in the same way.</summary>
@@ -29,82 +31,145 @@ public static class CuboidProjector
     {
         Guard.NotNull(camera, nameof(camera));
         Guard.NotNull(cuboid, nameof(cuboid));
-        return Project(camera, cuboid, VisibleEdgeEnds(camera, Guard.NotNull(edges, nameof(edges))));
+        ProjectorBuffers buffers = ProjectorBuffers.OfThread;
+        buffers.ClearEnds();
+        foreach ((Vector3D start, Vector3D end) in Guard.NotNull(edges, nameof(edges)))
+        {
+            AddEdge(buffers, camera.Intrinsics.NearClip, camera.Pose.ToLocal(start), camera.Pose.ToLocal(end));
+        }
+
+        return WithSilhouette(buffers, camera, BoxesOf(buffers, camera, cuboid));
     }
 
-    private static CuboidProjection Project(Camera camera, Cuboid cuboid, List<Vector3D> ends)
+    /// <summary>The boxes of <see cref="Project(Camera, Cuboid)"/> without the silhouette; nothing is allocated.</summary>
+    public static BoxProjection BoxesOf(Camera camera, Cuboid cuboid)
+    {
+        Guard.NotNull(camera, nameof(camera));
+        ProjectorBuffers buffers = ProjectorBuffers.OfThread;
+        AddEnds(buffers, camera, Guard.NotNull(cuboid, nameof(cuboid)));
+        return BoxesOf(buffers, camera, cuboid);
+    }
+
+    /// <summary>The boxes around the end points in the buffers; also sets the outline there.</summary>
+    private static BoxProjection BoxesOf(ProjectorBuffers buffers, Camera camera, Cuboid cuboid)
     {
         Box2D image = camera.Image.Bounds;
         bool isAround = cuboid.Contains(camera.Pose.Position);
-        if (ends.Count == 0 && !isAround)
+        PointBuffer outline = buffers.Outline;
+        if (buffers.EndCount == 0 && !isAround)
         {
-            return new CuboidProjection(BoxOutcome.BehindNearPlane, null, null, 0, []);
+            outline.Clear();
+            return new BoxProjection(BoxOutcome.BehindNearPlane, null, null, 0);
         }
 
-        IReadOnlyList<Vector2D> outline = camera.Intrinsics.Lens.IsRectilinear
-            ? ConvexPolygon.Hull(ends.ConvertAll(camera.PixelOf))
-            : DistortedOutline.Of(camera, ends);
+        SetOutline(buffers, camera);
         if (isAround)
         {
-            outline = ConvexPolygon.Hull(
-            [
-                .. outline, new(image.XMin, image.YMin), new(image.XMax, image.YMin), new(image.XMax, image.YMax),
-                    new(image.XMin, image.YMax),
-            ]);
+            outline.Add(new Vector2D(image.XMin, image.YMin));
+            outline.Add(new Vector2D(image.XMax, image.YMin));
+            outline.Add(new Vector2D(image.XMax, image.YMax));
+            outline.Add(new Vector2D(image.XMin, image.YMax));
+            BecomeHull(buffers);
         }
 
-        IReadOnlyList<Vector2D> silhouette = camera.Intrinsics.Lens.IsRectilinear ? outline : ConvexPolygon.Hull(outline);
-        IReadOnlyList<Vector2D> inImage = ConvexPolygon.Clip(outline, image);
-        Box2D? amodal = ConvexPolygon.Bounds(outline);
-        double area = ConvexPolygon.Area(outline);
-        double areaInImage = ConvexPolygon.Area(inImage);
-        if (!(areaInImage > 0))
+        Box2D? amodal = outline.Bounds();
+        PointBuffer inImage = outline;
+        if (!outline.IsWithin(image))
         {
-            return new CuboidProjection(BoxOutcome.OutsideImage, null, amodal, 1, silhouette);
+            inImage = buffers.InImage;
+            inImage.SetClipped(outline, image, buffers.Hull);
         }
 
-        // Clipping computes points on the image's border with rounding; the box is held to the image exactly.
-        Box2D? box = ConvexPolygon.Bounds(inImage)?.Intersect(image);
+        double area = outline.Area();
+        double areaInImage = inImage.Area();
+
+        // Clipping computes points on the image's border with rounding; the box is clamped to the image.
+        Box2D? box = areaInImage > 0 ? inImage.Bounds()?.Intersect(image) : null;
         double truncated = Math.Min(1, Math.Max(0, 1 - (areaInImage / area)));
         return box is null
-            ? new CuboidProjection(BoxOutcome.OutsideImage, null, amodal, 1, silhouette)
-            : new CuboidProjection(BoxOutcome.InImage, box, amodal?.Union(box.Value), truncated, silhouette);
+            ? new BoxProjection(BoxOutcome.OutsideImage, null, amodal, 1)
+            : new BoxProjection(BoxOutcome.InImage, box, amodal?.Union(box.Value), truncated);
     }
 
-    /// <summary>The ends of what the near plane leaves of a cuboid's edges, in the camera's frame, each point once.</summary>
-    private static List<Vector3D> VisibleEdgeEnds(Camera camera, Cuboid cuboid)
+    private static CuboidProjection WithSilhouette(ProjectorBuffers buffers, Camera camera, BoxProjection boxes)
+    {
+        if (!camera.Intrinsics.Lens.IsRectilinear)
+        {
+            BecomeHull(buffers);
+        }
+
+        return new CuboidProjection(
+            boxes.Outcome, boxes.Box, boxes.AmodalBox, boxes.TruncatedFraction, buffers.Outline.ToArray());
+    }
+
+    private static void SetOutline(ProjectorBuffers buffers, Camera camera)
+    {
+        if (!camera.Intrinsics.Lens.IsRectilinear)
+        {
+            DistortedOutline.Set(buffers, camera);
+            return;
+        }
+
+        buffers.Points.Clear();
+        for (int i = 0; i < buffers.EndCount; i++)
+        {
+            buffers.Points.Add(camera.PixelOf(buffers.End(i)));
+        }
+
+        buffers.Outline.SetHullOf(buffers.Points);
+    }
+
+    /// <summary>Replaces the outline by its convex hull.</summary>
+    private static void BecomeHull(ProjectorBuffers buffers)
+    {
+        buffers.Points.Clear();
+        for (int i = 0; i < buffers.Outline.Count; i++)
+        {
+            buffers.Points.Add(buffers.Outline[i]);
+        }
+
+        buffers.Outline.SetHullOf(buffers.Points);
+    }
+
+    /// <summary>
+    /// Adds the end points of the parts of a cuboid's edges in front of the near plane, in the camera's frame; each corner once if the near
+    /// plane cuts none.
+    /// </summary>
+    private static void AddEnds(ProjectorBuffers buffers, Camera camera, Cuboid cuboid)
     {
         double near = camera.Intrinsics.NearClip;
-        var ends = new List<Vector3D>(Cuboid.CornerCount);
         bool isCut = false;
         for (int number = 0; number < Cuboid.CornerCount; number++)
         {
-            Vector3D corner = camera.Pose.ToLocal(cuboid.Corner(number));
-            isCut |= corner.Y < near;
-            ends.Add(corner);
+            buffers.Corners[number] = camera.Pose.ToLocal(cuboid.Corner(number));
+            isCut |= buffers.Corners[number].Y < near;
         }
 
-        // Hardly any cuboid reaches through the near plane.
-        return isCut ? VisibleEdgeEnds(camera, cuboid.EdgesInWorld) : ends;
+        buffers.ClearEnds();
+        if (!isCut)
+        {
+            foreach (Vector3D corner in buffers.Corners)
+            {
+                buffers.AddEnd(corner);
+            }
+
+            return;
+        }
+
+        for (int edge = 0; edge < Cuboid.EdgeCount; edge++)
+        {
+            (int start, int end) = Cuboid.Edge(edge);
+            AddEdge(buffers, near, buffers.Corners[start], buffers.Corners[end]);
+        }
     }
 
-    /// <summary>The ends of what the near plane leaves of edges, in the camera's frame.</summary>
-    private static List<Vector3D> VisibleEdgeEnds(Camera camera, IEnumerable<(Vector3D Start, Vector3D End)> edges)
+    private static void AddEdge(ProjectorBuffers buffers, double near, Vector3D a, Vector3D b)
     {
-        double near = camera.Intrinsics.NearClip;
-        var ends = new List<Vector3D>();
-        foreach ((Vector3D start, Vector3D end) in edges)
+        if (a.Y >= near || b.Y >= near)
         {
-            Vector3D a = camera.Pose.ToLocal(start);
-            Vector3D b = camera.Pose.ToLocal(end);
-            if (a.Y >= near || b.Y >= near)
-            {
-                ends.Add(a.Y < near ? AtNearPlane(b, a, near) : a);
-                ends.Add(b.Y < near ? AtNearPlane(a, b, near) : b);
-            }
+            buffers.AddEnd(a.Y < near ? AtNearPlane(b, a, near) : a);
+            buffers.AddEnd(b.Y < near ? AtNearPlane(a, b, near) : b);
         }
-
-        return ends;
     }
 
     private static Vector3D AtNearPlane(Vector3D front, Vector3D behind, double near)

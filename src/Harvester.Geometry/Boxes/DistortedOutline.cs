@@ -1,36 +1,40 @@
 using System;
-using System.Collections.Generic;
 using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.Boxes;
 
 /// <summary>
-/// The outline of a convex body under a lens that bends lines. Before the lens it is the convex hull of the body's corners; each of
-/// its sides is then bent in small pieces, and may bend inwards.
+/// The outline of a convex body under a distorting lens. Before the lens it is the convex hull of the body's corners. Each of its sides is
+/// then distorted in small pieces; it may become concave.
 /// </summary>
 internal static class DistortedOutline
 {
-    /// <summary>Pieces from the middle of the image to its corner: a piece bulges by about a hundredth of a pixel.</summary>
+    /// <summary>Number of pieces from the middle of the image to its corner: a piece deviates from its chord by about 0.01 px.</summary>
     private const int PiecesToCorner = 32;
 
-    /// <summary>The outline in pixels; within the image as fine as said, coarser with the distance from it.</summary>
-    /// <param name="camera">The camera.</param>
-    /// <param name="corners">Corners of the body in the camera's frame, all in front of it.</param>
-    public static IReadOnlyList<Vector2D> Of(Camera camera, List<Vector3D> corners)
+    /// <summary>
+    /// Sets the outline, in pixels, from the end points in the buffers; outside the image, pieces grow with the distance from it.
+    /// </summary>
+    public static void Set(ProjectorBuffers buffers, Camera camera)
     {
-        IReadOnlyList<Vector2D> hull = ConvexPolygon.Hull(
-            corners.ConvertAll(corner => new Vector2D(corner.X / corner.Y, -corner.Z / corner.Y)));
-        double radius = RadiusOfImage(camera.Intrinsics);
-        var outline = new List<Vector2D>();
-        for (int i = 0; i < hull.Count; i++)
+        buffers.Points.Clear();
+        for (int i = 0; i < buffers.EndCount; i++)
         {
-            AddSide(outline, camera, hull[i], hull[(i + 1) % hull.Count], radius);
+            Vector3D end = buffers.End(i);
+            buffers.Points.Add(new Vector2D(end.X / end.Y, -end.Z / end.Y));
         }
 
-        return outline;
+        PointBuffer hull = buffers.Hull;
+        hull.SetHullOf(buffers.Points);
+        double radius = RadiusOfImage(camera.Intrinsics);
+        buffers.Outline.Clear();
+        for (int i = 0; i < hull.Count; i++)
+        {
+            AddSide(buffers.Outline, camera, hull[i], hull[(i + 1) % hull.Count], radius);
+        }
     }
 
-    /// <summary>How far from the optical axis a corner of the image is before the lens, at depth 1.</summary>
+    /// <summary>Distance of a corner of the image from the optical axis before the lens, at depth 1.</summary>
     private static double RadiusOfImage(CameraIntrinsics intrinsics)
     {
         double x = Math.Max(intrinsics.Cx, intrinsics.Image.Width - intrinsics.Cx) / intrinsics.Fx;
@@ -39,9 +43,9 @@ internal static class DistortedOutline
     }
 
     /// <summary>
-    /// Adds a side without its end. Places on it are counted from its point nearest to the axis, about which it is bent most.
+    /// Adds a side without its end. Positions are measured from its point nearest to the axis, where the distortion curves it most.
     /// </summary>
-    private static void AddSide(List<Vector2D> outline, Camera camera, Vector2D from, Vector2D to, double radius)
+    private static void AddSide(PointBuffer outline, Camera camera, Vector2D from, Vector2D to, double radius)
     {
         Vector2D side = to - from;
         double length = side.Length;

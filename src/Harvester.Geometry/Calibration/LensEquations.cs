@@ -3,9 +3,8 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Geometry.Calibration;
 
 /// <summary>
-/// The lens as linear equations. With x, y the ideal normalised image point, q = x² + y², and s the focal scale, a pixel is
-/// u = W/2 + W·ox + fx·x·(s + s·k1·q + s·k2·q²) and v = H/2 + H·oy + fy·y·(the same),
-/// linear in the parameters s, ox, oy, s·k1, s·k2.
+/// The lens as linear equations. With x, y the ideal normalised image point, q = x² + y², and s the focal scale, a pixel is u = W/2 + W·ox
+/// + fx·x·(s + s·k1·q + s·k2·q²) and v = H/2 + H·oy + fy·y·(s + s·k1·q + s·k2·q²), linear in the parameters s, ox, oy, s·k1, s·k2.
 /// </summary>
 internal sealed class LensEquations(CameraIntrinsics ideal)
 {

@@ -1,6 +1,6 @@
 namespace Harvester.Geometry.Calibration;
 
-/// <summary>How the fit of a lens ended.</summary>
+/// <summary>How fitting a lens ended.</summary>
 public enum LensFitOutcome
 {
     /// <summary>The lens is found.</summary>
@@ -9,6 +9,8 @@ public enum LensFitOutcome
     /// <summary>Fewer sightings agree than <see cref="LensFitter.MinSightings"/>, or fewer than half of those given.</summary>
     TooFewSightings,
 
-    /// <summary>The sightings do not determine the lens: they lie in one place or on a circle about the image's middle, say.</summary>
+    /// <summary>
+    /// The sightings do not determine the lens: for example, they lie in one place or on a circle about the image's middle.
+    /// </summary>
     Undetermined,
 }

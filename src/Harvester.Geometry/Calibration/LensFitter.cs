@@ -6,17 +6,14 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Geometry.Calibration;
 
 /// <summary>
-/// Fits a <see cref="Lens"/> to sightings so that it puts the points where they are seen. The model is linear in its parameters
-/// (<see cref="LensEquations"/>), so there is one optimum and no start value. Wrong sightings are tolerated as long as most are
-/// right: least squares are solved again and again with weights, first Huber's (which find the right neighbourhood from anywhere),
-/// then Tukey's biweight (which takes sightings that are far off out of the result); the scale of the noise is taken from the median
-/// distance each time (Huber and Ronchetti, Robust Statistics, chapter 7).
+/// Fits a <see cref="Lens"/> to sightings. The model is linear in its parameters (<see cref="LensEquations"/>), so there is one optimum and
+/// no start value. Wrong sightings are tolerated as long as most are right: least squares are solved repeatedly with weights, first Huber's
+/// (which converge from anywhere), then Tukey's biweight (which removes the influence of outliers); the scale of the noise is estimated
+/// from the median distance each time (Huber and Ronchetti, Robust Statistics, chapter 7).
 /// </summary>
 public static class LensFitter
 {
-    /// <summary>
-    /// The fewest sightings that must agree for a result: five parameters, two equations each, and something to check them by.
-    /// </summary>
+    /// <summary>Minimum number of sightings that must agree: five parameters, two equations each, and some to check the result.</summary>
     public const int MinSightings = 10;
 
     // The median distance of noise that is normal in both axes, in standard deviations of one axis: √(2 ln 2).
@@ -25,16 +22,16 @@ public static class LensFitter
     // Huber's usual bound, in standard deviations.
     private const double HuberBound = 1.345;
 
-    // Noise reaches this many standard deviations with a probability of exp(-18), so only what is wrong is left out.
+    // Noise exceeds this many standard deviations with a probability of exp(-18), so only wrong sightings are rejected.
     private const double BiweightBound = 6;
 
-    // Markers cannot be located better than this, pixels; sightings without noise then do not reject each other for rounding.
+    // Markers cannot be located better than this, pixels; sightings without noise then do not reject each other because of rounding.
     private const double MinNoise = 0.01;
     private const int Rounds = 30;
 
     /// <summary>Fits a lens.</summary>
-    /// <param name="camera">Field of view, image size and aspect; its own lens is not used.</param>
-    /// <param name="sightings">Points and where they are seen, in front of the camera.</param>
+    /// <param name="camera">Field of view, image size and aspect ratio; its own lens is ignored.</param>
+    /// <param name="sightings">Points in front of the camera and where they are seen.</param>
     /// <exception cref="ArgumentException">A point lies nearer than the near plane.</exception>
     public static LensFit Fit(CameraIntrinsics camera, IReadOnlyList<Sighting> sightings)
     {

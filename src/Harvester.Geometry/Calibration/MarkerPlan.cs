@@ -5,10 +5,11 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Geometry.Calibration;
 
 /// <summary>
-/// Balls at known places of the world that a camera sees in a grid over its whole image, at depths that change from ball to ball:
-/// an error of the camera's position, unlike one of its lens, then shows as different errors at neighbours. Each lies up to half a radius
-/// beside its place in the grid along either axis, so that the balls' fractions of pixels differ: in an even grid what locating a ball gets
-/// wrong by its fraction would repeat from ball to ball and be taken for a lens. And an uneven grid shifted by a place does not fit itself.
+/// Balls at known positions that a camera sees in a grid over its whole image, at depths that change from ball to ball: an error of the
+/// camera's position, unlike one of its lens, then shows as different errors at neighbours. Each ball is displaced from its grid point by
+/// up to half a radius along either axis, so that the fractional parts of their pixel positions differ: in an even grid, location errors
+/// that depend on that fraction would repeat from ball to ball and look like a lens. A displaced grid also does not match itself when
+/// shifted by one cell.
 /// </summary>
 public sealed class MarkerPlan
 {
@@ -21,17 +22,17 @@ public sealed class MarkerPlan
     /// <summary>The balls, row by row from the image's upper left corner.</summary>
     public IReadOnlyList<PlannedMarker> Markers { get; }
 
-    /// <summary>The smallest distance that neighbours may have, pixels, in the smaller one of the two directions.</summary>
+    /// <summary>Minimum distance of neighbours, pixels, in the smaller of the two directions.</summary>
     public double SpacingPixels { get; }
 
     /// <summary>
-    /// Plans a grid of balls whose outermost ones lie wholly within the image, at least two and a half radii from its edges.
+    /// Plans a grid of balls. The outermost ones lie wholly within the image, at least two and a half radii from its edges.
     /// </summary>
-    /// <param name="camera">The camera as it is known; where its lens is not known, balls may be seen elsewhere or not at all.</param>
-    /// <param name="columns">Balls in a row, at least 2.</param>
+    /// <param name="camera">The camera as far as it is known; with an unknown lens, balls may appear elsewhere or not at all.</param>
+    /// <param name="columns">Balls per row, at least 2.</param>
     /// <param name="rows">Rows, at least 2.</param>
-    /// <param name="radiusPixels">How large a ball is to look, greater than 0.</param>
-    /// <param name="depths">Depths along the camera's axis, metres, greater than 0, taken in turn; at least one.</param>
+    /// <param name="radiusPixels">Radius of a ball in the image, pixels, greater than 0.</param>
+    /// <param name="depths">Depths along the camera's axis, metres, greater than 0, used in turn; at least one.</param>
     /// <exception cref="ArgumentException">A value is out of range, or the image is too small for so many balls.</exception>
     public static MarkerPlan Across(Camera camera, int columns, int rows, double radiusPixels, IReadOnlyList<double> depths)
     {
@@ -65,7 +66,7 @@ public sealed class MarkerPlan
         return new MarkerPlan(markers, spacing - radiusPixels);
     }
 
-    /// <summary>How far a ball lies beside its place in the grid, radii, -0.5 to 0.5 along either axis.</summary>
+    /// <summary>Displacement of a ball from its grid point, radii, -0.5 to 0.5 along either axis.</summary>
     private static Vector2D BesideGrid(int index) =>
         new(Fraction((index + 1) * R2Sequence.First) - 0.5, Fraction((index + 1) * R2Sequence.Second) - 0.5);
 

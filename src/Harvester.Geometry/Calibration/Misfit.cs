@@ -1,20 +1,20 @@
 namespace Harvester.Geometry.Calibration;
 
-/// <summary>What best explains why sightings and a camera model disagree.</summary>
+/// <summary>The most likely reason why sightings and a camera model disagree.</summary>
 public enum Misfit
 {
-    /// <summary>Nothing systematic: the disagreement is that of noise, or of single sightings.</summary>
+    /// <summary>No systematic reason: noise, or single wrong sightings.</summary>
     Noise,
 
-    /// <summary>The picture is stretched along one axis, as when the window's aspect ratio is not the one that was reported.</summary>
+    /// <summary>The picture is stretched along one axis, as when the window's aspect ratio is not the reported one.</summary>
     Stretch,
 
-    /// <summary>The camera stands elsewhere than was reported: near points are off by more than far ones.</summary>
+    /// <summary>The camera is not at the reported position: near points are off by more than far ones.</summary>
     CameraPosition,
 
-    /// <summary>The camera is rolled about its axis otherwise than was reported.</summary>
+    /// <summary>The camera's roll differs from the reported one.</summary>
     CameraRoll,
 
-    /// <summary>The lens bends the picture in a way that two radial terms cannot describe.</summary>
+    /// <summary>The lens distorts the picture in a way that two radial terms cannot describe.</summary>
     LensShape,
 }

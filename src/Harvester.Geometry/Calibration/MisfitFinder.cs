@@ -6,8 +6,8 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Geometry.Calibration;
 
 /// <summary>
-/// Finds the likely cause of a disagreement: each cause moves points in a pattern of its own, to the first order; the one whose pattern
-/// explains most of the squared distances is named, if it explains half of them.
+/// Finds the likely cause of a disagreement. Each cause moves points in a pattern of its own, to first order; the one whose pattern
+/// explains most of the squared distances is chosen, if it explains half of them.
 /// </summary>
 public static class MisfitFinder
 {
@@ -15,7 +15,7 @@ public static class MisfitFinder
 
     private delegate Vector2D Pattern(Vector2D point, double depth);
 
-    // Points are normalised: x right, y down, at depth 1. Rotations about the other axes are, to the first order, shifts of the principal
+    // Points are normalised: x right, y down, at depth 1. Rotations about the other axes are, to first order, shifts of the principal
     // point.
     private static readonly (Misfit Cause, Pattern[] Patterns)[] Causes =
     [
@@ -29,7 +29,7 @@ public static class MisfitFinder
         ]),
         (Misfit.LensShape,
         [
-            // Brown's third radial and his two tangential terms.
+            // Brown's third radial term and the two tangential terms.
             static (point, _) => point * Math.Pow(point.Dot(point), 3),
             static (point, _) => new Vector2D(2 * point.X * point.Y, point.Dot(point) + (2 * point.Y * point.Y)),
             static (point, _) => new Vector2D(point.Dot(point) + (2 * point.X * point.X), 2 * point.X * point.Y),
@@ -37,8 +37,8 @@ public static class MisfitFinder
     ];
 
     /// <summary>The likely cause.</summary>
-    /// <param name="camera">The camera with the lens that was fitted.</param>
-    /// <param name="sightings">What it was fitted to, and more if there is any.</param>
+    /// <param name="camera">The camera with the fitted lens.</param>
+    /// <param name="sightings">The sightings used for the fit, and further ones if there are any.</param>
     /// <exception cref="ArgumentException">A point lies nearer than the near plane.</exception>
     public static Misfit Of(CameraIntrinsics camera, IReadOnlyList<Sighting> sightings)
     {
@@ -52,7 +52,7 @@ public static class MisfitFinder
     }
 
     /// <summary>
-    /// The sum of squared distances that is left when a cause's patterns are fitted together with what the lens can do, which has adapted
+    /// The sum of squared distances that remains when a cause's patterns are fitted together with the lens parameters, which have adapted
     /// to the cause.
     /// </summary>
     private static double LeftBy(Pattern[] patterns, CameraIntrinsics camera, Residual[] residuals)

@@ -4,13 +4,13 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.Calibration;
 
-/// <summary>The distances between where points are seen and where a camera model puts them.</summary>
-/// <param name="RmsPixels">Root of the mean square distance, pixels.</param>
-/// <param name="MaxPixels">The largest distance, pixels.</param>
+/// <summary>The distances between where points are seen and where a camera model projects them.</summary>
+/// <param name="RmsPixels">Root mean square distance, pixels.</param>
+/// <param name="MaxPixels">Maximum distance, pixels.</param>
 /// <param name="Count">The number of points.</param>
 public readonly record struct ReprojectionError(double RmsPixels, double MaxPixels, int Count)
 {
-    /// <summary>The error of a camera model over sightings; all 0 when there are none.</summary>
+    /// <summary>The error of a camera model over sightings; all 0 if there are none.</summary>
     /// <exception cref="ArgumentException">A point lies nearer than the near plane.</exception>
     public static ReprojectionError Of(CameraIntrinsics intrinsics, IReadOnlyList<Sighting> sightings)
     {
@@ -28,7 +28,7 @@ public readonly record struct ReprojectionError(double RmsPixels, double MaxPixe
         return sightings.Count == 0 ? default : new ReprojectionError(Math.Sqrt(sum / sightings.Count), largest, sightings.Count);
     }
 
-    /// <summary>The distance of one sighting, pixels.</summary>
+    /// <summary>The error of one sighting, pixels.</summary>
     internal static double Distance(CameraIntrinsics intrinsics, Sighting sighting)
     {
         Projection projection = new Camera(sighting.CameraPose, intrinsics).Project(sighting.World);

@@ -3,12 +3,12 @@ using System;
 namespace Harvester.Geometry.Calibration;
 
 /// <summary>
-/// A small linear least squares problem, row by row: finds p that minimises Σ w (row · p - target)². Solved by Cholesky's
-/// factorisation of the normal equations after the columns are scaled to unit length (Golub and Van Loan, Matrix Computations, 5.3).
+/// A small linear least squares problem, row by row: finds p that minimises Σ w (row · p - target)². Solved by Cholesky factorisation of
+/// the normal equations after the columns are scaled to unit length (Golub and Van Loan, Matrix Computations, 5.3).
 /// </summary>
 internal sealed class WeightedLeastSquares
 {
-    // With unit columns a pivot is the squared sine of a column's angle to the ones before; below this, noise of 1e-16 decides.
+    // With unit columns a pivot is the squared sine of a column's angle to the earlier ones; below this, noise of 1e-16 dominates.
     private const double MinPivot = 1e-10;
     private readonly int _count;
     private readonly double[,] _normal;
@@ -37,7 +37,7 @@ internal sealed class WeightedLeastSquares
         }
     }
 
-    /// <summary>The solution; null when the rows leave some combination of the parameters open.</summary>
+    /// <summary>The solution; null if the rows do not determine all parameters.</summary>
     public double[]? Solve()
     {
         if (!Factorise())
@@ -70,7 +70,7 @@ internal sealed class WeightedLeastSquares
         return scaled;
     }
 
-    /// <summary>After <see cref="Solve"/>: the variance of row · p when each target has variance 1.</summary>
+    /// <summary>After <see cref="Solve"/>: the variance of row · p if each target has variance 1.</summary>
     public double VarianceOf(double[] row)
     {
         var scaled = new double[_count];

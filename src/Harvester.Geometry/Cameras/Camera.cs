@@ -6,9 +6,9 @@ namespace Harvester.Geometry.Cameras;
 /// </summary>
 public sealed record Camera
 {
-    /// <summary>Makes a camera.</summary>
+    /// <summary>Creates a camera.</summary>
     /// <param name="pose">Position and orientation in the world.</param>
-    /// <param name="intrinsics">How directions become pixels.</param>
+    /// <param name="intrinsics">How directions map to pixels.</param>
     /// <exception cref="System.ArgumentOutOfRangeException">The position is not finite.</exception>
     /// <exception cref="System.ArgumentException">The pose's axes are the default value, which is not an orientation.</exception>
     public Camera(Pose pose, CameraIntrinsics intrinsics)
@@ -22,13 +22,13 @@ public sealed record Camera
     /// <summary>Position and orientation in the world.</summary>
     public Pose Pose { get; }
 
-    /// <summary>How directions become pixels.</summary>
+    /// <summary>How directions map to pixels.</summary>
     public CameraIntrinsics Intrinsics { get; }
 
     /// <summary>The image's size, pixels.</summary>
     public ImageSize Image => Intrinsics.Image;
 
-    /// <summary>Where a point of the world (metres) appears.</summary>
+    /// <summary>Projects a point of the world, metres.</summary>
     /// <exception cref="System.ArgumentOutOfRangeException">The point is not finite.</exception>
     public Projection Project(Vector3D world)
     {
@@ -43,9 +43,9 @@ public sealed record Camera
         return new Projection(pixel.X, pixel.Y, point.Y, inImage ? ProjectionOutcome.InImage : ProjectionOutcome.OutsideImage);
     }
 
-    /// <summary>Where many points of the world appear; nothing is allocated.</summary>
+    /// <summary>Projects many points of the world without allocating memory.</summary>
     /// <param name="world">The points, metres.</param>
-    /// <param name="projections">Takes the projection of each point at the point's place; at least as long.</param>
+    /// <param name="projections">Receives the projection of each point at the same index; at least as long.</param>
     /// <exception cref="System.ArgumentException">The array for the results is shorter than that of the points.</exception>
     /// <exception cref="System.ArgumentOutOfRangeException">A point is not finite.</exception>
     public void ProjectAll(Vector3D[] world, Projection[] projections)
@@ -57,7 +57,14 @@ public sealed record Camera
                 nameof(projections));
         }
 
-        for (int i = 0; i < world.Length; i++)
+        int done = 0;
+#if NET
+        if (VectorProjector.CanProject(Intrinsics.Lens))
+        {
+            done = VectorProjector.Project(this, world, projections);
+        }
+#endif
+        for (int i = done; i < world.Length; i++)
         {
             projections[i] = Project(world[i]);
         }
@@ -85,7 +92,7 @@ public sealed record Camera
         return ray.At(depth / ray.Direction.Dot(Pose.Axes.Forward));
     }
 
-    /// <summary>The pixel of a point of the camera's frame that lies in front of the camera.</summary>
+    /// <summary>The pixel of a point in the camera's frame that is in front of the camera.</summary>
     internal Vector2D PixelOf(Vector3D inCamera)
     {
         Vector2D shown = Intrinsics.Lens.Distort(new Vector2D(inCamera.X / inCamera.Y, -inCamera.Z / inCamera.Y));

@@ -3,19 +3,18 @@ using System;
 namespace Harvester.Geometry.Cameras;
 
 /// <summary>
-/// How a camera turns directions into pixels of the saved image. The vertical field of view and the aspect ratio belong to the
-/// game's window; the window's picture is then scaled to the saved image, so that
-/// fy = s · H / (2 tan(F/2)) and fx = s · W / (2 tan(F/2) · aspect), with W, H of the saved image, F the vertical field of view,
-/// and s the lens's focal scale.
+/// How a camera maps directions to pixels of the saved image. The vertical field of view and the aspect ratio belong to the game's window;
+/// the window's picture is then scaled to the saved image, so that fy = s · H / (2 tan(F/2)) and fx = s · W / (2 tan(F/2) · aspect), with
+/// W, H of the saved image, F the vertical field of view, and s the lens's focal scale.
 /// </summary>
 public sealed record CameraIntrinsics
 {
-    /// <summary>Makes the intrinsics of a saved image.</summary>
+    /// <summary>Creates the intrinsics of a saved image.</summary>
     /// <param name="verticalFovDegrees">Vertical field of view of the window's picture, degrees, between 0 and 180 exclusive.</param>
     /// <param name="image">Size of the saved image, pixels.</param>
     /// <param name="windowAspect">Width divided by height of the window's picture, as the game reports it; greater than 0.</param>
     /// <param name="nearClip">Distance of the near plane, metres; greater than 0.</param>
-    /// <param name="lens">What separates the picture from a pinhole's; <see cref="Cameras.Lens.Ideal"/> if nothing is known.</param>
+    /// <param name="lens">How the picture deviates from a pinhole camera's; <see cref="Cameras.Lens.Ideal"/> if nothing is known.</param>
     /// <exception cref="ArgumentOutOfRangeException">A value is outside its range or not finite.</exception>
     public CameraIntrinsics(double verticalFovDegrees, ImageSize image, double windowAspect, double nearClip, Lens lens)
     {
@@ -33,7 +32,7 @@ public sealed record CameraIntrinsics
         Cy = image.Height * (0.5 + lens.CentreOffsetY);
     }
 
-    /// <summary>Vertical field of view of the window's picture before the lens, degrees.</summary>
+    /// <summary>Vertical field of view of the window's picture without the lens, degrees.</summary>
     public double VerticalFovDegrees { get; }
 
     /// <summary>Size of the saved image, pixels.</summary>

@@ -3,11 +3,11 @@ using System;
 namespace Harvester.Geometry.Cameras;
 
 /// <summary>
-/// What separates the picture from an ideal pinhole's: a factor on the focal length, a shift of the principal point, and
-/// radial distortion r' = r · (1 + k1 r² + k2 r⁴) of normalised image coordinates (r = distance from the optical axis at depth 1),
-/// the first two radial terms of OpenCV's calib3d model. Where the polynomial would stop growing it goes on as a straight line
-/// (from slope 0.1 on), so that the mapping is one to one everywhere; no calibrated image reaches that far.
-/// The default value of the type is not a lens; start from <see cref="Ideal"/>.
+/// How the picture deviates from an ideal pinhole camera's: a factor on the focal length, a shift of the principal point, and radial
+/// distortion r' = r · (1 + k1 r² + k2 r⁴) of normalised image coordinates (r = distance from the optical axis at depth 1), the first two
+/// radial terms of OpenCV's calib3d model. Before the polynomial would stop growing, it is continued as a straight line (from slope 0.1
+/// on), so that the mapping is one-to-one everywhere; no calibrated image reaches that far. The default value is not a lens; start from
+/// <see cref="Ideal"/>.
 /// </summary>
 public readonly record struct Lens
 {
@@ -15,8 +15,8 @@ public readonly record struct Lens
     private const int NewtonSteps = 60;
     private readonly double _polynomialEnd;
 
-    /// <summary>Makes a lens.</summary>
-    /// <param name="focalScale">Factor on both focal lengths; greater than 0, 1 for none.</param>
+    /// <summary>Creates a lens.</summary>
+    /// <param name="focalScale">Factor on both focal lengths; greater than 0, 1 for an ideal lens.</param>
     /// <param name="centreOffsetX">Shift of the principal point to the right, as a fraction of the image's width.</param>
     /// <param name="centreOffsetY">Shift of the principal point downward, as a fraction of the image's height.</param>
     /// <param name="k1">Coefficient of r², no unit; negative is barrel distortion.</param>
@@ -32,7 +32,7 @@ public readonly record struct Lens
         _polynomialEnd = EndOfPolynomial(k1, k2);
     }
 
-    /// <summary>A pinhole: nothing scaled, shifted or bent.</summary>
+    /// <summary>An ideal pinhole camera: no scale, shift or distortion.</summary>
     public static Lens Ideal { get; } = new(1, 0, 0, 0, 0);
 
     /// <summary>Factor on both focal lengths.</summary>
@@ -53,14 +53,14 @@ public readonly record struct Lens
     /// <summary>Whether straight lines stay straight.</summary>
     public bool IsRectilinear => K1 == 0 && K2 == 0;
 
-    /// <summary>Moves an ideal normalised image point to where the lens shows it.</summary>
+    /// <summary>Distorts an ideal normalised image point.</summary>
     public Vector2D Distort(Vector2D ideal)
     {
         double radius = ideal.Length;
         return IsRectilinear || radius == 0 ? ideal : ideal * (DistortRadius(radius) / radius);
     }
 
-    /// <summary>The inverse of <see cref="Distort"/>, to about 1e-15 of the radius.</summary>
+    /// <summary>The inverse of <see cref="Distort"/>, accurate to about 1e-15 of the radius.</summary>
     public Vector2D Undistort(Vector2D shown)
     {
         double radius = shown.Length;

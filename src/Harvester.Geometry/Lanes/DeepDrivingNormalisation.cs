@@ -3,12 +3,12 @@ using System;
 namespace Harvester.Geometry.Lanes;
 
 /// <summary>
-/// The linear maps by which DeepDriving's loss layer brings indicators into [0.1, 0.9], the range of its network's outputs.
-/// They are made for <see cref="TorcsEquivalent"/> values; metric values of wider lanes leave the range.
+/// The linear maps with which DeepDriving's loss layer brings indicators into [0.1, 0.9], the range of its network's outputs. They are made
+/// for <see cref="TorcsEquivalent"/> values; metric values of wider lanes leave the range.
 /// </summary>
 public static class DeepDrivingNormalisation
 {
-    /// <summary>Angle in radians; cut to [0, 1].</summary>
+    /// <summary>Angle in radians; clamped to [0, 1].</summary>
     public static double Angle(double value) => Math.Max(0, Math.Min(1, (value / 1.1) + 0.5));
 
     /// <summary>Distance to the marking on the left, on marking.</summary>

@@ -1,13 +1,13 @@
 namespace Harvester.Geometry.Lanes;
 
-/// <summary>The value of an indicator, and whether it says anything.</summary>
-/// <param name="Value">Metres or radians; the indicator's inactive value when it is not valid.</param>
-/// <param name="IsValid">Whether the system that the indicator belongs to is active here and what it measures is there.</param>
+/// <summary>The value of an indicator, and whether it is active.</summary>
+/// <param name="Value">Metres or radians; the indicator's inactive value if it is not valid.</param>
+/// <param name="IsValid">Whether the indicator's system (in lane or on marking) is active here and what it measures exists.</param>
 public readonly record struct Indicator(double Value, bool IsValid)
 {
-    /// <summary>A value that says something.</summary>
+    /// <summary>A valid value.</summary>
     public static Indicator Of(double value) => new(value, true);
 
-    /// <summary>The value that stands for nothing.</summary>
+    /// <summary>The value of an inactive indicator.</summary>
     public static Indicator Inactive(double value) => new(value, false);
 }

@@ -5,12 +5,12 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Geometry.Lanes;
 
 /// <summary>
-/// Computes the indicators from the car's place on its road. The rules of activation are those of DeepDriving's driver for TORCS;
-/// their thresholds, given for lanes 4 metres wide, are scaled with the lane.
+/// Computes the indicators from the car's position on its road. The rules of activation are those of DeepDriving's driver for TORCS; their
+/// thresholds, given for lanes 4 metres wide, are scaled with the lane.
 /// </summary>
 public static class IndicatorCalculator
 {
-    /// <summary>Vehicles further ahead are not seen, metres: the thesis's range, and the value when there is none.</summary>
+    /// <summary>Maximum distance of a vehicle that counts, metres: the thesis's range, and the value if there is no vehicle.</summary>
     public const double VehicleRange = 70;
 
     private const double InLaneReach = 1.5;
@@ -18,10 +18,10 @@ public static class IndicatorCalculator
     private const double MarkingReachOfFewerLanes = 1.2;
 
     /// <summary>Computes the indicators.</summary>
-    /// <param name="angle">Heading of the road less that of the car, radians.</param>
-    /// <param name="offset">The car's place across the road, metres to the right of the left edge of the leftmost lane.</param>
+    /// <param name="angle">Heading of the road minus that of the car, radians.</param>
+    /// <param name="offset">The car's position across the road, metres to the right of the left edge of the leftmost lane.</param>
     /// <param name="section">The lanes of the car's direction.</param>
-    /// <param name="vehicles">Vehicles in these lanes; those behind or beyond <see cref="VehicleRange"/> are passed over.</param>
+    /// <param name="vehicles">Vehicles in these lanes; those behind or beyond <see cref="VehicleRange"/> are ignored.</param>
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite.</exception>
     public static LaneIndicators Compute(double angle, double offset, LaneSection section, IReadOnlyList<VehicleAhead> vehicles)
     {

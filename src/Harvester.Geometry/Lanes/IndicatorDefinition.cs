@@ -48,16 +48,16 @@ public sealed class IndicatorDefinition
     public IndicatorRange Range { get; }
 
     /// <summary>
-    /// The value beyond which an estimate counts as inactive: half-way between the last value that the place on the road allows and
-    /// the inactive value; null for the angle, which is always active.
+    /// The value beyond which an estimate counts as inactive: half-way between the largest valid value at this place on the road and the
+    /// inactive value; null for the angle, which is always active.
     /// </summary>
     public double? ActiveLimit { get; }
 
-    /// <summary>This indicator of a set.</summary>
+    /// <summary>This indicator's value in a set.</summary>
     /// <exception cref="ArgumentNullException"><paramref name="indicators"/> is null.</exception>
     public Indicator Of(LaneIndicators indicators) => _read(Guard.NotNull(indicators, nameof(indicators)));
 
-    /// <summary>The set with another value of this indicator.</summary>
+    /// <summary>Returns a set with another value of this indicator.</summary>
     /// <exception cref="ArgumentNullException"><paramref name="indicators"/> is null.</exception>
     public LaneIndicators Replace(LaneIndicators indicators, Indicator value) =>
         _replace(Guard.NotNull(indicators, nameof(indicators)), value);

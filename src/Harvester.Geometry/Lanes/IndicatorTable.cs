@@ -6,9 +6,9 @@ using static Harvester.Geometry.Lanes.IndicatorQuantity;
 namespace Harvester.Geometry.Lanes;
 
 /// <summary>
-/// The thirteen indicators in the order of DeepDriving's training data, which is also their order in labels and on the live bridge.
-/// Ranges are those of Figure 15 of the thesis, inactive values those of DeepDriving's driver for TORCS, for lanes 4 metres wide.
-/// Everything that lists the indicators goes through this table.
+/// The thirteen indicators in the order of DeepDriving's training data, which is also their order in labels and on the live bridge. Ranges
+/// are those of Figure 15 of the thesis, inactive values those of DeepDriving's driver for TORCS, for lanes 4 metres wide. All code that
+/// lists the indicators uses this table.
 /// </summary>
 public static class IndicatorTable
 {
@@ -19,7 +19,7 @@ public static class IndicatorTable
     /// </summary>
     private static readonly IndicatorRange AngleRange = new(-Math.PI, Math.PI, 0);
 
-    /// <summary>A free lane has the greatest value; a lane that does not exist has the inactive one.</summary>
+    /// <summary>A free lane has the maximum value; a lane that does not exist has the inactive value.</summary>
     private static readonly IndicatorRange DistRange = new(0, IndicatorCalculator.VehicleRange, 75);
 
     /// <summary>The indicators, in order.</summary>

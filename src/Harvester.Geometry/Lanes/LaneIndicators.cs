@@ -52,14 +52,14 @@ public sealed record LaneIndicators
     /// <summary>In lane: to the nearest vehicle ahead in the lane to the right.</summary>
     public Indicator DistRR { get; init; }
 
-    /// <summary>Nothing known: every indicator at its inactive value.</summary>
+    /// <summary>Every indicator at its inactive value.</summary>
     public static LaneIndicators Unknown { get; } = From(indicator => indicator.Range.Inactive);
 
     private LaneIndicators()
     {
     }
 
-    /// <summary>Makes a set from a function that gives each indicator of <see cref="IndicatorTable"/>.</summary>
+    /// <summary>Creates a set from a function that gives each indicator of <see cref="IndicatorTable"/>.</summary>
     /// <exception cref="ArgumentNullException"><paramref name="indicatorOf"/> is null.</exception>
     public static LaneIndicators From(Func<IndicatorDefinition, Indicator> indicatorOf)
     {
@@ -68,8 +68,8 @@ public sealed record LaneIndicators
     }
 
     /// <summary>
-    /// The same set with a function applied to each distance to a marking and another to each distance to a vehicle: first all
-    /// markings, then all vehicles, each in the order of <see cref="IndicatorTable"/>. The angle stays as it is.
+    /// The same set with one function applied to each distance to a marking and another to each distance to a vehicle: first all markings,
+    /// then all vehicles, each in the order of <see cref="IndicatorTable"/>. The angle is unchanged.
     /// </summary>
     /// <param name="toMarking">Maps a distance to a marking, metres.</param>
     /// <param name="dist">Maps a distance to a vehicle, metres.</param>

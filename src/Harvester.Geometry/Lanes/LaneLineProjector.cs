@@ -5,28 +5,32 @@ using Harvester.Geometry.Visibility;
 
 namespace Harvester.Geometry.Lanes;
 
-/// <summary>Brings lane boundaries and painted markings into an image: cut at its border, with what is hidden told by rays.</summary>
+/// <summary>
+/// Projects lane boundaries and painted markings into an image, clips them to its border, and finds by rays which points are hidden.
+/// </summary>
 public static class LaneLineProjector
 {
-    /// <summary>A ray to so much above the paint does not graze the road before it, metres.</summary>
+    /// <summary>Height above the paint at which a ray ends, so that it does not graze the road before it, metres.</summary>
     private const double AboveRoad = 0.005;
 
-    /// <summary>A ray to a point of the road meets the road about there; what it meets this much before hides the point, metres.</summary>
+    /// <summary>
+    /// A ray to a point of the road hits the road near that point. A hit nearer by more than this hides the point, metres.
+    /// </summary>
     private const double SurfaceTolerance = 0.3;
 
-    /// <summary>The same in proportion to the distance, for rays that graze the road.</summary>
+    /// <summary>The same tolerance as a fraction of the distance, for rays at a grazing angle.</summary>
     private const double SurfaceToleranceFraction = 0.05;
 
-    /// <summary>Halvings of a piece of half a metre to two metres: to a millionth of a metre.</summary>
+    /// <summary>Bisections of a piece of 0.5 m to 2 m: to about 1e-6 m.</summary>
     private const int Halvings = 22;
 
     /// <summary>Projects a line.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="line">The line.</param>
-    /// <param name="ignoredEntity">Handle of an entity that hides nothing, as the car that carries the camera; <see cref="RayHit.World"/>
-    /// for none.</param>
-    /// <param name="rays">What rays meet; null to leave open what is hidden.</param>
-    /// <returns>The runs of the line within the image; none when it is not in view.</returns>
+    /// <param name="ignoredEntity">Handle of an entity that hides nothing, such as the car that carries the camera; <see
+    /// cref="RayHit.World"/> if there is none.</param>
+    /// <param name="rays">The ray caster; null to leave open which points are hidden.</param>
+    /// <returns>The runs of the line within the image; empty if it is not in view.</returns>
     public static IReadOnlyList<LaneLineView> Project(Camera camera, LaneLine line, int ignoredEntity, IRayCaster? rays)
     {
         Guard.NotNull(camera, nameof(camera));
@@ -59,7 +63,7 @@ public static class LaneLineProjector
     }
 
     /// <summary>
-    /// The greatest number of rays that a marking may take: one for each point, and one for each place where it enters or leaves the image.
+    /// Maximum number of rays that a marking takes: one for each point, and one for each point where it enters or leaves the image.
     /// </summary>
     public static int MaxRays(LaneLine line) => 2 * Guard.NotNull(line, nameof(line)).Points.Count;
 
@@ -75,7 +79,7 @@ public static class LaneLineProjector
 
     private static bool IsInside(Camera camera, Vector3D point) => camera.Project(point).Outcome == ProjectionOutcome.InImage;
 
-    /// <summary>The last point inside the image between one inside and one outside.</summary>
+    /// <summary>The last point inside the image between a point inside and one outside.</summary>
     private static Vector3D Border(Camera camera, Vector3D inside, Vector3D outside)
     {
         for (int i = 0; i < Halvings; i++)
@@ -101,7 +105,7 @@ public static class LaneLineProjector
         return new LaneLinePoint(point, camera.Pose.ToLocal(point), camera.Project(point).Pixel, isHidden) { IsPainted = place.IsPainted };
     }
 
-    /// <summary>Whether a ray meets something before a point: one of paint lies on the road, one of a boundary about there.</summary>
+    /// <summary>Whether a ray hits something in front of a point. Paint lies on the road; a boundary only approximately.</summary>
     private static bool IsHidden(Vector3D eye, Vector3D point, bool isOnRoad, int ignoredEntity, IRayCaster rays)
     {
         Vector3D toPoint = (isOnRoad ? point + new Vector3D(0, 0, AboveRoad) : point) - eye;

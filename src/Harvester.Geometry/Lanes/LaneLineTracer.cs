@@ -4,19 +4,19 @@ using System.Collections.Generic;
 namespace Harvester.Geometry.Lanes;
 
 /// <summary>
-/// Traces the boundaries of all lanes of a stretch of road. A boundary goes on from link to link while its number stays; where a road
-/// gains or loses a lane a boundary begins or ends, and in a junction there is none.
+/// Traces the boundaries of all lanes of a stretch of road. A boundary continues from link to link while its number exists. Where a road
+/// gains or loses a lane, a boundary begins or ends; in a junction there are no boundaries.
 /// </summary>
 public static class LaneLineTracer
 {
-    /// <summary>Points this close together keep a line within a pixel of the curve from 5 m on, metres.</summary>
+    /// <summary>Distance of points near the camera, metres: keeps a line within a pixel of the curve from 5 m on.</summary>
     private const double NearStep = 0.5;
     private const double FarStep = 2;
     private const double NearReach = 20;
 
     /// <summary>Traces the boundaries.</summary>
     /// <param name="stretch">The road.</param>
-    /// <param name="carOffset">The car's place, metres to the right of the centre line.</param>
+    /// <param name="carOffset">The car's position, metres to the right of the centre line.</param>
     /// <param name="from">First station, metres along the road from the car.</param>
     /// <param name="to">Last station.</param>
     public static IReadOnlyList<LaneLine> Trace(RoadStretch stretch, double carOffset, double from, double to)
@@ -45,7 +45,7 @@ public static class LaneLineTracer
         return runs.Lines();
     }
 
-    /// <summary>How far apart the points of lines are at a station, metres.</summary>
+    /// <summary>Distance of the points of lines at a station, metres.</summary>
     internal static double StepAt(double station) => Math.Abs(station) < NearReach ? NearStep : FarStep;
 
     private static Dictionary<int, double> NoBoundaries { get; } = [];

@@ -5,9 +5,9 @@ namespace Harvester.Geometry.Lanes;
 /// <summary>An unbroken run of a lane boundary or a painted marking within an image.</summary>
 /// <param name="Index">Number of the boundary; see <see cref="LaneLine.Index"/>.</param>
 /// <param name="IsLeftOfCar">Whether it lies to the left of the car.</param>
-/// <param name="Points">At least two points, nearest first; the ends lie on the image's border where the line leaves it.</param>
+/// <param name="Points">At least two points, nearest first; the ends lie on the image's border if the line leaves it.</param>
 public sealed record LaneLineView(int Index, bool IsLeftOfCar, IReadOnlyList<LaneLinePoint> Points)
 {
-    /// <summary>What it is painted like; null for a boundary of lanes.</summary>
+    /// <summary>How it is painted; null for a boundary of lanes.</summary>
     public MarkingPaint? Paint { get; init; }
 }

@@ -6,7 +6,7 @@ namespace Harvester.Geometry.Lanes;
 /// <summary>The lanes around a car at one moment.</summary>
 public sealed record LaneObservation
 {
-    /// <summary>Whether the lanes are known. Unless they are, all indicators are inactive and there are no vehicles in lanes.</summary>
+    /// <summary>Whether the lanes are known. If not, all indicators are inactive and no vehicles are assigned to lanes.</summary>
     public required LaneStatus Status { get; init; }
 
     /// <summary>Where the car is on the network.</summary>
@@ -19,7 +19,7 @@ public sealed record LaneObservation
     public LaneWidthSource? WidthSource { get; init; }
 
     /// <summary>
-    /// How far ahead <see cref="Indicators"/> are measured, metres along the road; less than asked for where the road ends before.
+    /// How far ahead <see cref="Indicators"/> are measured, metres along the road; less than requested if the road ends before.
     /// </summary>
     public double LookAheadMetres { get; init; }
 
@@ -35,7 +35,7 @@ public sealed record LaneObservation
     /// <summary>The indicators measured at the car itself.</summary>
     public LaneIndicators IndicatorsAtCar { get; init; } = LaneIndicators.Unknown;
 
-    /// <summary>Curvature of the road at the look-ahead point, 1/metres, positive to the left; 0 when unknown.</summary>
+    /// <summary>Curvature of the road at the look-ahead point, 1/metres, positive to the left; 0 if unknown.</summary>
     public double CurvaturePerMetre { get; init; }
 
     /// <summary>Whether more than 60 m of straight road lie ahead: DeepDriving's fourteenth value.</summary>

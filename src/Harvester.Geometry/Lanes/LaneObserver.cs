@@ -5,9 +5,9 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Geometry.Lanes;
 
 /// <summary>
-/// Tells the lanes around a car. The car's place across the road is measured from the road's curved line, so that in a bend it is
-/// not mistaken for leaving the lane; the direction of the road, its lanes and their width are those at the look-ahead point. In
-/// junctions and off the road nothing is invented.
+/// Finds the lanes around a car. The car's position across the road is measured from the road's curved line, so that a bend is not mistaken
+/// for leaving the lane; the direction of the road, its lanes and their width are those at the look-ahead point. In junctions and off the
+/// road, the lanes are unknown.
 /// </summary>
 public sealed class LaneObserver
 {
@@ -23,10 +23,10 @@ public sealed class LaneObserver
     private readonly RoadMatcher _matcher;
     private readonly LookAhead _lookAhead;
 
-    /// <summary>Makes an observer of a road network.</summary>
+    /// <summary>Creates an observer of a road network.</summary>
     /// <param name="curves">The centre lines.</param>
-    /// <param name="lanes">How wide the lanes are.</param>
-    /// <param name="lookAhead">Where to measure; the thesis's ten metres when null.</param>
+    /// <param name="lanes">The widths of the lanes.</param>
+    /// <param name="lookAhead">Where to measure; null for the thesis's ten metres.</param>
     public LaneObserver(RoadCurves curves, LaneModel lanes, LookAhead? lookAhead = null)
     {
         _curves = Guard.NotNull(curves, nameof(curves));
@@ -36,12 +36,12 @@ public sealed class LaneObserver
     }
 
     /// <summary>Observes the lanes around a car.</summary>
-    /// <param name="position">Centre of the car, metres, world, about at the height of the road.</param>
+    /// <param name="position">Centre of the car, metres, world, near the height of the road.</param>
     /// <param name="headingDegrees">Degrees counter-clockwise from north.</param>
     /// <param name="speed">Metres per second; for a look-ahead in seconds.</param>
     /// <param name="length">The car's length, metres; for distances bumper to bumper.</param>
-    /// <param name="vehicles">Vehicles around; those not ahead on the same road are passed over.</param>
-    /// <param name="previous">The match of the moment before, whose road is preferred; null when there is none.</param>
+    /// <param name="vehicles">Vehicles around; those not ahead on the same road are ignored.</param>
+    /// <param name="previous">The match of the frame before, whose road is preferred; null if there is none.</param>
     /// <exception cref="ArgumentOutOfRangeException">The position or heading is not finite.</exception>
     public LaneObservation Observe(
         Vector3D position, double headingDegrees, double speed, double length, IReadOnlyList<TrafficVehicle> vehicles, RoadMatch? previous)
@@ -160,7 +160,7 @@ public sealed class LaneObserver
             return piece.Section.LaneAt(place.OffsetFromLeftEdge) is { } lane ? (lane, false) : null;
         }
 
-        // The other direction's offsets run the other way from the same line.
+        // Offsets of the other direction are measured from the same line with the opposite sign.
         return piece.Oncoming is { } oncoming && oncoming.Section.LaneAt(-place.Offset - oncoming.LeftEdge) is { } opposite
             ? (opposite, true)
             : null;

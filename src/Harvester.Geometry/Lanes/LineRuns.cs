@@ -3,13 +3,13 @@ using System.Linq;
 
 namespace Harvester.Geometry.Lanes;
 
-/// <summary>Gathers points to lines, a run for each number at a time.</summary>
+/// <summary>Collects points into lines, one open run per number.</summary>
 internal sealed class LineRuns
 {
     private readonly List<LaneLine> _lines = [];
     private readonly Dictionary<int, (List<LinePoint> Points, bool IsLeft)> _open = [];
 
-    /// <summary>Goes on with the run of a number, or begins one.</summary>
+    /// <summary>Continues the run of a number, or begins one.</summary>
     public void Add(int index, bool isLeftOfCar, LinePoint point)
     {
         if (!_open.TryGetValue(index, out (List<LinePoint> Points, bool IsLeft) run))
@@ -21,7 +21,7 @@ internal sealed class LineRuns
         run.Points.Add(point);
     }
 
-    /// <summary>Ends the runs of all other numbers; a single point is no line.</summary>
+    /// <summary>Ends the runs of all other numbers; a single point does not make a line.</summary>
     public void EndAllBut(IEnumerable<int> going)
     {
         foreach (int index in _open.Keys.Except(going).ToList())
@@ -35,7 +35,7 @@ internal sealed class LineRuns
         }
     }
 
-    /// <summary>Ends what is open and gives all lines, in the order of their numbers.</summary>
+    /// <summary>Ends all open runs and returns all lines, in the order of their numbers.</summary>
     public IReadOnlyList<LaneLine> Lines()
     {
         EndAllBut([]);

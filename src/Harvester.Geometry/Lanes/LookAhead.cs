@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace Harvester.Geometry.Lanes;
 
-/// <summary>How far ahead of the car the road is looked at: people look about one second ahead.</summary>
+/// <summary>The distance ahead of the car at which the road is measured. People look about one second ahead.</summary>
 public readonly record struct LookAhead
 {
     private readonly double _metres;
@@ -25,18 +25,18 @@ public readonly record struct LookAhead
     /// <exception cref="ArgumentOutOfRangeException">Not finite or negative.</exception>
     public static LookAhead OfMetres(double metres) => new(NotNegative(metres, nameof(metres)), 0);
 
-    /// <summary>The way of so many seconds at the car's speed.</summary>
+    /// <summary>The distance travelled in a number of seconds at the car's speed.</summary>
     /// <exception cref="ArgumentOutOfRangeException">Not finite or negative.</exception>
     public static LookAhead OfSeconds(double seconds) => new(0, NotNegative(seconds, nameof(seconds)));
 
     /// <summary>The distance at a speed in metres per second.</summary>
     public double DistanceAt(double speed) => _metres + (_seconds * Math.Abs(speed));
 
-    /// <summary>The metres, or the seconds with an s, in the invariant culture.</summary>
+    /// <summary>Metres, or seconds with an s, in the invariant culture.</summary>
     public override string ToString() =>
         _seconds > 0 ? FormattableString.Invariant($"{_seconds}s") : FormattableString.Invariant($"{_metres}");
 
-    /// <summary>Reads what <see cref="ToString"/> writes; null for another text.</summary>
+    /// <summary>Parses the text that <see cref="ToString"/> writes; null for other text.</summary>
     public static LookAhead? Parse(string text)
     {
         Guard.NotNull(text, nameof(text));

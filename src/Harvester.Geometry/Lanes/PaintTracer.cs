@@ -4,31 +4,31 @@ using System.Linq;
 
 namespace Harvester.Geometry.Lanes;
 
-/// <summary>Finds the painted lines that mark the boundaries of a road's lanes, and numbers them as these.</summary>
+/// <summary>Finds the painted lines that mark the boundaries of a road's lanes, and gives them the numbers of these.</summary>
 public static class PaintTracer
 {
     /// <summary>
-    /// Paint further from every boundary marks something else, metres: lines at the edge are painted a little inside of it.
+    /// Paint farther than this from every boundary marks something else, metres; edge lines are painted a little inside the edge.
     /// </summary>
-    private const double FurthestFromBoundary = 1;
+    private const double MaxBoundaryDistance = 1;
 
     /// <summary>
-    /// Cosine of the angle by which paint along a boundary may differ from it, 30 degrees; what crosses it is another road's.
+    /// Cosine of the maximum angle between paint and its boundary, 30 degrees; paint at a larger angle belongs to another road.
     /// </summary>
     private const double MinAlong = 0.87;
 
-    /// <summary>A carriageway is no wider than this, metres: room beyond the reach along the road.</summary>
-    private const double FurthestBeside = 50;
+    /// <summary>Maximum width of a carriageway, metres, added to the reach along the road.</summary>
+    private const double MaxLateralDistance = 50;
 
-    /// <summary>Steps between points are sums of smaller ones, metres.</summary>
+    /// <summary>Tolerance for steps between points, which are sums of smaller ones, metres.</summary>
     private const double Rounding = 1e-6;
 
     /// <summary>Traces the paint. Each line ends where its paint ends and passes through the points that describe the paint.</summary>
     /// <param name="stretch">The road.</param>
-    /// <param name="carOffset">The car's place, metres to the right of the centre line.</param>
+    /// <param name="carOffset">The car's position, metres to the right of the centre line.</param>
     /// <param name="from">First station, metres along the road from the car.</param>
     /// <param name="to">Last station.</param>
-    /// <param name="paint">What is painted around.</param>
+    /// <param name="paint">The painted lines around the car.</param>
     public static IReadOnlyList<LaneLine> Trace(
         RoadStretch stretch, double carOffset, double from, double to, IEnumerable<PaintedLine> paint)
     {
@@ -65,7 +65,7 @@ public static class PaintTracer
         return [.. runs.Lines().Select(line => NearestFirst(stretch, line))];
     }
 
-    /// <summary>The points within reach of a place, as close together as the points of boundaries are, the ends always.</summary>
+    /// <summary>The points within reach of a position, thinned to the spacing of boundary points; both ends are kept.</summary>
     private static IEnumerable<LinePoint> Thinned(IReadOnlyList<LinePoint> points, Vector3D place, double reach)
     {
         double since = double.PositiveInfinity;
@@ -74,7 +74,7 @@ public static class PaintTracer
             double distance = (points[i].World - place).Length;
             since += i > 0 ? (points[i].World - points[i - 1].World).Length : 0;
             bool isEnd = i == points.Count - 1;
-            if (distance <= reach + FurthestBeside && (isEnd || since >= LaneLineTracer.StepAt(distance) - Rounding))
+            if (distance <= reach + MaxLateralDistance && (isEnd || since >= LaneLineTracer.StepAt(distance) - Rounding))
             {
                 since = 0;
                 yield return points[i];
@@ -92,7 +92,7 @@ public static class PaintTracer
         }
 
         int? nearest = null;
-        double least = FurthestFromBoundary;
+        double least = MaxBoundaryDistance;
         foreach (KeyValuePair<int, double> boundary in place.Piece.Boundaries())
         {
             double apart = Math.Abs(boundary.Value - place.Offset);

@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Harvester.Geometry.Lanes;
 
-/// <summary>A line painted on the ground, from where the paint begins to where it ends; the gaps of a dashed line are part of it.</summary>
-/// <param name="Paint">What it looks like.</param>
+/// <summary>A line painted on the ground, from the start of the paint to its end; the gaps of a dashed line are part of it.</summary>
+/// <param name="Paint">How it is painted.</param>
 /// <param name="Points">Points along its middle, in either direction; at least two.</param>
 public sealed record PaintedLine(MarkingPaint Paint, IReadOnlyList<LinePoint> Points);

@@ -5,25 +5,27 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Geometry.Lanes;
 
 /// <summary>
-/// The road that a car follows, unrolled: the links behind, under and ahead of it, in the direction in which it drives, with
-/// stations counted along the centre line from the car. It ends where no link goes on with the road, or the lanes end.
+/// The road that a car follows, unrolled: the links behind, under and ahead of it, in the direction of travel, with stations measured along
+/// the centre line from the car. It ends where no link continues the road, or the lanes end.
 /// </summary>
 public sealed class RoadStretch
 {
-    /// <summary>A point further above or below the road than this is on another road, metres.</summary>
+    /// <summary>Maximum height difference of a point from the road, metres; beyond it, the point is on another road.</summary>
     private const double MaxHeightDifference = 4;
 
-    /// <summary>A point this far beyond an end of a link is not beside it, metres: room for the bend between two links.</summary>
+    /// <summary>
+    /// Maximum distance of a point beyond an end of a link that still counts as beside it, metres: room for the bend between two links.
+    /// </summary>
     private const double OvershootTolerance = 0.5;
 
-    /// <summary>What is further from the centre line is not on this road, metres: no carriageway of the game is so wide.</summary>
-    private const double FurthestBeside = 50;
+    /// <summary>Maximum distance of a point from the centre line, metres: no carriageway of the game is wider.</summary>
+    private const double MaxLateralDistance = 50;
 
     private readonly List<StretchPiece> _pieces;
 
     private RoadStretch(List<StretchPiece> pieces) => _pieces = pieces;
 
-    /// <summary>The links, in the order in which they are driven.</summary>
+    /// <summary>The links, in the order of travel.</summary>
     public IReadOnlyList<StretchPiece> Pieces => _pieces;
 
     /// <summary>Where the stretch begins, metres along the road from the car; 0 or less.</summary>
@@ -32,11 +34,11 @@ public sealed class RoadStretch
     /// <summary>Where the stretch ends, metres along the road from the car; 0 or more.</summary>
     public double EndStation => _pieces[_pieces.Count - 1].EndStation;
 
-    /// <summary>Unrolls the road from where a car is on it.</summary>
+    /// <summary>Unrolls the road from the car's position.</summary>
     /// <param name="curves">The centre lines.</param>
-    /// <param name="lanes">How wide the lanes are.</param>
-    /// <param name="junctions">How far junctions reach.</param>
-    /// <param name="match">Where the car is; it has a road.</param>
+    /// <param name="lanes">The widths of the lanes.</param>
+    /// <param name="junctions">The extents of junctions.</param>
+    /// <param name="match">The car's position on the network; it must have a road.</param>
     /// <param name="behind">How far back, metres; 0 or more.</param>
     /// <param name="ahead">How far ahead, metres; 0 or more.</param>
     /// <exception cref="ArgumentException">The match has no road.</exception>
@@ -89,8 +91,8 @@ public sealed class RoadStretch
         ? piece.Curve.PointAt(piece.ParameterAt(station))
         : throw new ArgumentOutOfRangeException(nameof(station), station, "The stretch does not reach there.");
 
-    /// <summary>Where a point of the world is on the road: beside the link that it is nearest to.</summary>
-    /// <returns>Null when it is beside none of the stretch's links, or too far above or below them.</returns>
+    /// <summary>Finds a point of the world on the road, beside the nearest link.</summary>
+    /// <returns>Null if it is beside none of the stretch's links, or too far above or below them.</returns>
     public StretchPlace? Locate(Vector3D world)
     {
         var place = new Vector2D(world.X, world.Y);
@@ -98,7 +100,7 @@ public sealed class RoadStretch
         double nearest = double.PositiveInfinity;
         foreach (StretchPiece piece in _pieces)
         {
-            if (piece.Curve.IsBeyond(place, Math.Min(nearest, FurthestBeside)))
+            if (piece.Curve.IsBeyond(place, Math.Min(nearest, MaxLateralDistance)))
             {
                 continue;
             }

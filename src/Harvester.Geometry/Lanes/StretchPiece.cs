@@ -3,16 +3,16 @@ using Harvester.Geometry.Roads;
 
 namespace Harvester.Geometry.Lanes;
 
-/// <summary>One link of a stretch of road, in the direction in which it is driven.</summary>
+/// <summary>One link of a stretch of road, in the direction of travel.</summary>
 /// <param name="Link">Index of the link.</param>
-/// <param name="IsForward">Whether it is driven from its start to its end.</param>
+/// <param name="IsForward">Whether the car drives it from its start to its end.</param>
 /// <param name="Curve">Its centre line, from its start to its end.</param>
-/// <param name="StartStation">Where the stretch enters it, metres along the road from the car; negative behind the car.</param>
-/// <param name="Section">The lanes of the driven direction.</param>
-/// <param name="LeftEdge">Where the leftmost of them begins, metres to the right of the centre line in the driven direction.</param>
-/// <param name="Oncoming">The lanes of the other direction and where their leftmost (nearest the median, seen that way) begins; null for a
-/// one-way road.</param>
-/// <param name="Junctions">How far junctions reach into it from where the stretch enters it and from where it leaves it, metres.</param>
+/// <param name="StartStation">Station at which the stretch enters it, metres along the road from the car; negative behind the car.</param>
+/// <param name="Section">The lanes in the direction of travel.</param>
+/// <param name="LeftEdge">Left edge of the leftmost of them, metres to the right of the centre line in the direction of travel.</param>
+/// <param name="Oncoming">The lanes of the other direction and the left edge of their leftmost lane (nearest the median), as seen in that
+/// direction; null for a one-way road.</param>
+/// <param name="Junctions">How far junctions reach into it from its entry and from its exit, metres.</param>
 public sealed record StretchPiece(
     int Link,
     bool IsForward,
@@ -23,10 +23,10 @@ public sealed record StretchPiece(
     (LaneSection Section, double LeftEdge)? Oncoming,
     (double AtEntry, double AtExit) Junctions)
 {
-    /// <summary>A median narrower than this is a painted divide, metres.</summary>
+    /// <summary>A median narrower than this is a painted divider, metres.</summary>
     private const double NoMedian = 0.05;
 
-    /// <summary>Where the stretch leaves it, metres along the road from the car.</summary>
+    /// <summary>Station at which the stretch leaves it, metres along the road from the car.</summary>
     public double EndStation => StartStation + Curve.Length;
 
     /// <summary>Whether a station of the stretch lies in a junction, where there are no lanes.</summary>
@@ -44,20 +44,22 @@ public sealed record StretchPiece(
         return IsForward ? StartStation + along : EndStation - along;
     }
 
-    /// <summary>Unit vector of the driven direction on the ground.</summary>
+    /// <summary>Unit vector of the direction of travel on the ground.</summary>
     public Vector2D DirectionAt(double parameter)
     {
         Vector2D direction = Curve.DirectionAt(parameter);
         return IsForward ? direction : direction * -1;
     }
 
-    /// <summary>Curvature, 1/metres; positive where the road turns left as it is driven.</summary>
+    /// <summary>Curvature, 1/metres; positive where the road turns left in the direction of travel.</summary>
     public double CurvatureAt(double parameter) => IsForward ? Curve.CurvatureAt(parameter) : -Curve.CurvatureAt(parameter);
 
-    /// <summary>The point at an offset to the right of the centre line as it is driven, metres, world.</summary>
+    /// <summary>The point at an offset to the right of the centre line in the direction of travel, metres, world.</summary>
     public Vector3D PointBeside(double parameter, double offset) => Curve.PointBeside(parameter, IsForward ? offset : -offset);
 
-    /// <summary>The boundaries of its lanes by their numbers, with their offsets to the right of the centre line as it is driven.</summary>
+    /// <summary>
+    /// The boundaries of its lanes by number, with their offsets to the right of the centre line in the direction of travel.
+    /// </summary>
     public IReadOnlyDictionary<int, double> Boundaries()
     {
         var boundaries = new Dictionary<int, double>();

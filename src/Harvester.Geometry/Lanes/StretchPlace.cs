@@ -1,9 +1,9 @@
 namespace Harvester.Geometry.Lanes;
 
-/// <summary>A place on a stretch of road.</summary>
+/// <summary>A position on a stretch of road.</summary>
 /// <param name="Piece">The link.</param>
 /// <param name="Station">Metres along the road from the car; negative behind it.</param>
-/// <param name="Offset">Metres to the right of the centre line as it is driven.</param>
+/// <param name="Offset">Metres to the right of the centre line in the direction of travel.</param>
 public readonly record struct StretchPlace(StretchPiece Piece, double Station, double Offset)
 {
     /// <summary>Metres to the right of the left edge of the leftmost lane.</summary>

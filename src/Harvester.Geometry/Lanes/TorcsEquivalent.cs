@@ -4,19 +4,21 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Geometry.Lanes;
 
 /// <summary>
-/// The indicators as a road of TORCS would give them, for controllers and networks made for it: distances to markings scaled by
-/// 4.0 / lane width, distances to vehicles cut at 60 m, and the angle at the car. The inactive values stay what they are.
+/// The indicators as a road of TORCS would give them, for controllers and networks made for it: distances to markings scaled by 4.0 / lane
+/// width, distances to vehicles limited to 60 m, and the angle at the car. Inactive values are unchanged.
 /// </summary>
 public static class TorcsEquivalent
 {
-    /// <summary>DeepDriving's value for a lane without a vehicle in sight, metres.</summary>
+    /// <summary>DeepDriving's value for a lane without a vehicle in range, metres.</summary>
     public const double VehicleRange = 60;
 
-    /// <summary>Scales indicators measured at a look-ahead point, and gives them the angle at the car, as TORCS measures it.</summary>
+    /// <summary>
+    /// Scales indicators measured at a look-ahead point, and replaces their angle by that at the car, as TORCS measures it.
+    /// </summary>
     /// <param name="indicators">Metres and radians, at the look-ahead point.</param>
-    /// <param name="section">The lanes there.</param>
+    /// <param name="section">The lanes at the look-ahead point.</param>
     /// <param name="angleAtCar">The angle between road and car at the car, radians.</param>
-    /// <exception cref="ArgumentNullException">There are no indicators.</exception>
+    /// <exception cref="ArgumentNullException"><paramref name="indicators"/> is null.</exception>
     public static LaneIndicators Of(LaneIndicators indicators, LaneSection section, Indicator angleAtCar) =>
         Of(indicators, section) with { Angle = angleAtCar };
 
@@ -24,7 +26,7 @@ public static class TorcsEquivalent
     public static LaneIndicators Of(LaneIndicators indicators, LaneSection section) =>
         Guard.NotNull(indicators, nameof(indicators)).Select(toMarking => Scaled(toMarking, section.TorcsScale), Cut);
 
-    /// <summary>The way back: indicators of a TORCS road in metres on lanes of a given width. Distances to vehicles stay cut.</summary>
+    /// <summary>The inverse: indicators of a TORCS road in metres on lanes of a given width. Distances to vehicles stay limited.</summary>
     public static LaneIndicators InMetres(LaneIndicators torcsEquivalent, LaneSection section) =>
         Guard.NotNull(torcsEquivalent, nameof(torcsEquivalent))
             .Select(toMarking => Scaled(toMarking, 1 / section.TorcsScale), dist => dist);

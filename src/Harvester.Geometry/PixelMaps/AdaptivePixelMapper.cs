@@ -6,17 +6,17 @@ using Harvester.Geometry.Visibility;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// Algorithm 4 with few rays: all entities in one pass, within their boxes. A cell's border is followed by bisection, its inside is
-/// taken to show straight outlines between the changes on the border, which rays beside the middle of each outline confirm; a cell
-/// that is not confirmed is divided, the one whose error counts most for an object's visible pixels first. Does not depend on the
-/// order of the targets. It can be stopped after any ray and gives the best map so far. See docs/pixel-maps.md.
+/// Algorithm 4 with few rays: all entities in one pass, within their boxes. Changes along a cell's border are found by bisection. Its
+/// inside is assumed to show straight outlines between these changes, which rays on both sides of the middle of each outline confirm. A
+/// cell that is not confirmed is divided, those first whose error matters most for an object's visible pixels. The result does not depend
+/// on the order of the targets. The work can be stopped after any ray and gives the best map so far. See docs/pixel-maps.md.
 /// </summary>
 public sealed class AdaptivePixelMapper
 {
-    /// <summary>How often parts are searched that the map misses; what one search finds tells the next where to look closer.</summary>
+    /// <summary>Number of searches for parts that the map misses; what one search finds shows the next where to look closer.</summary>
     private const int FragmentSearches = 2;
 
-    /// <summary>How often the cells at the ends of objects are divided: from a first cell down to the pixel.</summary>
+    /// <summary>Number of times that cells at the ends of objects are divided: from a first cell down to the pixel.</summary>
     private const int MaxSearches = FragmentSearches + 1 + 5;
 
     private readonly Camera _camera;
@@ -32,7 +32,7 @@ public sealed class AdaptivePixelMapper
     private readonly SettledCells _settled;
     private readonly FragmentSearch _search;
     private readonly ExtentSearch _extents;
-    private IEnumerator<Place> _places;
+    private IEnumerator<SubpixelPoint> _places;
     private int _openPixels;
     private MapCell? _current;
     private MapperPhase _phase = MapperPhase.SeedSamples;
@@ -42,9 +42,9 @@ public sealed class AdaptivePixelMapper
     /// <summary>Starts a map. No ray is cast before the first <see cref="Step"/>.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="targets">The entities to show, in any order, each with a handle and a number of its own.</param>
-    /// <param name="ignoredEntity">Handle of an entity that rays pass through; <see cref="RayHit.World"/> for none.</param>
-    /// <param name="rays">What rays meet.</param>
-    /// <param name="options">Cost and exactness.</param>
+    /// <param name="ignoredEntity">Handle of an entity that rays pass through; <see cref="RayHit.World"/> if there is none.</param>
+    /// <param name="rays">The ray caster.</param>
+    /// <param name="options">Maximum cost and requested accuracy.</param>
     /// <exception cref="ArgumentException">Two targets have the same number or handle, or a number is 0.</exception>
     /// <exception cref="ArgumentOutOfRangeException">An option is out of its range.</exception>
     public AdaptivePixelMapper(
@@ -73,7 +73,7 @@ public sealed class AdaptivePixelMapper
         _search = new FragmentSearch(camera.Image, _views, _samples, hidden, _options.UnsearchedFraction);
         _extents = new ExtentSearch(_views, _samples, hidden);
         _examiner = new CellExaminer(_samples, _views, _options);
-        _settled = new SettledCells(_examiner, _queue, _options.CellErrorFraction);
+        _settled = new SettledCells(_examiner, _samples.Changes, _queue, _options.CellErrorFraction);
         var grid = new CellGrid(camera.Image, _options.CellSize, _views);
         grid.Cells.ForEach(cell => _queue.Add(double.PositiveInfinity, cell));
         _places = new SeedSamples(camera, _views, _samples, grid).InTurn().GetEnumerator();
@@ -82,12 +82,12 @@ public sealed class AdaptivePixelMapper
     /// <summary>The number of rays cast so far.</summary>
     public int RaysCast => _samples.RaysCast + (_unseen?.RaysCast ?? 0);
 
-    /// <summary>Whether the map is as exact as the options ask for.</summary>
+    /// <summary>Whether the map has the accuracy that the options request.</summary>
     public bool IsComplete => _phase == MapperPhase.Complete;
 
-    /// <summary>Goes on until the map is complete, the ray budget is spent, or time is up.</summary>
-    /// <param name="isTimeUp">Asked after every ray; null for no limit of time.</param>
-    /// <returns>Whether nothing is left to do: complete, or the ray budget spent.</returns>
+    /// <summary>Continues until the map is complete, the ray budget is spent, or the time is up.</summary>
+    /// <param name="isTimeUp">Called after every ray; null for no time limit.</param>
+    /// <returns>Whether the work is over: the map is complete, or the ray budget spent.</returns>
     public bool Run(Func<bool>? isTimeUp = null)
     {
         while (Step())
@@ -102,7 +102,7 @@ public sealed class AdaptivePixelMapper
     }
 
     /// <summary>Casts one ray.</summary>
-    /// <returns>False when none is left to cast: the map is complete or the ray budget is spent.</returns>
+    /// <returns>False if no ray is left to cast: the map is complete or the ray budget is spent.</returns>
     public bool Step()
     {
         if (IsComplete || RaysCast >= _options.RayBudget)
@@ -131,7 +131,7 @@ public sealed class AdaptivePixelMapper
         return false;
     }
 
-    /// <summary>The best map so far. It may be taken at any time, and the work may go on after it.</summary>
+    /// <summary>The best map so far. It may be requested at any time, and the work may continue after it.</summary>
     public AdaptivePixelMap Finish()
     {
         InstanceMap map = Paint();
@@ -150,24 +150,25 @@ public sealed class AdaptivePixelMapper
         var sights = new Dictionary<ushort, Sight>();
         _targets.ForEach(target => sights[target.Number] = _unseen?.SightOf(target.Number) ?? Sight.NotAsked);
         _beyondReach.ForEach(target => sights[target.Number] = Sight.Undetermined);
-        foreach (ushort number in new HashSet<ushort>(map.Ids))
+        int[] counts = map.PixelCounts();
+        for (int number = 1; number < counts.Length; number++)
         {
-            if (number != 0)
+            if (counts[number] > 0)
             {
-                sights[number] = Sight.Seen;
+                sights[(ushort)number] = Sight.Seen;
             }
         }
 
         return sights;
     }
 
-    private Place? NextPlace()
+    private SubpixelPoint? NextPlace()
     {
         do
         {
             while (_places.MoveNext())
             {
-                if (_samples.IsUnasked(_places.Current))
+                if (_samples.IsUnsampled(_places.Current))
                 {
                     return _places.Current;
                 }
@@ -188,7 +189,7 @@ public sealed class AdaptivePixelMapper
         return null;
     }
 
-    private Place? NextPlaceOfCells()
+    private SubpixelPoint? NextPlaceOfCells()
     {
         while (_current is not null || _queue.Count > 0 || _settled.Review())
         {
@@ -197,23 +198,28 @@ public sealed class AdaptivePixelMapper
                 (double priority, cell) = _queue.Take();
                 if (priority < _options.CellErrorFraction)
                 {
-                    _settled.Add(cell);
+                    _settled.AddSmall(cell);
                     continue;
                 }
 
                 _current = cell;
             }
 
-            CellVerdict verdict = _examiner.Examine(cell);
+            if (_examiner.WantedOnBorder(cell) is { } onBorder)
+            {
+                return onBorder;
+            }
+
+            CellVerdict verdict = _examiner.ExamineInside(cell);
             if (verdict.Wanted is { } wanted)
             {
                 return wanted;
             }
 
             _current = null;
-            if (verdict.IsUnderstood)
+            if (verdict.IsResolved)
             {
-                _settled.Add(cell);
+                _settled.AddUnderstood(cell);
             }
             else
             {
@@ -228,7 +234,7 @@ public sealed class AdaptivePixelMapper
         return null;
     }
 
-    // A search that finds nothing is followed by a review all the same, since the visible pixels have been counted anew.
+    // A search that finds nothing is followed by a review too, since the visible pixels have been counted again.
     private bool Search()
     {
         if (_searches == MaxSearches)
@@ -242,7 +248,8 @@ public sealed class AdaptivePixelMapper
         {
             int[] counts = map.PixelCounts();
             _views.ForEach(view => view.SetVisible(counts[view.Target.Number]));
-            List<Place> places = [.. _search.Places(map)];
+            _settled.Forget();
+            List<SubpixelPoint> places = [.. _search.Places(map)];
             _places = places.GetEnumerator();
             return true;
         }

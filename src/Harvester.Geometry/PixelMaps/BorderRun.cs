@@ -1,4 +1,4 @@
 namespace Harvester.Geometry.PixelMaps;
 
-/// <summary>A stretch of a cell's border that shows one number, in steps of the walk around it; steps count on beyond one round.</summary>
+/// <summary>A run of one number along a cell's border, in steps of the walk around it; steps may exceed one round.</summary>
 internal readonly record struct BorderRun(int Start, int End, int Number);

@@ -4,18 +4,19 @@ using System.Collections.Generic;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// What is known of a cell's border: the numbers along it and where they change. Between two known pixels of one number the border
-/// is taken to be of that number; between two of different numbers the change is searched by bisection, below the pixel if wanted.
+/// What is known of a cell's border: the numbers along it and where they change. Between two known pixels of one number, the border is
+/// assumed to have that number; between two of different numbers, the change is found by bisection, below the pixel if needed.
 /// </summary>
 internal sealed class CellBorder
 {
     /// <summary>
-    /// The middle of a shorter side is asked rather than assumed: about 1 in 10 would be wrong, and 1 in 40 of longer ones.
+    /// Minimum length of a side whose middle is assumed instead of sampled: on shorter sides 1 in 10 would be wrong, on longer ones 1 in
+    /// 40.
     /// </summary>
     private const int MinAssumedSide = 4;
 
     private readonly PixelSamples _samples;
-    private readonly IReadOnlyList<SilhouetteSpans> _silhouettes;
+    private readonly SilhouetteSpans[] _silhouettes;
     private readonly List<SilhouetteSpans> _near = [];
     private int[] _numbers = [];
     private bool[] _known = [];
@@ -23,27 +24,30 @@ internal sealed class CellBorder
     public CellBorder(PixelSamples samples, IReadOnlyList<SilhouetteSpans> silhouettes)
     {
         _samples = samples;
-        _silhouettes = silhouettes;
+        _silhouettes = [.. silhouettes];
     }
 
     public MapCell Cell { get; private set; }
 
-    /// <summary>The runs of one number around the border, clockwise; a single one of no length when nothing changes.</summary>
+    /// <summary>The runs of one number around the border, clockwise; a single one of length 0 if nothing changes.</summary>
     public List<BorderRun> Runs { get; } = [];
 
-    /// <summary>The number taken for a step of the walk around the border.</summary>
+    /// <summary>The number assumed for a step of the walk around the border.</summary>
     public int NumberAt(int step) => _numbers[step];
 
     /// <summary>Reads a cell's border.</summary>
     public void Read(MapCell cell)
     {
-        Cell = cell;
-        _near.Clear();
-        foreach (SilhouetteSpans spans in _silhouettes)
+        if (Cell != cell)
         {
-            if (spans.BoxMeets(cell))
+            Cell = cell;
+            _near.Clear();
+            foreach (SilhouetteSpans spans in _silhouettes)
             {
-                _near.Add(spans);
+                if (spans.BoxMeets(cell))
+                {
+                    _near.Add(spans);
+                }
             }
         }
 
@@ -57,30 +61,28 @@ internal sealed class CellBorder
         for (int i = 0; i < length; i++)
         {
             (int column, int row) = cell.Border(i);
-            _known[i] = _samples.IsKnown(column, row);
-            _numbers[i] = _known[i] ? _samples.Number(column, row) : -1;
+            _numbers[i] = _samples.Number(column, row);
+            _known[i] = _numbers[i] != PixelSamples.Unknown;
         }
     }
 
     /// <summary>
-    /// The next place that the border asks for: corners first, then changes of number, then silhouettes that cross it unseen.
+    /// The next point that the border needs: corners first, then changes of number, then silhouettes that cross it between known pixels.
     /// </summary>
-    public Place? Wanted()
+    public SubpixelPoint? Wanted()
     {
-        int width = Cell.Width;
-        int height = Cell.Height;
-        int[] corners = [0, width, width + height, (2 * width) + height, Cell.BorderLength];
         for (int i = 0; i < 4; i++)
         {
-            if (!_known[corners[i]])
+            if (!_known[Cell.Corner(i)])
             {
-                return PlaceAt(corners[i]);
+                return PlaceAt(Cell.Corner(i));
             }
         }
 
         for (int i = 0; i < 4; i++)
         {
-            if ((UndecidedStep(corners[i], corners[i + 1]) ?? UnseenSilhouette(corners[i], corners[i + 1])) is { } step)
+            (int from, int to) = (Cell.Corner(i), Cell.Corner(i + 1));
+            if ((UndecidedStep(from, to) ?? UnseenSilhouette(from, to)) is { } step)
             {
                 return PlaceAt(step);
             }
@@ -90,8 +92,8 @@ internal sealed class CellBorder
     }
 
     /// <summary>
-    /// Takes the middle of each side, which becomes a corner of the cell's parts, to be of the number that is known on both sides of
-    /// it. It is asked when a change of number is found right beside it. The runs must have been collected.
+    /// Assumes the middle of each side, which becomes a corner of the cell's parts, to have the number known on both sides of it. It is
+    /// sampled later if a change of number is found next to it. The runs must have been collected.
     /// </summary>
     public void AssumeMiddles()
     {
@@ -110,7 +112,7 @@ internal sealed class CellBorder
         }
     }
 
-    /// <summary>Fills what is not known from the nearest known pixels of the border and collects the runs.</summary>
+    /// <summary>Fills unknown pixels from the nearest known pixels of the border and collects the runs.</summary>
     public void CollectRuns()
     {
         int length = Cell.BorderLength;
@@ -139,22 +141,22 @@ internal sealed class CellBorder
         }
     }
 
-    /// <summary>The next place between the two pixels of a change that narrows it down further.</summary>
-    public Place? WantedBetween(int step, int halvings)
+    /// <summary>The next point between the two pixels of a change that narrows it down.</summary>
+    public SubpixelPoint? WantedBetween(int step, int halvings)
     {
-        (Place place, int halved) = Narrow(step, halvings);
+        (SubpixelPoint place, int halved) = Narrow(step, halvings);
         return halved < halvings ? place : null;
     }
 
-    /// <summary>Where the number changes after a step: in pixels, from the centre of the pixel (0, 0).</summary>
+    /// <summary>The position of the change of number after a step, in pixels from the centre of pixel (0, 0).</summary>
     public Vector2D Crossing(int step, int halvings)
     {
-        (Place place, _) = Narrow(step, halvings);
+        (SubpixelPoint place, _) = Narrow(step, halvings);
         return new Vector2D((double)place.FineX / PixelSamples.Fine, (double)place.FineY / PixelSamples.Fine);
     }
 
-    // The middle of the interval in which the change is known to lie, and how often the pixel's step was halved.
-    private (Place Middle, int Halved) Narrow(int step, int halvings)
+    // The middle of the interval that contains the change, and how often the pixel's step was halved.
+    private (SubpixelPoint Middle, int Halved) Narrow(int step, int halvings)
     {
         int length = Cell.BorderLength;
         (int column, int row) = Cell.Border(step % length);
@@ -165,7 +167,7 @@ internal sealed class CellBorder
         for (int halved = 0; ; halved++)
         {
             int middle = (low + high) / 2;
-            var place = new Place(
+            var place = new SubpixelPoint(
                 (column * PixelSamples.Fine) + ((nextColumn - column) * middle),
                 (row * PixelSamples.Fine) + ((nextRow - row) * middle));
             if (halved == halvings || _samples.NumberBetween(place) is not { } there)
@@ -173,14 +175,7 @@ internal sealed class CellBorder
                 return (place, halved);
             }
 
-            if (there == number)
-            {
-                low = middle;
-            }
-            else
-            {
-                high = middle;
-            }
+            (low, high) = there == number ? (middle, high) : (low, middle);
         }
     }
 
@@ -214,7 +209,7 @@ internal sealed class CellBorder
         return null;
     }
 
-    // Of the silhouettes that cross a side between known pixels, the first to come is asked for in its middle.
+    // Of the silhouettes that cross a side between known pixels, the first one is sampled in its middle.
     private int? UnseenSilhouette(int from, int to)
     {
         (int column, int row) = Cell.Border(from);
@@ -292,9 +287,9 @@ internal sealed class CellBorder
         return _samples.IsAssumed(column, row);
     }
 
-    private Place PlaceAt(int step)
+    private SubpixelPoint PlaceAt(int step)
     {
         (int column, int row) = Cell.Border(step % Cell.BorderLength);
-        return Place.OfPixel(column, row);
+        return SubpixelPoint.OfPixel(column, row);
     }
 }

@@ -1,8 +1,8 @@
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// A part of a cell cut off by the straight chord between two changes on its border. A second number in it begins at a third change
-/// and is parted from the first by the line from there to the chord's middle: the picture of a silhouette that ends at a nearer one.
+/// A part of a cell cut off by the straight chord between two changes on its border. A second number in it begins at a third change and is
+/// separated from the first by the line from there to the chord's middle: the picture of a silhouette that ends at a nearer one.
 /// </summary>
 internal readonly record struct CellCap(Vector2D Start, Vector2D End, int FirstNumber, int SecondNumber, Vector2D Change)
 {

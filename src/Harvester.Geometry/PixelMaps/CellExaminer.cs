@@ -4,19 +4,21 @@ using System.Collections.Generic;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// Decides about a cell from what is known: which place to ask next, or that it is understood, or that it must be divided. It keeps
-/// nothing of its own, so that a cell can be looked at again whenever its neighbours have learnt more.
+/// Decides what to do with a cell: which point to sample next, whether it is resolved, or whether to divide it. It keeps no state, so a
+/// cell can be examined again whenever its neighbours have new samples.
 /// </summary>
 internal sealed class CellExaminer
 {
     /// <summary>A cell whose border shows more runs than this is divided at once.</summary>
     private const int MaxRuns = 8;
 
-    /// <summary>The mean distance, in pixels, of a line between two changes known to the pixel from the true one.</summary>
+    /// <summary>
+    /// The mean distance, in pixels, between the true outline and a line between two changes that are known to the pixel.
+    /// </summary>
     private const double MeanLineError = 0.2;
     private const int MaxHalvings = 3;
 
-    /// <summary>A chord that runs along a row or column to within this many pixels gains nothing from knowing its ends better.</summary>
+    /// <summary>A chord that runs along a row or column to within this many pixels is not improved by locating its ends better.</summary>
     private const double AlignedPixels = 0.9;
 
     private readonly PixelSamples _samples;
@@ -38,27 +40,36 @@ internal sealed class CellExaminer
         _border = new CellBorder(samples, spans);
     }
 
-    /// <summary>The border of the cell that was looked at last.</summary>
+    /// <summary>The border of the cell examined last.</summary>
     public CellBorder Border => _border;
+
+    /// <summary>The place that the border of a cell asks for before its inside is looked at, or null.</summary>
+    public SubpixelPoint? WantedOnBorder(MapCell cell)
+    {
+        _border.Read(cell);
+        return _border.Wanted();
+    }
 
     public CellVerdict Examine(MapCell cell)
     {
-        _border.Read(cell);
-        Place? onBorder = _border.Wanted();
+        SubpixelPoint? onBorder = WantedOnBorder(cell);
         double weight = Weight(cell);
-        if (onBorder is { } unknown)
-        {
-            return CellVerdict.Ask(unknown, weight);
-        }
+        return onBorder is { } unknown ? CellVerdict.Sample(unknown, weight) : ExamineInside(cell, weight);
+    }
 
+    /// <summary>Decides about the inside of a cell whose border asks for nothing; it must be the one that was looked at last.</summary>
+    public CellVerdict ExamineInside(MapCell cell) => ExamineInside(cell, Weight(cell));
+
+    private CellVerdict ExamineInside(MapCell cell, double weight)
+    {
         if (!cell.HasInterior)
         {
-            return CellVerdict.Understood(weight);
+            return CellVerdict.Resolved(weight);
         }
 
         if (_border.Runs.Count <= MaxRuns && StripSearch.Wanted(_border, _samples) is { } towards)
         {
-            return CellVerdict.Ask(towards, weight);
+            return CellVerdict.Sample(towards, weight);
         }
 
         bool outlineTooLong = _border.Runs.Count > 1 && cell.Width * cell.Height * weight > _options.StraightCellFraction;
@@ -69,11 +80,11 @@ internal sealed class CellExaminer
 
         int halvings = Halvings(cell, weight);
         return AgreeingModel(halvings) is { } model
-            ? Missing(model, halvings) is { } place ? CellVerdict.Ask(place, weight) : CellVerdict.Understood(weight)
+            ? Missing(model, halvings) is { } place ? CellVerdict.Sample(place, weight) : CellVerdict.Resolved(weight)
             : CellVerdict.Divide(weight);
     }
 
-    /// <summary>The simplest picture of the inside of the border's cell that fits all that is known, or null.</summary>
+    /// <summary>The simplest model of the inside of the border's cell that fits all samples, or null.</summary>
     public CellModel? AgreeingModel(int halvings = MaxHalvings)
     {
         foreach (int front in NumbersByDistance())
@@ -100,9 +111,9 @@ internal sealed class CellExaminer
         {
             for (int column = cell.Left + 1; column < cell.Right; column++)
             {
-                if (_samples.IsCast(column, row))
+                if (_samples.IsCast(column, row) && _samples.Number(column, row) is var number && number != 0)
                 {
-                    weight = Math.Max(weight, WeightOf(_samples.Number(column, row)));
+                    weight = Math.Max(weight, WeightOf(number));
                 }
             }
         }
@@ -110,7 +121,7 @@ internal sealed class CellExaminer
         return weight;
     }
 
-    private double WeightOf(int number) => _byNumber.TryGetValue(number, out TargetView view) ? view.Weight : 0;
+    private double WeightOf(int number) => _byNumber.TryGetValue(number, out TargetView? view) ? view.Weight : 0;
 
     private int Halvings(MapCell cell, double weight)
     {
@@ -125,7 +136,7 @@ internal sealed class CellExaminer
         return halvings;
     }
 
-    private Place? Missing(CellModel model, int halvings)
+    private SubpixelPoint? Missing(CellModel model, int halvings)
     {
         if (!model.IsAligned(AlignedPixels))
         {
@@ -143,7 +154,7 @@ internal sealed class CellExaminer
         {
             if (column > cell.Left && column < cell.Right && row > cell.Top && row < cell.Bottom && !_samples.IsKnown(column, row))
             {
-                return Place.OfPixel(column, row);
+                return SubpixelPoint.OfPixel(column, row);
             }
         }
 

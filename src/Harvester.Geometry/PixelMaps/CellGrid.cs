@@ -3,7 +3,7 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.PixelMaps;
 
-/// <summary>The cells that a map starts from: a grid over the image, of which those that meet an object's box are kept.</summary>
+/// <summary>The initial cells of a map: a grid over the image, of which the cells that meet an object's box are kept.</summary>
 internal sealed class CellGrid
 {
     public CellGrid(ImageSize image, int size, IReadOnlyList<TargetView> views)
@@ -27,10 +27,10 @@ internal sealed class CellGrid
         }
     }
 
-    /// <summary>The image's columns on which cells have their sides.</summary>
+    /// <summary>The image's columns at which cells have their sides.</summary>
     public List<int> Columns { get; }
 
-    /// <summary>The same of rows.</summary>
+    /// <summary>The image's rows at which cells have their sides.</summary>
     public List<int> Rows { get; }
 
     public List<MapCell> Cells { get; } = [];
@@ -47,7 +47,7 @@ internal sealed class CellGrid
         return corners;
     }
 
-    // The last line is the last pixel, however near the one before it; an image of one pixel has a cell of that pixel.
+    // The last line is the last pixel, however close to the line before it; an image of one pixel has a cell of one pixel.
     private static List<int> Lines(int length, int size)
     {
         var lines = new List<int>();

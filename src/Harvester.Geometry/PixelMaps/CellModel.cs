@@ -4,8 +4,8 @@ using System.Collections.Generic;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// A guess at the inside of a cell from its border, for silhouettes that are straight within it: one number lies in front, and
-/// whatever else the border shows is cut off from it by chords.
+/// A model of the inside of a cell from its border, for silhouettes that are straight within it: one number lies in front, and all others
+/// on the border are cut off from it by chords.
 /// </summary>
 internal sealed class CellModel
 {
@@ -18,7 +18,7 @@ internal sealed class CellModel
         _caps = caps;
     }
 
-    /// <summary>The model with a given number in front, or null when more meets in a cap than two silhouettes.</summary>
+    /// <summary>The model with a given number in front, or null if more than two silhouettes meet in a cap.</summary>
     public static CellModel? Build(CellBorder border, int front, Func<int, Vector2D> crossingAfter)
     {
         List<BorderRun> runs = border.Runs;
@@ -76,11 +76,11 @@ internal sealed class CellModel
         return _front;
     }
 
-    /// <summary>Whether all chords run along rows or columns, to within a part of a pixel.</summary>
+    /// <summary>Whether all chords run along rows or columns, to within a fraction of a pixel.</summary>
     public bool IsAligned(double pixels) =>
         _caps.TrueForAll(cap => Math.Abs(cap.Start.X - cap.End.X) < pixels || Math.Abs(cap.Start.Y - cap.End.Y) < pixels);
 
-    /// <summary>The pixels that tell best whether the model is right: on both sides of the middle of every line it draws.</summary>
+    /// <summary>The pixels that best test the model: on both sides of the middle of every line it draws.</summary>
     public IEnumerable<(int Column, int Row)> Tests()
     {
         foreach (CellCap cap in _caps)

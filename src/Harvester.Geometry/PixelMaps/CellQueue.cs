@@ -3,12 +3,12 @@ using System.Collections.Generic;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// Cells in the order of what their error counts, greatest first; equal ones by their place, so that the order is always the same.
+/// Cells in the order of the weight of their error, greatest first; equal ones by position, so that the order is deterministic.
 /// </summary>
 internal sealed class CellQueue
 {
-    /// <summary>Of a cell that is not understood, about this share of the pixels would be painted wrong.</summary>
-    private const double WrongShare = 0.25;
+    /// <summary>Estimated fraction of wrong pixels in an unresolved cell.</summary>
+    private const double WrongFraction = 0.25;
 
     private readonly SortedSet<(double Priority, MapCell Cell)> _cells = new(Comparer<(double Priority, MapCell Cell)>.Create(Compare));
 
@@ -38,8 +38,8 @@ internal sealed class CellQueue
         return byRow != 0 ? byRow : byColumn != 0 ? byColumn : b.Cell.BorderLength.CompareTo(a.Cell.BorderLength);
     }
 
-    /// <summary>How much a cell counts that is not understood.</summary>
+    /// <summary>The priority of an unresolved cell.</summary>
     /// <param name="cell">The cell.</param>
-    /// <param name="weight">What one wrong pixel in it counts.</param>
-    public static double PriorityOf(MapCell cell, double weight) => WrongShare * cell.Width * cell.Height * weight;
+    /// <param name="weight">The weight of one wrong pixel in it.</param>
+    public static double PriorityOf(MapCell cell, double weight) => WrongFraction * cell.Width * cell.Height * weight;
 }

@@ -3,14 +3,14 @@ using System.Collections.Generic;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// Takes back what is drawn without evidence: pixels of objects that no ray has met, which are guessed from their cuboids, and pixels
-/// between rays where an object cannot be, since an outline drawn across a cell may reach beyond the box of the object's cuboid.
+/// Removes what is drawn without evidence: pixels of objects that no ray has hit, which are guessed from their cuboids, and pixels between
+/// rays where an object cannot be, since an outline drawn across a cell may reach beyond the box of the object's cuboid.
 /// </summary>
 internal static class Evidence
 {
-    /// <summary>Empties the pixels without evidence.</summary>
+    /// <summary>Clears the pixels without evidence.</summary>
     /// <param name="map">The map, with numbers of the targets only.</param>
-    /// <param name="samples">What rays have told.</param>
+    /// <param name="samples">The samples so far.</param>
     /// <param name="targets">All targets.</param>
     public static void Demand(InstanceMap map, PixelSamples samples, IReadOnlyList<MapTarget> targets)
     {

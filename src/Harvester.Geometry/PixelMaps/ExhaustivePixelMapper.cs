@@ -5,20 +5,20 @@ using Harvester.Geometry.Visibility;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// Algorithm 4 of the thesis to the letter: a ray through the centre of every pixel of a region; the pixel belongs to the entity
-/// that the ray meets first. Exact for the ray caster at hand, and as many rays as pixels.
+/// Algorithm 4 of the thesis: a ray through the centre of every pixel of a region; the pixel belongs to the entity that the ray hits first.
+/// Exact for the given ray caster, and takes as many rays as pixels.
 /// </summary>
 public static class ExhaustivePixelMapper
 {
-    /// <summary>The thesis's length of a ray, metres.</summary>
+    /// <summary>The maximum length of a ray in the thesis, metres.</summary>
     public const double RayLength = 10_000;
 
     /// <summary>Labels the pixels whose centres lie in a region of the image.</summary>
     /// <param name="camera">The camera.</param>
-    /// <param name="region">The region, pixels; what of it lies outside the image is left out.</param>
+    /// <param name="region">The region, pixels; the part outside the image is ignored.</param>
     /// <param name="numberOf">The number in the map of an entity's handle; 0 for entities that are not labelled.</param>
-    /// <param name="ignoredEntity">Handle of an entity that rays pass through; <see cref="RayHit.World"/> for none.</param>
-    /// <param name="rays">What rays meet.</param>
+    /// <param name="ignoredEntity">Handle of an entity that rays pass through; <see cref="RayHit.World"/> if there is none.</param>
+    /// <param name="rays">The ray caster.</param>
     public static InstanceMap Map(Camera camera, Box2D region, Func<int, ushort> numberOf, int ignoredEntity, IRayCaster rays)
     {
         var map = new InstanceMap(Guard.NotNull(camera, nameof(camera)).Image);
@@ -26,14 +26,14 @@ public static class ExhaustivePixelMapper
         return map;
     }
 
-    /// <summary>Labels the pixels of a map whose centres lie in a region of the image, and leaves the others as they are.</summary>
+    /// <summary>Labels the pixels of a map whose centres lie in a region of the image, and leaves the others unchanged.</summary>
     /// <param name="map">The map, of the camera's image size.</param>
     /// <param name="camera">The camera.</param>
-    /// <param name="region">The region, pixels; what of it lies outside the image is left out.</param>
+    /// <param name="region">The region, pixels; the part outside the image is ignored.</param>
     /// <param name="numberOf">The number in the map of an entity's handle; 0 for entities that are not labelled.</param>
-    /// <param name="ignoredEntity">Handle of an entity that rays pass through; <see cref="RayHit.World"/> for none.</param>
-    /// <param name="rays">What rays meet.</param>
-    /// <exception cref="ArgumentException">The map is of another image size.</exception>
+    /// <param name="ignoredEntity">Handle of an entity that rays pass through; <see cref="RayHit.World"/> if there is none.</param>
+    /// <param name="rays">The ray caster.</param>
+    /// <exception cref="ArgumentException">The map has another image size.</exception>
     public static void MapInto(
         InstanceMap map, Camera camera, Box2D region, Func<int, ushort> numberOf, int ignoredEntity, IRayCaster rays)
     {

@@ -5,30 +5,31 @@ using System.Linq;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// Makes sure of the box around an object's visible pixels, side by side. Beyond each side the object is looked for where it would go on as
-/// a strip, and farther out where nothing nearer hides it; a side that no ray has confirmed is uncertain.
+/// Verifies the box around an object's visible pixels, side by side. Beyond each side, the object is searched for where it would continue
+/// as a strip, and farther out where nothing nearer hides it; a side that no ray has confirmed is uncertain.
 /// </summary>
 internal sealed class ExtentSearch(IReadOnlyList<TargetView> views, PixelSamples samples, HiddenPlaces hiddenPlaces)
 {
-    /// <summary>Objects of fewer pixels are found, not outlined.</summary>
+    /// <summary>Minimum number of visible pixels of an object whose extent is searched; smaller objects are only found.</summary>
     private const int MinPixels = 64;
 
-    /// <summary>By how much a box may be off, pixels.</summary>
+    /// <summary>Tolerance of a box, pixels.</summary>
     private const int Tolerance = 2;
 
-    /// <summary>A farther place is asked when it is so many times as far away as the last.</summary>
+    /// <summary>Ratio of the distances of successive points.</summary>
     private const int Spread = 2;
 
-    /// <summary>Of a side of so many pixels the object may go on beside its ends; so far a sloping arm moves aside over its head.</summary>
+    /// <summary>
+    /// Beyond a side of at most this many pixels, the object may continue diagonally past its ends; a sloping arm moves this far aside over
+    /// its head.
+    /// </summary>
     private const int ShortSide = 3;
 
     private static readonly (int Column, int Row)[] Outwards = [(0, -1), (1, 0), (0, 1), (-1, 0)];
 
-    /// <summary>
-    /// The places to ask. What has been found at those before decides about each, so they are not to be listed in advance.
-    /// </summary>
-    /// <param name="map">What is shown so far.</param>
-    public IEnumerable<Place> Places(InstanceMap map)
+    /// <summary>The points to sample. Each depends on what was found at those before, so they must be enumerated lazily.</summary>
+    /// <param name="map">The map so far.</param>
+    public IEnumerable<SubpixelPoint> Places(InstanceMap map)
     {
         foreach (TargetView view in views)
         {
@@ -39,7 +40,7 @@ internal sealed class ExtentSearch(IReadOnlyList<TargetView> views, PixelSamples
 
             foreach ((int Column, int Row) outwards in Outwards)
             {
-                foreach (Place place in Beyond(map, view, extent, outwards))
+                foreach (SubpixelPoint place in Beyond(map, view, extent, outwards))
                 {
                     yield return place;
                 }
@@ -47,7 +48,7 @@ internal sealed class ExtentSearch(IReadOnlyList<TargetView> views, PixelSamples
         }
     }
 
-    /// <summary>Pixels drawn at the sides of objects' boxes where no ray has met the object on that side.</summary>
+    /// <summary>Pixels drawn at the sides of objects' boxes where no ray has hit the object on that side.</summary>
     public HashSet<(int Column, int Row)> UncertainPixels(InstanceMap map)
     {
         var uncertain = new HashSet<(int, int)>();
@@ -74,7 +75,7 @@ internal sealed class ExtentSearch(IReadOnlyList<TargetView> views, PixelSamples
     private static PixelExtent? ExtentOf(InstanceMap map, TargetView view) =>
         PixelExtent.Of(map, view.Target.Number, view.Spans) is { Pixels: >= MinPixels } extent ? extent : null;
 
-    private IEnumerable<Place> Beyond(InstanceMap map, TargetView view, PixelExtent extent, (int Column, int Row) outwards)
+    private IEnumerable<SubpixelPoint> Beyond(InstanceMap map, TargetView view, PixelExtent extent, (int Column, int Row) outwards)
     {
         List<(int Column, int Row)> side = extent.Side(map, view.Target.Number, outwards);
         (int Column, int Row) deepest = Deepest(map, side, outwards);
@@ -86,7 +87,7 @@ internal sealed class ExtentSearch(IReadOnlyList<TargetView> views, PixelSamples
             {
                 if (view.Spans.Contains(pixel.Column, pixel.Row))
                 {
-                    yield return Place.OfPixel(pixel.Column, pixel.Row);
+                    yield return SubpixelPoint.OfPixel(pixel.Column, pixel.Row);
                     if (Shows(view, pixel))
                     {
                         found = pixel;
@@ -105,8 +106,8 @@ internal sealed class ExtentSearch(IReadOnlyList<TargetView> views, PixelSamples
         }
     }
 
-    // A strip goes on straight outwards or aslant: beside the ends of a short side, and of a long one where the object reaches farthest
-    // inwards.
+    // A strip continues straight or diagonally outwards: beside the ends of a short side, and of a long one where the object reaches
+    // farthest inwards.
     private static IEnumerable<(int Column, int Row)> Near(
         List<(int Column, int Row)> side, (int Column, int Row) deepest, (int Column, int Row) outwards)
     {
@@ -147,11 +148,11 @@ internal sealed class ExtentSearch(IReadOnlyList<TargetView> views, PixelSamples
         from.Column + (away * outwards.Column) + (aside * Math.Abs(outwards.Row)),
         from.Row + (away * outwards.Row) + (aside * Math.Abs(outwards.Column)));
 
-    // Of the world there is nearer and farther everywhere, on the ground around a foot above all.
+    // Parts of the world lie nearer and farther everywhere, above all on the ground around a foot.
     private bool IsHiddenByObject(TargetView view, InstanceMap map, int column, int row) =>
         map[column, row] != 0 && hiddenPlaces.IsHidden(view.Target, map, column, row);
 
-    // An arm goes on where the object reaches farthest inwards, and not where its head is wide.
+    // An arm continues where the object reaches farthest inwards, not where its head is wide.
     private static (int Column, int Row) Deepest(InstanceMap map, List<(int Column, int Row)> side, (int Column, int Row) outwards)
     {
         (int Column, int Row) deepest = side[side.Count / 2];

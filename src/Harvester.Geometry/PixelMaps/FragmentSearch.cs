@@ -5,43 +5,43 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// Where to ask whether a map misses a part of an object or a gap in it. The places are scattered, few of them on one row or column,
-/// so that an arm of one pixel is met as soon as a compact part of its size. A sparser set is a part of a denser one, and all objects
-/// share them.
+/// Chooses points at which a map may miss a part of an object or a gap in it. The points are scattered, few of them on one row or column,
+/// so that an arm one pixel wide is hit as soon as a compact part of its size. A sparser set is a subset of a denser one, and all objects
+/// share the points.
 /// </summary>
 internal sealed class FragmentSearch(
     ImageSize image, IReadOnlyList<TargetView> views, PixelSamples samples, HiddenPlaces hiddenPlaces, double unsearchedFraction)
 {
-    /// <summary>At least this share of a silhouette counts as visible while looking for more of it in the open.</summary>
-    private const double OpenShare = 0.07;
-
     /// <summary>
-    /// The same where something nearer is seen; there an object shows only through gaps, and so many times fewer places are asked.
+    /// Minimum fraction of a silhouette that counts as visible when searching for more of it where nothing nearer is seen.
     /// </summary>
-    private const double HiddenShare = 0.5;
+    private const double OpenFraction = 0.07;
+
+    /// <summary>The same where something nearer is seen. There an object shows only through gaps, so fewer points are sampled.</summary>
+    private const double HiddenFraction = 0.5;
     private const double HiddenRarity = 7.7;
 
     /// <summary>
-    /// Where it shows there, it mostly does so in a strip along the outline of what hides it: so many times as many places as in the open
-    /// are asked within so many pixels of the outlines as drawn, of which those of large objects are that inexact.
+    /// Where an object is partly hidden, it mostly shows in a strip along the outline of what hides it: this factor applies to the number
+    /// of points near the outlines as drawn, which are inexact for large objects.
     /// </summary>
     private const double OutlineDensity = 2;
     private const int OutlineReach = 3;
 
-    /// <summary>Gaps in what is seen are narrower than fragments: so many times as many places are asked.</summary>
+    /// <summary>Gaps in a visible object are narrower than fragments: factor on the number of points.</summary>
     private const double GapDensity = 1.4;
 
     private readonly ScatteredRank _rank = new(image);
 
-    /// <summary>The places that have not been asked yet, in the order of the objects.</summary>
-    /// <param name="map">What is shown so far.</param>
-    public IEnumerable<Place> Places(InstanceMap map)
+    /// <summary>The points that have not been sampled yet, in the order of the objects.</summary>
+    /// <param name="map">The map so far.</param>
+    public IEnumerable<SubpixelPoint> Places(InstanceMap map)
     {
         foreach (TargetView view in views)
         {
             SilhouetteSpans spans = view.Spans;
-            double open = 1 / (unsearchedFraction * Math.Max(view.CountedPixels, OpenShare * spans.PixelCount));
-            double hidden = 1 / (HiddenRarity * unsearchedFraction * Math.Max(view.CountedPixels, HiddenShare * spans.PixelCount));
+            double open = 1 / (unsearchedFraction * Math.Max(view.CountedPixels, OpenFraction * spans.PixelCount));
+            double hidden = 1 / (HiddenRarity * unsearchedFraction * Math.Max(view.CountedPixels, HiddenFraction * spans.PixelCount));
             double inside = GapDensity / (unsearchedFraction * view.CountedPixels);
             double outline = OutlineDensity * open;
             double densest = Math.Max(outline, inside);
@@ -51,9 +51,9 @@ internal sealed class FragmentSearch(
                 for (int column = first; column <= last; column++)
                 {
                     double rank = _rank.Of(column, row);
-                    if (rank < densest && samples.IsUnasked(column, row) && rank < Density(column, row))
+                    if (rank < densest && samples.IsUnsampled(column, row) && rank < Density(column, row))
                     {
-                        yield return Place.OfPixel(column, row);
+                        yield return SubpixelPoint.OfPixel(column, row);
                     }
                 }
             }

@@ -3,12 +3,12 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.PixelMaps;
 
-/// <summary>For each pixel of an image the number of the object that is seen there; 0 for none.</summary>
+/// <summary>For each pixel of an image, the number of the object visible there; 0 if there is none.</summary>
 public sealed class InstanceMap
 {
     private readonly ushort[] _ids;
 
-    /// <summary>Makes a map without objects.</summary>
+    /// <summary>Creates a map without objects.</summary>
     public InstanceMap(ImageSize image)
     {
         Image = image;
@@ -19,7 +19,7 @@ public sealed class InstanceMap
     public ImageSize Image { get; }
 
     /// <summary>
-    /// All numbers, row by row from the upper left, without padding. It is the map's own storage: what is written here is in the map.
+    /// All numbers, row by row from the upper left, without padding. This is the map's own storage: writing to it changes the map.
     /// </summary>
     public ushort[] Ids => _ids;
 
@@ -31,7 +31,7 @@ public sealed class InstanceMap
         set => _ids[(row * Image.Width) + column] = value;
     }
 
-    /// <summary>For each number, also 0, the number of pixels that show it.</summary>
+    /// <summary>Number of pixels of each number, including 0.</summary>
     internal int[] PixelCounts()
     {
         var counts = new int[ushort.MaxValue + 1];
@@ -61,7 +61,7 @@ public sealed class InstanceMap
         return map;
     }
 
-    /// <summary>The box around the pixels of one object, or null when it has none.</summary>
+    /// <summary>The box around the pixels of one object, or null if it has none.</summary>
     public Box2D? BoundsOf(ushort id)
     {
         Box2D? bounds = null;

@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// A rectangle of pixels between four corner pixels, both ends included. Neighbouring cells share the pixels of their common side.
+/// A rectangle of pixels between four corner pixels, inclusive. Neighbouring cells share the pixels of their common side.
 /// </summary>
 internal readonly record struct MapCell(int Left, int Top, int Right, int Bottom)
 {
@@ -15,7 +15,7 @@ internal readonly record struct MapCell(int Left, int Top, int Right, int Bottom
     /// <summary>Whether it has pixels that are not on its border.</summary>
     public bool HasInterior => Width > 1 && Height > 1;
 
-    /// <summary>The number of pixels on its border when walked around once; a cell of one pixel has that.</summary>
+    /// <summary>Number of pixels on its border; 1 for a cell of one pixel.</summary>
     public int BorderLength => Math.Max(1, 2 * (Width + Height));
 
     /// <summary>Whether a pixel is inside it or on its border.</summary>
@@ -40,6 +40,16 @@ internal readonly record struct MapCell(int Left, int Top, int Right, int Bottom
         yield return (2 * Width) + Height - (Width / 2);
         yield return (2 * Width) + (2 * Height) - (Height / 2);
     }
+
+    /// <summary>The step of the walk around the border at a corner; the fifth is the first again, a walk later.</summary>
+    public int Corner(int number) => number switch
+    {
+        0 => 0,
+        1 => Width,
+        2 => Width + Height,
+        3 => (2 * Width) + Height,
+        _ => BorderLength,
+    };
 
     /// <summary>The pixel at a step of a walk around the border, clockwise on the screen from the upper left corner.</summary>
     public (int Column, int Row) Border(int step)

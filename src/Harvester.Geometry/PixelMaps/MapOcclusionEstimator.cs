@@ -4,9 +4,9 @@ using Harvester.Geometry.Visibility;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// How much of an object in a pixel map is hidden. What is visible is counted in the map. What would be visible without the things in
-/// front is that and a share of the silhouette's other pixels: the share of a few of them, spread evenly, at which a ray that starts
-/// at the object's cuboid meets the object. So the gaps between an object and its cuboid do not count as hidden.
+/// Estimates how much of an object in a pixel map is hidden. Its visible pixels are counted in the map. To these, the pixels that would be
+/// visible without the things in front are added: of the silhouette's other pixels, the fraction at which a ray that starts at the object's
+/// cuboid hits the object, estimated from a few of them spread evenly. So the gaps between an object and its cuboid do not count as hidden.
 /// </summary>
 public sealed class MapOcclusionEstimator
 {
@@ -16,12 +16,12 @@ public sealed class MapOcclusionEstimator
     private readonly IRayCaster _rays;
     private readonly int _probes;
 
-    /// <summary>Makes an estimator for a map.</summary>
+    /// <summary>Creates an estimator for a map.</summary>
     /// <param name="camera">The map's camera.</param>
     /// <param name="map">The map.</param>
-    /// <param name="ignoredEntity">Handle of an entity that rays pass through; <see cref="RayHit.World"/> for none.</param>
-    /// <param name="rays">What rays meet.</param>
-    /// <param name="probes">Rays for each object at most; at least 1.</param>
+    /// <param name="ignoredEntity">Handle of an entity that rays pass through; <see cref="RayHit.World"/> if there is none.</param>
+    /// <param name="rays">The ray caster.</param>
+    /// <param name="probes">Maximum number of rays per object; at least 1.</param>
     /// <exception cref="System.ArgumentOutOfRangeException">Fewer than 1 probe.</exception>
     public MapOcclusionEstimator(Camera camera, InstanceMap map, int ignoredEntity, IRayCaster rays, int probes)
     {
@@ -34,8 +34,8 @@ public sealed class MapOcclusionEstimator
 
     /// <summary>Estimates how much of a target is hidden.</summary>
     /// <param name="target">The target.</param>
-    /// <param name="sight">What the map's maker knows of it. Rays are cast only for one that is seen or unseen.</param>
-    /// <returns>The estimate; method <see cref="OcclusionMethod.None"/> when nothing of the object is in the image, or nothing is known of
+    /// <param name="sight">What the mapper found. Rays are cast only for a target that is seen or unseen.</param>
+    /// <returns>The estimate; method <see cref="OcclusionMethod.None"/> if nothing of the object is in the image, or nothing is known of
     /// it.</returns>
     public OcclusionEstimate Estimate(MapTarget target, Sight sight)
     {
@@ -52,7 +52,7 @@ public sealed class MapOcclusionEstimator
         var probe = new EntityProbe(_camera, new TargetView(target, spans), _ignoredEntity, _rays);
         foreach ((int column, int row) in probe.Spread(others > 0 ? _probes : 0, (c, r) => _map[c, r] == target.Number))
         {
-            // Of an object without a visible pixel all is hidden, be it much or little.
+            // An object without a visible pixel is hidden completely.
             if (met > 0 && visible == 0)
             {
                 break;

@@ -3,11 +3,11 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.PixelMaps;
 
-/// <summary>Paints what is known of cells: asked pixels as they are, the others by the cells' straight outlines.</summary>
+/// <summary>Paints the cells: sampled pixels as they are, the others by the cells' straight outlines.</summary>
 internal sealed class MapPainter(ImageSize image, PixelSamples samples, CellExaminer examiner, InstanceMap unasked)
 {
     /// <summary>Paints cells into a new map.</summary>
-    /// <param name="untouched">Cells that have not been looked at: they show the map of what is guessed without rays.</param>
+    /// <param name="untouched">Cells without samples: they show the map that is guessed without rays.</param>
     /// <param name="touched">All others.</param>
     public InstanceMap Paint(IEnumerable<MapCell> untouched, IEnumerable<MapCell> touched)
     {
@@ -22,17 +22,7 @@ internal sealed class MapPainter(ImageSize image, PixelSamples samples, CellExam
             PaintCell(map, cell);
         }
 
-        for (int row = 0; row < image.Height; row++)
-        {
-            for (int column = 0; column < image.Width; column++)
-            {
-                if (samples.IsKnown(column, row))
-                {
-                    map[column, row] = (ushort)samples.Number(column, row);
-                }
-            }
-        }
-
+        samples.CopyKnownTo(map);
         return map;
     }
 

@@ -2,9 +2,9 @@ using Harvester.Geometry.Boxes;
 
 namespace Harvester.Geometry.PixelMaps;
 
-/// <summary>An entity that a pixel map is to show.</summary>
+/// <summary>An entity to be shown in a pixel map.</summary>
 /// <param name="Entity">Its handle, as rays report it.</param>
-/// <param name="Number">Its number in the map; 1 or more, one entity each.</param>
-/// <param name="Cuboid">Its cuboid, which tells where to look for it and how far it is.</param>
-/// <param name="Projection">The cuboid's image by the map's camera.</param>
+/// <param name="Number">Its number in the map; 1 or more, unique.</param>
+/// <param name="Cuboid">Its cuboid, which shows where to look for it and how far away it is.</param>
+/// <param name="Projection">The cuboid's projection by the map's camera.</param>
 public sealed record MapTarget(int Entity, ushort Number, Cuboid Cuboid, CuboidProjection Projection);

@@ -1,17 +1,17 @@
 namespace Harvester.Geometry.PixelMaps;
 
-/// <summary>How far an adaptive map is.</summary>
+/// <summary>The phases of an adaptive map.</summary>
 internal enum MapperPhase
 {
-    /// <summary>A coarse grid and a few places in every silhouette.</summary>
+    /// <summary>Samples a coarse grid and a few points in every silhouette.</summary>
     SeedSamples,
 
-    /// <summary>Cells, the worst first.</summary>
+    /// <summary>Examines cells, the worst first.</summary>
     Cells,
 
-    /// <summary>Probes of objects that no ray has met.</summary>
+    /// <summary>Probes objects that no ray has hit.</summary>
     Probes,
 
-    /// <summary>Nothing left that the options ask for.</summary>
+    /// <summary>Nothing that the options request is left to do.</summary>
     Complete,
 }

@@ -3,18 +3,18 @@ using System.Collections.Generic;
 
 namespace Harvester.Geometry.PixelMaps;
 
-/// <summary>The pixels that a map shows an object in reach from these columns and rows to those, both included.</summary>
+/// <summary>The range of columns and rows in which a map shows an object, inclusive.</summary>
 /// <param name="Left">First column.</param>
 /// <param name="Top">First row.</param>
 /// <param name="Right">Last column.</param>
 /// <param name="Bottom">Last row.</param>
-/// <param name="Pixels">How many they are.</param>
+/// <param name="Pixels">Number of its pixels.</param>
 internal readonly record struct PixelExtent(int Left, int Top, int Right, int Bottom, int Pixels)
 {
-    /// <summary>The extent of a number; null when no pixel shows it.</summary>
+    /// <summary>The extent of a number; null if no pixel shows it.</summary>
     /// <param name="map">The map.</param>
     /// <param name="number">The number.</param>
-    /// <param name="within">Its silhouette, out of whose box it is never shown.</param>
+    /// <param name="within">Its silhouette; pixels outside its box are not searched.</param>
     public static PixelExtent? Of(InstanceMap map, ushort number, SilhouetteSpans within)
     {
         PixelExtent? extent = null;
@@ -34,7 +34,7 @@ internal readonly record struct PixelExtent(int Left, int Top, int Right, int Bo
         return extent;
     }
 
-    /// <summary>Pixels from a pixel to the end of a silhouette's box in a direction along rows or columns.</summary>
+    /// <summary>Distance in pixels from a pixel to the end of a silhouette's box in a direction along rows or columns.</summary>
     public static int Room(SilhouetteSpans within, (int Column, int Row) from, (int Column, int Row) outwards) => outwards switch
     {
         (0, < 0) => from.Row - within.FirstRow,
@@ -43,7 +43,7 @@ internal readonly record struct PixelExtent(int Left, int Top, int Right, int Bo
         _ => within.LastColumn - from.Column,
     };
 
-    /// <summary>The object's pixels on the side of the extent in a direction along rows or columns, in their order.</summary>
+    /// <summary>The object's pixels on one side of the extent, in order; the direction is along rows or columns.</summary>
     public List<(int Column, int Row)> Side(InstanceMap map, ushort number, (int Column, int Row) outwards)
     {
         (int left, int top, int right, int bottom) = outwards switch

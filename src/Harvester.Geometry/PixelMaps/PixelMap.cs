@@ -4,12 +4,12 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.PixelMaps;
 
-/// <summary>Which pixels of an image belong to an object: Algorithm 4's result. Maps of one image size combine with OR.</summary>
+/// <summary>The pixels of an image that belong to an object: the result of Algorithm 4. Maps of one image size combine with OR.</summary>
 public sealed class PixelMap
 {
     private readonly BitArray _bits;
 
-    /// <summary>Makes an empty map.</summary>
+    /// <summary>Creates an empty map.</summary>
     public PixelMap(ImageSize image)
     {
         Image = image;
@@ -35,8 +35,8 @@ public sealed class PixelMap
         }
     }
 
-    /// <summary>The map of pixels that belong to this object or another.</summary>
-    /// <exception cref="ArgumentException">The maps are of different image sizes.</exception>
+    /// <summary>The pixels that belong to this object or another.</summary>
+    /// <exception cref="ArgumentException">The maps have different image sizes.</exception>
     public PixelMap Or(PixelMap other)
     {
         if (Guard.NotNull(other, nameof(other)).Image != Image)

@@ -1,34 +1,31 @@
 namespace Harvester.Geometry.PixelMaps;
 
-/// <summary>
-/// What an adaptive pixel map may cost and how exact it shall be. The defaults are those of docs/pixel-maps.md's figures.
-/// </summary>
+/// <summary>Cost and accuracy of an adaptive pixel map. The figures in docs/pixel-maps.md are measured with the defaults.</summary>
 public sealed record PixelMapOptions
 {
-    /// <summary>The greatest number of rays; at least 0. The map is finished without further rays when it is reached.</summary>
+    /// <summary>Maximum number of rays; at least 0. When it is reached, the map is finished without further rays.</summary>
     public int RayBudget { get; init; } = int.MaxValue;
 
-    /// <summary>Side of the cells that the map starts from, pixels; at least 2.</summary>
+    /// <summary>Side of the initial cells, pixels; at least 2.</summary>
     public int CellSize { get; init; } = 32;
 
     /// <summary>
-    /// The error that may remain in one cell, as a share of the visible pixels of the smallest object in it; greater than 0.
+    /// Maximum error that may remain in one cell, as a fraction of the visible pixels of the smallest object in it; greater than 0.
     /// </summary>
     public double CellErrorFraction { get; init; } = 0.0005;
 
     /// <summary>
-    /// The greatest area of a cell across which an outline is taken to be straight, as a share of the visible pixels of the smallest object
+    /// Maximum area of a cell across which an outline is assumed to be straight, as a fraction of the visible pixels of the smallest object
     /// in it; greater than 0.
     /// </summary>
     public double StraightCellFraction { get; init; } = 0.027;
 
     /// <summary>
-    /// How large a part of an object, as a share of its visible pixels, stands around each place that is asked whether more of it shows;
-    /// greater than 0.
+    /// Area around each point of the search for missing parts, as a fraction of the object's visible pixels; greater than 0.
     /// </summary>
     public double UnsearchedFraction { get; init; } = 0.025;
 
-    /// <summary>Beyond this distance rays are known not to meet entities, which are not looked for; metres, greater than 0.</summary>
+    /// <summary>Distance beyond which rays hit no entities, metres; greater than 0. Entities beyond it are not searched for.</summary>
     public double RayReachMetres { get; init; } = double.PositiveInfinity;
 
     internal PixelMapOptions Checked()

@@ -5,13 +5,15 @@ using Harvester.Geometry.Visibility;
 
 namespace Harvester.Geometry.PixelMaps;
 
-/// <summary>What rays have told of an image so far. Each place is asked once; the answers are shared by all who need them.</summary>
+/// <summary>The samples of an image so far. Each point is sampled once; all users share the results.</summary>
 internal sealed class PixelSamples
 {
-    /// <summary>Places between pixel centres are told apart by eighths of a pixel.</summary>
+    /// <summary>Points between pixel centres are distinguished by eighths of a pixel.</summary>
     public const int Fine = 8;
 
-    private const int Unknown = -1;
+    /// <summary>The number of a pixel that is neither known nor taken for known.</summary>
+    public const int Unknown = -1;
+
     private readonly Camera _camera;
     private readonly IRayCaster _rays;
     private readonly int _ignoredEntity;
@@ -30,6 +32,7 @@ internal sealed class PixelSamples
         _known = new int[camera.Image.PixelCount];
         _distances = new float[_known.Length];
         _assumed = new bool[_known.Length];
+        Changes = new ChangeStamps(camera.Image);
         foreach (MapTarget target in targets)
         {
             _numbers[target.Entity] = target.Number;
@@ -38,14 +41,17 @@ internal sealed class PixelSamples
 
     public int RaysCast { get; private set; }
 
+    /// <summary>When what is known, or taken for known, last changed.</summary>
+    public ChangeStamps Changes { get; }
+
     /// <summary>Whether any ray has met the object with a number.</summary>
     public bool HasMet(int number) => _met.Contains(number);
 
     /// <summary>The number of pixels through whose centres a ray was cast.</summary>
     public int PixelsCast { get; private set; }
 
-    /// <summary>Lets the pixels of a silhouette's box be asked; all others are known to show nothing.</summary>
-    /// <returns>The number of pixels that could not be asked before.</returns>
+    /// <summary>Allows sampling the pixels of a silhouette's box; all others are known to show nothing.</summary>
+    /// <returns>The number of pixels that could not be sampled before.</returns>
     public int Open(SilhouetteSpans spans)
     {
         int opened = 0;
@@ -61,45 +67,90 @@ internal sealed class PixelSamples
         return opened;
     }
 
-    /// <summary>Whether a pixel's number is known or taken for known.</summary>
+    /// <summary>Whether a pixel's number is known or assumed.</summary>
     public bool IsKnown(int column, int row) => _known[Index(column, row)] != Unknown;
 
-    /// <summary>Whether a ray was cast through this pixel's centre.</summary>
-    public bool IsCast(int column, int row) => HasDistance(column, row) && !IsAssumed(column, row);
-
-    /// <summary>Whether the distance at this pixel is known or taken for known.</summary>
-    public bool HasDistance(int column, int row) => _distances[Index(column, row)] > 0;
-
-    /// <summary>Whether a pixel's number is taken from those around it, until it is asked.</summary>
-    public bool IsAssumed(int column, int row) => _assumed[Index(column, row)];
-
-    /// <summary>Whether a ray through this pixel's centre would tell something new.</summary>
-    public bool IsUnasked(int column, int row) => !IsKnown(column, row) || IsAssumed(column, row);
-
-    public bool IsUnasked(Place pixel) => IsUnasked(pixel.FineX / Fine, pixel.FineY / Fine);
+    /// <summary>Writes all that is known, or taken for known, into a map.</summary>
+    public void CopyKnownTo(InstanceMap map)
+    {
+        ushort[] ids = map.Ids;
+        for (int i = 0; i < ids.Length && i < _known.Length; i++)
+        {
+            int number = _known[i];
+            if (number != Unknown)
+            {
+                ids[i] = (ushort)number;
+            }
+        }
+    }
 
     /// <summary>
-    /// Takes the number of a pixel that is not known from those around it, and the distance, metres; 0 when that is not known.
+    /// Whether all distances that are known in a rectangle, both ends included, at pixels of a number are at most so great.
     /// </summary>
+    /// <returns>Null where none is known.</returns>
+    public bool? AreWithin(double distance, int number, (int Left, int Top, int Right, int Bottom) rectangle)
+    {
+        bool? areWithin = null;
+        for (int row = rectangle.Top; row <= rectangle.Bottom; row++)
+        {
+            int end = Index(rectangle.Right, row);
+            for (int i = Index(rectangle.Left, row); i <= end; i++)
+            {
+                if (_distances[i] > 0 && _known[i] == number)
+                {
+                    if (_distances[i] > distance)
+                    {
+                        return false;
+                    }
+
+                    areWithin = true;
+                }
+            }
+        }
+
+        return areWithin;
+    }
+
+    /// <summary>Whether a ray was cast through this pixel's centre.</summary>
+    public bool IsCast(int column, int row)
+    {
+        int index = Index(column, row);
+        return _distances[index] > 0 && !_assumed[index];
+    }
+
+    /// <summary>Whether the distance at this pixel is known or assumed.</summary>
+    public bool HasDistance(int column, int row) => _distances[Index(column, row)] > 0;
+
+    /// <summary>Whether a pixel's number is assumed from its surroundings, until it is sampled.</summary>
+    public bool IsAssumed(int column, int row) => _assumed[Index(column, row)];
+
+    /// <summary>Whether a ray through this pixel's centre would give new information.</summary>
+    public bool IsUnsampled(int column, int row) => !IsKnown(column, row) || IsAssumed(column, row);
+
+    public bool IsUnsampled(SubpixelPoint pixel) => IsUnsampled(pixel.FineX / Fine, pixel.FineY / Fine);
+
+    /// <summary>Assumes the number of an unknown pixel from its surroundings, and the distance, metres; 0 if that is unknown.</summary>
     public void Assume(int column, int row, int number, float distance = 0)
     {
+        Changes.Change(column, row);
         _distances[Index(column, row)] = distance;
         _known[Index(column, row)] = number;
         _assumed[Index(column, row)] = true;
     }
 
+    /// <summary>A pixel's number; <see cref="Unknown"/> where it is not known.</summary>
     public int Number(int column, int row) => _known[Index(column, row)];
 
-    /// <summary>The distance at a pixel, metres; infinite where there is nothing or it is not known.</summary>
+    /// <summary>The distance at a pixel, metres; infinite if nothing was hit or it is unknown.</summary>
     public float Distance(int column, int row)
     {
         float distance = _distances[Index(column, row)];
         return distance > 0 ? distance : float.PositiveInfinity;
     }
 
-    public int? NumberBetween(Place place) => _between.TryGetValue(Key(place), out int number) ? number : null;
+    public int? NumberBetween(SubpixelPoint place) => _between.TryGetValue(Key(place), out int number) ? number : null;
 
-    public void Cast(Place place)
+    public void Cast(SubpixelPoint place)
     {
         RayHit? hit = _rays.Cast(
             _camera.RayThrough(((double)place.FineX / Fine) + 0.5, ((double)place.FineY / Fine) + 0.5),
@@ -108,6 +159,9 @@ internal sealed class PixelSamples
         RaysCast++;
         int number = hit is { Entity: not RayHit.World } seen && _numbers.TryGetValue(seen.Entity, out ushort own) ? own : 0;
         _met.Add(number);
+
+        // A place between two pixels is on the borders of cells that have both.
+        Changes.Change(place.FineX / Fine, place.FineY / Fine);
         if (place.FineX % Fine == 0 && place.FineY % Fine == 0)
         {
             int index = Index(place.FineX / Fine, place.FineY / Fine);
@@ -122,7 +176,7 @@ internal sealed class PixelSamples
         }
     }
 
-    private static long Key(Place place) => ((long)place.FineY << 32) | (uint)place.FineX;
+    private static long Key(SubpixelPoint place) => ((long)place.FineY << 32) | (uint)place.FineX;
 
     private int Index(int column, int row) => (row * _camera.Image.Width) + column;
 }

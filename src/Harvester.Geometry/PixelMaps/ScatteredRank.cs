@@ -3,13 +3,13 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// An order of the pixels in which the first of them, however many, are scattered evenly: of those that rank below 1/2^k, exactly one
-/// lies in each rectangle of 2^k pixels whose sides are powers of 2 and that lies at multiples of them, be it a single row or column.
+/// An order of the pixels in which the first of them, however many, are scattered evenly: of those that rank below 1/2^k, exactly one lies
+/// in each rectangle of 2^k pixels whose sides are powers of 2 and that is aligned to multiples of them, even if it is a single row or
+/// column.
 /// </summary>
 /// <remarks>
-/// The Sobol sequence (1967) in its first two dimensions, a digital net in base 2, turned round: the number of the point in a pixel. Its
-/// dimensions are the reversal of the bits and Pascal's triangle modulo 2. Columns are mixed first, since otherwise diagonals would be
-/// empty.
+/// The inverse of the Sobol sequence (1967) in its first two dimensions, a digital net in base 2: the number of the point in a pixel. Its
+/// dimensions are the bit reversal and Pascal's triangle modulo 2. Columns are mixed first, since otherwise diagonals would be empty.
 /// </remarks>
 internal sealed class ScatteredRank
 {
@@ -39,7 +39,7 @@ internal sealed class ScatteredRank
         }
     }
 
-    /// <summary>The rank of a pixel, from 0 to below 1.</summary>
+    /// <summary>The rank of a pixel, at least 0 and below 1.</summary>
     public double Of(int column, int row) => (double)(_columns[column] ^ _rows[row]) / (1 << Bits);
 
     private static int Reversed(int value)
@@ -53,7 +53,7 @@ internal sealed class ScatteredRank
         return reversed;
     }
 
-    // Each bit becomes the sum of those whose numbers contain the bits of its own number.
+    // Each bit becomes the sum of those whose indices contain the bits of its own index.
     private static int Pascal(int value)
     {
         for (int step = 1; step < Bits; step *= 2)

@@ -5,22 +5,22 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// The first places to ask: a few in each silhouette, then the corners of the cells from coarse to fine. A corner outside all
-/// silhouettes is taken to show nothing, and one between coarser corners of one number is taken to be of that number when everything
-/// else there lies behind it, so that an object that fills the image costs few rays. Like all that is assumed, a corner is asked when
-/// a change of number is found right beside it.
+/// The first points to sample: a few in each silhouette, then the corners of the cells from coarse to fine. A corner outside all
+/// silhouettes is assumed to show nothing. One between coarser corners of one number is assumed to have that number if everything else
+/// there lies behind it, so that an object that fills the image costs few rays. Like every assumed pixel, a corner is sampled if a change
+/// of number is found next to it.
 /// </summary>
 internal sealed class SeedSamples(Camera camera, IReadOnlyList<TargetView> views, PixelSamples samples, CellGrid grid)
 {
-    /// <summary>Corners of this many cells apart are asked first, then of half as many, and so on.</summary>
+    /// <summary>Corners this many cells apart are sampled first, then at half the distance, and so on.</summary>
     private const int CoarsestStride = 4;
 
-    /// <summary>The places. What has been found at those before decides about each, so they are not to be listed in advance.</summary>
-    public IEnumerable<Place> InTurn()
+    /// <summary>The points. Each depends on what was found at those before, so they must be enumerated lazily.</summary>
+    public IEnumerable<SubpixelPoint> InTurn()
     {
         foreach (TargetView view in views)
         {
-            foreach (Place place in view.SeedSamples())
+            foreach (SubpixelPoint place in view.SeedSamples())
             {
                 yield return place;
             }
@@ -36,7 +36,7 @@ internal sealed class SeedSamples(Camera camera, IReadOnlyList<TargetView> views
                     (int column, int row) = (grid.Columns[c], grid.Rows[r]);
                     if (corners.Contains((column, row)) && !samples.IsKnown(column, row) && !Assume(c, r, stride))
                     {
-                        yield return Place.OfPixel(column, row);
+                        yield return SubpixelPoint.OfPixel(column, row);
                     }
                 }
             }
@@ -73,8 +73,7 @@ internal sealed class SeedSamples(Camera camera, IReadOnlyList<TargetView> views
             view.Target.Cuboid.Intersect(camera.RayThrough(column + 0.5, row + 0.5)) is not { } span || span.Entry > around.Farthest;
     }
 
-    // The number that all the coarser corners show that a corner lies between, and the greatest of their distances; null without such a
-    // number.
+    // The number that all coarser corners around a corner share, and the greatest of their distances; null if they differ.
     private (int Number, float Farthest)? Around(int c, int r, int stride)
     {
         int aside = c / stride % 2 * stride;

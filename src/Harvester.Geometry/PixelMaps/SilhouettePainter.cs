@@ -4,14 +4,14 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// The painter's algorithm on cuboids' silhouettes: the farthest first, nearer ones over it. It takes no rays, knows nothing of the
-/// world between the objects, and fills the gaps between a cuboid and the object in it.
+/// The painter's algorithm on cuboids' silhouettes: the farthest first, nearer ones over it. It needs no rays, ignores the world between
+/// the objects, and fills the gaps between a cuboid and the object in it.
 /// </summary>
 public static class SilhouettePainter
 {
     /// <summary>Paints targets by the distance of their cuboids' centres from the camera.</summary>
-    /// <param name="camera">The camera that the targets' projections are of.</param>
-    /// <param name="targets">What to paint, in any order.</param>
+    /// <param name="camera">The camera of the targets' projections.</param>
+    /// <param name="targets">The targets, in any order.</param>
     public static InstanceMap Paint(Camera camera, IReadOnlyList<MapTarget> targets)
     {
         var map = new InstanceMap(Guard.NotNull(camera, nameof(camera)).Image);

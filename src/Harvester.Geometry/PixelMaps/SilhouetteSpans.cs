@@ -5,8 +5,8 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// A convex silhouette as the pixels whose centres it covers: for each row the first and last column, for each column the first and
-/// last row. An empty span has its last before its first.
+/// A convex silhouette as the pixels whose centres it covers: for each row the first and last column, for each column the first and last
+/// row. The last of an empty span is less than its first.
 /// </summary>
 internal sealed class SilhouetteSpans
 {
@@ -41,13 +41,13 @@ internal sealed class SilhouetteSpans
 
     public int LastRow { get; }
 
-    /// <summary>The number of pixels in the image whose centres the silhouette covers.</summary>
+    /// <summary>Number of pixels in the image whose centres the silhouette covers.</summary>
     public int PixelCount { get; }
 
     public bool BoxMeets(MapCell cell) =>
         FirstColumn <= cell.Right && LastColumn >= cell.Left && FirstRow <= cell.Bottom && LastRow >= cell.Top;
 
-    /// <summary>The number of pixels that the silhouette shares with a cell.</summary>
+    /// <summary>Number of pixels that the silhouette shares with a cell.</summary>
     public int PixelsIn(MapCell cell)
     {
         int pixels = 0;

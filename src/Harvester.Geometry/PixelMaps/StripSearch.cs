@@ -3,16 +3,16 @@ using System;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// Follows strips through cells. What was met inside a cell and hardly shows on its border may be a strip that crosses it: where the
-/// straight ways from there along row and column leave the cell tells, the nearest first.
+/// Follows thin strips through cells. A number that was hit inside a cell but has few pixels on its border may be a strip that crosses the
+/// border: the search goes from the hit straight along its row and column to the border, the nearest side first.
 /// </summary>
 internal static class StripSearch
 {
-    /// <summary>A number of which the border shows no more pixels than this may be that of a strip.</summary>
+    /// <summary>Maximum number of border pixels of a number that may be a strip.</summary>
     private const int StripPixels = 3;
 
-    /// <summary>The next place on the border to ask, or null. The border's runs must have been collected.</summary>
-    public static Place? Wanted(CellBorder border, PixelSamples samples)
+    /// <summary>The next point on the border to sample, or null. The border's runs must have been collected.</summary>
+    public static SubpixelPoint? Wanted(CellBorder border, PixelSamples samples)
     {
         MapCell cell = border.Cell;
         for (int row = cell.Top + 1; row < cell.Bottom; row++)
@@ -30,7 +30,7 @@ internal static class StripSearch
         return null;
     }
 
-    private static Place? WayOut(MapCell cell, PixelSamples samples, int column, int row)
+    private static SubpixelPoint? WayOut(MapCell cell, PixelSamples samples, int column, int row)
     {
         (int Away, int Column, int Row)[] ways =
         [
@@ -40,8 +40,8 @@ internal static class StripSearch
             (cell.Right - column, cell.Right, row),
         ];
         Array.Sort(ways);
-        int unasked = Array.FindIndex(ways, way => samples.IsUnasked(way.Column, way.Row));
-        return unasked < 0 ? null : Place.OfPixel(ways[unasked].Column, ways[unasked].Row);
+        int unasked = Array.FindIndex(ways, way => samples.IsUnsampled(way.Column, way.Row));
+        return unasked < 0 ? null : SubpixelPoint.OfPixel(ways[unasked].Column, ways[unasked].Row);
     }
 
     private static bool HardlyShows(CellBorder border, int number)

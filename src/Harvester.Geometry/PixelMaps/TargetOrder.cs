@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Harvester.Geometry.PixelMaps;
 
-/// <summary>Puts targets in one order, so that the order in which they are given cannot matter, and refuses ambiguous ones.</summary>
+/// <summary>Sorts targets, so that the order in which they are given does not matter, and rejects ambiguous ones.</summary>
 internal static class TargetOrder
 {
     public static List<MapTarget> ByNumber(IReadOnlyList<MapTarget> targets)

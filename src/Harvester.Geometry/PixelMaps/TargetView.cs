@@ -3,13 +3,17 @@ using System.Collections.Generic;
 
 namespace Harvester.Geometry.PixelMaps;
 
-/// <summary>A target together with the pixels of its cuboid's silhouette and what is known of how much of it shows.</summary>
+/// <summary>A target with the pixels of its cuboid's silhouette and an estimate of how many are visible.</summary>
 internal sealed class TargetView
 {
-    /// <summary>From this many visible pixels on, an error counts by its share of them; smaller objects may be rougher.</summary>
+    /// <summary>
+    /// Minimum number of visible pixels from which errors count in proportion to them; smaller objects may be less accurate.
+    /// </summary>
     private const int SmallPixels = 230;
 
-    /// <summary>How much rougher a small object may be, and the visible pixels below which only being found matters.</summary>
+    /// <summary>
+    /// Factor on the error allowed for a small object, and the number of visible pixels below which it only has to be found.
+    /// </summary>
     private const double SmallAllowance = 3;
     private const double TinyPixels = 400;
 
@@ -25,25 +29,25 @@ internal sealed class TargetView
 
     public SilhouetteSpans Spans { get; }
 
-    /// <summary>The visible pixels of which errors are counted as shares: more than there are for small objects.</summary>
+    /// <summary>The number of visible pixels relative to which errors count; for small objects more than there are.</summary>
     public double CountedPixels { get; private set; } = 1;
 
-    /// <summary>What one wrong pixel counts.</summary>
+    /// <summary>The weight of one wrong pixel.</summary>
     public double Weight => 1 / CountedPixels;
 
-    /// <summary>The first pixels to ask: the middle of the silhouette and a few spread over it.</summary>
-    public IEnumerable<Place> SeedSamples()
+    /// <summary>The first pixels to sample: the middle of the silhouette and a few spread over it.</summary>
+    public IEnumerable<SubpixelPoint> SeedSamples()
     {
         for (int i = 0; i <= Seeds; i++)
         {
             if (SpreadPixel(i) is { } pixel)
             {
-                yield return Place.OfPixel(pixel.Column, pixel.Row);
+                yield return SubpixelPoint.OfPixel(pixel.Column, pixel.Row);
             }
         }
     }
 
-    /// <summary>A pixel of the silhouette: number 0 in its middle row, the others spread evenly. Null where the row has none.</summary>
+    /// <summary>A pixel of the silhouette: number 0 in its middle row, the others spread evenly. Null if the row has none.</summary>
     public (int Column, int Row)? SpreadPixel(int number)
     {
         int row = Spans.FirstRow + (int)((Spans.LastRow - Spans.FirstRow + 1) * Fraction(0.5 + (number * R2Sequence.First)));
@@ -51,7 +55,7 @@ internal sealed class TargetView
         return first <= last ? (first + (int)((last - first + 1) * Fraction(0.5 + (number * R2Sequence.Second))), row) : null;
     }
 
-    /// <summary>Estimates the visible pixels from the share of the rays through the silhouette that met the object.</summary>
+    /// <summary>Estimates the visible pixels from the fraction of the rays through the silhouette that hit the object.</summary>
     public void EstimateVisible(PixelSamples samples)
     {
         int asked = 0;
@@ -69,7 +73,7 @@ internal sealed class TargetView
             }
         }
 
-        // A third of a ray is added for what no ray happened to meet.
+        // A third of a ray is added for visible parts that no ray happened to hit.
         SetVisible(Spans.PixelCount * (met + 0.3) / (asked + 1));
     }
 

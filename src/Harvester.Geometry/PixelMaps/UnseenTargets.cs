@@ -5,8 +5,8 @@ using Harvester.Geometry.Visibility;
 namespace Harvester.Geometry.PixelMaps;
 
 /// <summary>
-/// Tells the objects that a map shows nothing of apart: those that are hidden, or out of the image, from those that rays do not meet. Where
-/// rays through the silhouette were all stopped before the cuboid the object is hidden; otherwise rays that start at the cuboid decide.
+/// Classifies the objects without a pixel in a map: those that are hidden or outside the image, and those that rays do not hit. If all rays
+/// through the silhouette were stopped in front of the cuboid, the object is hidden; otherwise rays that start at the cuboid decide.
 /// </summary>
 internal sealed class UnseenTargets
 {
@@ -16,11 +16,11 @@ internal sealed class UnseenTargets
     public UnseenTargets(
         Camera camera, IReadOnlyList<TargetView> views, PixelSamples samples, InstanceMap map, int ignoredEntity, IRayCaster rays)
     {
-        var shown = new HashSet<ushort>(map.Ids);
+        int[] shown = map.PixelCounts();
         foreach (TargetView view in views)
         {
             ushort number = view.Target.Number;
-            if (shown.Contains(number))
+            if (shown[number] > 0)
             {
                 continue;
             }
@@ -38,11 +38,11 @@ internal sealed class UnseenTargets
 
     public int RaysCast { get; private set; }
 
-    /// <summary>What is known of an object that the map shows nothing of; not asked while rays for it are left to cast.</summary>
+    /// <summary>What is known of an object without a pixel in the map; not asked while rays for it are left to cast.</summary>
     public Sight SightOf(ushort number) => _sights.TryGetValue(number, out Sight sight) ? sight : Sight.NotAsked;
 
     /// <summary>Casts one ray.</summary>
-    /// <returns>False when none is left.</returns>
+    /// <returns>False if no ray is left to cast.</returns>
     public bool Step()
     {
         while (_open.Count > 0)

@@ -4,31 +4,31 @@ using System.Collections.Generic;
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
-/// Tells the width of a link's lanes from points on the edges of the road, if these prove themselves. What the game means by the
-/// edge that it gives is not documented, so nothing is taken for granted: the points must lie on both sides of the link, square to it,
-/// each side told at least twice, and all must give the same plausible width.
+/// Derives the width of a link's lanes from points on the edges of the road, if these are consistent. What the game means by the edge that
+/// it reports is undocumented, so nothing is assumed: the points must lie on both sides of the link, perpendicular to it, each side
+/// reported at least twice, and all must give the same plausible width.
 /// </summary>
 internal static class EdgeEvidence
 {
-    /// <summary>Widths lie between these, metres; others come from an edge of something else.</summary>
+    /// <summary>Minimum plausible width, metres. Widths outside the range come from an edge of something else.</summary>
     private const double MinLaneWidth = 3;
     private const double MaxLaneWidth = 7;
 
     /// <summary>
-    /// Tangent of the angle, 11 degrees, by which a point may miss the square to its link: camber, and the start of a bend.
+    /// Tangent of the maximum deviation of a point from the perpendicular to its link, 11 degrees: camber, and the start of a bend.
     /// </summary>
     private const double MaxSlant = 0.2;
 
-    /// <summary>By how much widths of one link may differ, metres: more would show in labels.</summary>
+    /// <summary>Maximum difference of the widths of one link, metres: a larger one would show in labels.</summary>
     private const double MaxDisagreement = 0.2;
 
-    /// <summary>How often each side has to be told.</summary>
+    /// <summary>Minimum number of points on each side.</summary>
     private const int MinAnswers = 2;
 
-    /// <summary>The width of a link's lanes, metres; null when the points do not prove one.</summary>
+    /// <summary>The width of a link's lanes, metres; null if the points do not establish one.</summary>
     /// <param name="network">The roads.</param>
     /// <param name="link">The link.</param>
-    /// <param name="edges">What was told of its edges; a single point that cannot be one throws doubt on all.</param>
+    /// <param name="edges">The reported edge points; a single implausible one invalidates all.</param>
     public static double? LaneWidth(RoadNetwork network, RoadLink link, IReadOnlyList<RoadEdge> edges)
     {
         Vector3D start = network.Nodes[link.From].Position;
@@ -65,7 +65,7 @@ internal static class EdgeEvidence
     }
 
     /// <summary>
-    /// The width by the rule of <see cref="RoadGeometry"/> when an edge lies at an offset; infinite on a side without lanes.
+    /// The width by the rule of <see cref="RoadGeometry"/> if an edge lies at an offset; infinite on a side without lanes.
     /// </summary>
     private static double LaneWidth(RoadLink link, double offset) => link.IsOneWay
         ? 2 * Math.Abs(offset) / (link.LanesForward + link.LanesBackward)

@@ -5,27 +5,25 @@ using System.Linq;
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
-/// How far junctions reach along the links that meet in them. A junction is a node where more than two drivable links meet, or that
-/// the path data calls so. Along each link it reaches to where the edge of the carriageway leaves those of its neighbours, and on by
-/// the room for corners and stop lines; where a link is shorter than that, on along the link that continues it.
+/// The extents of junctions along the links that meet in them. A junction is a node where more than two drivable links meet, or that the
+/// path data marks as one. Along each link it extends to where the edge of the carriageway meets those of its neighbours, plus room for
+/// corners and stop lines; if a link is shorter than that, the junction extends along the link that continues it.
 /// </summary>
 public sealed class JunctionExtents
 {
-    /// <summary>Between the crossing of the edges and the first place with lanes of its own, metres: the radius of a corner.</summary>
+    /// <summary>Distance from the crossing of the edges to the first point with lanes of its own, metres: the radius of a corner.</summary>
     private const double CornerRoom = 1.5;
 
-    /// <summary>Roads that part at so small an angle that their edges never cross: a junction reaches no further, metres.</summary>
-    private const double Furthest = 30;
-
     /// <summary>
-    /// Roads that meet at a smaller angle than this merge or go on in one another, and do not cross, radians: 35 degrees.
+    /// Maximum extent of a junction, metres. It limits roads that part at so small an angle that their edges never cross.
     /// </summary>
+    private const double MaxReach = 30;
+
+    /// <summary>Roads that meet at a smaller angle than this merge or continue each other and do not cross, radians: 35 degrees.</summary>
     private const double MergingAngle = 0.6;
 
-    /// <summary>
-    /// The greatest length of a link between two carriageways, metres: enough to cross a median and two lanes at an angle.
-    /// </summary>
-    private const double MaxTie = 40;
+    /// <summary>Maximum length of a link between two carriageways, metres: enough to cross a median and two lanes at an angle.</summary>
+    private const double MaxCrossoverLength = 40;
 
     private readonly RoadCurves _curves;
     private readonly RoadNetwork _network;
@@ -33,9 +31,9 @@ public sealed class JunctionExtents
     private readonly double[] _fromStart;
     private readonly double[] _fromEnd;
 
-    /// <summary>Measures the junctions of a network.</summary>
+    /// <summary>Computes the junctions of a network.</summary>
     /// <param name="curves">The centre lines.</param>
-    /// <param name="lanes">How wide the roads are.</param>
+    /// <param name="lanes">The widths of the roads.</param>
     public JunctionExtents(RoadCurves curves, LaneModel lanes)
     {
         _curves = Guard.NotNull(curves, nameof(curves));
@@ -46,7 +44,7 @@ public sealed class JunctionExtents
         for (int node = 0; node < _network.Nodes.Count; node++)
         {
             List<int> arms = DrivableAt(_network, node);
-            List<int> roads = [.. arms.Where(arm => !IsTie(arm))];
+            List<int> roads = [.. arms.Where(arm => !IsCrossover(arm))];
             if (IsJunction(_network, node, roads.Count))
             {
                 foreach (int road in roads)
@@ -68,13 +66,13 @@ public sealed class JunctionExtents
     public static bool IsJunction(RoadNetwork network, int node) => IsJunction(network, node, DrivableAt(network, node).Count);
 
     /// <summary>
-    /// How far junctions reach into a link from its start and from its end, metres; 0 where there is none, more than its length where it
-    /// lies in one.
+    /// The extents of the junctions at the start and at the end of a link, metres; 0 if there is no junction, more than the link's length
+    /// if it lies within one.
     /// </summary>
     /// <param name="link">Index of the link.</param>
     public (double FromStart, double FromEnd) Of(int link) => (_fromStart[link], _fromEnd[link]);
 
-    /// <summary>Whether a place on a link lies in a junction.</summary>
+    /// <summary>Whether a point on a link lies in a junction.</summary>
     /// <param name="link">Index of the link.</param>
     /// <param name="station">Metres from the link's start.</param>
     public bool Contains(int link, double station) =>
@@ -98,19 +96,20 @@ public sealed class JunctionExtents
     }
 
     /// <summary>
-    /// Whether a link only ties two carriageways that run side by side, so that cars can change over: roads that go on there have their
-    /// lanes beside it. It lies between lanes itself, and counts as a junction from end to end.
+    /// Whether a link only connects two carriageways that run side by side, so that cars can change over: roads that continue there have
+    /// their lanes beside it. It lies between lanes itself, and counts as a junction from end to end.
     /// </summary>
-    private bool IsTie(int link)
+    private bool IsCrossover(int link)
     {
         RoadLink road = _network.Links[link];
-        return _curves.Of(link).Length <= MaxTie
+        return _curves.Of(link).Length <= MaxCrossoverLength
             && DirectionThrough(road.From, link) is { } here && DirectionThrough(road.To, link) is { } there
             && Math.Abs(here.Cross(there)) < Math.Sin(MergingAngle);
     }
 
     /// <summary>
-    /// The direction of the road that goes on through a node past a link; null where none does, or the path data calls the node a junction.
+    /// The direction of the road that continues through a node past a link; null if none does, or the path data marks the node as a
+    /// junction.
     /// </summary>
     private Vector2D? DirectionThrough(int node, int link)
     {
@@ -129,7 +128,7 @@ public sealed class JunctionExtents
         return null;
     }
 
-    /// <summary>Marks the first metres of a road that leaves a junction; beyond the end of a link the road's next one.</summary>
+    /// <summary>Marks the first metres of a road that leaves a junction, and beyond the end of a link those of the next one.</summary>
     private void Cover(int node, int link, double reach)
     {
         while (true)
@@ -148,14 +147,14 @@ public sealed class JunctionExtents
     }
 
     /// <summary>
-    /// Where the last corner of a link with a neighbour lies, metres along it: two edges that lie a and b beside lines which part at an
-    /// angle t cross (b + a cos t) / sin t from the lines' common point.
+    /// The last corner of a link with a neighbour, metres along it: two edges a and b beside lines that part at an angle t cross (b + a cos
+    /// t) / sin t from the lines' common point.
     /// </summary>
     private double Reach(int node, int link, List<int> arms)
     {
         Vector2D along = Outward(node, link);
         bool goesOn = GoesOn(node, link);
-        double furthest = 0;
+        double reach = 0;
         foreach (int other in arms)
         {
             Vector2D beside = Outward(node, other);
@@ -169,13 +168,13 @@ public sealed class JunctionExtents
             bool isOnLeft = angle > 0;
             double sine = Math.Sin(Math.Abs(angle));
             double corner = Edge(node, other, onLeft: !isOnLeft) + (Edge(node, link, isOnLeft) * Math.Cos(angle));
-            furthest = Math.Max(furthest, CornerRoom + (corner < Furthest * sine ? corner / sine : Furthest));
+            reach = Math.Max(reach, CornerRoom + (corner < MaxReach * sine ? corner / sine : MaxReach));
         }
 
-        return furthest;
+        return reach;
     }
 
-    /// <summary>Whether a road goes on through a node with the lanes that it has: those of a road that merges end there instead.</summary>
+    /// <summary>Whether a road continues through a node with its lanes; the lanes of a road that merges end there instead.</summary>
     private bool GoesOn(int node, int link)
     {
         RoadLink road = _network.Links[link].To == node ? _network.Links[link] : _network.Links[link].Reversed();
@@ -198,7 +197,7 @@ public sealed class JunctionExtents
         return _curves.Of(link).DirectionAt(isStart ? 0 : 1) * (isStart ? 1 : -1);
     }
 
-    /// <summary>How far an edge of a link's carriageway lies beside its line, looking away from a node, metres.</summary>
+    /// <summary>Distance of an edge of a link's carriageway from its line, looking away from a node, metres.</summary>
     private double Edge(int node, int link, bool onLeft)
     {
         bool looksForward = _network.Links[link].From == node;

@@ -4,9 +4,9 @@ using System.Linq;
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
-/// How wide the lanes of each road are and where they begin: calibrated by the edges of the road where a game tells them and they
-/// prove themselves, and by constants that can be chosen elsewhere. An edge proves a width when both edges of the link were told
-/// twice, lie square to it on either side, and all give the same width between 3 and 7 m. It does not change once made.
+/// The width of the lanes of each road and where they begin: calibrated by the edges of the road where a game reports them consistently,
+/// and otherwise by constants that can be chosen. Edges establish a width if both edges of the link were reported twice, lie perpendicular
+/// to it on either side, and all give the same width between 3 and 7 m. Immutable.
 /// </summary>
 public sealed class LaneModel
 {
@@ -15,7 +15,7 @@ public sealed class LaneModel
     private readonly double _narrowLaneWidth;
     private readonly Dictionary<int, double> _calibrated = [];
 
-    /// <summary>Makes a model.</summary>
+    /// <summary>Creates a model.</summary>
     /// <param name="network">The roads.</param>
     /// <param name="laneWidth">Width of the lanes of an ordinary road, metres; greater than 0.</param>
     /// <param name="narrowLaneWidth">Width of the lanes of a narrow road, metres; greater than 0.</param>
@@ -33,7 +33,7 @@ public sealed class LaneModel
         }
     }
 
-    /// <summary>Width of a link's lanes, metres, and where it comes from.</summary>
+    /// <summary>Width of a link's lanes, metres, and its source.</summary>
     /// <param name="link">Index of the link.</param>
     public (double Width, LaneWidthSource Source) WidthOf(int link)
     {
@@ -47,10 +47,10 @@ public sealed class LaneModel
             : (_laneWidth, LaneWidthSource.Constant);
     }
 
-    /// <summary>The lanes of one direction of a link, and where the leftmost begins.</summary>
+    /// <summary>The lanes of one direction of a link, and the left edge of the leftmost.</summary>
     /// <param name="link">Index of the link.</param>
-    /// <param name="isForward">From start to end; otherwise from end to start.</param>
-    /// <returns>The lanes and the offset of their left edge, metres to the right of the line in that direction; null without
+    /// <param name="isForward">True for the direction from start to end, false for the opposite one.</param>
+    /// <returns>The lanes and the offset of their left edge, metres to the right of the line in that direction; null if there are no
     /// lanes.</returns>
     public (LaneSection Section, double LeftEdge)? LanesOf(int link, bool isForward)
     {

@@ -6,9 +6,9 @@ public enum LaneWidthSource
     /// <summary>The constant of ordinary roads.</summary>
     Constant,
 
-    /// <summary>The constant of roads that the path data calls narrow.</summary>
+    /// <summary>The constant of roads that the path data marks as narrow.</summary>
     NarrowConstant,
 
-    /// <summary>Proven by the edges of this road that the game told.</summary>
+    /// <summary>Derived from the edges of this road that the game reported.</summary>
     Calibrated,
 }

@@ -3,10 +3,9 @@ using System.Collections.Generic;
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
-/// The database of nodes that the thesis proposes: every node once for each direction in which cars leave it, and for each in which
-/// they arrive where no road goes on. Directions are the tangents of the smooth centre lines. The confidence is a grade, not a
-/// probability: 1 for a calibrated width and 0.8 for a constant, times 0.8 where a two-way road's median is not known, times 0.5 at
-/// a junction.
+/// The database of nodes that the thesis proposes: every node once for each direction in which cars leave it, and for each in which they
+/// arrive where no road continues. Directions are the tangents of the smooth centre lines. The confidence is a grade, not a probability: 1
+/// for a calibrated width and 0.8 for a constant, times 0.8 if a two-way road's median is unknown, times 0.5 at a junction.
 /// </summary>
 public sealed class NodeDatabase
 {
@@ -17,16 +16,16 @@ public sealed class NodeDatabase
     private readonly RoadCurves _curves;
     private readonly LaneModel _lanes;
 
-    /// <summary>Prepares the database.</summary>
+    /// <summary>Creates the database.</summary>
     /// <param name="curves">The centre lines.</param>
-    /// <param name="lanes">How wide the lanes are.</param>
+    /// <param name="lanes">The widths of the lanes.</param>
     public NodeDatabase(RoadCurves curves, LaneModel lanes)
     {
         _curves = Guard.NotNull(curves, nameof(curves));
         _lanes = Guard.NotNull(lanes, nameof(lanes));
     }
 
-    /// <summary>The entries in the order of the nodes, and of the links at each.</summary>
+    /// <summary>The entries in the order of the nodes, and at each node in the order of its links.</summary>
     public IEnumerable<NodeDatabaseEntry> Entries()
     {
         RoadNetwork network = _curves.Network;

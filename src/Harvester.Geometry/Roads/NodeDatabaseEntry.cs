@@ -1,8 +1,8 @@
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
-/// What the thesis's node database (its Figure 22) says of a road node, looked at in one direction of travel, with what one needs
-/// to know to use it. A side's road begins at the point nearest to the node and ends at the outer edge.
+/// A row of the thesis's node database (its Figure 22): a road node seen in one direction of travel, with further columns needed to use it.
+/// The road on a side begins at the point nearest to the node and ends at the outer edge.
 /// </summary>
 public sealed record NodeDatabaseEntry
 {
@@ -10,7 +10,7 @@ public sealed record NodeDatabaseEntry
     public required int Node { get; init; }
 
     /// <summary>
-    /// The game's number of the node: number within the cell * 65536 + cell + 1; null where the source of the roads does not have it.
+    /// The game's number of the node: number within the cell * 65536 + cell + 1; null if the source of the roads lacks it.
     /// </summary>
     public required long? NodeId { get; init; }
 
@@ -47,10 +47,10 @@ public sealed record NodeDatabaseEntry
     /// <summary>Where the width comes from.</summary>
     public required LaneWidthSource LaneWidthSource { get; init; }
 
-    /// <summary>Width of the median, metres; null where the source does not say, and the edges are as without one.</summary>
+    /// <summary>Width of the median, metres; null if the source does not give it. The edges are then computed without a median.</summary>
     public required double? MedianWidth { get; init; }
 
-    /// <summary>A grade from 0 to 1 of how far the edges can be trusted; see <see cref="NodeDatabase"/>.</summary>
+    /// <summary>A grade from 0 to 1 of how reliable the edges are; see <see cref="NodeDatabase"/>.</summary>
     public required double Confidence { get; init; }
 
     /// <summary>Whether the node is a junction, where lanes are not defined.</summary>

@@ -3,17 +3,17 @@ using System;
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
-/// The meaning of the bits in which the game's path files store nodes and links, as public tools have found it out. The same bits
-/// lie in the game's memory.
+/// The meaning of the bits with which the game's path files store nodes and links, as documented by public tools. The game's memory has the
+/// same bits.
 /// </summary>
 public static class PathBits
 {
-    /// <summary>The median that stands for "not said": all four bits set.</summary>
+    /// <summary>The value of an unspecified median: all four bits set.</summary>
     private const int UnknownMedian = 15;
 
-    /// <summary>What the bytes of a node say.</summary>
-    /// <param name="flags">The six bytes in their order; only the lowest 8 bits of each count.</param>
-    /// <exception cref="ArgumentException">There are not six.</exception>
+    /// <summary>Decodes the bytes of a node.</summary>
+    /// <param name="flags">The six bytes in order; only the lowest 8 bits of each count.</param>
+    /// <exception cref="ArgumentException">There are not exactly six.</exception>
     public static RoadNodeFlags NodeFlags(params int[] flags)
     {
         if (Guard.NotNull(flags, nameof(flags)).Length != 6)
@@ -39,14 +39,14 @@ public static class PathBits
             | When(flags[4], 128, RoadNodeFlags.LeftTurnsOnly);
     }
 
-    /// <summary>How fast traffic drives at a node, from its last byte.</summary>
+    /// <summary>The speed of traffic at a node, from its last byte.</summary>
     public static RoadSpeed SpeedOf(int flags5) => (RoadSpeed)((flags5 >> 1) & 3);
 
-    /// <summary>How dense traffic is at a node, 0 to 15, from its fifth byte.</summary>
+    /// <summary>The density of traffic at a node, 0 to 15, from its fifth byte.</summary>
     public static int DensityOf(int flags4) => flags4 & 15;
 
     /// <summary>
-    /// The flag of a node's kind, which text files give as a number; <see cref="RoadNodeFlags.None"/> for kinds without a known meaning.
+    /// The flag of a node's kind, which text files give as a number; <see cref="RoadNodeFlags.None"/> for kinds of unknown meaning.
     /// </summary>
     public static RoadNodeFlags FlagsOfSpecial(int special) => special switch
     {
@@ -62,7 +62,7 @@ public static class PathBits
         _ => RoadNodeFlags.None,
     };
 
-    /// <summary>What the bits mean that the game's GET_VEHICLE_NODE_PROPERTIES returns.</summary>
+    /// <summary>Decodes the bits that the game's GET_VEHICLE_NODE_PROPERTIES returns.</summary>
     public static RoadNodeFlags FlagsOfProperties(int properties) =>
         When(properties, 1, RoadNodeFlags.OffRoad)
         | When(properties, 4, RoadNodeFlags.NoBigVehicles)
@@ -76,9 +76,9 @@ public static class PathBits
         | When(properties, 1024, RoadNodeFlags.Water)
         | When(properties, 2048, RoadNodeFlags.NoGps);
 
-    /// <summary>The link that the bits of one stored at its first node describe.</summary>
+    /// <summary>Decodes a link stored at its first node.</summary>
     /// <param name="from">Index of the node that stores it.</param>
-    /// <param name="to">Index of the node where it leads.</param>
+    /// <param name="to">Index of the node to which it leads.</param>
     /// <param name="bits">Its three bytes of flags as one number, the first byte lowest; higher bits are ignored.</param>
     public static RoadLink Link(int from, int to, int bits)
     {

@@ -4,25 +4,25 @@ using System.Collections.Generic;
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
-/// Which link a road goes on with beyond each of a link's nodes. Where two drivable links meet they go on with each other; where
-/// more meet, those pairs that bend least. A pair is mutual, and it can be driven through in at least one direction.
+/// The link that continues a road beyond each of a link's nodes. Where two drivable links meet, they continue each other; where more meet,
+/// those pairs that bend least. A pair is mutual, and it can be driven through in at least one direction.
 /// </summary>
 public sealed class RoadContinuations
 {
-    /// <summary>What <see cref="Of"/> gives where the road ends or nothing continues it.</summary>
+    /// <summary>The value of <see cref="Of"/> if the road ends or nothing continues it.</summary>
     public const int None = -1;
 
-    /// <summary>Nodes of these kinds carry no road for cars.</summary>
+    /// <summary>Nodes of these kinds are not on a road for cars.</summary>
     private const RoadNodeFlags OffTheRoad = RoadNodeFlags.PedestrianCrossing | RoadNodeFlags.PedestrianCrossingWithoutWait
         | RoadNodeFlags.PedestrianAssisted | RoadNodeFlags.Water;
 
-    /// <summary>Where two links meet alone, a sharper bend than this is a turning back, radians.</summary>
-    private const double SharpestBend = 2.0;
+    /// <summary>If only two links meet, a sharper bend than this is a U-turn, radians.</summary>
+    private const double MaxBend = 2.0;
 
-    /// <summary>Where more than two meet, a sharper bend than this is a turn into another road, radians.</summary>
-    private const double SharpestBendAtJunction = 0.7;
+    /// <summary>If more than two meet, a sharper bend than this is a turn into another road, radians.</summary>
+    private const double MaxBendAtJunction = 0.7;
 
-    /// <summary>A change of the lanes counts as much as this bend when pairs compete, radians.</summary>
+    /// <summary>The penalty of a change of lanes when pairs compete, as an angle, radians.</summary>
     private const double BendOfChangedLanes = 0.3;
 
     private readonly RoadNetwork _network;
@@ -47,17 +47,15 @@ public sealed class RoadContinuations
         }
     }
 
-    /// <summary>
-    /// Whether cars drive a link along its own line: it has lanes, is no short cut, and none of its ends is off the road.
-    /// </summary>
+    /// <summary>Whether cars drive a link along its own line: it has lanes, is no shortcut, and both its ends are on the road.</summary>
     public static bool IsDrivable(RoadNetwork network, RoadLink link) =>
         Guard.NotNull(link, nameof(link)).LanesForward + link.LanesBackward > 0
         && (link.Flags & (RoadLinkFlags.Shortcut | RoadLinkFlags.DontUseForNavigation)) == 0
         && ((Guard.NotNull(network, nameof(network)).Nodes[link.From].Flags | network.Nodes[link.To].Flags) & OffTheRoad) == 0;
 
-    /// <summary>The link that a road goes on with, or <see cref="None"/>.</summary>
+    /// <summary>The link that continues a road, or <see cref="None"/>.</summary>
     /// <param name="link">Index of the link.</param>
-    /// <param name="beyondEnd">Beyond its end; otherwise beyond its start.</param>
+    /// <param name="beyondEnd">True beyond its end, false beyond its start.</param>
     public int Of(int link, bool beyondEnd) => beyondEnd ? _atEnd[link] : _atStart[link];
 
     private void PairAt(int node)
@@ -72,7 +70,7 @@ public sealed class RoadContinuations
         }
 
         var pairs = new List<(double Cost, int A, int B)>();
-        double sharpest = drivable.Count == 2 ? SharpestBend : SharpestBendAtJunction;
+        double sharpest = drivable.Count == 2 ? MaxBend : MaxBendAtJunction;
         for (int i = 0; i < drivable.Count; i++)
         {
             for (int j = i + 1; j < drivable.Count; j++)

@@ -3,18 +3,18 @@ using System;
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
-/// The centre line of one link: a cubic Hermite curve on the ground from its start to its end, with the height between the two
-/// nodes in proportion. Its parameter runs from 0 to 1; stations are arc lengths on the ground, metres from the start.
+/// The centre line of one link: a cubic Hermite curve on the ground from its start to its end, with the height interpolated linearly
+/// between the two nodes. Its parameter runs from 0 to 1; stations are arc lengths on the ground, metres from the start.
 /// </summary>
 public sealed class RoadCurve
 {
-    /// <summary>Pieces in which the arc length is tabulated; each is a fraction of a link of some ten metres.</summary>
+    /// <summary>Number of pieces in which the arc length is tabulated.</summary>
     private const int Pieces = 8;
 
-    /// <summary>Steps of Newton's method after which the closest point no longer moves by a millimetre on links of the game.</summary>
+    /// <summary>Newton steps after which the closest point moves by less than a millimetre on links of the game.</summary>
     private const int NewtonSteps = 5;
 
-    /// <summary>The arc length and the point in its middle are numerical; they are better than this fraction.</summary>
+    /// <summary>Relative error bound of the numerical arc length and of the point in its middle.</summary>
     private const double ArcTolerance = 0.01;
 
     private readonly Vector2D _start;
@@ -27,11 +27,11 @@ public sealed class RoadCurve
     private readonly double _radius;
     private readonly double[] _stations = new double[Pieces + 1];
 
-    /// <summary>Makes the curve between two nodes with unit directions on the ground at both.</summary>
+    /// <summary>Creates the curve between two nodes with unit directions on the ground at both.</summary>
     /// <param name="start">Metres, world.</param>
     /// <param name="end">Metres, world.</param>
     /// <param name="startDirection">Unit vector of the road's direction at the start.</param>
-    /// <param name="endDirection">The same at the end.</param>
+    /// <param name="endDirection">Unit vector of the road's direction at the end.</param>
     internal RoadCurve(Vector3D start, Vector3D end, Vector2D startDirection, Vector2D endDirection)
     {
         _start = new Vector2D(start.X, start.Y);
@@ -39,7 +39,7 @@ public sealed class RoadCurve
         _startHeight = start.Z;
         _endHeight = end.Z;
 
-        // With this length of the end tangents the cubic follows a circle through both ends best: 2 chord / (1 + cos(bend / 2)).
+        // With end tangents of this length, the cubic best follows a circle through both ends: 2 chord / (1 + cos(bend / 2)).
         double halfBend = Math.Abs(Math.Atan2(startDirection.Cross(endDirection), startDirection.Dot(endDirection))) / 2;
         double length = 2 * (_end - _start).Length / (1 + Math.Cos(halfBend));
         _startTangent = startDirection * length;
@@ -50,7 +50,7 @@ public sealed class RoadCurve
             _stations[i] = _stations[i - 1] + LengthBetween((i - 1) / (double)Pieces, i / (double)Pieces);
         }
 
-        // No point of the curve is further from its middle along the arc than half its length.
+        // No point of the curve is farther than half its length from its middle along the arc.
         _middle = GroundAt(ParameterAt(Length / 2));
         _radius = Length / 2 * (1 + ArcTolerance);
     }
@@ -65,7 +65,7 @@ public sealed class RoadCurve
         return new Vector3D(ground.X, ground.Y, HeightAt(parameter));
     }
 
-    /// <summary>Unit vector of the direction on the ground, from start to end; the chord's where the curve stands still.</summary>
+    /// <summary>Unit vector of the direction on the ground, from start to end; the chord's if the derivative is zero.</summary>
     public Vector2D DirectionAt(double parameter)
     {
         Vector2D velocity = VelocityAt(parameter);
@@ -79,7 +79,7 @@ public sealed class RoadCurve
         return chord.Length > 0 ? chord * (1 / chord.Length) : new Vector2D(0, 1);
     }
 
-    /// <summary>Curvature on the ground, 1/metres; positive where the road turns left on its way from start to end.</summary>
+    /// <summary>Curvature on the ground, 1/metres; positive where the road turns left from start to end.</summary>
     public double CurvatureAt(double parameter)
     {
         Vector2D velocity = VelocityAt(parameter);
@@ -87,7 +87,7 @@ public sealed class RoadCurve
         return speed > 0 ? velocity.Cross(AccelerationAt(parameter)) / (speed * speed * speed) : 0;
     }
 
-    /// <summary>The parameter at a station; stations beyond the ends give the ends.</summary>
+    /// <summary>The parameter at a station; stations beyond the ends are clamped.</summary>
     /// <param name="station">Metres from the start.</param>
     public double ParameterAt(double station)
     {
@@ -122,7 +122,7 @@ public sealed class RoadCurve
         return _stations[piece] + LengthBetween(piece / (double)Pieces, clamped);
     }
 
-    /// <summary>The parameter of the point of the curve that is closest to a place on the ground, within the link.</summary>
+    /// <summary>The parameter of the point of the curve closest to a position on the ground, within the link.</summary>
     /// <param name="place">Metres, world.</param>
     public double ClosestParameter(Vector2D place)
     {
@@ -146,7 +146,7 @@ public sealed class RoadCurve
             double speedSquare = velocity.Dot(velocity);
             double bend = speedSquare + apart.Dot(AccelerationAt(parameter));
 
-            // Where the curve bends towards the place so much that the distance is no valley, the speed alone gives a safe step.
+            // Where the distance is not convex because of the bend, the squared speed alone gives a safe step.
             double next = Clamp(parameter - (slope / (bend > 0 ? bend : Math.Max(speedSquare, double.Epsilon))));
             if (Math.Abs(next - parameter) < 1e-9)
             {
@@ -167,7 +167,7 @@ public sealed class RoadCurve
         return new Vector3D(centre.X + (direction.Y * offset), centre.Y - (direction.X * offset), centre.Z);
     }
 
-    /// <summary>Whether every point of the curve is surely further from a place than a distance, by the circle around it.</summary>
+    /// <summary>Whether every point of the curve is certainly farther than a distance from a position, by its bounding circle.</summary>
     internal bool IsBeyond(Vector2D place, double distance)
     {
         Vector2D apart = place - _middle;
@@ -195,7 +195,7 @@ public sealed class RoadCurve
     private Vector2D AccelerationAt(double t) =>
         ((_end - _start) * (6 - (12 * t))) + (_startTangent * ((6 * t) - 4)) + (_endTangent * ((6 * t) - 2));
 
-    /// <summary>Gauss's quadrature with three points, exact to the fifth order.</summary>
+    /// <summary>Gauss quadrature with three points, exact up to degree five.</summary>
     private double LengthBetween(double from, double to)
     {
         double middle = (from + to) / 2;

@@ -1,15 +1,15 @@
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
-/// The centre lines of a network as smooth curves: within a chain of links that continue each other, the direction at a node is
-/// common to both links, weighted so that nodes on a circle give the circle's tangent whatever their spacing. Where a chain ends,
-/// the direction is the one that makes the last link a circular arc.
+/// The centre lines of a network as smooth curves. Within a chain of links that continue each other, the direction at a node is common to
+/// both links, weighted so that nodes on a circle give the circle's tangent whatever their spacing. At the end of a chain, the direction
+/// makes the last link a circular arc.
 /// </summary>
 public sealed class RoadCurves
 {
     private readonly RoadCurve[] _curves;
 
-    /// <summary>Makes the curves of all links.</summary>
+    /// <summary>Creates the curves of all links.</summary>
     public RoadCurves(RoadNetwork network)
     {
         Network = Guard.NotNull(network, nameof(network));
@@ -24,7 +24,7 @@ public sealed class RoadCurves
     /// <summary>The network.</summary>
     public RoadNetwork Network { get; }
 
-    /// <summary>Which link continues which.</summary>
+    /// <summary>The links that continue each other.</summary>
     public RoadContinuations Continuations { get; }
 
     /// <summary>The centre line of a link.</summary>
@@ -47,7 +47,7 @@ public sealed class RoadCurves
             atEnd ?? (atStart is { } s ? Mirrored(s, along) : along));
     }
 
-    /// <summary>The direction that a link and the one that continues it have at the node between them; null without continuation.</summary>
+    /// <summary>The direction that a link and its continuation have at the node between them; null without a continuation.</summary>
     private Vector2D? Common(Vector2D chord, int neighbour, int node, bool before)
     {
         if (neighbour == RoadContinuations.None)

@@ -3,9 +3,9 @@ using System;
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
-/// The rule by which lanes lie beside the line between nodes, as the games of this series have it. The line runs in the middle of
-/// the median, or on the divide where there is none; a one-way road is centred on it. Offsets are metres to the right of the
-/// line, looking from start to end of the link.
+/// The position of lanes relative to the line between nodes, as in the games of this series. The line runs in the middle of the median, or
+/// on the divider if there is none; a one-way road is centred on it. Offsets are metres to the right of the line, looking from start to end
+/// of the link.
 /// </summary>
 public static class RoadGeometry
 {
@@ -15,15 +15,15 @@ public static class RoadGeometry
     /// <summary>Width of a lane of a road marked as narrow, metres.</summary>
     public const double NarrowLaneWidth = 4.0;
 
-    /// <summary>The width of a link's lanes by the constants, metres.</summary>
+    /// <summary>The width of a link's lanes according to the constants, metres.</summary>
     public static double LaneWidthOf(RoadLink link) =>
         (Guard.NotNull(link, nameof(link)).Flags & RoadLinkFlags.NarrowRoad) != 0 ? NarrowLaneWidth : LaneWidth;
 
     /// <summary>
-    /// Offset of a marking of the forward direction: marking 0 is the left edge of its leftmost lane, marking n the right edge of
-    /// its n-th lane. For a one-way road driven backwards, and for the other direction, ask with the link reversed.
+    /// Offset of a marking of the forward direction: marking 0 is the left edge of its leftmost lane, marking n the right edge of its n-th
+    /// lane. For a one-way road driven backwards, and for the other direction, call it with the link reversed.
     /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">The marking is not 0 to the number of forward lanes.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The marking is not from 0 to the number of forward lanes.</exception>
     public static double MarkingOffset(RoadLink link, int marking, double laneWidth)
     {
         Guard.NotNull(link, nameof(link));

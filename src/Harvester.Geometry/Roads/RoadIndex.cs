@@ -4,15 +4,15 @@ using System.Collections.Generic;
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
-/// Finds the links near a place without looking at the others: a grid of square cells, each with the links that may reach a point
-/// in it. It does not change once made, so any number of threads may ask it.
+/// Finds the links near a position without examining the others: a grid of square cells, each with the links that may reach a point in it.
+/// Immutable, and so safe for any number of threads.
 /// </summary>
 public sealed class RoadIndex
 {
     private const double MinCell = 16;
     private const int MaxCellsPerSide = 2048;
 
-    /// <summary>Points between which a curve stays within its box, measured at these steps, with the margin of a cubic's bulge.</summary>
+    /// <summary>Number of pieces in which a curve's bounding box is computed; the margin covers a cubic's bulge between them.</summary>
     private const int BoxSteps = 8;
 
     private readonly double _cell;
@@ -23,9 +23,9 @@ public sealed class RoadIndex
     private readonly int[] _starts;
     private readonly int[] _links;
 
-    /// <summary>Makes the index of all drivable links.</summary>
+    /// <summary>Creates the index of all drivable links.</summary>
     /// <param name="curves">The centre lines.</param>
-    /// <param name="reachOf">How far from a link's centre line it is found, metres; greater than 0.</param>
+    /// <param name="reachOf">Maximum distance from a link's centre line at which it is found, metres; greater than 0.</param>
     public RoadIndex(RoadCurves curves, Func<int, double> reachOf)
     {
         Guard.NotNull(reachOf, nameof(reachOf));
@@ -61,8 +61,8 @@ public sealed class RoadIndex
         (_starts, _links) = Fill(boxes);
     }
 
-    /// <summary>Every drivable link that reaches a place, among some that lie a little further.</summary>
-    /// <param name="place">Metres, world; the height does not count.</param>
+    /// <summary>Every drivable link that reaches a position, and possibly some that are a little farther away.</summary>
+    /// <param name="place">Metres, world; the height is ignored.</param>
     public ArraySegment<int> Near(Vector3D place)
     {
         double column = Math.Floor((place.X - _west) / _cell);

@@ -2,11 +2,11 @@ using System;
 
 namespace Harvester.Geometry.Roads;
 
-/// <summary>What the game's path data says of a link between two road nodes. Names follow Figure 17 of the thesis.</summary>
+/// <summary>The flags of a link in the game's path data. Names follow Figure 17 of the thesis.</summary>
 [Flags]
 public enum RoadLinkFlags
 {
-    /// <summary>Nothing is said.</summary>
+    /// <summary>No flag is set.</summary>
     None = 0,
 
     /// <summary>A road with narrow lanes.</summary>
@@ -18,7 +18,7 @@ public enum RoadLinkFlags
     /// <summary>Blocked in a direction without lanes.</summary>
     BlockIfNoLanes = 1 << 2,
 
-    /// <summary>A short cut between carriageways that is no painted road.</summary>
+    /// <summary>A shortcut between carriageways that is not a painted road.</summary>
     Shortcut = 1 << 3,
 
     /// <summary>Not used for navigation.</summary>

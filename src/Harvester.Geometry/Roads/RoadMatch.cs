@@ -1,7 +1,7 @@
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
-/// Where a car is on the road network. Without a road (<see cref="HasRoad"/> is false) only <see cref="Outcome"/> means something.
+/// A car's position on the road network. Without a road (<see cref="HasRoad"/> is false) only <see cref="Outcome"/> is meaningful.
 /// </summary>
 public readonly record struct RoadMatch
 {
@@ -20,35 +20,36 @@ public readonly record struct RoadMatch
     /// <summary>The lanes of the car's direction.</summary>
     public LaneSection Section { get; init; }
 
-    /// <summary>Where the leftmost lane begins, metres to the right of the centre line in the car's direction.</summary>
+    /// <summary>Left edge of the leftmost lane, metres to the right of the centre line in the car's direction.</summary>
     public double LeftEdge { get; init; }
 
-    /// <summary>Where the car is, metres to the right of the left edge of the leftmost lane.</summary>
+    /// <summary>The car's position, metres to the right of the left edge of the leftmost lane.</summary>
     public double OffsetFromLeftEdge { get; init; }
 
-    /// <summary>The lane, 0 the leftmost of the car's direction; null beside the lanes.</summary>
+    /// <summary>The lane, 0 the leftmost of the car's direction; null outside the lanes.</summary>
     public int? Lane { get; init; }
 
     /// <summary>
-    /// Direction of the road minus direction of the car, radians in (-pi, pi]; positive where the car points to the right of the road, as
-    /// TORCS has it.
+    /// Direction of the road minus direction of the car, radians in (-pi, pi]; positive if the car points to the right of the road, as in
+    /// TORCS.
     /// </summary>
     public double HeadingError { get; init; }
 
     /// <summary>
-    /// How probable the road is, from 0 to 1, against the next best road and against a road that the data does not have, if the
-    /// misfits were independent and normal. A measure to compare by, not a frequency.
+    /// Probability of the road, from 0 to 1, against the next best road and against a road missing from the data, if the misfits were
+    /// independent and normal. For comparison only; not a measured frequency.
     /// </summary>
     public double Confidence { get; init; }
 
-    /// <summary>Whether a junction is so near along the road that lanes are not defined.</summary>
+    /// <summary>Whether a junction is so close along the road that lanes are not defined.</summary>
     public bool InJunction { get; init; }
 
     /// <summary>
-    /// Whether there is a road: all but <see cref="RoadMatchOutcome.NoRoadNear"/> and <see cref="RoadMatchOutcome.NotAlongAnyRoad"/>.
+    /// Whether there is a road: true unless the outcome is <see cref="RoadMatchOutcome.NoRoadNear"/> or <see
+    /// cref="RoadMatchOutcome.NotAlongAnyRoad"/>.
     /// </summary>
     public bool HasRoad => Outcome >= RoadMatchOutcome.BesideTheLanes;
 
-    /// <summary>How far the car is to the right of the middle of its lane, metres; null beside the lanes.</summary>
+    /// <summary>How far the car is to the right of the middle of its lane, metres; null outside the lanes.</summary>
     public double? OffsetFromLaneCentre => Lane is { } lane ? OffsetFromLeftEdge - ((lane + 0.5) * Section.LaneWidth) : null;
 }

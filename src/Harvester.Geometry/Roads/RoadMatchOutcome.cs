@@ -3,13 +3,15 @@ namespace Harvester.Geometry.Roads;
 /// <summary>Whether a car's road and lane are known, and if not, why.</summary>
 public enum RoadMatchOutcome
 {
-    /// <summary>No road is near, at the height of the car.</summary>
+    /// <summary>No road is nearby at the height of the car.</summary>
     NoRoadNear,
 
-    /// <summary>The roads near are not driven in the car's direction: it stands across them, or drives against one-way traffic.</summary>
+    /// <summary>
+    /// No road nearby is driven in the car's direction: the car is at an angle to them, or drives against one-way traffic.
+    /// </summary>
     NotAlongAnyRoad,
 
-    /// <summary>The car follows a road but is beside the lanes of its direction: on the other side, the median or the verge.</summary>
+    /// <summary>The car follows a road but is outside the lanes of its direction: on the other side, the median or the verge.</summary>
     BesideTheLanes,
 
     /// <summary>Two roads fit almost equally well.</summary>

@@ -3,24 +3,22 @@ using System;
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
-/// Finds the road, direction and lane of a car from its position and heading. Every direction of every link near is weighed by how
-/// far the car is outside its carriageway, how its heading differs, how its height differs (bridges), and whether it is the road
-/// that was followed so far or one that this road leads to. It does not change, so any number of threads may ask it.
+/// Finds the road, direction and lane of a car from its position and heading. Every direction of every link nearby is rated by how far the
+/// car is outside its carriageway, how its heading and height differ (bridges), and whether it is the road followed before or one that this
+/// road leads to. Immutable, and so safe for any number of threads.
 /// </summary>
 public sealed class RoadMatcher
 {
-    /// <summary>
-    /// Weight of the distance from the middle of a lane, as a fraction of half its width: cars keep to the middle, loosely.
-    /// </summary>
+    /// <summary>Cost of the distance from the middle of a lane, at its edge: cars keep to the middle, loosely.</summary>
     private const double CostOfLaneEdge = 0.5;
 
-    /// <summary>However far beside the lanes: an overtaking car still follows its road, only worse than one in the lanes.</summary>
+    /// <summary>Maximum cost of a car outside the lanes: an overtaking car still follows its road.</summary>
     private const double MaxCostOfBeside = 14;
 
-    /// <summary>Links along the road within which two explanations are the same road.</summary>
+    /// <summary>Maximum number of links along the road between two candidates that count as the same road.</summary>
     private const int LinksOfSameRoad = 3;
 
-    /// <summary>Deviation along the road beyond the end of a link, metres: the next link explains it better.</summary>
+    /// <summary>Deviation along the road beyond the end of a link, metres: the next link fits better.</summary>
     private const double OvershootDeviation = 0.5;
 
     private readonly RoadCurves _curves;
@@ -32,10 +30,10 @@ public sealed class RoadMatcher
     private readonly double _headingDeviation;
     private readonly double _largestHeadingError;
 
-    /// <summary>Makes a matcher.</summary>
+    /// <summary>Creates a matcher.</summary>
     /// <param name="curves">The centre lines.</param>
     /// <param name="lanes">How wide the lanes are.</param>
-    /// <param name="options">What is likely; the defaults when null.</param>
+    /// <param name="options">Deviations and costs; null for the defaults.</param>
     public RoadMatcher(RoadCurves curves, LaneModel lanes, RoadMatcherOptions? options = null)
     {
         _curves = Guard.NotNull(curves, nameof(curves));
@@ -43,24 +41,24 @@ public sealed class RoadMatcher
         _lanes = Guard.NotNull(lanes, nameof(lanes));
         _options = options ?? new RoadMatcherOptions();
         _headingDeviation = Angles.ToRadians(_options.HeadingDeviationDegrees);
-        _largestHeadingError = Angles.ToRadians(_options.LargestHeadingErrorDegrees);
+        _largestHeadingError = Angles.ToRadians(_options.MaxHeadingErrorDegrees);
         Junctions = new JunctionExtents(curves, lanes);
         _reach = new double[_network.Links.Count];
         for (int i = 0; i < _reach.Length; i++)
         {
-            _reach[i] = Math.Max(RightEdge(i, isForward: true), RightEdge(i, isForward: false)) + _options.LargestDistanceBeside;
+            _reach[i] = Math.Max(RightEdge(i, isForward: true), RightEdge(i, isForward: false)) + _options.MaxDistanceBeside;
         }
 
         _index = new RoadIndex(curves, link => _reach[link]);
     }
 
-    /// <summary>How far the junctions of the network reach.</summary>
+    /// <summary>The extents of the network's junctions.</summary>
     public JunctionExtents Junctions { get; }
 
-    /// <summary>Matches one sight of a car.</summary>
-    /// <param name="position">Metres, world, about at the height of the road.</param>
+    /// <summary>Matches one position of a car.</summary>
+    /// <param name="position">Metres, world, near the height of the road.</param>
     /// <param name="headingDegrees">The car's heading, degrees counter-clockwise from north.</param>
-    /// <param name="previous">The match of the sight before, whose road is preferred; null when there is none.</param>
+    /// <param name="previous">The match of the frame before, whose road is preferred; null if there is none.</param>
     /// <exception cref="ArgumentOutOfRangeException">The position or heading is not finite.</exception>
     public RoadMatch Match(Vector3D position, double headingDegrees, RoadMatch? previous = null)
     {
@@ -69,7 +67,7 @@ public sealed class RoadMatcher
         var forward = new Vector2D(-Math.Sin(heading), Math.Cos(heading));
         RoadCandidate? best = null;
         RoadCandidate? runnerUp = null;
-        double crossing = double.PositiveInfinity; // What the best way through a junction costs, whichever road was followed.
+        double crossing = double.PositiveInfinity; // Cost of the best way through a junction, whichever road was followed.
         bool isRoadNear = false;
         ArraySegment<int> near = _index.Near(position);
         for (int i = near.Offset; i < near.Offset + near.Count; i++)
@@ -95,8 +93,7 @@ public sealed class RoadMatcher
     }
 
     /// <summary>
-    /// The link of a road that a car is abreast of: where it is past the end of the link that fits best, the next one that it has not
-    /// passed.
+    /// The link of a road that a car is beside: if it is past the end of the link that fits best, the next one that it has not passed.
     /// </summary>
     private RoadCandidate Beside(RoadCandidate found, Vector3D position, Vector2D forward, RoadMatch? previous)
     {
@@ -117,7 +114,7 @@ public sealed class RoadMatcher
         return found;
     }
 
-    /// <summary>The better of two candidates that are not the road that won.</summary>
+    /// <summary>The better of two candidates that are not on the winner's road.</summary>
     private RoadCandidate? RunnerUp(RoadCandidate? runnerUp, RoadCandidate? other, RoadCandidate winner)
     {
         RoadCandidate? old = runnerUp is { } r && !IsSameRoad(r.Link, r.IsForward, winner) ? runnerUp : null;
@@ -150,14 +147,14 @@ public sealed class RoadMatcher
         (LaneSection Section, double LeftEdge)? lanes = _lanes.LanesOf(link, isForward);
         if (lanes is not { } there)
         {
-            isRoadNear |= Math.Abs(right) < _options.LargestDistanceBeside && Math.Abs(along.Dot(apart)) < OvershootDeviation;
+            isRoadNear |= Math.Abs(right) < _options.MaxDistanceBeside && Math.Abs(along.Dot(apart)) < OvershootDeviation;
             return null;
         }
 
         double offset = right - there.LeftEdge;
         double width = there.Section.LaneCount * there.Section.LaneWidth;
         double outside = Math.Max(0, Math.Max(-offset, offset - width));
-        if (outside > _options.LargestDistanceBeside)
+        if (outside > _options.MaxDistanceBeside)
         {
             return null;
         }
@@ -201,7 +198,7 @@ public sealed class RoadMatcher
         return slip + (leadsThere ? _options.CostOfLeaving / 2 : _options.CostOfLeaving);
     }
 
-    /// <summary>Whether a link in its direction is another's, or one of the next ones of its road either way.</summary>
+    /// <summary>Whether a directed link is another candidate's, or one of the next links of its road either way.</summary>
     private bool IsSameRoad(int link, bool isForward, RoadCandidate other)
     {
         if (link == other.Link)
@@ -245,7 +242,7 @@ public sealed class RoadMatcher
         return new RoadMatch
         {
             Outcome = lane is null ? RoadMatchOutcome.BesideTheLanes
-                : confidence < _options.LeastConfidence ? RoadMatchOutcome.Ambiguous
+                : confidence < _options.MinConfidence ? RoadMatchOutcome.Ambiguous
                 : RoadMatchOutcome.Matched,
             Link = found.Link,
             IsForward = found.IsForward,

@@ -2,11 +2,11 @@
 namespace Harvester.Geometry.Roads;
 
 /// <summary>
-/// What the matcher takes for likely. A misfit as large as one of the deviations costs 1; costs are squares of misfits, added.
+/// The deviations and costs of the matcher. A misfit as large as its deviation costs 1; costs are squared misfits, added up.
 /// </summary>
 public sealed record RoadMatcherOptions
 {
-    /// <summary>Deviation of a car from the carriageway of its direction, metres outside of it.</summary>
+    /// <summary>Deviation of a car outside the carriageway of its direction, metres.</summary>
     public double LateralDeviation { get; init; } = 0.6;
 
     /// <summary>Deviation of a car's heading from the road's, degrees.</summary>
@@ -15,30 +15,30 @@ public sealed record RoadMatcherOptions
     /// <summary>Deviation of a car's height from the line between the nodes, metres.</summary>
     public double HeightDeviation { get; init; } = 1.5;
 
-    /// <summary>A car whose heading differs by more from the road's does not follow it, degrees.</summary>
-    public double LargestHeadingErrorDegrees { get; init; } = 60;
+    /// <summary>Maximum difference between the headings of a car and a road that it follows, degrees.</summary>
+    public double MaxHeadingErrorDegrees { get; init; } = 60;
 
-    /// <summary>A road whose height differs by more is another one, metres.</summary>
+    /// <summary>Maximum height difference between a car and its road, metres; a larger one means another road.</summary>
     public double MaxHeightDifference { get; init; } = 4;
 
-    /// <summary>How far beside the carriageway a car still follows its road, metres.</summary>
-    public double LargestDistanceBeside { get; init; } = 6;
+    /// <summary>Maximum distance beside the carriageway at which a car still follows its road, metres.</summary>
+    public double MaxDistanceBeside { get; init; } = 6;
 
     /// <summary>
-    /// A car that is less far beside its carriageway counts to the outermost lane, metres where lanes are 4 m wide, and in proportion
-    /// elsewhere: as far as the indicators on marking are valid.
+    /// Maximum distance beside the carriageway at which a car counts to the outermost lane, metres for lanes 4 m wide, and in proportion
+    /// for others: as far as the indicators on marking are valid.
     /// </summary>
     public double EdgeTolerance { get; init; } = LaneSection.ReachOutsideTheRoad;
 
-    /// <summary>What leaving the road that was followed costs.</summary>
+    /// <summary>Cost of leaving the road followed before.</summary>
     public double CostOfLeaving { get; init; } = 6;
 
-    /// <summary>What a slip lane costs that was not followed before.</summary>
+    /// <summary>Cost of a slip lane that was not followed before.</summary>
     public double CostOfSlipLane { get; init; } = 1;
 
-    /// <summary>Cost of a road that the data does not have: a road that costs more is no explanation.</summary>
+    /// <summary>Cost of a road missing from the data: a candidate that costs more is rejected.</summary>
     public double CostOfUnknownRoad { get; init; } = 20;
 
-    /// <summary>The least confidence of a match that is not called ambiguous.</summary>
-    public double LeastConfidence { get; init; } = 0.6;
+    /// <summary>Minimum confidence of a match; below it, the match is ambiguous.</summary>
+    public double MinConfidence { get; init; } = 0.6;
 }

@@ -3,17 +3,17 @@ using System.Collections.Generic;
 
 namespace Harvester.Geometry.Roads;
 
-/// <summary>Roads as nodes and the links between them. It does not change once made.</summary>
+/// <summary>Roads as nodes and the links between them. Immutable.</summary>
 public sealed class RoadNetwork
 {
     private readonly int[][] _linksOfNode;
 
-    /// <summary>Makes a network.</summary>
+    /// <summary>Creates a network.</summary>
     /// <param name="nodes">The nodes.</param>
     /// <param name="links">The links between them.</param>
-    /// <param name="edges">What a game told of the edges of the links; null where nothing did.</param>
+    /// <param name="edges">The reported points on edges of the links; null if there are none.</param>
     /// <exception cref="ArgumentException">
-    /// A link names a node that is not there, or has the same node at both ends; or an edge names a link that is not there.
+    /// A link refers to a node that does not exist, or has the same node at both ends; or an edge refers to a link that does not exist.
     /// </exception>
     public RoadNetwork(IReadOnlyList<RoadNode> nodes, IReadOnlyList<RoadLink> links, IReadOnlyList<RoadEdge>? edges = null)
     {
@@ -47,13 +47,13 @@ public sealed class RoadNetwork
         _linksOfNode = Array.ConvertAll(linksOfNode, list => list?.ToArray() ?? []);
     }
 
-    /// <summary>The nodes; a link names them by their place in this list.</summary>
+    /// <summary>The nodes; a link refers to them by their index in this list.</summary>
     public IReadOnlyList<RoadNode> Nodes { get; }
 
     /// <summary>The links, each once.</summary>
     public IReadOnlyList<RoadLink> Links { get; }
 
-    /// <summary>What a game told of the edges of the links, in no order; empty where nothing did.</summary>
+    /// <summary>The reported points on edges of the links, in no order; empty if there are none.</summary>
     public IReadOnlyList<RoadEdge> Edges { get; }
 
     /// <summary>The indices of the links that start or end at a node.</summary>

@@ -2,11 +2,11 @@ using System;
 
 namespace Harvester.Geometry.Roads;
 
-/// <summary>What the game's path data says of a road node. Names follow Figure 16 of the thesis and the game's own tools.</summary>
+/// <summary>The flags of a road node in the game's path data. Names follow Figure 16 of the thesis and the game's own tools.</summary>
 [Flags]
 public enum RoadNodeFlags
 {
-    /// <summary>Nothing is said.</summary>
+    /// <summary>No flag is set.</summary>
     None = 0,
 
     /// <summary>Traffic is switched off here.</summary>
@@ -30,13 +30,13 @@ public enum RoadNodeFlags
     /// <summary>Only left turns are allowed.</summary>
     LeftTurnsOnly = 1 << 6,
 
-    /// <summary>An unpaved way.</summary>
+    /// <summary>An unpaved road.</summary>
     OffRoad = 1 << 7,
 
     /// <summary>Turning right is forbidden.</summary>
     CannotGoRight = 1 << 8,
 
-    /// <summary>No lorries or buses.</summary>
+    /// <summary>No trucks or buses.</summary>
     NoBigVehicles = 1 << 9,
 
     /// <summary>Indicates keeping left.</summary>
@@ -60,24 +60,24 @@ public enum RoadNodeFlags
     /// <summary>A crossing for pedestrians.</summary>
     PedestrianCrossing = 1 << 16,
 
-    /// <summary>A crossing for pedestrians where nobody waits for the cars.</summary>
+    /// <summary>A crossing where pedestrians do not wait for cars.</summary>
     PedestrianCrossingWithoutWait = 1 << 17,
 
-    /// <summary>A way for pedestrians on which they are led.</summary>
+    /// <summary>A crossing with assistance for pedestrians.</summary>
     PedestrianAssisted = 1 << 18,
 
-    /// <summary>A parking place.</summary>
+    /// <summary>A parking space.</summary>
     Parking = 1 << 19,
 
-    /// <summary>A place to drive with caution.</summary>
+    /// <summary>A place that requires caution.</summary>
     Caution = 1 << 20,
 
     /// <summary>For emergency services only.</summary>
     EmergencyOnly = 1 << 21,
 
-    /// <summary>A junction of unpaved ways.</summary>
+    /// <summary>A junction of unpaved roads.</summary>
     OffRoadJunction = 1 << 22,
 
-    /// <summary>On a way that leads nowhere else.</summary>
+    /// <summary>On a road that leads nowhere else.</summary>
     DeadEnd = 1 << 23,
 }

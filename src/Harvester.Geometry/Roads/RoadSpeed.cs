@@ -1,9 +1,9 @@
 namespace Harvester.Geometry.Roads;
 
-/// <summary>How fast traffic drives at a node, as the path data grades it.</summary>
+/// <summary>The speed of traffic at a node, as the path data classifies it.</summary>
 public enum RoadSpeed
 {
-    /// <summary>The least of the grades.</summary>
+    /// <summary>The lowest class.</summary>
     Slow,
 
     /// <summary>An ordinary street.</summary>

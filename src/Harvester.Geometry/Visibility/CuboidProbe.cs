@@ -5,17 +5,19 @@ using Harvester.Geometry.Boxes;
 namespace Harvester.Geometry.Visibility;
 
 /// <summary>
-/// Rays that start at an entity's cuboid, so that nothing in front of it counts. They tell whether there is anything of the entity along
-/// a line of sight, hidden or not.
+/// Casts rays that start at an entity's cuboid, so that nothing in front of it counts. They show whether any of the entity is on a line of
+/// sight, hidden or not.
 /// </summary>
 /// <param name="eye">The camera's position, metres.</param>
 /// <param name="cuboid">The entity's cuboid.</param>
 /// <param name="entity">The entity's handle.</param>
-/// <param name="ignoredEntity">Handle of an entity that rays pass through; <see cref="RayHit.World"/> for none.</param>
-/// <param name="rays">What rays meet.</param>
+/// <param name="ignoredEntity">Handle of an entity that rays pass through; <see cref="RayHit.World"/> if there is none.</param>
+/// <param name="rays">The ray caster.</param>
 internal sealed class CuboidProbe(Vector3D eye, Cuboid cuboid, int entity, int ignoredEntity, IRayCaster rays)
 {
-    /// <summary>How far outside the cuboid a ray starts and ends, metres, so that a surface on the cuboid's face is met.</summary>
+    /// <summary>
+    /// Distance outside the cuboid at which a ray starts and ends, metres, so that a surface on the cuboid's face is hit.
+    /// </summary>
     public const double Margin = 0.01;
 
     /// <summary>Steps of the R3 sequence, the inverse powers of 1.2207..., the root of x^4 = x + 1.</summary>
@@ -23,7 +25,7 @@ internal sealed class CuboidProbe(Vector3D eye, Cuboid cuboid, int entity, int i
     private const double StepY = 0.6710436067037893;
     private const double StepZ = 0.5497004779019703;
 
-    /// <summary>Whether a ray from the camera would meet the entity if nothing lay in front of its cuboid.</summary>
+    /// <summary>Whether a ray from the camera would hit the entity if nothing lay in front of its cuboid.</summary>
     public bool Meets(Ray ray)
     {
         if (cuboid.Intersect(ray) is not { } span)
@@ -36,7 +38,7 @@ internal sealed class CuboidProbe(Vector3D eye, Cuboid cuboid, int entity, int i
         return hit is { } met && met.Entity == entity;
     }
 
-    /// <summary>Rays from the camera to points spread evenly in the cuboid, in the image or not.</summary>
+    /// <summary>Rays from the camera to points spread evenly in the cuboid, inside and outside the image.</summary>
     public IEnumerable<Ray> Through(int count)
     {
         Vector3D half = cuboid.HalfExtents;

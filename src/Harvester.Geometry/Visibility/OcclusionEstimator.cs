@@ -5,40 +5,41 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Geometry.Visibility;
 
 /// <summary>
-/// Visibility by rays through pixels spread evenly over the cuboid's silhouette in the image. A sample counts where its ray meets the
-/// object itself; it is hidden when something lies nearer than the cuboid. Whether a hidden sample would have met the object is asked by
-/// a second ray that starts at the cuboid, so that the gaps between a cuboid and the object in it do not count. An object that no sample
-/// is on is looked for with more rays: it may be thin, out of the image, or not met by rays.
+/// Estimates visibility by rays through pixels spread evenly over the cuboid's silhouette in the image. A sample counts if its ray hits the
+/// object itself; it is hidden if something lies in front of the cuboid. Whether a hidden sample would have hit the object is decided by a
+/// second ray that starts at the cuboid, so that the gaps between a cuboid and the object in it do not count. If no sample is on the
+/// object, more rays are cast: it may be thin, outside the image, or not hit by rays.
 /// </summary>
 public sealed class OcclusionEstimator
 {
     /// <summary>
-    /// Masts with an arm fill a twentieth of their cuboid's silhouette: so many times the usual 64 rays all miss them once in 500,000
-    /// times.
+    /// Factor on the number of samples. Masts with an arm fill a twentieth of their cuboid's silhouette: four times the usual 64 rays all
+    /// miss them once in 500,000 times.
     /// </summary>
     private const int MoreSamples = 4;
 
     private readonly int _samples;
 
-    /// <summary>Makes an estimator.</summary>
-    /// <param name="samples">Pixels of the silhouette wanted; at least 1. The standard error is about 0.5 / √samples at worst.</param>
+    /// <summary>Creates an estimator.</summary>
+    /// <param name="samples">Number of pixels of the silhouette to sample; at least 1. The standard error is about 0.5 / √samples at
+    /// worst.</param>
     /// <exception cref="ArgumentOutOfRangeException">Fewer than 1 sample.</exception>
     public OcclusionEstimator(int samples = 64) => _samples = Guard.AtLeast(samples, 1, nameof(samples));
 
-    /// <summary>The greatest number of rays that one estimate may take.</summary>
+    /// <summary>Maximum number of rays that one estimate takes.</summary>
     public int MaxRays => (2 * MoreSamples * _samples) + SightFinder.Probes;
 
     /// <summary>Estimates how much of an entity is hidden.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="cuboid">The entity's cuboid.</param>
-    /// <param name="projection">The cuboid's image by the same camera.</param>
+    /// <param name="projection">The cuboid's projection by the same camera.</param>
     /// <param name="entity">The entity's handle.</param>
-    /// <param name="ignoredEntity">Handle of an entity that hides nothing, as the car that carries the camera; <see cref="RayHit.World"/>
-    /// for none.</param>
-    /// <param name="rays">What rays meet.</param>
+    /// <param name="ignoredEntity">Handle of an entity that hides nothing, such as the car that carries the camera; <see
+    /// cref="RayHit.World"/> if there is none.</param>
+    /// <param name="rays">The ray caster.</param>
     /// <returns>
-    /// The estimate; method <see cref="OcclusionMethod.None"/> when nothing of the object is in the image, which is then unseen, and when
-    /// rays do not meet it.
+    /// The estimate; method <see cref="OcclusionMethod.None"/> if nothing of the object is in the image (it is then unseen), or if rays do
+    /// not hit it.
     /// </returns>
     public OcclusionEstimate Estimate(
         Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)

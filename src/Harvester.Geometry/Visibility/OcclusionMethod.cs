@@ -1,20 +1,20 @@
 namespace Harvester.Geometry.Visibility;
 
-/// <summary>How the hidden share of an object was determined.</summary>
+/// <summary>How the hidden fraction of an object was determined.</summary>
 public enum OcclusionMethod
 {
     /// <summary>Not determined.</summary>
     None,
 
-    /// <summary>Rays through the silhouette, counted where they meet the object itself.</summary>
+    /// <summary>Rays through the silhouette, counted if they hit the object itself.</summary>
     Rays,
 
-    /// <summary>Rays through the silhouette, all of which met something else before the object's cuboid: it is hidden altogether.</summary>
+    /// <summary>Rays through the silhouette, all of which hit something in front of the object's cuboid: it is completely hidden.</summary>
     CuboidRays,
 
-    /// <summary>The pixel map's visible pixels, and rays that start at the cuboid for the hidden ones.</summary>
+    /// <summary>The visible pixels of the pixel map, and rays that start at the cuboid for the hidden ones.</summary>
     PixelMap,
 
-    /// <summary>An instance map of another tool: the share of the silhouette in which a nearer object is seen.</summary>
+    /// <summary>An instance map of another tool: the fraction of the silhouette in which a nearer object is seen.</summary>
     Imported,
 }

@@ -4,35 +4,35 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Geometry.Visibility;
 
 /// <summary>
-/// Finds out with few rays whether anything of an object is seen, without an estimate of how much. Rays through its silhouette are cast
-/// until one meets it, or until the first few were all stopped before its cuboid. When none meets it though some pass the things in front,
-/// rays that start at the cuboid tell an object that is hidden from one that rays do not meet at all.
+/// Finds out with few rays whether any of an object is visible, without estimating how much. Rays through its silhouette are cast until one
+/// hits it, or until the first few were all stopped in front of its cuboid. If none hits it although some pass the things in front, rays
+/// that start at the cuboid distinguish a hidden object from one that rays do not hit at all.
 /// </summary>
 public static class SightFinder
 {
     /// <summary>
-    /// Of an object that is half hidden, one ray in three meets something: all of so many are stopped before it once in 25 times.
+    /// For a half hidden object, one ray in three hits something: this many in a row are all stopped in front of it once in 25 times.
     /// </summary>
     private const int StoppedRays = 8;
 
-    /// <summary>Masts with an arm fill a twentieth of their cuboid's silhouette: all of so many rays miss them once in 700 times.</summary>
+    /// <summary>Masts with an arm fill a twentieth of their cuboid's silhouette: this many rays all miss them once in 700 times.</summary>
     private const int MaxSamples = 128;
 
-    /// <summary>Rays that start at the cuboid, before the object counts as one that rays do not meet.</summary>
+    /// <summary>Number of rays that start at the cuboid before the object counts as not hit by rays.</summary>
     internal const int Probes = 64;
 
-    /// <summary>The greatest number of rays that one look may take.</summary>
+    /// <summary>Maximum number of rays per object.</summary>
     public const int MaxRays = MaxSamples + Probes;
 
-    /// <summary>Looks at an entity.</summary>
+    /// <summary>Examines an entity.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="cuboid">The entity's cuboid.</param>
-    /// <param name="projection">The cuboid's image by the same camera.</param>
+    /// <param name="projection">The cuboid's projection by the same camera.</param>
     /// <param name="entity">The entity's handle.</param>
-    /// <param name="ignoredEntity">Handle of an entity that hides nothing, as the car that carries the camera; <see cref="RayHit.World"/>
-    /// for none.</param>
-    /// <param name="rays">What rays meet.</param>
-    /// <returns>The finding; unseen also when nothing of the cuboid is in the image.</returns>
+    /// <param name="ignoredEntity">Handle of an entity that hides nothing, such as the car that carries the camera; <see
+    /// cref="RayHit.World"/> if there is none.</param>
+    /// <param name="rays">The ray caster.</param>
+    /// <returns>The finding; unseen also if nothing of the cuboid is in the image.</returns>
     public static Sight Find(Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)
     {
         Guard.NotNull(camera, nameof(camera));
@@ -72,7 +72,7 @@ public static class SightFinder
     }
 
     /// <summary>
-    /// Tells an object that is not seen from one that rays do not meet, by rays all over its cuboid, in the image or not.
+    /// Distinguishes an unseen object from one that rays do not hit, by rays all over its cuboid, inside and outside the image.
     /// </summary>
     /// <param name="probe">The object's probe.</param>
     /// <param name="cast">The number of rays cast.</param>

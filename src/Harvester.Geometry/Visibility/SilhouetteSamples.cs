@@ -6,19 +6,19 @@ namespace Harvester.Geometry.Visibility;
 
 /// <summary>
 /// Centres of pixels spread evenly over the silhouette of a cuboid in the image, each once: those at the points of the R2 sequence, whose
-/// steps are the inverse powers of the plastic number. What shows at no pixel's centre shows in no picture.
+/// steps are the inverse powers of the plastic number. A part that covers no pixel's centre is not visible in the image.
 /// </summary>
 internal static class SilhouetteSamples
 {
     private const double PlasticNumber = 1.32471795724474602596;
 
-    /// <summary>How many points of the sequence are tried for each that is wanted, before a sliver of a silhouette is given up.</summary>
+    /// <summary>Number of points of the sequence tried for each sample wanted, before a thin silhouette is given up.</summary>
     private const int TriesPerSample = 16;
 
     /// <summary>Up to a number of pixel centres on the silhouette; a greater number begins with those of a smaller one.</summary>
-    /// <param name="projection">The cuboid's image.</param>
+    /// <param name="projection">The cuboid's projection.</param>
     /// <param name="box">The box around its part in the image.</param>
-    /// <param name="count">Centres wanted; fewer are found where the silhouette has fewer.</param>
+    /// <param name="count">Number of centres wanted; fewer are found if the silhouette has fewer.</param>
     public static IEnumerable<Vector2D> Of(CuboidProjection projection, Box2D box, int count)
     {
         const double stepX = 1 / PlasticNumber;

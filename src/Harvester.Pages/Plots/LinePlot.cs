@@ -6,7 +6,7 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Pages.Plots;
 
-/// <summary>Lines and marks over two axes. The page's style sheet gives the classes of lines and marks their colours.</summary>
+/// <summary>Lines and marks over two axes. The style sheet of the page defines colours for their classes.</summary>
 public sealed class LinePlot
 {
     private const double Width = 960;
@@ -25,9 +25,9 @@ public sealed class LinePlot
     private readonly List<PlotLine> _lines = [];
     private readonly List<PlotMark> _marks = [];
 
-    /// <summary>An empty plot.</summary>
-    /// <param name="x">The axis to the right.</param>
-    /// <param name="y">The axis upwards.</param>
+    /// <summary>Creates an empty plot.</summary>
+    /// <param name="x">The horizontal axis.</param>
+    /// <param name="y">The vertical axis.</param>
     public LinePlot(PlotAxis x, PlotAxis y)
         : this(x, y, DefaultHeight)
     {
@@ -40,8 +40,8 @@ public sealed class LinePlot
         _height = height;
     }
 
-    /// <summary>A map, north up, with the same scale on both axes.</summary>
-    /// <param name="places">What has to lie on it, metres east and north; at least one.</param>
+    /// <summary>Creates a map, north up, with the same scale on both axes.</summary>
+    /// <param name="places">Points that the map must include, metres east and north; at least one.</param>
     public static LinePlot Map(IEnumerable<Vector2D> places)
     {
         const double margin = 20;
@@ -66,7 +66,7 @@ public sealed class LinePlot
     /// <summary>Adds a mark.</summary>
     public void Add(PlotMark mark) => _marks.Add(mark);
 
-    /// <summary>Writes the plot as an svg element as wide as its place.</summary>
+    /// <summary>Writes the plot as an svg element as wide as its container.</summary>
     public void Write(MarkupWriter page)
     {
         ArgumentNullException.ThrowIfNull(page);

@@ -4,25 +4,25 @@ using System.Collections.Generic;
 namespace Harvester.Pages.Plots;
 
 /// <summary>An axis of a plot.</summary>
-/// <param name="Name">Its quantity and unit, such as "speed, m/s".</param>
+/// <param name="Name">Quantity and unit, such as "speed, m/s".</param>
 /// <param name="Min">The lower end.</param>
-/// <param name="Max">The upper end, above the lower.</param>
+/// <param name="Max">The upper end, greater than the lower.</param>
 public sealed record PlotAxis(string Name, double Min, double Max)
 {
     private const double MarginFraction = 0.04;
     private const int MaxSteps = 8;
 
-    /// <summary>Fraction of a step by which an end of the axis may miss a tick through rounding.</summary>
+    /// <summary>Fraction of a step by which rounding may move a tick beyond the end of the axis.</summary>
     private const double Rounding = 1e-9;
 
-    /// <summary>An axis for values between two limits, a little longer than they need, and never empty.</summary>
+    /// <summary>An axis for values in a range, slightly longer than the range, and never empty.</summary>
     public static PlotAxis Around(string name, double min, double max)
     {
         double margin = max > min ? MarginFraction * (max - min) : 1;
         return new PlotAxis(name, min - margin, max + margin);
     }
 
-    /// <summary>Round values on the axis, nine at most: multiples of 1, 2 or 5 times a power of ten.</summary>
+    /// <summary>At most nine round values on the axis: multiples of 1, 2 or 5 times a power of ten.</summary>
     public IEnumerable<double> Ticks()
     {
         double minStep = (Max - Min) / MaxSteps;

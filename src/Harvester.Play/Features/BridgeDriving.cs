@@ -3,17 +3,16 @@ using Harvester.Capture.Ports;
 using Harvester.Driving.Bridge;
 using Harvester.Driving.Session;
 using Harvester.Play.Settings;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Play.Features;
 
-/// <summary>
-/// Lets a client drive the car over the live bridge, from one press of a key to the next or until the player takes the wheel.
-/// </summary>
+/// <summary>Lets a client drive the car over the live bridge, from one press of a key to the next or until the player drives.</summary>
 public sealed class BridgeDriving : ILastingFeature, IDisposable
 {
     private static readonly TimeSpan MaxWaitForBridge = TimeSpan.FromSeconds(10);
 
-    /// <summary>A client that does wrong without end does not fill the disk with what it did.</summary>
+    /// <summary>Maximum number of logged problems, so that a faulty client does not fill the disk.</summary>
     private const int MaxLoggedProblems = 100;
 
     private readonly BridgeSettings _settings;
@@ -28,13 +27,13 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
     private int _problems;
     private int _hiddenTicks;
 
-    /// <summary>Makes ready.</summary>
-    /// <param name="settings">Over what a client drives.</param>
-    /// <param name="game">The game; its car is the driven one.</param>
+    /// <summary>Creates the feature; it is off.</summary>
+    /// <param name="settings">The bridge and the controller.</param>
+    /// <param name="game">The game; its car is driven.</param>
     /// <param name="car">The car to drive.</param>
-    /// <param name="mount">The camera that sees for the client.</param>
-    /// <param name="display">The game's own display is hidden, and a line is shown.</param>
-    /// <param name="messages">Tells how drives begin and end.</param>
+    /// <param name="mount">The camera of the client's images.</param>
+    /// <param name="display">Hides the game's own display, and shows a line.</param>
+    /// <param name="messages">Reports the start and end of drives.</param>
     public BridgeDriving(BridgeSettings settings, GamePorts game, PlayerCar car, IMount mount, IDisplay display, PlayerMessages messages)
     {
         _settings = settings;
@@ -51,16 +50,16 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
     /// <inheritdoc/>
     public bool IsOn => _bridge.IsHeld;
 
-    /// <summary>Why nobody can drive now; null when a client can.</summary>
+    /// <summary>Why no client can drive now; null if one can.</summary>
     public Func<string?> Obstacle { get; init; } = static () => null;
 
-    /// <summary>Whether a picture may be grabbed so soon that nothing of ours may be drawn.</summary>
+    /// <summary>Whether an image may be grabbed so soon that nothing may be drawn over it.</summary>
     public bool IsPictureNear => _session?.IsPictureNear ?? IsOn;
 
     /// <inheritdoc/>
     public bool IsBusy => _bridge.IsBusy;
 
-    /// <summary>Opens the bridge and gives the car to whoever drives, or ends that.</summary>
+    /// <summary>Opens the bridge and lets the client drive, or ends that.</summary>
     public void Toggle()
     {
         if (IsOn)
@@ -89,12 +88,12 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
         }
     }
 
-    /// <summary>Gives the car back to the player, who has pressed a key by which cars are driven.</summary>
+    /// <summary>Gives the car back to the player, who has pressed a driving key.</summary>
     public void TakeBack()
     {
         if (IsOn)
         {
-            End("You have the wheel.");
+            End("You are driving again.");
         }
     }
 
@@ -107,7 +106,7 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
             return;
         }
 
-        // Before the first picture the display must have gone from it.
+        // Before the first image, the display must have disappeared from it.
         _display.HideGames();
         _hiddenTicks++;
         if (_bridge.TakeFailure() is { } failure)
@@ -139,7 +138,8 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
         {
             _problem = problem;
             _problems++;
-            _messages.Log($"The bridge: {problem}{(_problems == MaxLoggedProblems ? " No more problems of this drive are logged." : null)}");
+            string last = _problems == MaxLoggedProblems ? " No more problems of this drive are logged." : string.Empty;
+            _messages.Log($"The bridge: {problem}{last}");
         }
 
         if (status.Ending is { } ending)
@@ -164,7 +164,7 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
             session?.Stop();
         }
 
-        // Where the game has refused it, the next tick tries again.
+        // If the game refused, the next tick tries again.
         _car.GiveBack();
     }
 
@@ -175,7 +175,7 @@ public sealed class BridgeDriving : ILastingFeature, IDisposable
         _bridge.Wait(MaxWaitForBridge);
     }
 
-    /// <summary>Finishes.</summary>
+    /// <summary>Stops and waits as <see cref="Finish"/> does.</summary>
     public void Dispose() => Finish();
 
     private void End(string message)

@@ -5,8 +5,8 @@ using Harvester.Play.Settings;
 namespace Harvester.Play.Features;
 
 /// <summary>
-/// The camera on the hood. The game itself attaches it with the vehicle's whole matrix, so that no tick's delay comes between the
-/// two; setting position and rotation on every tick, as the thesis did, lags a frame behind.
+/// The camera on the hood. The game itself attaches it with the vehicle's whole matrix, so there is no delay between the two; setting
+/// position and rotation on every tick, as the thesis did, lags a frame behind.
 /// </summary>
 public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
 {
@@ -16,9 +16,9 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
     private readonly IVehicles _vehicles;
     private int _camera;
 
-    /// <summary>Makes ready.</summary>
-    /// <param name="settings">Where the camera sits on its vehicle.</param>
-    /// <param name="messages">Tells what comes of it.</param>
+    /// <summary>Creates the feature; the camera is not mounted.</summary>
+    /// <param name="settings">Position of the camera on its vehicle.</param>
+    /// <param name="messages">Reports the result.</param>
     /// <param name="cameras">The game's cameras.</param>
     /// <param name="vehicles">The game's vehicles.</param>
     public CameraMount(PlayerSettings settings, PlayerMessages messages, ICameras cameras, IVehicles vehicles)
@@ -41,10 +41,10 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
     /// <inheritdoc/>
     public bool IsBusy => false;
 
-    /// <summary>The vehicle that carries the camera; 0 when it is not mounted.</summary>
+    /// <summary>The vehicle that carries the camera; 0 if it is not mounted.</summary>
     public int Vehicle { get; private set; }
 
-    /// <summary>Mounts the rendering camera on the vehicle that the player sits in.</summary>
+    /// <summary>Mounts the rendering camera on the vehicle of the player.</summary>
     public void Mount()
     {
         if (_cameras.AttachingProblem is { } problem)
@@ -77,7 +77,7 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
         }
         finally
         {
-            // Whoever wants it mounted must not take a camera that does not show for one that does.
+            // Callers that need a mounted camera must not get one that is not shown.
             if (Vehicle == 0)
             {
                 Stop();
@@ -117,13 +117,13 @@ public sealed class CameraMount : ILastingFeature, IMount, IMountedCamera
         }
     }
 
-    /// <summary>Gives the view back to the game.</summary>
+    /// <summary>Restores the game's own view.</summary>
     public void Stop()
     {
         Vehicle = 0;
         if (_camera != 0)
         {
-            // Known until it is gone: where the game refuses, the next tick tries again.
+            // The handle is kept until the camera is removed: if the game refuses, the next tick tries again.
             _cameras.Remove(_camera);
             _camera = 0;
         }

@@ -1,6 +1,6 @@
 namespace Harvester.Play.Features;
 
-/// <summary>A colour to draw with.</summary>
+/// <summary>A colour for drawing.</summary>
 /// <param name="Red">0 to 255.</param>
 /// <param name="Green">0 to 255.</param>
 /// <param name="Blue">0 to 255.</param>

@@ -4,8 +4,8 @@ using Harvester.Geometry.Calibration;
 
 namespace Harvester.Play.Features;
 
-/// <summary>Balls for the calibration. The game draws a ball for one frame only, so that each tick asks for all of them again.</summary>
-/// <param name="display">Where to draw.</param>
+/// <summary>Balls for the calibration. The game draws a ball for one frame only, so all of them are drawn in each tick.</summary>
+/// <param name="display">Draws the balls.</param>
 public sealed class DrawnMarkers(IDisplay display) : IMarkers, IFeature
 {
     private static readonly Colour Magenta = new(255, 0, 255);

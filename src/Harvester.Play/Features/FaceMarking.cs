@@ -11,8 +11,8 @@ using Harvester.Surveys.Faces;
 namespace Harvester.Play.Features;
 
 /// <summary>
-/// Faces measured by hand: the player points the middle of the screen at two opposite corners of a face, sees the cuboid that comes of it,
-/// chooses a name, and keeps it with what was measured.
+/// Marks faces by hand: the player points the middle of the screen at two opposite corners of a face, sees the resulting cuboid, chooses a
+/// name, and saves it with the measured faces.
 /// </summary>
 public sealed class FaceMarking : ILastingFeature
 {
@@ -29,15 +29,14 @@ public sealed class FaceMarking : ILastingFeature
     private EntityState? _prop;
     private int _name;
 
-    /// <summary>Makes ready.</summary>
+    /// <summary>Creates the feature; it is off.</summary>
     /// <param name="game">The game.</param>
-    /// <param name="props">What can be pointed at.</param>
+    /// <param name="props">The props that can be marked.</param>
     /// <param name="names">The names to choose from; at least one.</param>
-    /// <param name="shipped">What is known without the player: of a model that is marked for the first time its faces to other sides
-    /// stay.</param>
-    /// <param name="measured">Where the rows go.</param>
-    /// <param name="display">Where the cuboid is drawn.</param>
-    /// <param name="messages">Tells what comes of it.</param>
+    /// <param name="shipped">The shipped faces: when a model is marked for the first time, its faces on other sides are kept.</param>
+    /// <param name="measured">Receives the rows.</param>
+    /// <param name="display">Draws the cuboid.</param>
+    /// <param name="messages">Reports the result.</param>
     public FaceMarking(
         GamePorts game, IProps props, IReadOnlyList<SignName> names, FaceTable shipped, MeasuredFaces measured, IDisplay display,
             PlayerMessages messages)
@@ -60,17 +59,17 @@ public sealed class FaceMarking : ILastingFeature
     /// <inheritdoc/>
     public bool IsBusy => _measured.IsBusy;
 
-    /// <summary>Whether a harvest runs, which goes on with the faces that it began with.</summary>
+    /// <summary>Whether a harvest is running, which keeps the faces with which it began.</summary>
     public Func<bool> IsHarvesting { get; init; } = static () => false;
 
     /// <summary>Whether nothing may be drawn now.</summary>
     public Func<bool> IsPictureNear { get; init; } = static () => false;
 
-    /// <summary>A line about the face that is being marked; null when none is.</summary>
+    /// <summary>A line about the face that is being marked; null if there is none.</summary>
     public string? Line => _prop is { } prop
         ? $"FACE  {prop.Model}  {_names[_name]}{(_marking!.IsComplete ? string.Empty : "  mark the opposite corner")}" : null;
 
-    /// <summary>Marks a corner where the middle of the screen points.</summary>
+    /// <summary>Marks a corner at the middle of the screen.</summary>
     public void Mark()
     {
         _measured.Open();
@@ -95,7 +94,7 @@ public sealed class FaceMarking : ILastingFeature
     /// <summary>Chooses the next name.</summary>
     public void NextName() => _name = (_name + 1) % _names.Count;
 
-    /// <summary>Keeps the marked face. One that overlaps a face that the player has measured takes its place.</summary>
+    /// <summary>Saves the marked face. It replaces a face of the player's that it overlaps.</summary>
     public void Keep()
     {
         if (_marking is not { IsComplete: true } marking)
@@ -118,8 +117,9 @@ public sealed class FaceMarking : ILastingFeature
         ModelFace? replaced = earlier.FirstOrDefault(other => Overlap(other, face));
         face = face with { Number = replaced?.Number ?? KeptFaces.FreeNumber(earlier) };
         folder.Finish(model, "byHand", [.. earlier.Where(other => other.Number != face.Number), face]);
+        string start = IsHarvesting() ? "from the next harvest" : "from now";
         _messages.Tell(FormattableString.Invariant(
-            $"Kept: face {face.Number} of {model}, {name}, in {_measured.Path}. It is in use {(IsHarvesting() ? "from the next harvest" : "from now")} on."));
+            $"Saved: face {face.Number} of {model}, {name}, in {_measured.Path}. It is in use {start} on."));
         Stop();
     }
 

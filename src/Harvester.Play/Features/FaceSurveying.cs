@@ -2,13 +2,12 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Ports;
+using Harvester.Sessions.Text;
 using Harvester.Surveys.Faces;
 
 namespace Harvester.Play.Features;
 
-/// <summary>
-/// Measures the models of signs and lights at a key, one after the other, and keeps what it finds for the harvests to come.
-/// </summary>
+/// <summary>Measures the models of signs and lights in turn, and saves the results for later harvests.</summary>
 public sealed class FaceSurveying : ILastingFeature
 {
     private readonly ISurveyStage _stage;
@@ -25,17 +24,17 @@ public sealed class FaceSurveying : ILastingFeature
     private FaceSurvey? _survey;
     private bool _isOn;
 
-    /// <summary>Makes a survey that is off.</summary>
-    /// <param name="stage">Where models are put up.</param>
-    /// <param name="camera">Takes photographs; null for none.</param>
+    /// <summary>Creates a survey that is off.</summary>
+    /// <param name="stage">Places the models.</param>
+    /// <param name="camera">Takes photographs; null to take none.</param>
     /// <param name="models">The models to measure.</param>
-    /// <param name="measured">Where the rows go.</param>
-    /// <param name="harvest">There is no survey while a harvest runs.</param>
-    /// <param name="mount">Gives the view back before a survey, which needs it for photographs.</param>
-    /// <param name="display">The game's own display is hidden while a photograph is taken.</param>
-    /// <param name="messages">Tells what was found.</param>
-    /// <param name="clock">The player's time.</param>
-    /// <param name="budgetMilliseconds">Time that rays may take of a tick.</param>
+    /// <param name="measured">Receives the rows.</param>
+    /// <param name="harvest">While it runs, no survey starts.</param>
+    /// <param name="mount">Restores the view before a survey, which needs it for photographs.</param>
+    /// <param name="display">Hides the game's own display while a photograph is taken.</param>
+    /// <param name="messages">Reports the results.</param>
+    /// <param name="clock">Real time.</param>
+    /// <param name="budgetMilliseconds">Maximum time of rays per tick, milliseconds.</param>
     public FaceSurveying(
         ISurveyStage stage,
         ISurveyCamera? camera,
@@ -69,21 +68,22 @@ public sealed class FaceSurveying : ILastingFeature
     /// <inheritdoc/>
     public bool IsBusy => _measured.IsBusy;
 
-    /// <summary>Whether a photograph is taken, so that nothing may be drawn over the picture.</summary>
+    /// <summary>Whether a photograph is being taken, so that nothing may be drawn over it.</summary>
     public bool IsPictureNear => _survey?.IsPhotographing ?? false;
 
-    /// <summary>A line about it; null when it is off.</summary>
+    /// <summary>A line about the survey; null if it is off.</summary>
     public string? Line =>
         _isOn ? FormattableString.Invariant($"SIGNS  {_survey?.Done ?? 0} of {_models.Count}  {_survey?.Current}") : null;
 
-    /// <summary>Starts the survey where the last one ended, or ends the one that runs.</summary>
+    /// <summary>Continues the survey, or ends the one that is running.</summary>
     public void Toggle()
     {
         if (_isOn)
         {
             int done = _survey?.Done ?? 0;
             Stop();
-            _messages.Tell(FormattableString.Invariant($"The survey of signs was stopped: {done} of {_models.Count} models are done. The next survey continues there."));
+            _messages.Tell(FormattableString.Invariant(
+                $"The survey of signs was stopped after {done} of {_models.Count} models. The next survey continues there."));
         }
         else if (_harvest.IsOn)
         {
@@ -149,7 +149,7 @@ public sealed class FaceSurveying : ILastingFeature
         _measured.Wait();
     }
 
-    /// <summary>Ends surveys; what the game does not take back now, it is given again in the next tick.</summary>
+    /// <summary>Ends surveys; what the game refuses to remove now is removed in a later tick.</summary>
     private void GiveBack()
     {
         _leaving.ForEach(survey => survey.Dispose());

@@ -1,11 +1,12 @@
 using System;
 using Harvester.Capture.Ports;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Play.Features;
 
-/// <summary>What a feature has cost while it was on.</summary>
-/// <param name="calls">Counts what is asked of the game.</param>
-/// <param name="clock">The player's time.</param>
+/// <summary>The cost of a feature while it was on.</summary>
+/// <param name="calls">Counts the calls to the game.</param>
+/// <param name="clock">Real time.</param>
 internal sealed class FeatureFigures(ICallCounter calls, IClock clock)
 {
     private const double MillisecondsPerSecond = 1000;
@@ -15,7 +16,7 @@ internal sealed class FeatureFigures(ICallCounter calls, IClock clock)
     private long _rays;
 
     /// <summary>Adds a tick of the feature.</summary>
-    /// <param name="before">What had been asked of the game, and when, just before it.</param>
+    /// <param name="before">The counts of calls and the time just before the tick.</param>
     public void Add((long Natives, long Rays, double Milliseconds) before)
     {
         _natives += calls.Natives - before.Natives;
@@ -23,14 +24,15 @@ internal sealed class FeatureFigures(ICallCounter calls, IClock clock)
         _times.Add(clock.Milliseconds - before.Milliseconds);
     }
 
-    /// <summary>The figures in words, for the log.</summary>
+    /// <summary>The figures as text, for the log.</summary>
     public override string ToString()
     {
         double seconds = (clock.Milliseconds - _startMilliseconds) / MillisecondsPerSecond;
         double nativesPerTick = _times.Count > 0 ? (double)_natives / _times.Count : 0;
         double raysPerSecond = seconds > 0 ? _rays / seconds : 0;
-        string ticks = _times.Count == 1 ? "tick" : "ticks";
-        return FormattableString.Invariant(
-            $"{_times.Count} {ticks} in {seconds:0.0} s, {nativesPerTick:0.0} natives per tick, {raysPerSecond:0} rays per second, tick time p50 {_times.Percentile(0.5):0.00} ms, p99 {_times.Percentile(0.99):0.00} ms");
+        string ticks = Counted.Of(_times.Count, "tick");
+        return FormattableString.Invariant($"{ticks} in {seconds:0.0} s, {nativesPerTick:0.0} natives per tick, ")
+            + FormattableString.Invariant($"{raysPerSecond:0} rays per second, ")
+            + FormattableString.Invariant($"tick time p50 {_times.Percentile(0.5):0.00} ms, p99 {_times.Percentile(0.99):0.00} ms");
     }
 }

@@ -6,11 +6,11 @@ using Harvester.Capture.Ports;
 namespace Harvester.Play.Features;
 
 /// <summary>
-/// The features of a mod. No exception of theirs leaves: a feature that fails is stopped with a message, and the others go on.
+/// The features of a mod. Their exceptions are caught: a feature that fails is stopped with a message, and the others continue.
 /// </summary>
-/// <param name="messages">Where failures are told, and what the features cost is logged.</param>
-/// <param name="calls">Counts what is asked of the game.</param>
-/// <param name="clock">The player's time.</param>
+/// <param name="messages">Reports failures and logs the cost of the features.</param>
+/// <param name="calls">Counts the calls to the game.</param>
+/// <param name="clock">Real time.</param>
 /// <param name="features">The features, in the order of their ticks.</param>
 public sealed class FeatureSet(PlayerMessages messages, ICallCounter calls, IClock clock, params IFeature[] features)
 {
@@ -18,7 +18,7 @@ public sealed class FeatureSet(PlayerMessages messages, ICallCounter calls, IClo
 
     private readonly FeatureWatch[] _watches = [.. features.Select(feature => new FeatureWatch(feature, messages, calls, clock))];
 
-    /// <summary>Whether work of any of them goes on on another thread.</summary>
+    /// <summary>Whether work of any feature continues on another thread.</summary>
     public bool IsBusy => messages.IsBusy || features.OfType<ILastingFeature>().Any(feature => feature.IsBusy);
 
     /// <summary>Does one frame's work.</summary>
@@ -33,8 +33,8 @@ public sealed class FeatureSet(PlayerMessages messages, ICallCounter calls, IClo
     }
 
     /// <summary>
-    /// Ends all features for good. First each gives back what it has of the game, in the opposite order of their ticks; only then the disk
-    /// is waited for.
+    /// Ends all features for good. First each releases what it has of the game, in reverse order of their ticks; only then it waits for the
+    /// disk.
     /// </summary>
     public void Finish()
     {
@@ -56,7 +56,7 @@ public sealed class FeatureSet(PlayerMessages messages, ICallCounter calls, IClo
         messages.Wait(MaxWaitForLog);
     }
 
-    /// <summary>Lets a feature work; it is stopped when it fails.</summary>
+    /// <summary>Runs an action of a feature; if it fails, the feature is stopped.</summary>
     public void Do(IFeature feature, Action work)
     {
         if (feature is not null && !Try(feature.Name, work))
@@ -65,8 +65,8 @@ public sealed class FeatureSet(PlayerMessages messages, ICallCounter calls, IClo
         }
     }
 
-    /// <summary>Works in the name of something; tells a failure.</summary>
-    /// <returns>Whether it did not fail.</returns>
+    /// <summary>Runs an action; a failure is reported under a name.</summary>
+    /// <returns>Whether it succeeded.</returns>
     public bool Try(string name, Action work)
     {
         try

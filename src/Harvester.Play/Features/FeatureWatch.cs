@@ -2,18 +2,18 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Play.Features;
 
-/// <summary>Logs when a feature comes on and goes off, and what it has cost in between.</summary>
+/// <summary>Logs when a feature goes on and off, and its cost in between.</summary>
 /// <param name="feature">The feature.</param>
-/// <param name="messages">Where the log is.</param>
-/// <param name="calls">Counts what is asked of the game.</param>
-/// <param name="clock">The player's time.</param>
+/// <param name="messages">Writes the log.</param>
+/// <param name="calls">Counts the calls to the game.</param>
+/// <param name="clock">Real time.</param>
 internal sealed class FeatureWatch(IFeature feature, PlayerMessages messages, ICallCounter calls, IClock clock)
 {
     private FeatureFigures? _figures;
 
     public IFeature Feature => feature;
 
-    /// <summary>What has been asked of the game so far, and the time: taken before a tick, to be given to <see cref="After"/>.</summary>
+    /// <summary>The calls to the game so far, and the time: read before a tick and passed to <see cref="After"/>.</summary>
     public (long Natives, long Rays, double Milliseconds) Before => (calls.Natives, calls.Rays, clock.Milliseconds);
 
     /// <summary>Called after each tick of the feature.</summary>

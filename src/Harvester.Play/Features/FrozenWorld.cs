@@ -4,10 +4,10 @@ using Harvester.Capture.Ports;
 namespace Harvester.Play.Features;
 
 /// <summary>
-/// Unfreezes a world that no feature needs frozen any more. The feature that froze it does so first; if the game refused, it is tried again
-/// in every tick.
+/// Resumes a world that no feature needs frozen any more. The feature that froze it does so first; if the game refused, this tries again in
+/// every tick.
 /// </summary>
-/// <param name="pause">The game's.</param>
+/// <param name="pause">The game's pause.</param>
 /// <param name="isNeeded">Whether a feature may need the world frozen.</param>
 public sealed class FrozenWorld(IPause pause, Func<bool> isNeeded) : IFeature
 {

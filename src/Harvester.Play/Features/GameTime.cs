@@ -3,8 +3,8 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Play.Features;
 
-/// <summary>A game's pause, and its time, which stands still while it is paused, whatever the game's own timer does.</summary>
-/// <param name="setFrozen">Stops the game's world under running scripts in one way, or lets it go on.</param>
+/// <summary>A game's pause and its time, which stands still while the game is paused, whatever the game's own timer does.</summary>
+/// <param name="setFrozen">Freezes or resumes the game's world by one method, while scripts keep running.</param>
 /// <param name="timerMilliseconds">The game's own timer, milliseconds.</param>
 public sealed class GameTime(Action<FreezeMethod, bool> setFrozen, Func<int> timerMilliseconds) : IPause
 {
@@ -38,7 +38,7 @@ public sealed class GameTime(Action<FreezeMethod, bool> setFrozen, Func<int> tim
     {
         if (_frozenBy is { } method)
         {
-            // First the game, whatever fails after it.
+            // First the game, even if something fails after it.
             setFrozen(method, false);
             _frozenBy = null;
             _lost += Running - _frozenAt;

@@ -8,10 +8,12 @@ using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Geometry.Cameras;
 using Harvester.Sessions.Faces;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Play.Features;
 
-/// <summary>Starts, drives and ends harvests by the keys.</summary>
+/// <summary>Starts, runs and ends harvests.</summary>
 public sealed class Harvest : ILastingFeature, IDisposable
 {
     private static readonly TimeSpan MaxWaitForDisk = TimeSpan.FromSeconds(10);
@@ -29,14 +31,14 @@ public sealed class Harvest : ILastingFeature, IDisposable
     private FreezeReport? _freezing;
     private bool _isSingle;
 
-    /// <summary>Makes ready for harvests of a game.</summary>
+    /// <summary>Creates the feature; no harvest is running.</summary>
     /// <param name="options">What to harvest and how.</param>
-    /// <param name="folder">Where sessions go, each into a folder of its own.</param>
-    /// <param name="messages">Tells how harvests ended.</param>
-    /// <param name="mount">The camera that harvests.</param>
+    /// <param name="folder">The folder of the sessions, each in a folder of its own.</param>
+    /// <param name="messages">Reports how harvests ended.</param>
+    /// <param name="mount">The camera of the harvest.</param>
     /// <param name="game">The game.</param>
-    /// <param name="display">The game's own display is hidden while a harvest runs.</param>
-    /// <param name="origin">Tells at the start of a harvest where its session comes from.</param>
+    /// <param name="display">Hides the game's own display while a harvest is running.</param>
+    /// <param name="origin">Returns the origin of a session at the start of a harvest.</param>
     public Harvest(
         HarvestOptions options, string folder, PlayerMessages messages, IMount mount, GamePorts game, IDisplay display,
             Func<SessionOrigin> origin)
@@ -56,25 +58,25 @@ public sealed class Harvest : ILastingFeature, IDisposable
     /// <summary>What to harvest and how, from the next harvest on.</summary>
     public HarvestOptions Options { get; set; }
 
-    /// <summary>The faces of signs and heads of lights that are in use now.</summary>
+    /// <summary>The faces of signs and heads of lights in use now.</summary>
     public Func<FaceTable> FacesInUse { get; init; } = static () => FaceTable.Empty;
 
-    /// <summary>The faces to label: those in use, and while a harvest is on those that were when it began.</summary>
+    /// <summary>The faces to label: those in use, and during a harvest those with which it began.</summary>
     public FaceTable Faces => IsOn ? _startedWith!.Faces! : FacesInUse();
 
-    /// <summary>Why this game cannot be harvested; null when it can.</summary>
+    /// <summary>Why this game cannot be harvested; null if it can.</summary>
     public Func<string?> Problem { get; init; } = static () => null;
 
     /// <inheritdoc/>
     public bool IsOn => _writer.IsHeld;
 
-    /// <summary>How the harvest that runs stands; null when none does, or when its folder is not open yet.</summary>
+    /// <summary>The status of the running harvest; null if there is none, or its folder is not open yet.</summary>
     public HarvestStatus? Status => _session?.Status;
 
-    /// <summary>Frames that wait to be written.</summary>
+    /// <summary>Number of frames waiting to be written.</summary>
     public int Queued => _writer.Opened?.Queued ?? 0;
 
-    /// <summary>Whether a picture may be grabbed now or so soon that nothing of ours may be drawn.</summary>
+    /// <summary>Whether an image may be grabbed now or so soon that nothing may be drawn over it.</summary>
     public bool IsPictureNear =>
         IsOn && (Status is not { } status || !_startedWith!.Freeze
             || status.Phase is not (HarvestPhase.Waiting or HarvestPhase.WaitingForSink));
@@ -82,14 +84,14 @@ public sealed class Harvest : ILastingFeature, IDisposable
     /// <inheritdoc/>
     public bool IsBusy => _writer.IsBusy;
 
-    /// <summary>Starts a harvest in a folder of its own, or ends the one that runs.</summary>
+    /// <summary>Starts a harvest in a folder of its own, or ends the one that is running.</summary>
     public void Toggle()
     {
         if (!IsOn)
         {
             SessionOrigin origin = _origin();
             _isSingle = false;
-            Start(Options with { Faces = FacesInUse() }, () => new SessionWriter(NewFolder("session"), origin));
+            Start(Options with { Faces = FacesInUse() }, () => Locked(NewFolder("session"), origin));
         }
         else
         {
@@ -98,7 +100,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
     }
 
     /// <summary>
-    /// Harvests one frame. The single frames of one run of the game make a session together, as long as lens and faces are the same.
+    /// Harvests one frame. The single frames of one run of the game form a session, as long as lens and faces do not change.
     /// </summary>
     public void TakeOne()
     {
@@ -122,11 +124,11 @@ public sealed class Harvest : ILastingFeature, IDisposable
             Start(
                 singles.CalibrationErrorPixels is { } known
                     ? options with { MaxCalibrationErrorPixels = null, KnownCalibrationErrorPixels = known } : options,
-                () => new SessionWriter(singles.Folder, origin, resume: true));
+                () => Locked(singles.Folder, origin, resume: true));
         }
         else
         {
-            Start(options, () => new SessionWriter(NewFolder("singles"), origin));
+            Start(options, () => Locked(NewFolder("singles"), origin));
         }
     }
 
@@ -170,7 +172,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         }
     }
 
-    /// <summary>Stops, and waits until everything taken is on disk, or for as long as a script may take to end.</summary>
+    /// <summary>Stops, and waits until everything accepted is on disk, or for as long as a script may take to end.</summary>
     public void Finish()
     {
         Stop();
@@ -202,9 +204,24 @@ public sealed class Harvest : ILastingFeature, IDisposable
 
         if (_mount.IsMounted)
         {
-            // A session that is gone on with is read, and a disk may sleep.
+            // Resuming reads the session, and a disk may have to spin up.
             _startedWith = options;
             _writer.Open(open);
+        }
+    }
+
+    /// <summary>Opens a session in a folder that no other process may write until the session is closed.</summary>
+    private static SessionWriter Locked(string folder, SessionOrigin origin, bool resume = false)
+    {
+        WriterLock held = WriterLock.Take(folder);
+        try
+        {
+            return new SessionWriter(folder, origin, resume) { Lock = held };
+        }
+        catch
+        {
+            held.Dispose();
+            throw;
         }
     }
 
@@ -218,7 +235,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
         return _writer.Opened is { } writer ? new HarvestSession(_startedWith!, _game, writer) : null;
     }
 
-    /// <summary>Keeps what was found about freezing for the single frames that follow.</summary>
+    /// <summary>Keeps the findings about freeze methods for the following single frames.</summary>
     private void KeepFreezing(HarvestSession session)
     {
         if (session.Freezing is { } found && found != _freezing)
@@ -264,7 +281,7 @@ public sealed class Harvest : ILastingFeature, IDisposable
             : $"The harvest ended: {counts}, in {_folder}.");
     }
 
-    /// <summary>The last frames are written when the harvest is over: what the disk refuses then is told when that is known.</summary>
+    /// <summary>The last frames are written when the harvest is over: their write errors are reported once they are known.</summary>
     private void TellLateFault()
     {
         if (_lastWriter is not { } writer || IsBusy)
@@ -292,8 +309,6 @@ public sealed class Harvest : ILastingFeature, IDisposable
         return free;
     }
 
-    /// <summary>
-    /// The session that single frames make together, once it has one. Its camera model is checked until that could be done once.
-    /// </summary>
+    /// <summary>The session of the single frames. Its camera model is checked until the check has succeeded once.</summary>
     private sealed record SingleFrames(string Folder, Lens Lens, FaceTable Faces, double? CalibrationErrorPixels);
 }

@@ -2,12 +2,14 @@ using Harvester.Capture.Faults;
 
 namespace Harvester.Play.Features;
 
-/// <summary>Words the faults of a harvest for the player: the message of the core and the setting that changes the limit.</summary>
+/// <summary>
+/// Turns the faults of a harvest into messages for the player: the core's message and the setting that changes the limit.
+/// </summary>
 internal static class HarvestAdvice
 {
     private const string SkipCheck = "To skip this check, set MaxError = 0 under [Lens].";
 
-    /// <summary>One line.</summary>
+    /// <summary>The message in one line.</summary>
     public static string TextOf(CaptureFault fault) => SettingFor(fault.Code) is { } setting ? $"{fault.Message} {setting}" : fault.Message;
 
     private static string? SettingFor(FaultCode code) => code switch

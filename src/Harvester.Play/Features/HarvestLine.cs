@@ -5,10 +5,11 @@ using System.Linq;
 using System.Threading.Tasks;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Play.Features;
 
-/// <summary>Lines about the harvest and the surveys that run, in moments when no picture is grabbed.</summary>
+/// <summary>Lines about the running harvest and surveys, shown while no image is grabbed.</summary>
 public sealed class HarvestLine : IFeature
 {
     private const double DiskEveryMilliseconds = 5_000;
@@ -22,11 +23,11 @@ public sealed class HarvestLine : IFeature
     private string _disk = string.Empty;
     private bool _hasFailed;
 
-    /// <summary>Makes the line.</summary>
-    /// <param name="harvest">What to tell of.</param>
-    /// <param name="folder">Where sessions go; the free space there is told.</param>
-    /// <param name="clock">The player's time.</param>
-    /// <param name="display">Where to write.</param>
+    /// <summary>Creates the lines.</summary>
+    /// <param name="harvest">The harvest.</param>
+    /// <param name="folder">The folder of the sessions; its free space is shown.</param>
+    /// <param name="clock">Real time.</param>
+    /// <param name="display">Shows the lines.</param>
     public HarvestLine(Harvest harvest, string folder, IClock clock, IDisplay display)
     {
         _harvest = harvest;
@@ -38,7 +39,7 @@ public sealed class HarvestLine : IFeature
     /// <summary>Whether nothing may be drawn now.</summary>
     public Func<bool> IsPictureNear { get; init; } = static () => false;
 
-    /// <summary>What surveys say of themselves; null from one that is off.</summary>
+    /// <summary>The lines of the surveys; null from one that is off.</summary>
     public IReadOnlyList<Func<string?>> SurveyLines { get; init; } = [];
 
     /// <inheritdoc/>
@@ -86,8 +87,9 @@ public sealed class HarvestLine : IFeature
     {
         AskDisk();
         string state = status.Phase == HarvestPhase.WaitingForSink ? "WAITING FOR DISK" : "REC";
+        string frames = Counted.Of(status.Captured, "frame");
         string line = FormattableString.Invariant(
-            $"{state}  {Counted.Of(status.Captured, "frame")}  {status.FramesPerSecond:0.0}/s  {status.Discarded} discarded  queue {_harvest.Queued}  {_disk}");
+            $"{state}  {frames}  {status.FramesPerSecond:0.0}/s  {status.Discarded} discarded  queue {_harvest.Queued}  {_disk}");
         _display.Text(line, 0.02, 0.02);
     }
 
@@ -116,7 +118,7 @@ public sealed class HarvestLine : IFeature
         }
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or ArgumentException)
         {
-            // A share of the network is no drive with a letter.
+            // A network share has no drive letter.
             return string.Empty;
         }
     }

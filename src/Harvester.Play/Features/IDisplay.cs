@@ -2,15 +2,13 @@ using Harvester.Geometry;
 
 namespace Harvester.Play.Features;
 
-/// <summary>
-/// Draws over the game's picture, for one frame each time. Places are fractions of the window where nothing else is said.
-/// </summary>
+/// <summary>Draws over the game's picture, for one frame each time. Positions are fractions of the window unless noted otherwise.</summary>
 public interface IDisplay
 {
     /// <summary>Draws a filled rectangle.</summary>
     void Rectangle(Box2D place, Colour colour);
 
-    /// <summary>Writes a line; the game cuts it at 99 bytes.</summary>
+    /// <summary>Writes a line; the game truncates it at 99 bytes.</summary>
     /// <param name="text">The line.</param>
     /// <param name="left">Left end.</param>
     /// <param name="top">Upper edge.</param>
@@ -19,9 +17,9 @@ public interface IDisplay
     /// <summary>Draws a ball in the world.</summary>
     /// <param name="centre">Metres, world.</param>
     /// <param name="radiusMetres">Radius, metres.</param>
-    /// <param name="colour">Its colour, which no lamp changes.</param>
+    /// <param name="colour">Its colour, unaffected by lights.</param>
     void Ball(Vector3D centre, double radiusMetres, Colour colour);
 
-    /// <summary>Hides the game's own display, map and messages.</summary>
+    /// <summary>Hides the game's own head-up display, map and messages.</summary>
     void HideGames();
 }

@@ -3,15 +3,15 @@ namespace Harvester.Play.Features;
 /// <summary>A part of the mod that works on every tick.</summary>
 public interface IFeature
 {
-    /// <summary>What it is to the player, as the message of a failure names it.</summary>
+    /// <summary>The feature's name in messages of failures.</summary>
     string Name { get; }
 
-    /// <summary>Whether it is at work. When this changes from one tick to the next, the log says so.</summary>
+    /// <summary>Whether it is working. The log records each change.</summary>
     bool IsOn { get; }
 
-    /// <summary>Does this frame's work.</summary>
+    /// <summary>Does the work of one frame.</summary>
     void Tick();
 
-    /// <summary>Ends what it is doing and gives back what it took from the game. Again is no harm.</summary>
+    /// <summary>Ends what it is doing and releases what it took from the game. Calling it again has no effect.</summary>
     void Stop();
 }

@@ -6,6 +6,6 @@ public interface IMount
     /// <summary>Whether it is mounted.</summary>
     bool IsMounted { get; }
 
-    /// <summary>Mounts it; tells the player where that cannot be.</summary>
+    /// <summary>Mounts it; reports to the player if that is impossible.</summary>
     void Mount();
 }

@@ -4,13 +4,13 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Play.Features;
 
-/// <summary>The game's props, whatever their models; those that nobody knows have the class other.</summary>
+/// <summary>The game's props of any model; unknown ones have the class other.</summary>
 public interface IProps
 {
     /// <summary>The player's body, which aiming rays pass through.</summary>
     int PlayersBody { get; }
 
-    /// <summary>A prop as it is now; null for what is none, or is gone.</summary>
+    /// <summary>The current state of a prop; null if the entity is not a prop or no longer exists.</summary>
     EntityState? ReadProp(int entity);
 
     /// <summary>The props whose origins lie within a distance of a point.</summary>

@@ -6,7 +6,7 @@ public interface ITrafficLights
     /// <summary>Whether a light is in the game.</summary>
     bool Exists(int light);
 
-    /// <summary>Makes a light show something, until it is told otherwise.</summary>
+    /// <summary>Sets the state of a light until the next call.</summary>
     /// <param name="light">The light's handle.</param>
     /// <param name="value">The game's number of a state; 3 gives the light back to the game.</param>
     void Override(int light, int value);

@@ -3,33 +3,33 @@ using System.Collections.Generic;
 
 namespace Harvester.Play.Features;
 
-/// <summary>Which key does what, as the settings say.</summary>
+/// <summary>The actions of keys, as set in the settings file.</summary>
 /// <typeparam name="TKey">The keys of the keyboard.</typeparam>
-/// <param name="folder">The settings; told of keys that have two uses.</param>
-/// <param name="features">Lets the features work.</param>
+/// <param name="folder">The settings; receives complaints about keys with two actions.</param>
+/// <param name="features">Runs the actions.</param>
 public sealed class KeyBindings<TKey>(ModFolder folder, FeatureSet features)
     where TKey : struct, Enum
 {
     private readonly Dictionary<TKey, (IFeature Feature, Action Press)> _uses = [];
     private readonly Dictionary<TKey, (IFeature Feature, Action Press)> _usesGoingDown = [];
 
-    /// <summary>Gives a key its use.</summary>
+    /// <summary>Assigns an action to a key; it runs on release.</summary>
     /// <param name="name">Name of the setting under [Keys].</param>
-    /// <param name="fallback">The key where the settings name none.</param>
-    /// <param name="feature">What is used.</param>
-    /// <param name="press">What it does.</param>
+    /// <param name="fallback">The key if the settings name none.</param>
+    /// <param name="feature">The feature of the action.</param>
+    /// <param name="press">The action.</param>
     public void Add(string name, TKey fallback, IFeature feature, Action press)
     {
         TKey key = folder.Settings.Choice("Keys", name, fallback, "a key, such as NumPad0, I or F9");
         Add(_uses, key, feature, press);
     }
 
-    /// <summary>Gives keys a use that they have as soon as they go down.</summary>
+    /// <summary>Assigns an action to keys; it runs when one goes down.</summary>
     /// <param name="section">Section of the setting.</param>
     /// <param name="name">Name of the setting.</param>
-    /// <param name="fallback">The keys where the settings name none.</param>
-    /// <param name="feature">What is used.</param>
-    /// <param name="press">What it does.</param>
+    /// <param name="fallback">The keys if the settings name none.</param>
+    /// <param name="feature">The feature of the action.</param>
+    /// <param name="press">The action.</param>
     public void AddGoingDown(string section, string name, IReadOnlyList<TKey> fallback, IFeature feature, Action press)
     {
         foreach (TKey key in folder.Settings.Choices(section, name, fallback, "keys, separated by commas, such as W, A, Space or Left"))
@@ -38,10 +38,10 @@ public sealed class KeyBindings<TKey>(ModFolder folder, FeatureSet features)
         }
     }
 
-    /// <summary>Does what a key is for that has been pressed, if it has a use.</summary>
+    /// <summary>Runs the action of a released key, if it has one.</summary>
     public void Press(TKey key) => Do(_uses, key);
 
-    /// <summary>Does what a key is for that goes down, if it has a use.</summary>
+    /// <summary>Runs the action of a key that goes down, if it has one.</summary>
     public void GoDown(TKey key) => Do(_usesGoingDown, key);
 
     private void Add(Dictionary<TKey, (IFeature Feature, Action Press)> uses, TKey key, IFeature feature, Action press)

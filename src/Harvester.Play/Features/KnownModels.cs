@@ -8,7 +8,7 @@ using Harvester.Surveys.Faces;
 
 namespace Harvester.Play.Features;
 
-/// <summary>What is known of the models met so far; the game is asked for each once.</summary>
+/// <summary>The facts of the models seen so far; each is read from the game once.</summary>
 /// <param name="models">The game's models.</param>
 /// <param name="table">The models of signs and traffic lights.</param>
 public sealed class KnownModels(IModels models, FaceTable table)
@@ -35,7 +35,7 @@ public sealed class KnownModels(IModels models, FaceTable table)
 
     private static string Hexadecimal(int hash) => "0x" + hash.ToString("X8", CultureInfo.InvariantCulture);
 
-    // The name that is displayed is the model's own for most vehicles; its hash tells which.
+    // The displayed name is the model's own for most vehicles; its hash shows whether it is.
     private string NameOfVehicle(int hash)
     {
         string displayed = models.DisplayNameOf(hash);

@@ -9,7 +9,7 @@ using Harvester.Play.Settings;
 
 namespace Harvester.Play.Features;
 
-/// <summary>Calibrates the camera at a key, for the harvests to come, and writes the lens into the settings file.</summary>
+/// <summary>Calibrates the camera for the following harvests, and writes the lens into the settings file.</summary>
 public sealed class LensCalibration : ILastingFeature, IDisposable
 {
     private static readonly TimeSpan MaxWaitForDisk = TimeSpan.FromSeconds(10);
@@ -22,12 +22,12 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
     private readonly DiskQueue _disk = new();
     private CalibrationSession? _session;
 
-    /// <summary>Makes ready.</summary>
-    /// <param name="harvest">Whose options get the lens.</param>
+    /// <summary>Creates the feature; it is off.</summary>
+    /// <param name="harvest">Its options receive the lens.</param>
     /// <param name="game">The game, with markers.</param>
     /// <param name="mount">The camera to calibrate.</param>
-    /// <param name="display">The game's own display is hidden meanwhile.</param>
-    /// <param name="messages">Tells the result.</param>
+    /// <param name="display">Hides the game's own display meanwhile.</param>
+    /// <param name="messages">Reports the result.</param>
     /// <param name="iniPath">The settings file.</param>
     public LensCalibration(
         Harvest harvest, GamePorts game, IMount mount, IDisplay display, PlayerMessages messages, string iniPath)
@@ -49,7 +49,7 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
     /// <summary>Whether the settings file is being written.</summary>
     public bool IsBusy => _disk.IsBusy;
 
-    /// <summary>Starts a calibration, or ends the one that runs.</summary>
+    /// <summary>Starts a calibration, or ends the one that is running.</summary>
     public void Toggle()
     {
         if (_session is not null)
@@ -133,10 +133,11 @@ public sealed class LensCalibration : ILastingFeature, IDisposable
         IReadOnlyList<KeyValuePair<string, double>> values = HarvestSettings.ValuesOf(result.Lens);
         _disk.Add(() => IniEditor.Set(_iniPath, HarvestSettings.LensSection, values));
         _messages.Tell(FormattableString.Invariant(
-            $"Calibrated: the error was {result.Before.RmsPixels:0.00} px and is {result.Validation.RmsPixels:0.00} px. The lens is in {Path.GetFileName(_iniPath)}."));
+            $"Calibrated: the error was {result.Before.RmsPixels:0.00} px and is {result.Validation.RmsPixels:0.00} px. ")
+            + $"The lens is in {Path.GetFileName(_iniPath)}.");
     }
 
-    /// <summary>A failed calibration is no failed check, which could be skipped; only the limit of the lag helps both.</summary>
+    /// <summary>A failed calibration is not a failed check, which could be skipped; only the limit of the lag applies to both.</summary>
     private static string TextOf(CaptureFault failure) =>
         failure.Code == FaultCode.PictureLate ? HarvestAdvice.TextOf(failure) : failure.Message;
 

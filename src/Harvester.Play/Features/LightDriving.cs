@@ -10,8 +10,8 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Play.Features;
 
 /// <summary>
-/// Drives the traffic lights around the camera while a harvest runs, so that it is known what they show, and gives them back to the game
-/// after it. The lights of crossing roads take turns. All goes by the game's time: while the game stands still no light changes.
+/// Drives the traffic lights around the camera during a harvest, so that their state is known, and gives them back to the game after it.
+/// The lights of crossing roads take turns. It uses the game's time: while the game is frozen, no light changes.
 /// </summary>
 public sealed class LightDriving : IFeature, ILights
 {
@@ -28,13 +28,13 @@ public sealed class LightDriving : IFeature, ILights
     private readonly Dictionary<int, Driven> _driven = [];
     private double _lookedAt = double.NegativeInfinity;
 
-    /// <summary>Makes ready.</summary>
+    /// <summary>Creates the feature; it is off.</summary>
     /// <param name="world">The game's world.</param>
     /// <param name="lights">The game's lights.</param>
-    /// <param name="order">What the game's numbers mean.</param>
-    /// <param name="rangeMetres">How far from the camera lights are driven, metres.</param>
-    /// <param name="settlingFrames">By how many frames the picture may be behind the game; so long after a change it is not known what it
-    /// shows.</param>
+    /// <param name="order">The meaning of the game's numbers.</param>
+    /// <param name="rangeMetres">Maximum distance from the camera of the lights that are driven, metres.</param>
+    /// <param name="settlingFrames">Maximum number of frames by which the picture may lag behind the game; for that long after a change the
+    /// visible state is unknown.</param>
     public LightDriving(IWorld world, ITrafficLights lights, LightOrder order, double rangeMetres, int settlingFrames)
     {
         _world = world;
@@ -96,7 +96,7 @@ public sealed class LightDriving : IFeature, ILights
         return time < GreenSeconds ? LightState.Green : time < GreenSeconds + AmberSeconds ? LightState.Amber : LightState.Red;
     }
 
-    /// <summary>Takes up the lights that have come near, and gives back those that are so no more.</summary>
+    /// <summary>Takes over the lights that have come near, and gives back those that no longer are.</summary>
     private void Look()
     {
         EntityState[] near = [.. _world.ReadEntities(_world.ReadCamera().Pose.Position, _rangeMetres)
@@ -112,7 +112,7 @@ public sealed class LightDriving : IFeature, ILights
 
     private void Set(int light, LightState state, bool isCrossing)
     {
-        // First noted, so that it is given back even if the game fails now.
+        // Recorded first, so that it is given back even if the game fails now.
         _driven[light] = new Driven(state, _world.GameFrame, isCrossing);
         _lights.Override(light, NumberOf(state));
     }
@@ -131,7 +131,7 @@ public sealed class LightDriving : IFeature, ILights
 
                 _driven.Remove(light);
             }
-#pragma warning disable CA1031 // One light that cannot be given back must not keep the others.
+#pragma warning disable CA1031 // One light that cannot be given back must not prevent the others.
             catch (Exception exception) when (exception is not ThreadAbortException)
 #pragma warning restore CA1031
             {

@@ -4,20 +4,18 @@ using Harvester.Play.Screen;
 
 namespace Harvester.Play.Features;
 
-/// <summary>
-/// The first lines of a run in the log: all that somebody who reads a log from elsewhere must know of the game and the computer.
-/// </summary>
+/// <summary>The first lines of a run in the log: what a reader needs to know about the game and the computer.</summary>
 public static class LogHeader
 {
-    /// <summary>What stands before the description of the window.</summary>
+    /// <summary>Precedes the description of the window.</summary>
     public const string Window = "Window: ";
 
-    /// <summary>What stands before the settings that differ from the defaults.</summary>
+    /// <summary>Precedes the settings that differ from the defaults.</summary>
     public const string Changes = "Changed settings: ";
 
     /// <summary>The lines.</summary>
     /// <param name="versions">The mod, the API and the game with their versions.</param>
-    /// <param name="window">The game's window; null where it is not known.</param>
+    /// <param name="window">The game's window; null if it is unknown.</param>
     /// <param name="changes">The settings that differ from their defaults.</param>
     public static IEnumerable<string> Lines(string versions, IGameWindow? window, IReadOnlyList<string> changes)
     {

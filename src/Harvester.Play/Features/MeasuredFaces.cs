@@ -6,11 +6,9 @@ using Harvester.Surveys.Faces;
 
 namespace Harvester.Play.Features;
 
-/// <summary>
-/// The folder of what the player has measured, opened on another thread when it is first asked for, and the faces that are in use with it.
-/// </summary>
+/// <summary>The folder with the player's measurements, opened on another thread on first use, and the faces in use.</summary>
 /// <param name="path">The folder.</param>
-/// <param name="shipped">The faces that came with the mod.</param>
+/// <param name="shipped">The faces shipped with the mod.</param>
 /// <param name="inUse">The faces in use until the folder is opened.</param>
 public sealed class MeasuredFaces(string path, FaceTable shipped, FaceTable inUse)
 {
@@ -22,7 +20,8 @@ public sealed class MeasuredFaces(string path, FaceTable shipped, FaceTable inUs
     public string Path { get; } = path;
 
     /// <summary>
-    /// The faces in use: what was measured, as soon as it is, before what came with the mod. It is another table only when rows are others.
+    /// The faces in use: the measured ones, once they are read, take precedence over the shipped ones. The table changes only if its rows
+    /// do.
     /// </summary>
     public FaceTable InUse
     {
@@ -42,7 +41,7 @@ public sealed class MeasuredFaces(string path, FaceTable shipped, FaceTable inUs
     public bool IsBusy => _opening is { } opening && (!opening.IsCompleted || (!opening.IsFaulted && opening.Result.IsWriting));
 
     /// <summary>The folder's content; null until it is read.</summary>
-    /// <exception cref="IOException">It cannot be read. The next question tries again.</exception>
+    /// <exception cref="IOException">It cannot be read. The next call tries again.</exception>
     public SurveyFolder? Open()
     {
         _opening ??= Task.Run(() => new SurveyFolder(Path));
@@ -56,7 +55,7 @@ public sealed class MeasuredFaces(string path, FaceTable shipped, FaceTable inUs
         return _opening.IsCompleted ? _opening.Result : null;
     }
 
-    /// <summary>Waits until all is written, or for as long as a script may take to end.</summary>
+    /// <summary>Waits until everything is written, or for as long as a script may take to end.</summary>
     /// <exception cref="IOException">Something could not be written.</exception>
     public void Wait()
     {

@@ -10,7 +10,7 @@ using Harvester.Surveys.Faces;
 namespace Harvester.Play.Features;
 
 /// <summary>
-/// The files beside the mod. What cannot be read is no exception: it is told in <see cref="Complaints"/>, and defaults are used.
+/// The files beside the mod. If one cannot be read, <see cref="Complaints"/> says so and defaults are used; nothing is thrown.
 /// </summary>
 public sealed class ModFolder
 {
@@ -20,7 +20,7 @@ public sealed class ModFolder
     private readonly List<string> _complaints = [];
 
     /// <summary>Reads the files.</summary>
-    /// <param name="folder">The folder that the mod lies in.</param>
+    /// <param name="folder">The folder of the mod.</param>
     public ModFolder(string folder)
     {
         _folder = folder;
@@ -28,29 +28,27 @@ public sealed class ModFolder
         ShippedFaces = ReadFaces(Path.Combine(folder, FacesFile), FacesFile);
     }
 
-    /// <summary>Where the settings stand.</summary>
+    /// <summary>Path of the settings file.</summary>
     public string SettingsPath => Path.Combine(_folder, SettingsFile);
 
     /// <summary>The settings.</summary>
     public IniFile Settings { get; }
 
-    /// <summary>The faces of signs and traffic lights that came with the mod.</summary>
+    /// <summary>The faces of signs and traffic lights shipped with the mod.</summary>
     public FaceTable ShippedFaces { get; }
 
-    /// <summary>What is wrong with the files, a sentence each; to be asked after all settings.</summary>
+    /// <summary>The problems of the files, one sentence each; complete after all settings have been read.</summary>
     public IEnumerable<string> Complaints => _complaints.Concat(Settings.Complaints.Select(Told));
 
-    /// <summary>
-    /// The faces of signs and traffic lights: those that the player has measured, and for other models those that came with the mod.
-    /// </summary>
-    /// <param name="measured">The folder of what the player has measured; it need not be there.</param>
+    /// <summary>The faces of signs and traffic lights: the player's own, and for other models the shipped ones.</summary>
+    /// <param name="measured">The folder with the player's measurements; it need not exist.</param>
     public FaceTable FacesWith(string measured)
     {
         string table = Path.Combine(measured, SurveyFolder.TableName);
         return File.Exists(table) ? ShippedFaces.OverriddenBy(ReadFaces(table, table)) : ShippedFaces;
     }
 
-    /// <summary>Complains of a setting.</summary>
+    /// <summary>Adds a complaint about a setting.</summary>
     public void Complain(string sentence) => _complaints.Add(Told(sentence));
 
     private static string Told(string sentence) => $"{SettingsFile}: {sentence}";
@@ -81,7 +79,7 @@ public sealed class ModFolder
         {
             return read();
         }
-#pragma warning disable CA1031 // Whatever is wrong with a file, the mod starts.
+#pragma warning disable CA1031 // The mod starts even if a file is damaged.
         catch (Exception exception) when (exception is not ThreadAbortException)
 #pragma warning restore CA1031
         {

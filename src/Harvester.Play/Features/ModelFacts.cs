@@ -3,8 +3,8 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Play.Features;
 
-/// <summary>What never changes about a model.</summary>
-/// <param name="Class">What kind of thing it is.</param>
+/// <summary>The constant properties of a model.</summary>
+/// <param name="Class">Its class.</param>
 /// <param name="Name">Its name, or its hash as 0xXXXXXXXX.</param>
 /// <param name="Min">Rear, left, lower corner in its own frame, metres.</param>
 /// <param name="Max">Front, right, upper corner in its own frame, metres.</param>

@@ -13,15 +13,15 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Play.Features;
 
-/// <summary>Draws the boxes of the objects that would be labelled now, the faces of signs, and the lane lines over the game.</summary>
+/// <summary>Draws over the game the boxes of the objects that would be labelled now, the faces of signs, and the lane lines.</summary>
 public sealed class Overlay : IFeature
 {
     private const double LineFraction = 0.0015;
 
-    /// <summary>Distance of the dots of a lane line, as a share of the window.</summary>
+    /// <summary>Distance of the dots of a lane line, as a fraction of the window.</summary>
     private const double DotFraction = 0.02;
 
-    /// <summary>Lane lines are drawn this far, metres along the road, as they are labelled.</summary>
+    /// <summary>Distance up to which lane lines are drawn, metres along the road, as in labels.</summary>
     private const double LaneReach = 70;
 
     // The boxes are drawn in fractions of the window; any size of image will do.
@@ -37,12 +37,12 @@ public sealed class Overlay : IFeature
     private readonly IDisplay _display;
     private RoadMatch? _previous;
 
-    /// <summary>Makes an overlay; it is off.</summary>
-    /// <param name="harvest">Its options and faces say what is drawn.</param>
-    /// <param name="game">The roads that are known.</param>
-    /// <param name="messages">Tells why it cannot be switched on.</param>
-    /// <param name="sight">What is seen of the game; when the camera is mounted, lanes are those of its vehicle.</param>
-    /// <param name="display">Where to draw.</param>
+    /// <summary>Creates an overlay that is off.</summary>
+    /// <param name="harvest">Its options and faces select what is drawn.</param>
+    /// <param name="game">The known roads.</param>
+    /// <param name="messages">Reports why it cannot be switched on.</param>
+    /// <param name="sight">Reads the visible entities; if the camera is mounted, lanes are those of its vehicle.</param>
+    /// <param name="display">Draws.</param>
     public Overlay(Harvest harvest, GamePorts game, PlayerMessages messages, Sight sight, IDisplay display)
     {
         _harvest = harvest;
@@ -61,7 +61,7 @@ public sealed class Overlay : IFeature
     /// <inheritdoc/>
     public bool IsOn { get; private set; }
 
-    /// <summary>Switches it on or off.</summary>
+    /// <summary>Switches the overlay on or off.</summary>
     public void Toggle()
     {
         string? problem = _harvest.Problem();
@@ -128,7 +128,7 @@ public sealed class Overlay : IFeature
         }
     }
 
-    /// <summary>Draws a line as dots that stand apart in the window: each costs a native, and far away many fall together.</summary>
+    /// <summary>Draws a line as dots at a minimum distance in the window: each costs a native, and far away many would coincide.</summary>
     private void DrawDots(LaneLineView line)
     {
         Vector2D? last = null;
@@ -152,7 +152,7 @@ public sealed class Overlay : IFeature
         };
         foreach (Cuboid cuboid in CuboidsOf(entity))
         {
-            if (CuboidProjector.Project(camera, cuboid).Box is { } box)
+            if (CuboidProjector.BoxesOf(camera, cuboid).Box is { } box)
             {
                 Outline(box, colour);
             }

@@ -6,10 +6,10 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Play.Features;
 
-/// <summary>The vehicle with the camera, driven by the game's own controls, so that the player can have it back at any moment.</summary>
+/// <summary>The vehicle with the camera, driven by the game's own controls, so that the player can take over at any moment.</summary>
 public sealed class PlayerCar : IDrivenCar
 {
-    /// <summary>Slower than this forward, metres per second, the game takes the brake for the reverse gear.</summary>
+    /// <summary>Below this forward speed, m/s, the game treats the brake as the reverse gear.</summary>
     private const double StandingSpeed = 0.5;
 
     private readonly ICarControls _controls;
@@ -18,11 +18,11 @@ public sealed class PlayerCar : IDrivenCar
     private readonly IWorld _world;
     private bool _keepsWeather;
 
-    /// <summary>Makes ready.</summary>
+    /// <summary>Creates the car.</summary>
     /// <param name="controls">The game's controls.</param>
-    /// <param name="vehicles">Tells where the player sits.</param>
+    /// <param name="vehicles">Gives the player's vehicle.</param>
     /// <param name="mount">The camera, on the vehicle to drive.</param>
-    /// <param name="world">Tells how fast the vehicle is.</param>
+    /// <param name="world">Gives the vehicle's speed.</param>
     public PlayerCar(ICarControls controls, IVehicles vehicles, CameraMount mount, IWorld world)
     {
         _controls = controls;
@@ -31,7 +31,7 @@ public sealed class PlayerCar : IDrivenCar
         _world = world;
     }
 
-    /// <summary>Whether the player holds a control of the vehicle, or has left it.</summary>
+    /// <summary>Whether the player uses a control of the vehicle, or has left it.</summary>
     public bool IsTakenByPlayer => _vehicles.OfPlayer != _mount.Vehicle || _controls.ArePlayers;
 
     /// <inheritdoc/>
@@ -66,9 +66,7 @@ public sealed class PlayerCar : IDrivenCar
         }
     }
 
-    /// <summary>
-    /// Gives the weather back to the game if it was set here. The controls need no giving back: each holds for one frame.
-    /// </summary>
+    /// <summary>Gives the weather back to the game if it was set here. The controls need no release: each holds for one frame.</summary>
     public void GiveBack()
     {
         if (_keepsWeather)

@@ -9,7 +9,7 @@ using Harvester.Capture.Storage;
 
 namespace Harvester.Play.Features;
 
-/// <summary>What the mod tells: messages to the player, and a log file. Telling never throws. All calls come from one thread.</summary>
+/// <summary>Messages to the player, and the log file. It never throws. All calls come from one thread.</summary>
 public sealed class PlayerMessages
 {
     private const string Prefix = "GtaDataHarvester: ";
@@ -20,10 +20,10 @@ public sealed class PlayerMessages
     private readonly IClock _clock;
     private readonly Dictionary<string, double> _failures = [];
 
-    /// <summary>Makes the log's place known.</summary>
-    /// <param name="folder">The folder that the mod lies in.</param>
+    /// <summary>Creates the messages and the log.</summary>
+    /// <param name="folder">The folder of the mod.</param>
     /// <param name="show">Shows a message in the game.</param>
-    /// <param name="clock">The player's time.</param>
+    /// <param name="clock">Real time.</param>
     public PlayerMessages(string folder, Action<string> show, IClock clock)
     {
         _logPath = Path.Combine(folder, "GtaDataHarvester.log");
@@ -31,10 +31,10 @@ public sealed class PlayerMessages
         _clock = clock;
     }
 
-    /// <summary>Whether something is on its way to the log.</summary>
+    /// <summary>Whether something is still being written to the log.</summary>
     public bool IsBusy => _disk.IsBusy;
 
-    /// <summary>Tells the player, and the log.</summary>
+    /// <summary>Shows and logs a message.</summary>
     public void Tell(string message)
     {
         _failures.Clear();
@@ -42,8 +42,8 @@ public sealed class PlayerMessages
     }
 
     /// <summary>
-    /// Tells the player that something failed, and the log why; the same again within five seconds only once as long as nothing but
-    /// failures is told: what fails in every tick does not fill the disk.
+    /// Shows a failure to the player and logs its reason. The same failure is repeated at most every five seconds while there are only
+    /// failures, so that one in every tick does not fill the disk.
     /// </summary>
     public void TellFailure(string what, Exception exception)
     {
@@ -63,8 +63,8 @@ public sealed class PlayerMessages
         _disk.Add(() => Quietly(() => File.AppendAllText(_logPath, entry)));
     }
 
-    /// <summary>Waits until all is in the log, at most so long.</summary>
-    public void Wait(TimeSpan longest) => _disk.Wait(longest);
+    /// <summary>Waits until everything is in the log, or until the time is over.</summary>
+    public void Wait(TimeSpan timeout) => _disk.Wait(timeout);
 
     private bool IsLongAgo(double milliseconds) => _clock.Milliseconds - milliseconds >= RepeatAfterMilliseconds;
 
@@ -80,7 +80,7 @@ public sealed class PlayerMessages
         {
             tell();
         }
-#pragma warning disable CA1031 // Who cannot be told cannot be told that either.
+#pragma warning disable CA1031 // A failure to show a message cannot be shown either.
         catch (Exception exception) when (exception is not ThreadAbortException)
 #pragma warning restore CA1031
         {

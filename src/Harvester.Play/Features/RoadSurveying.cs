@@ -5,13 +5,14 @@ using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Text;
 using Harvester.Surveys.Roads;
 
 namespace Harvester.Play.Features;
 
 /// <summary>
-/// Surveys the roads around the player while it is switched on, and keeps what was found in a file, with which the next survey goes on.
-/// The file is read and written on another thread.
+/// Surveys the roads around the player while it is on, and saves the result in a file that the next survey continues. The file is read and
+/// written on another thread.
 /// </summary>
 public sealed class RoadSurveying : ILastingFeature
 {
@@ -34,13 +35,13 @@ public sealed class RoadSurveying : ILastingFeature
     private RoadSurveyStatus _status;
     private bool _wereLanesWanted;
 
-    /// <summary>Makes a survey that is off.</summary>
+    /// <summary>Creates a survey that is off.</summary>
     /// <param name="source">The game's roads.</param>
-    /// <param name="place">Where the player is.</param>
+    /// <param name="place">Returns the player's position.</param>
     /// <param name="path">The file.</param>
-    /// <param name="roads">Told of the roads as the survey finds them.</param>
-    /// <param name="messages">Tells what was found.</param>
-    /// <param name="clock">The player's time.</param>
+    /// <param name="roads">Receives the roads as the survey finds them.</param>
+    /// <param name="messages">Reports the result.</param>
+    /// <param name="clock">Real time.</param>
     public RoadSurveying(
         IRoadSource source, Func<Vector3D> place, string path, GrowingRoads roads, PlayerMessages messages, IClock clock)
     {
@@ -58,27 +59,29 @@ public sealed class RoadSurveying : ILastingFeature
     /// <inheritdoc/>
     public bool IsOn { get; private set; }
 
-    /// <summary>A line about it; null when it is off.</summary>
+    /// <summary>A line about the survey; null if it is off.</summary>
     public string? Line => IsOn
-        ? FormattableString.Invariant($"SURVEY  {_status.Nodes} nodes  {_status.Links} links  {_status.Waiting} waiting{(_status.IsLoaded ? string.Empty : "  (the game loads)")}")
+        ? FormattableString.Invariant($"SURVEY  {_status.Nodes} nodes  {_status.Links} links  {_status.Waiting} waiting")
+            + (_status.IsLoaded ? string.Empty : "  (the game is loading)")
         : null;
 
-    /// <summary>Whether lanes are asked for: when they come to be, the survey switches itself on.</summary>
+    /// <summary>Whether a feature needs lanes: the survey then switches itself on.</summary>
     public Func<bool> AreLanesWanted { get; init; } = static () => false;
 
-    /// <summary>Whether the lanes are those of the survey; false when the roads are known from elsewhere.</summary>
+    /// <summary>Whether the survey provides the lanes; false if the roads come from elsewhere.</summary>
     public bool GivesLanes { get; init; } = true;
 
     /// <summary>Whether the file is being read or written, or roads are being prepared.</summary>
     public bool IsBusy => _loading is { IsCompleted: false } || _disk.IsBusy || _roads.IsPreparing;
 
-    /// <summary>Switches it on or off, and tells so.</summary>
+    /// <summary>Switches the survey on or off, with a message.</summary>
     public void Toggle()
     {
         if (IsOn)
         {
             Stop();
-            _messages.Tell($"The road survey is off: {Counted.Of(_status.Nodes, "node")} and {Counted.Of(_status.Links, "link")}, in {_path}.");
+            string found = $"{Counted.Of(_status.Nodes, "node")} and {Counted.Of(_status.Links, "link")}";
+            _messages.Tell($"The road survey is off: {found}, in {_path}.");
         }
         else
         {
@@ -87,7 +90,7 @@ public sealed class RoadSurveying : ILastingFeature
         }
     }
 
-    /// <summary>Switches it on.</summary>
+    /// <summary>Switches the survey on.</summary>
     public void Start()
     {
         IsOn = true;
@@ -118,7 +121,7 @@ public sealed class RoadSurveying : ILastingFeature
 
         if (loading.IsFaulted)
         {
-            // Not gone on with from nothing: that would be written over the file.
+            // An empty survey is not continued: it would overwrite the file.
             _loading = null;
             throw new InvalidDataException($"{_path}: {loading.Exception!.InnerException!.Message} Repair it or move it away.");
         }

@@ -4,8 +4,8 @@ using Harvester.Geometry.Boxes;
 namespace Harvester.Play.Features;
 
 /// <summary>An entity as the overlay draws it.</summary>
-/// <param name="Model">What is known of its model.</param>
-/// <param name="Place">Where it is.</param>
+/// <param name="Model">The facts of its model.</param>
+/// <param name="Place">Its pose and scale.</param>
 public readonly record struct SeenEntity(ModelFacts Model, ScaledPose Place)
 {
     /// <summary>The box around it.</summary>

@@ -7,16 +7,19 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Play.Features;
 
 /// <summary>
-/// What the overlay sees of the game. Labels ask for everything in every tick; boxes over the game need not: a model is asked for once,
-/// what cannot be seen seldom, and what seldom changes now and then.
+/// Reads what the overlay draws. Labels read everything in every tick; the overlay need not: a model is read once, hidden entities rarely,
+/// and values that change slowly now and then.
 /// </summary>
 /// <param name="reader">The game.</param>
 public sealed class Sight(ISightReader reader)
 {
-    /// <summary>The near plane and the window's shape are asked for once in so many ticks.</summary>
+    /// <summary>Interval at which near plane and window shape are read, ticks.</summary>
     private const int TicksOfTheWindow = 30;
 
-    /// <summary>What comes near is seen after so many ticks at most. What is gone is gone at once, as its place cannot be read.</summary>
+    /// <summary>
+    /// Interval at which the lists are read, ticks: new entities appear after at most that long. A removed entity disappears at once, as
+    /// its pose cannot be read.
+    /// </summary>
     private const int TicksOfTheLists = 6;
 
     private static readonly EntityKind[] Kinds = [EntityKind.Vehicle, EntityKind.Ped, EntityKind.Prop];
@@ -29,7 +32,7 @@ public sealed class Sight(ISightReader reader)
     private double _nearClip;
     private double _aspect;
 
-    /// <summary>The camera; called once per tick, before anything else.</summary>
+    /// <summary>The camera; call it once per tick, before anything else.</summary>
     public CameraState ReadCamera()
     {
         if (_tick++ % TicksOfTheWindow == 0)
@@ -41,7 +44,7 @@ public sealed class Sight(ISightReader reader)
         return new CameraState(reader.CameraPose, reader.VerticalFovDegrees, _nearClip, _aspect);
     }
 
-    /// <summary>The vehicle that carries the camera; null when it is not mounted.</summary>
+    /// <summary>The vehicle that carries the camera; null if it is not mounted.</summary>
     public SeenEntity? ReadEgo()
     {
         int vehicle = reader.MountedVehicle;
@@ -59,7 +62,7 @@ public sealed class Sight(ISightReader reader)
         return reader.PlaceOf(vehicle) is { } place ? new SeenEntity(_egoModel!, place) : null;
     }
 
-    /// <summary>The entities near the camera that it may see.</summary>
+    /// <summary>The entities near the camera that may be visible.</summary>
     /// <param name="camera">The camera's pose.</param>
     /// <param name="range">Metres.</param>
     public IReadOnlyList<SeenEntity> Around(Pose camera, double range)
@@ -73,7 +76,7 @@ public sealed class Sight(ISightReader reader)
         return [.. _known.Values.Select(sighting => sighting.See(_tick, camera)).OfType<SeenEntity>()];
     }
 
-    /// <summary>What is listed no more is forgotten: its handle may come again for another entity.</summary>
+    /// <summary>Forgets what is no longer listed: its handle may be reused for another entity.</summary>
     private void List(Pose camera, double range) => _known = Kinds
         .SelectMany(kind => reader.Near(kind, camera.Position, range).Select(entity => (kind, entity)))
         .Distinct()

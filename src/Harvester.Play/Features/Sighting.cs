@@ -4,21 +4,21 @@ using Harvester.Geometry;
 
 namespace Harvester.Play.Features;
 
-/// <summary>What is remembered of an entity from tick to tick.</summary>
+/// <summary>What is kept of an entity from tick to tick.</summary>
 /// <param name="reader">The game.</param>
 /// <param name="kind">The entity's kind.</param>
 /// <param name="entity">Its handle.</param>
-/// <param name="number">Counts the entities met, so that not all are asked after in the same tick.</param>
+/// <param name="number">Number of the entity in order of appearance, so that not all are read in the same tick.</param>
 internal sealed class Sighting(ISightReader reader, EntityKind kind, int entity, int number)
 {
-    /// <summary>A ped that gets into a vehicle keeps its box for so many ticks at most.</summary>
+    /// <summary>Maximum number of ticks for which a ped that enters a vehicle keeps its box.</summary>
     private const int TicksOnFoot = 15;
 
-    /// <summary>Signs and lights stand still, unless somebody drives into them.</summary>
+    /// <summary>Interval at which props are read, ticks: signs and lights stand still, unless somebody drives into them.</summary>
     private const int TicksOfAProp = 30;
 
     /// <summary>
-    /// What is behind the camera need only be found when it comes before it: in so many ticks nothing covers <see cref="MetresBehind"/>.
+    /// Interval at which entities behind the camera are read, ticks: short enough that none crosses <see cref="MetresBehind"/> meanwhile.
     /// </summary>
     private const int TicksBehind = 8;
 
@@ -30,8 +30,8 @@ internal sealed class Sighting(ISightReader reader, EntityKind kind, int entity,
     private bool _isOnFoot;
     private ScaledPose? _place;
 
-    /// <summary>The entity as it is drawn in this tick; null when it is not.</summary>
-    /// <param name="tick">Counts the ticks.</param>
+    /// <summary>The entity as drawn in this tick; null if it is not drawn.</summary>
+    /// <param name="tick">Number of the tick.</param>
     /// <param name="camera">The camera.</param>
     public SeenEntity? See(long tick, Pose camera)
     {

@@ -5,15 +5,16 @@ using Harvester.Sessions.Faces;
 
 namespace Harvester.Play.Features;
 
-/// <summary>What a sign that is marked by hand can be called.</summary>
-/// <param name="Name">What it says; empty where nobody knows.</param>
-/// <param name="MutcdCode">Its code; empty when it has none or it is unknown.</param>
+/// <summary>A name for a sign that is marked by hand.</summary>
+/// <param name="Name">What it says; empty if unknown.</param>
+/// <param name="MutcdCode">Its code; empty if it has none or it is unknown.</param>
 public readonly record struct SignName(string Name, string MutcdCode)
 {
-    /// <summary>The names of a list, or of a table where the list is empty. The first is that of a sign that nobody knows.</summary>
-    /// <param name="list">Names separated by semicolons, each with its code after a bar where it has one: STOP|R1-1; ONE WAY|R6-1.</param>
-    /// <param name="table">The faces that are known.</param>
-    /// <exception cref="ArgumentNullException">Something is not given.</exception>
+    /// <summary>The names of a list, or of a table if the list is empty. The first is that of an unnamed sign.</summary>
+    /// <param name="list">Names separated by semicolons, each followed by a bar and its code if it has one: STOP|R1-1; ONE
+    /// WAY|R6-1.</param>
+    /// <param name="table">The known faces.</param>
+    /// <exception cref="ArgumentNullException">An argument is null.</exception>
     public static IReadOnlyList<SignName> Choices(string list, FaceTable table)
     {
         if (list is null)
@@ -35,7 +36,7 @@ public readonly record struct SignName(string Name, string MutcdCode)
         return [new SignName(string.Empty, string.Empty), .. listed.Length > 0 ? listed : known];
     }
 
-    /// <summary>The name for people.</summary>
+    /// <summary>The name for display.</summary>
     public override string ToString() => Name.Length == 0 ? "(unnamed)" : MutcdCode.Length == 0 ? Name : $"{Name} {MutcdCode}";
 
     private static SignName Parse(string part)

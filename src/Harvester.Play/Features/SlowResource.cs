@@ -4,10 +4,10 @@ using System.Threading.Tasks;
 namespace Harvester.Play.Features;
 
 /// <summary>
-/// What takes long to open and to close, as a disk or a network may: another thread than the game's does both, one after the other. All
-/// calls come from one thread.
+/// A resource that takes long to open and close, such as a disk or a network: both are done on another thread, in order. All calls come
+/// from one thread.
 /// </summary>
-/// <typeparam name="T">What is opened.</typeparam>
+/// <typeparam name="T">The resource.</typeparam>
 internal sealed class SlowResource<T>
     where T : class, IDisposable
 {
@@ -20,13 +20,13 @@ internal sealed class SlowResource<T>
     /// <summary>Whether it is being opened or closed.</summary>
     public bool IsBusy => _opening is { IsCompleted: false } || !_closing.IsCompleted;
 
-    /// <summary>What was opened; null when it is not open, or not yet.</summary>
+    /// <summary>The open resource; null if it is not open, or not yet.</summary>
     public T? Opened => _opening is { Status: TaskStatus.RanToCompletion } opening ? opening.Result : null;
 
     /// <summary>Opens it, after the one before has been closed.</summary>
     public void Open(Func<T> open) => _opening = _closing.ContinueWith(_ => open(), TaskScheduler.Default);
 
-    /// <summary>Why it could not be opened, told once: it is not held any more then; null without a failure.</summary>
+    /// <summary>Why it could not be opened, returned once; it is then no longer held. Null without a failure.</summary>
     public Exception? TakeFailure()
     {
         if (_opening is not { IsFaulted: true } failed)
@@ -38,7 +38,7 @@ internal sealed class SlowResource<T>
         return failed.Exception!.InnerException;
     }
 
-    /// <summary>Closes it as soon as it is open. Again is no harm.</summary>
+    /// <summary>Closes it as soon as it is open. Calling it again has no effect.</summary>
     public void Close()
     {
         if (_opening is { } opening)
@@ -49,6 +49,6 @@ internal sealed class SlowResource<T>
         }
     }
 
-    /// <summary>Waits until it is closed, at most so long.</summary>
-    public void Wait(TimeSpan longest) => _closing.Wait(longest);
+    /// <summary>Waits until it is closed, or until the time is over.</summary>
+    public void Wait(TimeSpan timeout) => _closing.Wait(timeout);
 }

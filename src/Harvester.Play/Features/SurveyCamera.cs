@@ -7,13 +7,13 @@ using Harvester.Surveys.Faces;
 
 namespace Harvester.Play.Features;
 
-/// <summary>Photographs with a scripted camera of the game and its screen.</summary>
+/// <summary>Takes photographs with a scripted camera of the game and its screen.</summary>
 /// <param name="cameras">The game's cameras.</param>
-/// <param name="screen">The picture shown.</param>
-/// <param name="windowAspect">Width over height of the game's window.</param>
+/// <param name="screen">Grabs the picture.</param>
+/// <param name="windowAspect">Width divided by height of the game's window.</param>
 public sealed class SurveyCamera(ICameras cameras, IScreen screen, Func<double> windowAspect) : ISurveyCamera
 {
-    /// <summary>Enough to read a sign, and a page with all of them can still be opened.</summary>
+    /// <summary>Side of a photograph, pixels: enough to read a sign, and a page with all of them can still be opened.</summary>
     private const int Side = 320;
 
     private int _camera;
@@ -21,7 +21,7 @@ public sealed class SurveyCamera(ICameras cameras, IScreen screen, Func<double> 
     /// <inheritdoc/>
     public bool LookFrom(Pose eye, double verticalFovDegrees)
     {
-        // The old one first: of two that are active it is the game's choice which one is shown.
+        // The old one first: if two are active, the game chooses which one is shown.
         LookAway();
         _camera = cameras.Make(eye, verticalFovDegrees);
         if (_camera == 0)

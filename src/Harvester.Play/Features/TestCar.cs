@@ -4,7 +4,7 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Play.Features;
 
-/// <summary>The test car of the thesis: made beside the player, and one at a time.</summary>
+/// <summary>The test car of the thesis: created beside the player, one at a time.</summary>
 public sealed class TestCar : ILastingFeature
 {
     private const double LoadMilliseconds = 10_000;
@@ -21,12 +21,12 @@ public sealed class TestCar : ILastingFeature
     private int _heldModel;
     private int _car;
 
-    /// <summary>Makes ready.</summary>
-    /// <param name="settings">Which car.</param>
-    /// <param name="messages">Tells what comes of it.</param>
+    /// <summary>Creates the feature.</summary>
+    /// <param name="settings">Model and number plate of the car.</param>
+    /// <param name="messages">Reports the result.</param>
     /// <param name="models">The game's models.</param>
     /// <param name="vehicles">The game's vehicles.</param>
-    /// <param name="clock">The player's time.</param>
+    /// <param name="clock">Real time.</param>
     public TestCar(PlayerSettings settings, PlayerMessages messages, IModels models, IVehicles vehicles, IClock clock)
     {
         _settings = settings;
@@ -45,7 +45,7 @@ public sealed class TestCar : ILastingFeature
     /// <inheritdoc/>
     public bool IsBusy => false;
 
-    /// <summary>Asks for a car; it appears when the game has loaded its model, some ticks later.</summary>
+    /// <summary>Requests a car; it appears when the game has loaded its model, some ticks later.</summary>
     public void Spawn()
     {
         int model = ModelHash.Of(_settings.CarModel);
@@ -94,7 +94,7 @@ public sealed class TestCar : ILastingFeature
         Release();
     }
 
-    /// <summary>Takes the car out of the game.</summary>
+    /// <summary>Removes the car from the game.</summary>
     public void Finish()
     {
         try
@@ -107,7 +107,7 @@ public sealed class TestCar : ILastingFeature
         }
     }
 
-    /// <summary>Lets the game unload the model; where the game refuses, the next tick tries again.</summary>
+    /// <summary>Lets the game unload the model; if the game refuses, the next tick tries again.</summary>
     private void Release()
     {
         if (_heldModel != 0)
@@ -118,7 +118,8 @@ public sealed class TestCar : ILastingFeature
     }
 
     /// <summary>
-    /// The car is known until it is gone: where the game refuses, it is tried again with the next car and at the script's end.
+    /// Removes the car. Its handle is kept until it is gone: if the game refuses, this is repeated with the next car and at the script's
+    /// end.
     /// </summary>
     private void Remove()
     {

@@ -14,11 +14,11 @@ public sealed class TickTimes
     private const double MinMilliseconds = 0.001;
     private readonly int[] _counts = new int[(PerDecade * Decades) + 1];
 
-    /// <summary>Ticks added.</summary>
+    /// <summary>Number of ticks added.</summary>
     public int Count { get; private set; }
 
     /// <summary>Adds a tick.</summary>
-    /// <param name="milliseconds">0 or more; what is shorter than a microsecond counts as one.</param>
+    /// <param name="milliseconds">0 or more; less than a microsecond counts as one.</param>
     public void Add(double milliseconds)
     {
         double place = PerDecade * Math.Log10(Math.Max(milliseconds, MinMilliseconds) / MinMilliseconds);
@@ -26,7 +26,7 @@ public sealed class TickTimes
         Count++;
     }
 
-    /// <summary>The time that a share of the ticks did not exceed, milliseconds; 0 without ticks.</summary>
+    /// <summary>The time that a fraction of the ticks did not exceed, milliseconds; 0 without ticks.</summary>
     /// <param name="share">0 to 1: 0.99 for the 99th percentile.</param>
     public double Percentile(double share)
     {

@@ -5,13 +5,12 @@ using System.Text;
 using Harvester.Capture.Ports;
 using Harvester.Capture.Storage;
 using Harvester.Sessions.Faces;
+using Harvester.Sessions.Text;
 using Harvester.Surveys.Faces;
 
 namespace Harvester.Play.Features;
 
-/// <summary>
-/// Lists at a key the models near the camera that the table of faces lacks. What one run of the game meets stands in one file.
-/// </summary>
+/// <summary>Lists the models near the camera that the table of faces lacks. The models of one run of the game are in one file.</summary>
 public sealed class UnknownModelsList : ILastingFeature
 {
     private const double RangeMetres = 100;
@@ -24,12 +23,12 @@ public sealed class UnknownModelsList : ILastingFeature
     private readonly PlayerMessages _messages;
     private readonly DiskQueue _disk = new();
 
-    /// <summary>Makes ready.</summary>
-    /// <param name="world">Tells where the camera is.</param>
+    /// <summary>Creates the list.</summary>
+    /// <param name="world">Gives the position of the camera.</param>
     /// <param name="props">The game's props.</param>
-    /// <param name="table">Gives what is known now.</param>
-    /// <param name="folder">Where the file goes.</param>
-    /// <param name="messages">Tells what was found.</param>
+    /// <param name="table">Returns the currently known faces.</param>
+    /// <param name="folder">The folder of the file.</param>
+    /// <param name="messages">Reports the result.</param>
     public UnknownModelsList(IWorld world, IProps props, Func<FaceTable> table, string folder, PlayerMessages messages)
     {
         _world = world;
@@ -48,10 +47,10 @@ public sealed class UnknownModelsList : ILastingFeature
     /// <inheritdoc/>
     public bool IsBusy => _disk.IsBusy;
 
-    /// <summary>Why this game cannot list what is near; null when it can.</summary>
+    /// <summary>Why this game cannot list nearby entities; null if it can.</summary>
     public Func<string?> Problem { get; init; } = static () => null;
 
-    /// <summary>Adds what is near, and writes the list.</summary>
+    /// <summary>Adds the nearby models, and writes the list.</summary>
     public void Look()
     {
         if (Problem() is { } problem)
@@ -70,10 +69,11 @@ public sealed class UnknownModelsList : ILastingFeature
             byte[] bytes = new UTF8Encoding(false).GetBytes(text.ToString());
             files.WriteWhole(_file, stream => stream.Write(bytes, 0, bytes.Length));
         });
-        _messages.Tell($"{Counted.Of(_unknown.Models.Count, "model")} near here without a face in any table, listed in {Path.Combine(_folder, _file)}.");
+        string models = Counted.Of(_unknown.Models.Count, "model");
+        _messages.Tell($"{models} nearby without a face in any table, listed in {Path.Combine(_folder, _file)}.");
     }
 
-    /// <summary>Fails when the list could not be written.</summary>
+    /// <summary>Throws if the list could not be written.</summary>
     public void Tick()
     {
         if (_disk.TakeFailure() is { } failure)

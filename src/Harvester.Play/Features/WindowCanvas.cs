@@ -5,13 +5,13 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Play.Features;
 
-/// <summary>Draws the edges of things of the world over the picture, as rows of dots: the game draws no lines.</summary>
+/// <summary>Draws the edges of cuboids in the world over the picture, as rows of dots: the game draws no lines.</summary>
 internal sealed class WindowCanvas(IDisplay display, CameraState seen)
 {
     private const double DotFraction = 0.003;
     private const int DotsOfAnEdge = 24;
 
-    // Places are drawn in fractions of the window; any size of image will do.
+    // Positions are drawn in fractions of the window; any size of image will do.
     private static readonly ImageSize Size = new(1000, 1000);
 
     private readonly Camera _camera = new(

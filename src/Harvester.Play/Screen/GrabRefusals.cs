@@ -1,6 +1,6 @@
 namespace Harvester.Play.Screen;
 
-/// <summary>Why a grab of the game's window was refused: the words of <see cref="Capture.Ports.GrabResult.Refusal"/>.</summary>
+/// <summary>Why a grab of the game's window was refused: the values of <see cref="Capture.Ports.GrabResult.Refusal"/>.</summary>
 public static class GrabRefusals
 {
     /// <summary>The process has no visible main window with a client area.</summary>
@@ -9,14 +9,14 @@ public static class GrabRefusals
     /// <summary>The window is minimised.</summary>
     public const string Minimised = "minimised";
 
-    /// <summary>Some of the client area lies on no monitor.</summary>
+    /// <summary>Part of the client area is on no monitor.</summary>
     public const string OffScreen = "offScreen";
 
-    /// <summary>Another window lies over some of the client area.</summary>
+    /// <summary>Another window covers part of the client area.</summary>
     public const string Covered = "covered";
 
     /// <summary>
-    /// The client area's size is another than at the grab before, or changed meanwhile: the game may still show the old size.
+    /// The client area's size differs from that of the grab before, or changed meanwhile: the game may still show the old size.
     /// </summary>
     public const string Resized = "resized";
 
@@ -26,9 +26,9 @@ public static class GrabRefusals
     /// <summary>The desktop cannot be read: the session is locked, or a secure desktop is shown.</summary>
     public const string Unreadable = "unreadable";
 
-    /// <summary>Every pixel is black, which exclusive full screen gives; run the game in a window or in borderless full screen.</summary>
+    /// <summary>Every pixel is black, as in exclusive full screen; run the game in a window or in borderless full screen.</summary>
     public const string Black = "black";
 
-    /// <summary>Every pixel has one and the same colour.</summary>
+    /// <summary>All pixels have the same colour.</summary>
     public const string SingleColour = "singleColour";
 }

@@ -2,18 +2,18 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Play.Screen;
 
-/// <summary>The desktop that a game's window lies on. Everything that decides anything lives outside of it.</summary>
+/// <summary>The desktop with the game's window. It only reads; decisions are made by its callers.</summary>
 internal interface IDesktop
 {
-    /// <summary>Windows and monitors as they are now.</summary>
+    /// <summary>Reads the current windows and monitors.</summary>
     DesktopView Observe();
 
-    /// <summary>How a window is displayed now.</summary>
+    /// <summary>How a window is currently displayed.</summary>
     DisplayFacts FactsOf(long window);
 
-    /// <summary>Copies what the monitors show of a rectangle.</summary>
-    /// <param name="area">What to copy; not empty.</param>
-    /// <param name="target">Where the pixels go; of the rectangle's size.</param>
-    /// <returns>Whether the desktop could be read: a locked session or a secure desktop cannot.</returns>
+    /// <summary>Copies a rectangle of the desktop.</summary>
+    /// <param name="area">The rectangle; not empty.</param>
+    /// <param name="target">Receives the pixels; of the rectangle's size.</param>
+    /// <returns>Whether the desktop could be read: a locked session or a secure desktop cannot be.</returns>
     bool TryCopy(PixelRectangle area, PixelBuffer target);
 }

@@ -19,7 +19,7 @@ internal readonly record struct PixelRectangle(int Left, int Top, int Right, int
 
     public long Area => IsEmpty ? 0 : (long)Width * Height;
 
-    /// <summary>What two rectangles share; empty if nothing.</summary>
+    /// <summary>The intersection of two rectangles; empty if they do not overlap.</summary>
     public PixelRectangle Intersect(PixelRectangle other) =>
         new(Math.Max(Left, other.Left), Math.Max(Top, other.Top), Math.Min(Right, other.Right), Math.Min(Bottom, other.Bottom));
 

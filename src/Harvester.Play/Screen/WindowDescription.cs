@@ -2,10 +2,10 @@ using System.Linq;
 
 namespace Harvester.Play.Screen;
 
-/// <summary>Says in words how a game's window lies on the desktop.</summary>
+/// <summary>Describes how a game's window is displayed.</summary>
 public static class WindowDescription
 {
-    /// <summary>A Direct3D program holds the whole monitor.</summary>
+    /// <summary>A Direct3D program uses the whole monitor exclusively.</summary>
     public const string ExclusiveFullScreen = "exclusive full screen";
 
     /// <summary>A window without a frame that covers a monitor.</summary>
@@ -14,7 +14,7 @@ public static class WindowDescription
     /// <summary>Any other window.</summary>
     public const string Windowed = "windowed";
 
-    /// <summary>The words for a log.</summary>
+    /// <summary>The description for a log.</summary>
     /// <param name="view">The desktop.</param>
     /// <param name="window">The game's window.</param>
     /// <param name="facts">How it is displayed.</param>

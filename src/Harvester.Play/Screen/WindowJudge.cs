@@ -3,13 +3,13 @@ using System.Linq;
 
 namespace Harvester.Play.Screen;
 
-/// <summary>Finds a process's main window on the desktop, and judges whether a copy of the screen would show it whole.</summary>
+/// <summary>Finds a process's main window on the desktop, and decides whether a copy of the screen would show it completely.</summary>
 internal static class WindowJudge
 {
-    /// <summary>Judges the desktop.</summary>
+    /// <summary>Finds the window and decides.</summary>
     /// <param name="view">The desktop.</param>
     /// <param name="processId">The game's process.</param>
-    /// <param name="known">The window that was found before; 0 at first. It stays the game's window as long as it is shown.</param>
+    /// <param name="known">The window found before; 0 at first. It stays the game's window as long as it is shown.</param>
     public static WindowVerdict Judge(DesktopView view, int processId, long known)
     {
         TopLevelWindow? window = Find(view, processId, known);
@@ -18,7 +18,7 @@ internal static class WindowJudge
     }
 
     /// <summary>
-    /// The window of a process that is found before, as long as it is shown, else its largest application window; null for none.
+    /// The window found before, as long as it is shown; otherwise the largest application window of the process; null if there is none.
     /// </summary>
     public static TopLevelWindow? Find(DesktopView view, int processId, long known)
     {
@@ -50,7 +50,7 @@ internal static class WindowJudge
         return covered ? GrabRefusals.Covered : null;
     }
 
-    /// <summary>Whether the rectangles from <paramref name="next"/> on leave nothing of an area free.</summary>
+    /// <summary>Whether the rectangles from <paramref name="next"/> on cover an area completely.</summary>
     private static bool IsCoveredBy(IReadOnlyList<PixelRectangle> rectangles, int next, PixelRectangle area)
     {
         if (area.IsEmpty)

@@ -1,14 +1,14 @@
 namespace Harvester.Play.Settings;
 
-/// <summary>Over what a client drives.</summary>
+/// <summary>The kind of bridge over which a client drives.</summary>
 public enum BridgeKind
 {
-    /// <summary>Over nothing: nobody drives.</summary>
+    /// <summary>No bridge.</summary>
     Off,
 
-    /// <summary>Over a socket.</summary>
+    /// <summary>A socket.</summary>
     Socket,
 
-    /// <summary>Over a shared folder.</summary>
+    /// <summary>A shared folder.</summary>
     Folder,
 }

@@ -12,35 +12,35 @@ public sealed record BridgeSettings
 {
     private const string Bridge = "Bridge";
 
-    // What ClientPatience was called before; files with the old name are still read.
+    // The former name of ClientPatience; files with it are still read.
     private const string OldClientPatience = "PeerPatience";
 
-    /// <summary>Over what a client drives.</summary>
+    /// <summary>The kind of bridge.</summary>
     public required BridgeKind Kind { get; init; }
 
     /// <summary>The shared folder.</summary>
     public required string Folder { get; init; }
 
-    /// <summary>After how long without a sign of life the client of a shared folder counts as gone, seconds.</summary>
+    /// <summary>Time without a sign of life after which the client of a shared folder counts as disconnected, seconds.</summary>
     public required double ClientPatienceSeconds { get; init; }
 
-    /// <summary>Where the socket listens, and to whom.</summary>
+    /// <summary>Where the socket listens, and for which clients.</summary>
     public required SocketBridgeOptions Socket { get; init; }
 
-    /// <summary>What drives by the indicators that a client sends.</summary>
+    /// <summary>The controller that drives by the indicators of a client.</summary>
     public required ControllerPlan Controller { get; init; }
 
-    /// <summary>Rate and size of the pictures.</summary>
+    /// <summary>Frame rate and size of the images.</summary>
     public required DrivingOptions Driving { get; init; }
 
-    /// <summary>Where a client finds the bridge, for people.</summary>
+    /// <summary>Address or folder of the bridge, for display.</summary>
     public string Place => Kind == BridgeKind.Folder ? Folder : $"{Socket.Address}:{Socket.Port}";
 
-    /// <summary>Opens the bridge. It may take a while, as when the folder is another machine's.</summary>
-    /// <exception cref="System.IO.IOException">The folder cannot be made.</exception>
-    /// <exception cref="UnauthorizedAccessException">The folder may not be made.</exception>
-    /// <exception cref="System.Net.Sockets.SocketException">The address or port cannot be had.</exception>
-    /// <exception cref="ArgumentException">Others can reach the address, and there is no token.</exception>
+    /// <summary>Opens the bridge. It may take a while, as when the folder is on another machine.</summary>
+    /// <exception cref="System.IO.IOException">The folder cannot be created.</exception>
+    /// <exception cref="UnauthorizedAccessException">The folder may not be created.</exception>
+    /// <exception cref="System.Net.Sockets.SocketException">The address or port is not available.</exception>
+    /// <exception cref="ArgumentException">The address is not a loopback address and there is no token.</exception>
     /// <exception cref="InvalidOperationException">The bridge is off.</exception>
     public IDrivingBridge Open() => Kind switch
     {
@@ -49,10 +49,10 @@ public sealed record BridgeSettings
         _ => throw new InvalidOperationException("The bridge is off."),
     };
 
-    /// <summary>The settings of a file; what it does not name, or names badly, has its default.</summary>
+    /// <summary>The settings of a file; missing and invalid values have their defaults.</summary>
     /// <param name="ini">The file.</param>
-    /// <param name="defaultFolder">The shared folder where the file names none.</param>
-    /// <param name="pathOf">The whole path of what the file says.</param>
+    /// <param name="defaultFolder">The shared folder if the file names none.</param>
+    /// <param name="pathOf">Completes a path of the file.</param>
     public static BridgeSettings Read(IniFile ini, string defaultFolder, Func<string, string> pathOf)
     {
         if (ini is null || pathOf is null)

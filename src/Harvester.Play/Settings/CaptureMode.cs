@@ -1,11 +1,11 @@
 namespace Harvester.Play.Settings;
 
-/// <summary>How picture and label come to be of one moment.</summary>
+/// <summary>How image and label are made to show the same moment.</summary>
 internal enum CaptureMode
 {
-    /// <summary>The game stands still for each frame.</summary>
+    /// <summary>The game is frozen for each frame.</summary>
     Freeze,
 
-    /// <summary>The game goes on.</summary>
+    /// <summary>The game keeps running.</summary>
     Live,
 }

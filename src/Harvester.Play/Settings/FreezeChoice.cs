@@ -1,6 +1,6 @@
 namespace Harvester.Play.Settings;
 
-/// <summary>How the game is made to stand still for a frame, as a player sets it.</summary>
+/// <summary>How the game is frozen for a frame, as the player sets it.</summary>
 internal enum FreezeChoice
 {
     /// <summary>By the game's pause.</summary>

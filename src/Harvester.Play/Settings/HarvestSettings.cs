@@ -19,11 +19,11 @@ public static class HarvestSettings
     private const string K1 = "K1";
     private const string K2 = "K2";
 
-    /// <summary>Name of the section of the lens.</summary>
+    /// <summary>Name of the section with the lens.</summary>
     public const string LensSection = "Lens";
 
-    /// <summary>The options that a file asks for; what it does not name, or names badly, has its default.</summary>
-    /// <exception cref="ArgumentNullException">No file is given.</exception>
+    /// <summary>The options of a file; missing and invalid values have their defaults.</summary>
+    /// <exception cref="ArgumentNullException"><paramref name="ini"/> is null.</exception>
     public static HarvestOptions Read(IniFile ini)
     {
         if (ini is null)
@@ -53,6 +53,7 @@ public static class HarvestSettings
             ProbeLag = ini.Choice(Harvest, "ProbeLag", Switch.On, "On or Off") == Switch.On,
             MaxPictureLagTicks = ini.Whole(Harvest, "MaxPictureLagTicks", fallback.MaxPictureLagTicks, 1, 60),
             TickBudgetMilliseconds = ini.Number(Harvest, "TickBudget", fallback.TickBudgetMilliseconds, 0.1, 1000),
+            Sync = ini.Choice(Harvest, "Sync", fallback.Sync, "Batch, Always or Never"),
             QueueCapacity = ini.Whole(Harvest, "Queue", fallback.QueueCapacity, 1, 1000),
             Lens = LensOf(ini),
             MaxCalibrationErrorPixels = ini.Number(LensSection, "MaxError", fallback.MaxCalibrationErrorPixels ?? 0, 0, 100) is > 0
@@ -60,7 +61,7 @@ public static class HarvestSettings
         };
     }
 
-    /// <summary>What a settings file says of a lens.</summary>
+    /// <summary>The values of a lens in a settings file.</summary>
     public static IReadOnlyList<KeyValuePair<string, double>> ValuesOf(Lens lens) =>
     [
         new(FocalScale, lens.FocalScale),
@@ -77,7 +78,7 @@ public static class HarvestSettings
         _ => null,
     };
 
-    /// <summary>The lens of a settings file; what is missing or out of range is as in a pinhole.</summary>
+    /// <summary>The lens of a settings file; missing and invalid values are those of a pinhole camera.</summary>
     public static Lens LensOf(IniFile ini)
     {
         if (ini is null)
@@ -85,11 +86,11 @@ public static class HarvestSettings
             throw new ArgumentNullException(nameof(ini));
         }
 
-        const double furthestShift = 0.5;
+        const double maxShift = 0.5;
         return new Lens(
             ini.Number(LensSection, FocalScale, 1, 0.5, 2),
-            ini.Number(LensSection, CentreOffsetX, 0, -furthestShift, furthestShift),
-            ini.Number(LensSection, CentreOffsetY, 0, -furthestShift, furthestShift),
+            ini.Number(LensSection, CentreOffsetX, 0, -maxShift, maxShift),
+            ini.Number(LensSection, CentreOffsetY, 0, -maxShift, maxShift),
             ini.Number(LensSection, K1, 0, -1, 1),
             ini.Number(LensSection, K2, 0, -1, 1));
     }

@@ -8,11 +8,13 @@ using Harvester.Sessions.Files;
 
 namespace Harvester.Play.Settings;
 
-/// <summary>Changes numbers in a settings file that a player edits too: everything else in it stays as it is, comments included.</summary>
+/// <summary>
+/// Changes numbers in a settings file that the player edits too: everything else in it stays unchanged, including comments.
+/// </summary>
 public static class IniEditor
 {
-    /// <summary>Sets numbers of a section; what the file lacks is added. The file is replaced as a whole or not at all.</summary>
-    /// <param name="path">The file; made where there is none.</param>
+    /// <summary>Sets numbers of a section; missing ones are added. The file is replaced completely or not at all.</summary>
+    /// <param name="path">The file; created if it does not exist.</param>
     /// <param name="section">Name of the section.</param>
     /// <param name="values">Names and numbers.</param>
     /// <exception cref="IOException">The file cannot be read or written.</exception>
@@ -32,7 +34,7 @@ public static class IniEditor
             header = lines.Count - 1;
         }
 
-        // Backwards, so that what is added stands in the order given.
+        // In reverse, so that added values are in the given order.
         foreach (KeyValuePair<string, double> value in values.Reverse())
         {
             string line = string.Format(

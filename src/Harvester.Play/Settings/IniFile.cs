@@ -8,9 +8,9 @@ using System.Net;
 namespace Harvester.Play.Settings;
 
 /// <summary>
-/// A settings file: lines of <c>Name = value</c> under <c>[Section]</c>; lines that begin with ; or # are comments, and so is what
-/// follows a ; after a blank. Names are alike in capital and small letters. Numbers are read in the invariant culture. What cannot
-/// be read is no exception: it is told in <see cref="Complaints"/>, with its line, and the default is used.
+/// A settings file: lines of <c>Name = value</c> under <c>[Section]</c>. Lines that begin with ; or # are comments, as is the text after a
+/// blank and a semicolon. Names are not case-sensitive. Numbers are in the invariant culture. For an unreadable value the default is used,
+/// and <see cref="Complaints"/> names its line; nothing is thrown.
 /// </summary>
 public sealed class IniFile
 {
@@ -23,7 +23,7 @@ public sealed class IniFile
     {
     }
 
-    /// <summary>What is wrong with the file as far as it was asked, in the order of its lines: one sentence each.</summary>
+    /// <summary>The problems found so far, in the order of the lines: one sentence each.</summary>
     public IReadOnlyList<string> Complaints => _complaints
         .Concat(_values.Where(value => !_asked.Contains(value.Key))
             .Select(value => (value.Value.Line, Text: $"there is no setting {NameOf(value.Key)}.")))
@@ -31,9 +31,7 @@ public sealed class IniFile
         .Select(complaint => string.Format(CultureInfo.InvariantCulture, "Line {0}: {1}", complaint.Line, complaint.Text))
         .ToArray();
 
-    /// <summary>
-    /// The settings that were asked for and have another value than their default, in the order of their lines: "[Section] Name = value".
-    /// </summary>
+    /// <summary>The settings read so far that differ from their defaults, in the order of their lines: "[Section] Name = value".</summary>
     public IReadOnlyList<string> Changes => [.. _changes.OrderBy(change => change.Key).Select(change => change.Value)];
 
     /// <summary>Reads a file to its end.</summary>
@@ -73,33 +71,34 @@ public sealed class IniFile
     public string Text(string section, string name, string fallback) =>
         Parse(section, name, fallback, string.Empty, static text => (true, text));
 
-    /// <summary>A number from a least to a greatest.</summary>
-    public double Number(string section, string name, double fallback, double least, double greatest) =>
-        Parse(section, name, fallback, FormattableString.Invariant($"a number from {least} to {greatest}"), text =>
-            double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value) && value >= least && value <= greatest
+    /// <summary>A number within a range.</summary>
+    public double Number(string section, string name, double fallback, double minimum, double maximum) =>
+        Parse(section, name, fallback, FormattableString.Invariant($"a number from {minimum} to {maximum}"), text =>
+            double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value)
+                && value >= minimum && value <= maximum
                 ? (true, value)
                 : (false, fallback));
 
-    /// <summary>A whole number from a least to a greatest.</summary>
-    public int Whole(string section, string name, int fallback, int least, int greatest) =>
-        Parse(section, name, fallback, FormattableString.Invariant($"a whole number from {least} to {greatest}"), text =>
-            int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= least
-                && value <= greatest
+    /// <summary>A whole number within a range.</summary>
+    public int Whole(string section, string name, int fallback, int minimum, int maximum) =>
+        Parse(section, name, fallback, FormattableString.Invariant($"a whole number from {minimum} to {maximum}"), text =>
+            int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value)
+                && value >= minimum && value <= maximum
                 ? (true, value)
                 : (false, fallback));
 
-    /// <summary>An address of the internet protocol.</summary>
+    /// <summary>An IP address.</summary>
     public IPAddress Address(string section, string name, IPAddress fallback) =>
         Parse(section, name, fallback, "an address such as 127.0.0.1", text =>
             IPAddress.TryParse(text, out IPAddress? address) ? (true, address) : (false, fallback));
 
-    /// <summary>One of an enumeration's names, in capital or small letters.</summary>
+    /// <summary>A member of an enumeration; the name is not case-sensitive.</summary>
     /// <typeparam name="T">The enumeration.</typeparam>
     public T Choice<T>(string section, string name, T fallback, string expected)
         where T : struct, Enum =>
         Parse(section, name, fallback, expected, text => TryName(text, out T value) ? (true, value) : (false, fallback));
 
-    /// <summary>Names of an enumeration, separated by commas.</summary>
+    /// <summary>Members of an enumeration, separated by commas.</summary>
     /// <typeparam name="T">The enumeration.</typeparam>
     public IReadOnlyList<T> Choices<T>(string section, string name, IReadOnlyList<T> fallback, string expected)
         where T : struct, Enum =>
@@ -118,7 +117,7 @@ public sealed class IniFile
     private static bool TryName<T>(string text, out T value)
         where T : struct, Enum
     {
-        // Left to itself, Enum.TryParse also takes numbers and lists.
+        // Enum.TryParse alone would also accept numbers and lists.
         value = default;
         return text.Length > 0 && text.All(char.IsLetterOrDigit) && char.IsLetter(text[0])
             && Enum.TryParse(text, ignoreCase: true, out value);

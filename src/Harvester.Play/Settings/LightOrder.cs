@@ -1,8 +1,6 @@
 namespace Harvester.Play.Settings;
 
-/// <summary>
-/// What the game's numbers 0, 1 and 2 of the states of a traffic light mean. Those who have written of them contradict each other.
-/// </summary>
+/// <summary>The meaning of the game's numbers 0, 1 and 2 for the states of a traffic light. Sources contradict each other.</summary>
 public enum LightOrder
 {
     /// <summary>0 is green, 1 red, 2 amber.</summary>

@@ -9,7 +9,7 @@ using Harvester.Geometry.Roads;
 
 namespace Harvester.Play.Settings;
 
-/// <summary>What a player's settings file says, its keys apart. What it means and which values it takes stands in that file.</summary>
+/// <summary>The player's settings except the keys. The shipped settings file describes their meaning and range.</summary>
 public sealed record PlayerSettings
 {
     private const double MaxOffsetMetres = 20;
@@ -17,22 +17,22 @@ public sealed record PlayerSettings
     /// <summary>The game's name of the test car's model.</summary>
     public required string CarModel { get; init; }
 
-    /// <summary>What the test car's number plate says.</summary>
+    /// <summary>The text of the test car's number plate.</summary>
     public required string CarPlate { get; init; }
 
     /// <summary>Vertical field of view of the mounted camera, degrees.</summary>
     public required double VerticalFovDegrees { get; init; }
 
-    /// <summary>Place of the mounted camera from the vehicle's origin, in its frame, metres.</summary>
+    /// <summary>Position of the mounted camera relative to the vehicle's origin, in its frame, metres.</summary>
     public required Vector3D CameraOffset { get; init; }
 
     /// <summary>What to harvest and how.</summary>
     public required HarvestOptions Options { get; init; }
 
-    /// <summary>Where sessions go, each into a folder of its own.</summary>
+    /// <summary>The folder of the sessions, each in a folder of its own.</summary>
     public required string Folder { get; init; }
 
-    /// <summary>The file of the roads; null to learn them from the game.</summary>
+    /// <summary>The road file; null to survey the roads in the game.</summary>
     public required string? RoadFile { get; init; }
 
     /// <summary>Width of the lanes of an ordinary road, metres.</summary>
@@ -41,7 +41,7 @@ public sealed record PlayerSettings
     /// <summary>Width of the lanes of a narrow road, metres.</summary>
     public required double NarrowLaneWidthMetres { get; init; }
 
-    /// <summary>What a session says of how its lanes were measured, so that they can be measured so again.</summary>
+    /// <summary>The settings of the lanes that a session records, so that they can be measured again in the same way.</summary>
     public IReadOnlyList<KeyValuePair<string, string>> LaneSettings =>
     [
         new("lookAhead", LookAhead.Thesis.ToString()),
@@ -52,10 +52,10 @@ public sealed record PlayerSettings
     /// <summary>The file of the road survey.</summary>
     public required string SurveyFile { get; init; }
 
-    /// <summary>Over what a client drives, and how.</summary>
+    /// <summary>The bridge over which a client drives.</summary>
     public required BridgeSettings Bridge { get; init; }
 
-    /// <summary>The folder of what the player has measured of signs and lights.</summary>
+    /// <summary>The folder with the player's measurements of signs and lights.</summary>
     public required string FacesFolder { get; init; }
 
     /// <summary>Whether the survey of signs takes photographs.</summary>
@@ -70,16 +70,16 @@ public sealed record PlayerSettings
     /// <summary>Whether the traffic lights are driven while a harvest runs.</summary>
     public required bool DrivesLights { get; init; }
 
-    /// <summary>What the game's numbers of the states of lights mean.</summary>
+    /// <summary>The meaning of the game's numbers for the states of lights.</summary>
     public required LightOrder LightOrder { get; init; }
 
-    /// <summary>Time that the survey of signs may take of a tick, milliseconds.</summary>
+    /// <summary>Maximum time of the survey of signs per tick, milliseconds.</summary>
     public required double SurveyBudgetMilliseconds { get; init; }
 
-    /// <summary>The settings of a file; what it does not name, or names badly, has its default.</summary>
+    /// <summary>The settings of a file; missing and invalid values have their defaults.</summary>
     /// <param name="ini">The file.</param>
-    /// <param name="modFolder">Where relative paths begin.</param>
-    /// <exception cref="ArgumentNullException">No file is given.</exception>
+    /// <param name="modFolder">The folder to which relative paths refer.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="ini"/> is null.</exception>
     public static PlayerSettings Read(IniFile ini, string modFolder)
     {
         if (ini is null)

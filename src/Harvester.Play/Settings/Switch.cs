@@ -1,6 +1,6 @@
 namespace Harvester.Play.Settings;
 
-/// <summary>On or off, as the settings say it.</summary>
+/// <summary>A switch in the settings file.</summary>
 internal enum Switch
 {
     /// <summary>Not done.</summary>

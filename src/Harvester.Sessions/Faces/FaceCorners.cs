@@ -6,10 +6,10 @@ using Harvester.Geometry;
 
 namespace Harvester.Sessions.Faces;
 
-/// <summary>The two corners that a row of a table gives, or what is wrong with them.</summary>
+/// <summary>The two corners given by a row of a table, or what is wrong with them.</summary>
 internal readonly struct FaceCorners
 {
-    /// <summary>A corner further from its model's origin than this is a slip of the pen, metres.</summary>
+    /// <summary>A corner farther from its model's origin than this is a mistake, metres.</summary>
     private const double MaxCoordinate = 100;
     private const int Axes = 3;
 
@@ -26,7 +26,7 @@ internal readonly struct FaceCorners
 
     public (string Column, string Reason)? Problem { get; }
 
-    /// <summary>Reads them from the fields of a row.</summary>
+    /// <summary>Parses the fields of a row.</summary>
     public static FaceCorners Parse(List<string> fields)
     {
         var corner = new double[2 * Axes];
@@ -37,7 +37,7 @@ internal readonly struct FaceCorners
                 || !(Math.Abs(corner[i]) <= MaxCoordinate))
             {
                 return new FaceCorners(
-                    default, default, (NameOf(i), $"'{field}' is not a number of metres from -100 to 100 with a point."));
+                    default, default, (NameOf(i), $"'{field}' is not a number from -100 to 100 (metres, with a decimal point)."));
             }
         }
 
@@ -52,8 +52,10 @@ internal readonly struct FaceCorners
             ? new FaceCorners(new Vector3D(corner[0], corner[1], corner[2]), new Vector3D(corner[3], corner[4], corner[5]), null)
             : new FaceCorners(default, default, (
                 string.Join(", ", wrong.Select(axis => $"{NameOf(axis)}, {NameOf(axis + Axes)}")),
-                $"the cuboid is inside out: {string.Join(", ", wrong.Select(axis => $"{NameOf(axis)} must be {axes[axis].Rule} {NameOf(axis + Axes)}"))}."));
+                $"the cuboid is inside out: {string.Join(", ", wrong.Select(axis => RuleOf(axis, axes[axis].Rule)))}."));
     }
+
+    private static string RuleOf(int axis, string rule) => $"{NameOf(axis)} must be {rule} {NameOf(axis + Axes)}";
 
     private static string NameOf(int corner) => FaceColumns.Names[FaceColumns.FirstCorner + corner];
 }

@@ -6,16 +6,16 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Sessions.Faces;
 
 /// <summary>
-/// The shape of a face within its cuboid. Seen from aside the near edge of a cuboid is longer than that of the octagon or diamond in it,
-/// by several pixels at a few metres; so boxes are taken of the shape. It follows from the sign's code: the Manual on Uniform
-/// Traffic Control Devices keeps the octagon for R1-1, the triangle on its tip for R1-2, and the diamond for the warnings W.
+/// The shape of a face within its cuboid. Seen at an angle, the near edge of a cuboid is longer than that of the octagon or diamond in it,
+/// by several pixels at a few metres; therefore boxes are computed from the shape. It follows from the sign's code: the Manual on Uniform
+/// Traffic Control Devices reserves the octagon for R1-1, the triangle on its tip for R1-2, and the diamond for the warnings W.
 /// </summary>
 public static class FaceOutline
 {
-    /// <summary>Where an octagon's corners stand along a side of the square around it: (1 - tan 22.5°) / 2.</summary>
+    /// <summary>Position of an octagon's corners along a side of the square around it: (1 - tan 22.5°) / 2.</summary>
     private const double OctagonCut = 0.29289321881345248;
 
-    /// <summary>The shape of a face; a rectangle where nothing else is known.</summary>
+    /// <summary>The shape of a face; a rectangle if nothing else is known.</summary>
     public static SignShape ShapeOf(ModelFace face)
     {
         if (face is null)
@@ -33,9 +33,9 @@ public static class FaceOutline
         };
     }
 
-    /// <summary>The edges of a face's body in the world: its outline at the front, at the back, and what joins them.</summary>
+    /// <summary>The edges of a face's body in the world: its outline at the front, at the back, and the edges between them.</summary>
     /// <param name="face">The face.</param>
-    /// <param name="entity">Pose of the entity that bears it.</param>
+    /// <param name="entity">Pose of the entity that has it.</param>
     public static IEnumerable<(Vector3D Start, Vector3D End)> EdgesOf(ModelFace face, Pose entity)
     {
         (double Across, double Up)[] outline = Outline(ShapeOf(face));
@@ -61,7 +61,7 @@ public static class FaceOutline
         }
     }
 
-    /// <summary>Corners in order, as shares of the rectangle's width and height.</summary>
+    /// <summary>Corners in order, as fractions of the rectangle's width and height.</summary>
     private static (double Across, double Up)[] Outline(SignShape shape) => shape switch
     {
         SignShape.Octagon =>

@@ -7,7 +7,7 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Sessions.Faces;
 
-/// <summary>One row of a table of spaces: the space it holds, or what is wrong with it.</summary>
+/// <summary>One row of a table of faces: the face, or what is wrong with the row.</summary>
 internal readonly struct FaceRow
 {
     private const int MaxFaceNumber = 99;
@@ -38,7 +38,7 @@ internal readonly struct FaceRow
         if (fields.Count != FaceColumns.Names.Length)
         {
             return Refused("row",
-                FormattableString.Invariant($"{fields.Count} fields where {FaceColumns.Names.Length} belong: {FaceColumns.Header}."));
+                FormattableString.Invariant($"{fields.Count} fields instead of {FaceColumns.Names.Length}: {FaceColumns.Header}."));
         }
 
         return Checked(fields);
@@ -50,7 +50,7 @@ internal readonly struct FaceRow
         if (tokens.Length != 8)
         {
             return Refused("row",
-                FormattableString.Invariant($"{tokens.Length} fields where 8 belong: hash name fulX fulY fulZ blrX blrY blrZ."));
+                FormattableString.Invariant($"{tokens.Length} fields instead of 8: hash name fulX fulY fulZ blrX blrY blrZ."));
         }
 
         if (!ModelHash.TryParse(tokens[0], out int hash))

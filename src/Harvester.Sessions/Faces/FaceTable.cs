@@ -20,7 +20,7 @@ public sealed class FaceTable
             .ToDictionary(group => group.Key, group => (IReadOnlyList<ModelFace>)group.OrderBy(face => face.Number).ToArray());
         if (_byHash.Values.Any(faces => faces.Select(face => face.Number).Distinct().Count() < faces.Count))
         {
-            throw new ArgumentException("A face of a model stands in the table twice.", nameof(faces));
+            throw new ArgumentException("A face of a model occurs twice in the table.", nameof(faces));
         }
     }
 
@@ -34,13 +34,15 @@ public sealed class FaceTable
         .ThenBy(face => face.Hash)
         .ThenBy(face => face.Number);
 
-    /// <summary>The faces of a model, in the order of their faces; none for a model that is not in the table.</summary>
+    /// <summary>The faces of a model in order; empty for a model that is not in the table.</summary>
     public IReadOnlyList<ModelFace> Of(int hash) => _byHash.TryGetValue(hash, out IReadOnlyList<ModelFace>? faces) ? faces : None;
 
     /// <summary>The faces of a model by its name, or by its hash as 0xXXXXXXXX.</summary>
     public IReadOnlyList<ModelFace> Of(string model) => Of(ModelHash.TryParse(model, out int hash) ? hash : ModelHash.Of(model));
 
-    /// <summary>This table with the models of another in place of its own: what a user has measured goes before what was shipped.</summary>
+    /// <summary>
+    /// This table with the models of another one in place of its own: a user's measurements take precedence over the shipped table.
+    /// </summary>
     public FaceTable OverriddenBy(FaceTable other)
     {
         if (other is null)

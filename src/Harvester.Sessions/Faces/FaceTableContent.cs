@@ -2,11 +2,11 @@ using System.Collections.Generic;
 
 namespace Harvester.Sessions.Faces;
 
-/// <summary>What was read of a table: the good rows, and why the others were refused.</summary>
+/// <summary>The content of a table file: the valid rows, and why the others were rejected.</summary>
 /// <param name="Table">A table of the valid rows.</param>
-/// <param name="Problems">The refused rows, in the order of the file.</param>
+/// <param name="Problems">The rejected rows, in the order of the file.</param>
 public sealed record FaceTableContent(FaceTable Table, IReadOnlyList<FaceTableProblem> Problems)
 {
-    /// <summary>Whether a line with the names of the columns was among what was read; only the project's own form has one.</summary>
+    /// <summary>Whether there was a header line; only the project's own format has one.</summary>
     public bool HasHeader { get; init; }
 }

@@ -5,9 +5,9 @@ using System.IO;
 namespace Harvester.Sessions.Faces;
 
 /// <summary>
-/// Reads a table of faces strictly: a bad row is refused with its line, column and reason, and the others are used.
-/// Two forms are understood, line by line: the project's own, comma-separated with a header; and the thesis's, eight fields
-/// separated by faces (hash, name, and the two corners). Empty lines and lines that begin with # are passed over.
+/// Reads a table of faces strictly: an invalid row is rejected with its line, column and reason, and the others are used. Each line has one
+/// of two formats: the project's own, comma-separated with a header; or the thesis's, eight fields separated by spaces (hash, name, and the
+/// two corners). Empty lines and lines that begin with # are ignored.
 /// </summary>
 public static class FaceTableReader
 {
@@ -51,7 +51,7 @@ public static class FaceTableReader
                 if (firstLines.TryGetValue((face.Hash, face.Number), out int first))
                 {
                     problems.Add(new FaceTableProblem(
-                        number, "face", FormattableString.Invariant($"face {face.Number} of this model stands in line {first} already.")));
+                        number, "face", FormattableString.Invariant($"face {face.Number} of this model is already in line {first}.")));
                     continue;
                 }
 

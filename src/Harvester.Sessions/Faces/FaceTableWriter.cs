@@ -6,7 +6,7 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Sessions.Faces;
 
-/// <summary>Writes a table of faces in the project's own form; corners to the millimetre.</summary>
+/// <summary>Writes a table of faces in the project's own format, with corners in millimetres.</summary>
 public static class FaceTableWriter
 {
     /// <summary>The text of the file.</summary>
@@ -57,7 +57,7 @@ public static class FaceTableWriter
 
     private static string Metres(double value)
     {
-        // Whole millimetres as an integer: the digits are the same in every runtime, and there is no minus zero.
+        // Whole millimetres as an integer: the digits are the same in every runtime, and there is no negative zero.
         long millimetres = (long)Math.Round(value * 1000, MidpointRounding.AwayFromZero);
         string digits = Math.Abs(millimetres).ToString("0000", CultureInfo.InvariantCulture);
         int point = digits.Length - 3;

@@ -1,12 +1,12 @@
 namespace Harvester.Sessions.Faces;
 
-/// <summary>How the corners of a space were come by.</summary>
+/// <summary>How the corners of a face were obtained.</summary>
 public enum Provenance
 {
-    /// <summary>Guessed from the standard size of such a sign; nobody has measured the model.</summary>
+    /// <summary>Estimated from the standard size of such a sign; the model was not measured.</summary>
     Estimated,
 
-    /// <summary>Computed from something measured, such as a bone of the model.</summary>
+    /// <summary>Computed from a measured value, such as a bone of the model.</summary>
     Derived,
 
     /// <summary>Measured in the game.</summary>

@@ -6,12 +6,12 @@ public enum SignShape
     /// <summary>A rectangle: the face fills its cuboid.</summary>
     Rectangle,
 
-    /// <summary>A regular octagon that stands on a side: STOP.</summary>
+    /// <summary>A regular octagon with a horizontal side: STOP.</summary>
     Octagon,
 
-    /// <summary>A triangle that stands on its tip: YIELD.</summary>
+    /// <summary>A triangle on its tip: YIELD.</summary>
     Triangle,
 
-    /// <summary>A square that stands on a corner: warnings.</summary>
+    /// <summary>A square on a corner: warnings.</summary>
     Diamond,
 }

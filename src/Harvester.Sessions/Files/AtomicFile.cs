@@ -18,10 +18,13 @@ public static class AtomicFile
     /// <summary>Writes a file, in place of an older one.</summary>
     /// <param name="path">The file; its folder must exist.</param>
     /// <param name="content">Writes the content to a stream and leaves the stream open.</param>
-    /// <param name="isDurable">Whether the file must survive a loss of power once this returns; this waits for the disk.</param>
+    /// <param name="isDurable">
+    /// Whether file and name survive a loss of power once this returns, which waits for the disk. False for files that a
+    /// <see cref="SyncBatch"/> brings there, and for those that are of use only to a running process.
+    /// </param>
     /// <exception cref="IOException">The file cannot be written or closed; an older one is unchanged.</exception>
     /// <exception cref="UnauthorizedAccessException">The file may not be written; an older one is unchanged.</exception>
-    public static void Write(string path, Action<Stream> content, bool isDurable = false)
+    public static void Write(string path, Action<Stream> content, bool isDurable = true)
     {
         Make(path, temporary => Fill(temporary, content, isDurable));
         if (isDurable)
@@ -33,24 +36,26 @@ public static class AtomicFile
     /// <summary>Writes a text file in UTF-8 without a byte order mark, in place of an older one.</summary>
     /// <param name="path">The file; its folder must exist.</param>
     /// <param name="text">The text; its line ends are kept.</param>
+    /// <param name="isDurable">As for a file that is not a text.</param>
     /// <exception cref="IOException">The file cannot be written or closed; an older one is unchanged.</exception>
     /// <exception cref="UnauthorizedAccessException">The file may not be written; an older one is unchanged.</exception>
-    public static void Write(string path, string text) => Write(path, stream => WriteText(stream, text));
+    public static void Write(string path, string text, bool isDurable = true) =>
+        Write(path, stream => WriteText(stream, text), isDurable);
 
     /// <summary>Writes a text file unless there is one already.</summary>
     /// <param name="path">The file; its folder must exist.</param>
     /// <param name="text">The text; its line ends are kept.</param>
+    /// <param name="isDurable">As for a file that may replace one.</param>
     /// <returns>Whether it was written. Of several that write at once, one succeeds.</returns>
     /// <exception cref="IOException">The file cannot be written or closed.</exception>
     /// <exception cref="UnauthorizedAccessException">The file may not be written.</exception>
-    public static bool TryWriteNew(string path, string text)
+    public static bool TryWriteNew(string path, string text, bool isDurable = true)
     {
         string temporary = TemporaryFor(path);
         try
         {
-            Fill(temporary, stream => WriteText(stream, text), isDurable: false);
+            Fill(temporary, stream => WriteText(stream, text), isDurable);
             File.Move(temporary, path);
-            return true;
         }
         catch (IOException) when (File.Exists(path))
         {
@@ -60,13 +65,20 @@ public static class AtomicFile
         {
             DeleteQuietly(temporary);
         }
+
+        if (isDurable)
+        {
+            DiskSync.Folder(FolderOf(path));
+        }
+
+        return true;
     }
 
-    /// <summary>Puts a file that is made by other means, such as a copy, in the place of an older one.</summary>
+    /// <summary>Replaces a file by one that is made by other means, such as a copy.</summary>
     /// <param name="path">The file; its folder must exist.</param>
-    /// <param name="make">Makes the file under the name that it is given, at which there is none.</param>
-    /// <exception cref="IOException">The file cannot be put in its place; an older one is unchanged.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file may not be written; an older one is unchanged.</exception>
+    /// <param name="make">Makes the file under the name that it is given; no such file exists.</param>
+    /// <exception cref="IOException">The file cannot be replaced; an older one is unchanged.</exception>
+    /// <exception cref="UnauthorizedAccessException">The file may not be replaced; an older one is unchanged.</exception>
     public static void Make(string path, Action<string> make)
     {
         string temporary = TemporaryFor(path);
@@ -77,21 +89,21 @@ public static class AtomicFile
         }
         finally
         {
-            // There still is one after a failure, and where both were names of one file: to rename does nothing then.
+            // It remains after a failure, and if both names were links to one file: renaming does nothing then.
             DeleteQuietly(temporary);
         }
     }
 
-    /// <summary>A name for a temporary file or folder beside a target, known to nobody else.</summary>
+    /// <summary>An unpredictable name for a temporary file or folder beside a target.</summary>
     public static string TemporaryFor(string path) => $"{path}.{Guid.NewGuid().ToString("N").Substring(0, 16)}{Suffix}";
 
-    /// <summary>The file for which a temporary file was made, by their names; null for the name of another file.</summary>
+    /// <summary>The target of a temporary file, from its name; null if the name is not that of a temporary file.</summary>
     public static string? TargetOf(string temporary) =>
         TemporaryName.Match(temporary) is { Success: true } match ? match.Groups[1].Value : null;
 
     /// <summary>Deletes the temporary files that writers left in a folder when they were stopped. What cannot be deleted stays.</summary>
-    /// <param name="folder">The folder; those in it are not searched. It need not exist.</param>
-    /// <param name="isTarget">Says by its name whether a file is the caller's to write; a temporary file of another stays.</param>
+    /// <param name="folder">The folder; its subfolders are not searched. It need not exist.</param>
+    /// <param name="isTarget">Whether a file of this name is the caller's; temporary files of other targets stay.</param>
     /// <exception cref="IOException">The folder cannot be read.</exception>
     /// <exception cref="UnauthorizedAccessException">The folder may not be read.</exception>
     public static void DeleteLeftovers(string folder, Predicate<string> isTarget)
@@ -105,7 +117,13 @@ public static class AtomicFile
         }
     }
 
-    internal static void Fill(string temporary, Action<Stream> content, bool isDurable)
+    /// <summary>Writes a new file under its final name, as <see cref="Make"/> needs it; a failure leaves a part of it.</summary>
+    /// <param name="temporary">The file, which does not exist.</param>
+    /// <param name="content">Writes the content to a stream and leaves the stream open.</param>
+    /// <param name="isDurable">Whether the content is on the disk when this returns.</param>
+    /// <exception cref="IOException">The file cannot be written or closed.</exception>
+    /// <exception cref="UnauthorizedAccessException">The file may not be written.</exception>
+    public static void Fill(string temporary, Action<Stream> content, bool isDurable)
     {
         using var stream = new FileStream(temporary, FileMode.CreateNew, FileAccess.Write, FileShare.None);
         content(stream);

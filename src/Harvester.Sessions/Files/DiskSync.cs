@@ -1,6 +1,4 @@
-#if NET
 using System;
-#endif
 using System.IO;
 #if NET
 using System.Runtime.InteropServices;
@@ -10,13 +8,29 @@ using Microsoft.Win32.SafeHandles;
 namespace Harvester.Sessions.Files;
 
 /// <summary>
-/// What the runtime has no call for: to bring the entries of a folder to the disk, and to hear of an error when a file is closed. Windows
-/// needs neither: its file systems keep a journal of folders, and it reports such errors when a file is flushed.
+/// Two calls that the runtime lacks: writing a folder's entries to the disk, and the error of closing a file. Windows needs neither: its
+/// file systems keep a journal of folders, and it reports such errors when a file is flushed.
 /// </summary>
 internal static class DiskSync
 {
-    /// <summary>Brings the names in a folder to the disk, as far as the file system can.</summary>
-    /// <exception cref="IOException">The disk refuses.</exception>
+    /// <summary>Writes the content of a file to the disk, whichever process wrote it.</summary>
+    /// <exception cref="IOException">The file cannot be opened or synchronised.</exception>
+    /// <exception cref="UnauthorizedAccessException">Permission to open the file is denied.</exception>
+    public static void File(string path)
+    {
+#if NET
+        // Windows flushes only with write access; elsewhere the file may be read-only.
+        FileAccess access = OperatingSystem.IsWindows() ? FileAccess.ReadWrite : FileAccess.Read;
+        using SafeFileHandle file = System.IO.File.OpenHandle(path, FileMode.Open, access, FileShare.ReadWrite | FileShare.Delete);
+        RandomAccess.FlushToDisk(file);
+#else
+        using var file = new FileStream(path, FileMode.Open, FileAccess.ReadWrite, FileShare.ReadWrite | FileShare.Delete);
+        file.Flush(true);
+#endif
+    }
+
+    /// <summary>Writes the names in a folder to the disk, as far as the file system can.</summary>
+    /// <exception cref="IOException">The folder cannot be opened or synchronised.</exception>
     public static void Folder(string path)
     {
 #if NET
@@ -48,10 +62,10 @@ internal static class DiskSync
     }
 
     /// <summary>
-    /// Asks for the error that closing a file would give. Network file systems report there that a quota is used up, and the runtime
-    /// ignores it. A second descriptor is closed, since the first belongs to the runtime: the system flushes at every close.
+    /// Throws the error that closing a file would give. Network file systems report an exhausted quota there, and the runtime ignores it. A
+    /// second descriptor is closed, since the first belongs to the runtime: the system flushes at every close.
     /// </summary>
-    /// <exception cref="IOException">What was written cannot be kept.</exception>
+    /// <exception cref="IOException">The data written cannot be stored.</exception>
     public static void CheckClose(SafeFileHandle handle)
     {
 #if NET

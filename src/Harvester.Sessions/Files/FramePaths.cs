@@ -3,7 +3,7 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Sessions.Files;
 
-/// <summary>Where a frame's files lie within a session, with forward slashes.</summary>
+/// <summary>Paths of a frame's files within a session, with forward slashes.</summary>
 public static class FramePaths
 {
     /// <summary>Folder of the screenshots.</summary>
@@ -12,13 +12,13 @@ public static class FramePaths
     /// <summary>Folder of the instance masks.</summary>
     public const string Masks = "masks";
 
-    /// <summary>Folder of the scenes that labels can be made from again.</summary>
+    /// <summary>Folder of the scenes from which labels can be recomputed.</summary>
     public const string Scenes = "scenes";
 
-    /// <summary>Path of the table of spaces that was labelled with.</summary>
+    /// <summary>Path of the table of faces used for the labels.</summary>
     public const string Faces = Scenes + "/spaces.csv";
 
-    /// <summary>Path of the roads that was labelled with, where the session keeps them.</summary>
+    /// <summary>Path of the roads used for the labels, if the session has them.</summary>
     public const string Roads = Scenes + "/roads.csv";
 
     /// <summary>Path of a screenshot.</summary>

@@ -4,7 +4,7 @@ using System.Runtime.InteropServices;
 
 namespace Harvester.Sessions.Files;
 
-/// <summary>Opens files for reading and refuses what only looks like one: a pipe blocks for ever, and a device may have no end.</summary>
+/// <summary>Opens files for reading and rejects what is not a regular file: a pipe blocks for ever, and a device may have no end.</summary>
 public static class RegularFile
 {
     private const int StatxLength = 256;
@@ -17,18 +17,18 @@ public static class RegularFile
 
     /// <summary>Opens a file for reading.</summary>
     /// <param name="path">The file; links are followed.</param>
-    /// <param name="share">What others may do with it meanwhile.</param>
-    /// <exception cref="IOException">It is a pipe, a socket or a device, or cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">It is a folder, or may not be read.</exception>
+    /// <param name="share">What other processes may do with the file while it is open.</param>
+    /// <exception cref="IOException">The file is a pipe, a socket or a device, or cannot be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">The path is a folder, or may not be read.</exception>
     public static FileStream OpenRead(string path, FileShare share = FileShare.Read)
     {
         Check(path);
         return new FileStream(path, FileMode.Open, FileAccess.Read, share);
     }
 
-    /// <summary>Refuses a pipe, a socket or a device. What is not there is left to those who open it.</summary>
+    /// <summary>Rejects a pipe, a socket or a device. A missing file is accepted; opening it reports that.</summary>
     /// <param name="path">The file; links are followed.</param>
-    /// <exception cref="IOException">It is one of these.</exception>
+    /// <exception cref="IOException">The file is one of these.</exception>
     public static void Check(string path)
     {
         if (IsSpecial(path))
@@ -39,7 +39,7 @@ public static class RegularFile
 
     /// <summary>Whether a path leads to a pipe, a socket or a device.</summary>
     /// <param name="path">The path; links are followed.</param>
-    // On Windows the runtime refuses to open what is no file of a disk. Elsewhere it opens everything, and does not tell what it is.
+    // On Windows the runtime opens only files on a disk. Elsewhere it opens everything without reporting what it is.
     public static bool IsSpecial(string path) =>
         RuntimeInformation.IsOSPlatform(OSPlatform.Linux) && TypeOf(path) is Pipe or CharacterDevice or BlockDevice or Socket;
 
@@ -51,7 +51,7 @@ public static class RegularFile
         return Statx(workingFolder, path, 0, type, found) == 0 ? BitConverter.ToUInt16(found, ModeAt) & TypeMask : 0;
     }
 
-    // Its structure is the same on all processors, unlike that of stat.
+    // Unlike that of stat, this structure is the same on all processors.
     [DefaultDllImportSearchPaths(DllImportSearchPath.SafeDirectories)]
     [DllImport("libc", EntryPoint = "statx")]
     private static extern int Statx(int folder, [MarshalAs(UnmanagedType.LPUTF8Str)] string path, int flags, uint mask, byte[] found);

@@ -4,9 +4,7 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Sessions.Files;
 
-/// <summary>
-/// Writes a scene that labels can be made from again: numbers read back as the very same doubles. Fields: docs/relabel.md.
-/// </summary>
+/// <summary>Writes a scene from which labels can be recomputed; numbers read back as the same doubles. Fields: docs/relabel.md.</summary>
 internal static class SceneJson
 {
     public static string Text(RecordedScene scene)

@@ -3,13 +3,13 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Sessions.Files;
 
-/// <summary>One of several runs that do a job side by side: every frame belongs to exactly one.</summary>
+/// <summary>One of several runs that share a job; each frame belongs to exactly one of them.</summary>
 public readonly record struct Shard
 {
     /// <summary>Creates a shard of a run.</summary>
-    /// <param name="number">Its number, from 1 to the number of shards.</param>
-    /// <param name="count">How many there are.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The number is not 1 to the count.</exception>
+    /// <param name="number">The shard's number, from 1 to the number of shards.</param>
+    /// <param name="count">The number of shards; at least 1.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The number is not from 1 to the count.</exception>
     public Shard(int number, int count)
     {
         Count = OptionCheck.InRange(count, 1, int.MaxValue, nameof(count));
@@ -19,16 +19,16 @@ public readonly record struct Shard
     /// <summary>The only shard of a run that is not divided.</summary>
     public static Shard Whole { get; } = new(1, 1);
 
-    /// <summary>Its number, from 1.</summary>
+    /// <summary>The shard's number, from 1.</summary>
     public int Number { get; }
 
-    /// <summary>How many there are.</summary>
+    /// <summary>The number of shards.</summary>
     public int Count { get; }
 
-    /// <summary>Whether a frame belongs to it: the frames go round.</summary>
+    /// <summary>Whether a frame belongs to this shard; frames are dealt out in turn.</summary>
     /// <param name="frame">Number of the frame, from 0.</param>
     public bool Takes(int frame) => frame % Count == Number - 1;
 
-    /// <summary>As 2/8.</summary>
+    /// <summary>Number and count as text, such as 2/8.</summary>
     public override string ToString() => FormattableString.Invariant($"{Number}/{Count}");
 }

@@ -1,14 +1,14 @@
 namespace Harvester.Sessions.Imaging;
 
-/// <summary>How screenshots are stored.</summary>
+/// <summary>File formats of images.</summary>
 public enum ImageFormat
 {
-    /// <summary>Portable Network Graphics: without loss, compressed.</summary>
+    /// <summary>Portable Network Graphics: lossless, compressed.</summary>
     Png,
 
-    /// <summary>Windows bitmap: without loss, not compressed; the fastest to write and the largest.</summary>
+    /// <summary>Windows bitmap: lossless, uncompressed; the fastest to write and the largest.</summary>
     Bmp,
 
-    /// <summary>JPEG, baseline: with loss, the smallest and fast to write.</summary>
+    /// <summary>JPEG, baseline: lossy, the smallest, and fast to write.</summary>
     Jpeg,
 }

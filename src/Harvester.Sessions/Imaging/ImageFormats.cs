@@ -2,10 +2,10 @@ using System;
 
 namespace Harvester.Sessions.Imaging;
 
-/// <summary>What belongs to image formats.</summary>
+/// <summary>Properties of image formats.</summary>
 public static class ImageFormats
 {
-    /// <summary>The end of a file's name, with the dot.</summary>
+    /// <summary>The file extension, including the dot.</summary>
     /// <exception cref="ArgumentOutOfRangeException">There is no such format.</exception>
     public static string Extension(this ImageFormat format) => format switch
     {

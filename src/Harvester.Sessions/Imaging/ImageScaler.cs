@@ -4,11 +4,11 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Sessions.Imaging;
 
 /// <summary>
-/// Scales pictures of one size to another: each output pixel is the mean of the area it covers where the picture shrinks, and a
-/// linear interpolation of its neighbours where it grows, each axis by itself. Pixel coordinates scale with it exactly:
-/// u' = u · width' / width, v' = v · height' / height. All arithmetic is in integers, so every runtime gives the same bytes.
-/// Means are taken of the stored (gamma coded) values, as image viewers and training pipelines do: a fine pattern of black and
-/// white becomes 127, somewhat darker than the light it stands for. Buffers are reused; one scaler serves one thread.
+/// Scales images of one size to another: each output pixel is the mean of the area that it covers if the image shrinks, and a linear
+/// interpolation of its neighbours if it grows, each axis separately. Pixel coordinates scale exactly: u' = u · width' / width, v' = v ·
+/// height' / height. All arithmetic is in integers, so every runtime gives the same bytes. Means are taken of the stored (gamma encoded)
+/// values, as image viewers and training pipelines do: a fine pattern of black and white becomes 127, somewhat darker than the light it
+/// stands for. Buffers are reused; one scaler serves one thread.
 /// </summary>
 public sealed class ImageScaler
 {
@@ -20,9 +20,9 @@ public sealed class ImageScaler
     private readonly ScaleAxis _rows;
     private readonly int[] _row;
 
-    /// <summary>Makes a scaler.</summary>
-    /// <param name="source">Size of the pictures that come in.</param>
-    /// <param name="target">Size of the pictures that go out.</param>
+    /// <summary>Creates a scaler.</summary>
+    /// <param name="source">Size of the input images.</param>
+    /// <param name="target">Size of the output images.</param>
     public ImageScaler(ImageSize source, ImageSize target)
     {
         Source = source;
@@ -32,15 +32,15 @@ public sealed class ImageScaler
         _row = new int[source.Width * PixelBuffer.BytesPerPixel];
     }
 
-    /// <summary>Size of the pictures that come in.</summary>
+    /// <summary>Size of the input images.</summary>
     public ImageSize Source { get; }
 
-    /// <summary>Size of the pictures that go out.</summary>
+    /// <summary>Size of the output images.</summary>
     public ImageSize Target { get; }
 
-    /// <summary>Scales a picture. Where the sizes are equal it is copied unchanged.</summary>
-    /// <param name="source">A picture of the size <see cref="Source"/>.</param>
-    /// <param name="target">Where the result goes, of the size <see cref="Target"/>; not the same buffer.</param>
+    /// <summary>Scales an image. If the sizes are equal, it is copied unchanged.</summary>
+    /// <param name="source">An image of the size <see cref="Source"/>.</param>
+    /// <param name="target">Receives the result, of the size <see cref="Target"/>; not the same buffer.</param>
     /// <exception cref="ArgumentException">A buffer has another size.</exception>
     public void Scale(PixelBuffer source, PixelBuffer target)
     {
@@ -68,7 +68,8 @@ public sealed class ImageScaler
 
         if (buffer.Size != expected)
         {
-            throw new ArgumentException($"The picture is {buffer.Size.Width}x{buffer.Size.Height}; this scaler takes {expected.Width}x{expected.Height}.", name);
+            throw new ArgumentException(
+                $"The image is {buffer.Size.Width}x{buffer.Size.Height}; this scaler takes {expected.Width}x{expected.Height}.", name);
         }
     }
 

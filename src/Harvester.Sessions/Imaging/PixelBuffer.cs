@@ -3,14 +3,14 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Sessions.Imaging;
 
 /// <summary>
-/// A picture in memory that is used again from frame to frame: 3 bytes a pixel, red, green, blue, rows from the top, no padding.
+/// An image in memory that is reused from frame to frame: 3 bytes per pixel, red, green, blue, rows from the top, no padding.
 /// </summary>
 public sealed class PixelBuffer
 {
     /// <summary>Bytes of one pixel.</summary>
     public const int BytesPerPixel = 3;
 
-    /// <summary>Makes a black picture.</summary>
+    /// <summary>Creates a black image.</summary>
     public PixelBuffer(ImageSize size)
     {
         Size = size;
@@ -20,6 +20,6 @@ public sealed class PixelBuffer
     /// <summary>Width and height in pixels.</summary>
     public ImageSize Size { get; }
 
-    /// <summary>The pixels' bytes; the buffer's own storage.</summary>
+    /// <summary>The pixels' bytes: the buffer's own storage.</summary>
     public byte[] Bytes { get; }
 }

@@ -1,9 +1,9 @@
 namespace Harvester.Sessions.Imaging;
 
 /// <summary>
-/// Which source pixels make an output pixel along one axis, and with what weights: the area that the output pixel covers when
-/// shrinking, linear interpolation between centres when enlarging. Weights are integers that sum to <see cref="One"/> for each
-/// output pixel, so that every runtime computes the same bytes.
+/// The source pixels of each output pixel along one axis, and their weights: the area that the output pixel covers when shrinking, linear
+/// interpolation between centres when enlarging. Weights are integers that sum to <see cref="One"/> for each output pixel, so that every
+/// runtime computes the same bytes.
 /// </summary>
 internal sealed class ScaleAxis
 {
@@ -16,7 +16,7 @@ internal sealed class ScaleAxis
 
     public ScaleAxis(int source, int target)
     {
-        // An interval of length source / target touches at most that many pixels rounded up, and one more where it starts within one.
+        // An interval of length source / target touches at most that many pixels rounded up, and one more if it starts within one.
         _stride = (source / target) + 2;
         _starts = new int[target];
         _counts = new int[target];

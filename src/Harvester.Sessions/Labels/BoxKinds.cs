@@ -2,7 +2,7 @@ using System.Collections.Generic;
 
 namespace Harvester.Sessions.Labels;
 
-/// <summary>Which kinds of boxes a label has.</summary>
+/// <summary>The kinds of boxes that a label has.</summary>
 public static class BoxKinds
 {
     private static readonly BoxKind[] OfCuboid = [BoxKind.Cuboid, BoxKind.Amodal];

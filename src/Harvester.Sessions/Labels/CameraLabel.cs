@@ -6,7 +6,7 @@ namespace Harvester.Sessions.Labels;
 
 /// <summary>The camera of a saved image. Formulas and frames: docs/conventions.md.</summary>
 /// <param name="Pose">Position (metres, world) and axes.</param>
-/// <param name="VerticalFovDegrees">Vertical field of view of the window's picture before the lens, degrees.</param>
+/// <param name="VerticalFovDegrees">Vertical field of view of the window's picture without the lens, degrees.</param>
 /// <param name="Width">Width of the saved image, pixels.</param>
 /// <param name="Height">Height of the saved image, pixels.</param>
 /// <param name="WindowAspect">Width divided by height of the window's picture.</param>
@@ -29,7 +29,7 @@ public sealed record CameraLabel(
     double Cy,
     DistortionLabel Distortion)
 {
-    /// <summary>The label of a camera.</summary>
+    /// <summary>Creates the label of a camera.</summary>
     /// <exception cref="ArgumentNullException"><paramref name="camera"/> is null.</exception>
     public static CameraLabel Of(Camera camera)
     {
@@ -48,7 +48,10 @@ public sealed record CameraLabel(
             new DistortionLabel(intrinsics.Lens.FocalScale, intrinsics.Lens.K1, intrinsics.Lens.K2));
     }
 
-    /// <summary>The camera that the label describes. The label has no shift of the principal point, which follows from cx and cy.</summary>
+    /// <summary>
+    /// Creates the camera that the label describes. The label does not store the shift of the principal point, which follows from cx and
+    /// cy.
+    /// </summary>
     /// <exception cref="ArgumentException">A value is outside its range.</exception>
     public Camera ToCamera()
     {

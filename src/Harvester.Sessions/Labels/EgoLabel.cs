@@ -13,10 +13,10 @@ public sealed record EgoLabel(Vector3D Position, double HeadingDegrees, Vector3D
     /// <summary>The body's axes in the world; null in sessions of earlier versions.</summary>
     public Axes? Axes { get; init; }
 
-    /// <summary>Vertical distance from the model's origin down to the ground, metres; null when unknown.</summary>
+    /// <summary>Vertical distance from the model's origin down to the ground, metres; null if unknown.</summary>
     public double? HeightAboveGroundMetres { get; init; }
 
-    /// <summary>The label of a vehicle that carries the camera.</summary>
+    /// <summary>Creates the label of a vehicle that carries the camera.</summary>
     /// <exception cref="System.ArgumentNullException"><paramref name="ego"/> is null.</exception>
     public static EgoLabel Of(EgoState ego)
     {

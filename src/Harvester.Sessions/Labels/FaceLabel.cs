@@ -2,13 +2,13 @@ using Harvester.Sessions.Faces;
 
 namespace Harvester.Sessions.Labels;
 
-/// <summary>What an object has that is a part of another: the face of a sign, a head of a traffic light.</summary>
+/// <summary>The part of a label that only the face of a sign or the head of a traffic light has.</summary>
 /// <param name="Number">Number of the face on its model, from 0.</param>
-/// <param name="MutcdCode">Code in the Manual on Uniform Traffic Control Devices; null when it has none or it is unknown.</param>
+/// <param name="MutcdCode">Code in the Manual on Uniform Traffic Control Devices; null if it has none or it is unknown.</param>
 /// <param name="FacingAngleDegrees">Angle between the direction in which the face looks and the direction from its middle to the camera, 0
 /// to 180 degrees.</param>
-/// <param name="Provenance">How the face's place on the model was come by.</param>
-/// <param name="Light">What the head of a traffic light shows; null for a sign.</param>
+/// <param name="Provenance">How the face's position on the model was obtained.</param>
+/// <param name="Light">The state of the head of a traffic light; null for a sign.</param>
 public sealed record FaceLabel(int Number, string? MutcdCode, double FacingAngleDegrees, Provenance Provenance, LightLabel? Light)
 {
     /// <summary>Whether the camera is on the side towards which the face looks.</summary>

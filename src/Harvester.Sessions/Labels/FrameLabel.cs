@@ -3,15 +3,15 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Sessions.Labels;
 
-/// <summary>One line of labels.jsonl: everything that is known of one frame.</summary>
+/// <summary>One line of labels.jsonl: everything known about one frame.</summary>
 /// <param name="Frame">Number of the frame in its session, from 0.</param>
-/// <param name="GameFrame">The game's own count of frames.</param>
+/// <param name="GameFrame">The game's frame count.</param>
 /// <param name="TimeSeconds">The game's time, seconds.</param>
 /// <param name="LagFrames">
 /// Game frames from reading the state to grabbing the image, which nevertheless shows the moment of the state; 0 if the game was frozen.
 /// </param>
-/// <param name="LagSeconds">The same in seconds of the game's time.</param>
-/// <param name="Image">Path of the picture within the session, with forward slashes.</param>
+/// <param name="LagSeconds">Game time from reading the state to grabbing the image, seconds.</param>
+/// <param name="Image">Path of the image within the session, with forward slashes.</param>
 /// <param name="Mask">Path of the instance mask within the session; null without pixel maps.</param>
 /// <param name="Camera">The camera of the saved image.</param>
 /// <param name="Ego">The vehicle that carries the camera.</param>
@@ -30,15 +30,15 @@ public sealed record FrameLabel(
     EnvironmentState Environment,
     IReadOnlyList<ObjectLabel> Objects)
 {
-    /// <summary>How well the mask is known; null without a mask and for an imported one.</summary>
+    /// <summary>The accuracy of the mask; null without a mask and for an imported one.</summary>
     public PixelMapLabel? PixelMap { get; init; }
 
     /// <summary>Regions that show, or may show, objects without a label, the nearest first.</summary>
     public IReadOnlyList<IgnoreRegion> IgnoreRegions { get; init; } = [];
 
-    /// <summary>The rays that the labels took; null where that is not known.</summary>
+    /// <summary>The rays used for the labels; null if unknown.</summary>
     public RayCounts? Rays { get; init; }
 
-    /// <summary>The lanes; null when no roads are known.</summary>
+    /// <summary>The lanes; null if no roads are known.</summary>
     public LanesLabel? Lanes { get; init; }
 }

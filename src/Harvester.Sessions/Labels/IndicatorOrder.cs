@@ -6,11 +6,11 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Sessions.Labels;
 
 /// <summary>
-/// The thirteen indicators as a row of numbers, in the order of <see cref="IndicatorTable"/>: radians for the angle, metres for the rest.
+/// The thirteen indicators as a row of numbers, in the order of <see cref="IndicatorTable"/>: radians for the angle, metres for the others.
 /// </summary>
 public static class IndicatorOrder
 {
-    /// <summary>Larger values, in metres or radians, cannot come from a road and are refused.</summary>
+    /// <summary>Maximum absolute value, metres or radians; larger values cannot come from a road and are rejected.</summary>
     private const double MaxValue = 1000;
 
     /// <summary>The values in order; an inactive indicator has its inactive value.</summary>
@@ -19,8 +19,8 @@ public static class IndicatorOrder
         [.. IndicatorTable.All.Select(indicator => indicator.Of(indicators).Value)];
 
     /// <summary>
-    /// Indicators from values as a network estimates them, scaled to a road of TORCS. A network gives no flags and hits no inactive
-    /// value exactly, so each indicator is active up to its <see cref="IndicatorDefinition.ActiveLimit"/>.
+    /// Creates indicators from values as a network estimates them, scaled to a road of TORCS. A network gives no flags and does not output
+    /// an inactive value exactly, so each indicator is active up to its <see cref="IndicatorDefinition.ActiveLimit"/>.
     /// </summary>
     /// <exception cref="ArgumentException">There are not thirteen values, or one is not within -1000 to 1000.</exception>
     public static LaneIndicators FromValues(IReadOnlyList<double> values)
@@ -32,7 +32,8 @@ public static class IndicatorOrder
 
         if (!values.All(static value => Math.Abs(value) <= MaxValue))
         {
-            throw new ArgumentException(FormattableString.Invariant($"An indicator is beyond -{MaxValue} to {MaxValue}."), nameof(values));
+            throw new ArgumentException(
+                FormattableString.Invariant($"An indicator is not in the range -{MaxValue} to {MaxValue}."), nameof(values));
         }
 
         int next = 0;

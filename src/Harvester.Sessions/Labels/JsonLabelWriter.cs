@@ -54,7 +54,7 @@ public static class JsonLabelWriter
         return json.EndObject().ToString();
     }
 
-    /// <summary>The lanes as they stand in a label line.</summary>
+    /// <summary>The lanes as written in a label line.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite or too large to be written.</exception>
     public static string Lanes(LanesLabel lanes)
     {

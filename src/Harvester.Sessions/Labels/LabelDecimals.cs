@@ -1,18 +1,18 @@
 namespace Harvester.Sessions.Labels;
 
-/// <summary>How many decimals the numbers of a session's files have, by what they measure.</summary>
+/// <summary>Number of decimals in a session's files, by quantity.</summary>
 internal static class LabelDecimals
 {
-    /// <summary>A tenth of a millimetre.</summary>
+    /// <summary>Metres, to 0.1 mm.</summary>
     public const int Metres = 4;
 
     /// <summary>Metres per second.</summary>
     public const int Speed = 4;
 
-    /// <summary>A thousandth of a pixel.</summary>
+    /// <summary>Pixels, to 0.001 px.</summary>
     public const int Pixels = 3;
 
-    /// <summary>Shares of something.</summary>
+    /// <summary>Fractions.</summary>
     public const int Fraction = 4;
 
     /// <summary>Components of unit vectors: an error of a micrometre at 1 km.</summary>
@@ -24,9 +24,9 @@ internal static class LabelDecimals
     /// <summary>Angles in degrees.</summary>
     public const int Degrees = 4;
 
-    /// <summary>The field of view, degrees, and ratios that enter every pixel's place.</summary>
+    /// <summary>The field of view, degrees, and ratios that affect every pixel position.</summary>
     public const int CameraRatio = 9;
 
-    /// <summary>A microsecond.</summary>
+    /// <summary>Seconds, to a microsecond.</summary>
     public const int Seconds = 6;
 }

@@ -11,13 +11,15 @@ public sealed record LanesLabel
     /// <summary>Whether the lanes are known, and if not, why.</summary>
     public required LaneStatus Status { get; init; }
 
-    /// <summary>Where the roads are from: roadFile, game, simulation.</summary>
+    /// <summary>The source of the roads: roadFile, game, simulation.</summary>
     public required string Source { get; init; }
 
-    /// <summary>How probable the road is, 0 to 1; 0 without a road.</summary>
+    /// <summary>
+    /// Probability of the road, 0 to 1; 0 without a road. See <see cref="Harvester.Geometry.Roads.RoadMatch.Confidence"/>.
+    /// </summary>
     public double Confidence { get; init; }
 
-    /// <summary>Whether a junction is so near along the road that lanes are not defined.</summary>
+    /// <summary>Whether a junction is so close along the road that lanes are not defined.</summary>
     public bool InJunction { get; init; }
 
     /// <summary>Lanes of the car's direction at the car; null unless the lanes are known.</summary>
@@ -38,7 +40,7 @@ public sealed record LanesLabel
     /// <summary>How far ahead the indicators are measured, metres along the road.</summary>
     public double LookAheadMetres { get; init; }
 
-    /// <summary>Curvature of the road at the look-ahead point, 1/metres, positive to the left; 0 when unknown.</summary>
+    /// <summary>Curvature of the road at the look-ahead point, 1/metres, positive to the left; 0 if unknown.</summary>
     public double CurvaturePerMetre { get; init; }
 
     /// <summary>DeepDriving's fourteenth value: whether more than 60 m of straight road lie ahead.</summary>
@@ -47,7 +49,7 @@ public sealed record LanesLabel
     /// <summary>The thirteen indicators at the look-ahead point, metres and radians.</summary>
     public LaneIndicators Indicators { get; init; } = LaneIndicators.Unknown;
 
-    /// <summary>The same as a road of TORCS would give them, with the angle at the car.</summary>
+    /// <summary>The indicators that a road of TORCS would give, with the angle at the car.</summary>
     public LaneIndicators TorcsEquivalent { get; init; } = LaneIndicators.Unknown;
 
     /// <summary>The thirteen indicators at the car itself, metres and radians.</summary>
@@ -59,17 +61,17 @@ public sealed record LanesLabel
     /// <summary>The boundaries of the lanes in the image, painted or not.</summary>
     public IReadOnlyList<LaneLineView> Boundaries { get; init; } = [];
 
-    /// <summary>The painted markings of these boundaries in the image; null where what is painted is not known.</summary>
+    /// <summary>The painted markings of these boundaries in the image; null if the paint is unknown.</summary>
     public IReadOnlyList<LaneLineView>? Markings { get; init; }
 
-    /// <summary>The lane lines in the image: the painted markings, and where what is painted is not known, the boundaries.</summary>
+    /// <summary>The lane lines in the image: the painted markings or, if the paint is unknown, the boundaries.</summary>
     public IReadOnlyList<LaneLineView> Lines => Markings ?? Boundaries;
 
-    /// <summary>The label of an observation.</summary>
+    /// <summary>Creates the label of an observation.</summary>
     /// <param name="seen">The road and its lanes at the car.</param>
-    /// <param name="source">Where the roads are from.</param>
-    /// <param name="boundaries">The boundaries of the lanes in the image; none where there is no image.</param>
-    /// <param name="markings">The painted markings in the image; null where what is painted is not known.</param>
+    /// <param name="source">The source of the roads.</param>
+    /// <param name="boundaries">The boundaries of the lanes in the image; empty if there is no image.</param>
+    /// <param name="markings">The painted markings in the image; null if the paint is unknown.</param>
     public static LanesLabel Of(
         LaneObservation seen, string source, IReadOnlyList<LaneLineView> boundaries, IReadOnlyList<LaneLineView>? markings)
     {

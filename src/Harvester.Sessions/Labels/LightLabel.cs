@@ -2,13 +2,13 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Sessions.Labels;
 
-/// <summary>What the head of a traffic light shows.</summary>
-/// <param name="State">The lamp that burns.</param>
-/// <param name="Method">How it is known.</param>
-/// <param name="LitFraction">Share of the head's box in the picture whose pixels shine in the lamp's colour, 0 to 1; null unless it was
-/// observed.</param>
+/// <summary>The state of the head of a traffic light.</summary>
+/// <param name="State">The lit lamp.</param>
+/// <param name="Method">How the state was determined.</param>
+/// <param name="LitFraction">Fraction of the head's box in the image whose pixels have the colour of the lit lamp, 0 to 1; null unless the
+/// state was observed.</param>
 public sealed record LightLabel(LightState State, LightMethod Method, double? LitFraction)
 {
-    /// <summary>Nothing is known of it.</summary>
+    /// <summary>The state is unknown.</summary>
     public static LightLabel Unknown { get; } = new(LightState.Unknown, LightMethod.Unknown, null);
 }

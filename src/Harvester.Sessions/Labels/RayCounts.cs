@@ -1,6 +1,6 @@
 namespace Harvester.Sessions.Labels;
 
-/// <summary>The rays that the labels of a frame took, by what they were cast for.</summary>
+/// <summary>The rays used for the labels of a frame, by purpose.</summary>
 /// <param name="Map">For the pixel map; 0 without one.</param>
 /// <param name="Occlusion">For the visibility of objects.</param>
 /// <param name="Faces">For the visibility of faces of signs and heads of lights.</param>

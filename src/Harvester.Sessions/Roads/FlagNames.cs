@@ -1,13 +1,20 @@
 using System;
+using System.Collections.Concurrent;
 using System.Collections.Generic;
 
 namespace Harvester.Sessions.Roads;
 
-/// <summary>Flags as files have them: their names with a small first letter, joined by vertical bars; nothing for none.</summary>
+/// <summary>Flags as text in files: their names in camelCase, joined by vertical bars; empty for no flag.</summary>
 internal sealed class FlagNames<T>
     where T : struct, Enum
 {
+    /// <summary>A file cannot make the program remember more.</summary>
+    private const int MaxKnown = 1_000;
+
     private readonly List<(string Name, int Value)> _flags = [];
+
+    /// <summary>A road network has few different sets of flags.</summary>
+    private readonly ConcurrentDictionary<string, int> _known = new(StringComparer.Ordinal);
 
     public FlagNames()
     {
@@ -36,11 +43,11 @@ internal sealed class FlagNames<T>
         return string.Join("|", names);
     }
 
-    /// <summary>The flags, or null when a name is not one of them.</summary>
+    /// <summary>The flags, or null if a name is unknown.</summary>
     public int? Read(string text)
     {
         int flags = 0;
-        if (text.Length == 0)
+        if (text.Length == 0 || _known.TryGetValue(text, out flags))
         {
             return flags;
         }
@@ -54,6 +61,11 @@ internal sealed class FlagNames<T>
             }
 
             flags |= _flags[found].Value;
+        }
+
+        if (_known.Count < MaxKnown)
+        {
+            _known[text] = flags;
         }
 
         return flags;

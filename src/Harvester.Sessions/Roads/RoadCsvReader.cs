@@ -8,16 +8,18 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Sessions.Roads;
 
-/// <summary>Reads roads in the form of <see cref="RoadCsv"/>, strictly: the first thing that is wrong ends it with its line.</summary>
+/// <summary>
+/// Reads roads in the format of <see cref="RoadCsv"/>, strictly: the first error ends the reading and is reported with its line.
+/// </summary>
 public sealed class RoadCsvReader
 {
     private const int MaxLanes = 7;
     private const int MaxDensity = 15;
 
-    /// <summary>The game has less than a tenth as many nodes and links, and edges of roads.</summary>
+    /// <summary>Maximum number of nodes, links or edges: more than ten times as many as in the game.</summary>
     private const int MaxRows = 1_000_000;
 
-    /// <summary>No coordinate of the game's world is as large, metres; larger ones would not survive being written again.</summary>
+    /// <summary>Maximum coordinate, metres: larger than any in the game's world, and written without loss.</summary>
     private const double MaxCoordinate = 100_000;
 
     private readonly List<RoadNode> _nodes = [];
@@ -31,7 +33,7 @@ public sealed class RoadCsvReader
     }
 
     /// <summary>Reads a file to its end.</summary>
-    /// <exception cref="FormatException">The file is not as it should be; the message says in which line.</exception>
+    /// <exception cref="FormatException">The file is invalid; the message names the line.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
     public static RoadNetwork Read(TextReader text)
     {
@@ -71,7 +73,7 @@ public sealed class RoadCsvReader
         {
             case "node":
                 Require(fields.Count == 10, "a node has 10 fields.");
-                Require(_links.Count == 0 && _edges.Count == 0, "all nodes stand before the links.");
+                Require(_links.Count == 0 && _edges.Count == 0, "a node must come before all links and edges.");
                 _nodes.Add(new RoadNode(
                     fields[1].Length == 0 ? RoadNode.NoArea : Whole(fields[1], "area", 0, int.MaxValue),
                     Whole(fields[2], "number", 0, int.MaxValue),
@@ -85,10 +87,10 @@ public sealed class RoadCsvReader
                 break;
             case "link":
                 Require(fields.Count == 8, "a link has 8 fields.");
-                Require(_edges.Count == 0, "all links stand before the edges.");
+                Require(_edges.Count == 0, "a link must come before all edges.");
                 int from = Whole(fields[1], "from", 0, _nodes.Count - 1);
                 int to = Whole(fields[2], "to", 0, _nodes.Count - 1);
-                Require(from != to, "a link leads from a node to another.");
+                Require(from != to, "a link must lead from one node to another.");
                 _links.Add(new RoadLink(
                     from,
                     to,
@@ -98,18 +100,18 @@ public sealed class RoadCsvReader
                     (RoadLinkFlags)(RoadCsv.LinkFlags.Read(fields[6]) ?? throw Wrong("unknown flags: " + fields[6] + "."))));
                 break;
             case "edge":
-                Require(fields.Count == 6, "an edge has 6 fields.");
-                Require(fields[2] is RoadCsv.Start or RoadCsv.End, "an edge is at one end of its link, from or to.");
+                Require(fields.Count == 6, "an edge must have 6 fields.");
+                Require(fields[2] is RoadCsv.Start or RoadCsv.End, "an edge must be at one end of its link: from or to.");
                 _edges.Add(new RoadEdge(Whole(fields[1], "link", 0, _links.Count - 1), fields[2] == RoadCsv.Start, Place(fields, 3)));
                 break;
             case "end":
-                Require(fields.Count == 3, "the last line has 3 fields.");
+                Require(fields.Count == 3, "the last line must have 3 fields.");
                 Whole(fields[1], "the count of nodes", _nodes.Count, _nodes.Count);
                 Whole(fields[2], "the count of links", _links.Count, _links.Count);
                 _ended = true;
                 break;
             default:
-                throw Wrong("a line begins with node, link, edge, end or #.");
+                throw Wrong("a line must begin with node, link, edge, end or #.");
         }
     }
 
@@ -131,10 +133,11 @@ public sealed class RoadCsvReader
         throw Wrong("unknown speed: " + text + ".");
     }
 
-    private int Whole(string text, string name, int least, int most) =>
-        int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= least && value <= most
+    private int Whole(string text, string name, int minimum, int maximum) =>
+        int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value)
+        && value >= minimum && value <= maximum
             ? value
-            : throw Wrong(FormattableString.Invariant($"{name} must be a whole number from {least} to {most}, not {text}."));
+            : throw Wrong(FormattableString.Invariant($"{name} must be a whole number from {minimum} to {maximum}, not {text}."));
 
     private Vector3D Place(List<string> fields, int first) =>
         new(Metres(fields[first], "x"), Metres(fields[first + 1], "y"), Metres(fields[first + 2], "z"));

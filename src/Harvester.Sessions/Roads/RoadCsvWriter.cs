@@ -8,10 +8,10 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Sessions.Roads;
 
-/// <summary>Writes roads in the form of <see cref="RoadCsv"/>: the same network gives the same bytes in every runtime.</summary>
+/// <summary>Writes roads in the format of <see cref="RoadCsv"/>: the same network gives the same bytes in every runtime.</summary>
 public static class RoadCsvWriter
 {
-    /// <summary>Writes a road network: nodes, then links.</summary>
+    /// <summary>Writes a road network: nodes, links, then edges.</summary>
     /// <exception cref="IOException">The file cannot be written.</exception>
     public static void Write(RoadNetwork network, TextWriter text)
     {

@@ -2,7 +2,7 @@ using Harvester.Geometry;
 
 namespace Harvester.Sessions.Scenes;
 
-/// <summary>The camera that the game rendered a picture with.</summary>
+/// <summary>The camera with which the game rendered a picture.</summary>
 /// <param name="Pose">Position (metres, world) and orientation.</param>
 /// <param name="VerticalFovDegrees">Vertical field of view of the window's picture, degrees.</param>
 /// <param name="NearClip">Distance of the near plane, metres.</param>

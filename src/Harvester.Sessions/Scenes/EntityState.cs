@@ -2,10 +2,10 @@ using Harvester.Geometry;
 
 namespace Harvester.Sessions.Scenes;
 
-/// <summary>A vehicle, pedestrian or prop at one moment: plain data that never asks the game again.</summary>
-/// <param name="Handle">The game's handle, not 0. Handles are given again to later entities.</param>
-/// <param name="Class">What kind of thing it is.</param>
-/// <param name="Model">The model's name in small letters, or its hash as 0xXXXXXXXX where the name is unknown.</param>
+/// <summary>A vehicle, pedestrian or prop at one moment, as plain data independent of the game.</summary>
+/// <param name="Handle">The game's handle, not 0. The game reuses handles for later entities.</param>
+/// <param name="Class">Its class.</param>
+/// <param name="Model">The model's name in lower case, or its hash as 0xXXXXXXXX if the name is unknown.</param>
 /// <param name="Pose">Position of the model's origin (metres, world) and orientation.</param>
 /// <param name="ModelMin">Rear, left, lower corner of the model's box in its own frame, metres.</param>
 /// <param name="ModelMax">Front, right, upper corner of the model's box in its own frame, metres.</param>
@@ -13,6 +13,6 @@ namespace Harvester.Sessions.Scenes;
 public sealed record EntityState(
     int Handle, ObjectClass Class, string Model, Pose Pose, Vector3D ModelMin, Vector3D ModelMax, Vector3D Velocity)
 {
-    /// <summary>Whether somebody sits on a motorcycle or bicycle; null for everything else and when unknown.</summary>
+    /// <summary>Whether somebody sits on a motorcycle or bicycle; null for other classes and if unknown.</summary>
     public bool? HasRider { get; init; }
 }

@@ -1,14 +1,14 @@
 namespace Harvester.Sessions.Scenes;
 
-/// <summary>How the state of a traffic light is known.</summary>
+/// <summary>How the state of a traffic light was determined.</summary>
 public enum LightMethod
 {
     /// <summary>The state is not known.</summary>
     Unknown,
 
-    /// <summary>Who drives the light told: the harvester itself in the real game, the simulation in a simulated one.</summary>
+    /// <summary>Set by the driver of the light: the harvester in the real game, the simulation in a simulated one.</summary>
     Set,
 
-    /// <summary>It was read from the picture.</summary>
+    /// <summary>Read from the image.</summary>
     Observed,
 }

@@ -1,17 +1,17 @@
 namespace Harvester.Sessions.Scenes;
 
-/// <summary>The lamp of a traffic light that burns.</summary>
+/// <summary>The lit lamp of a traffic light.</summary>
 public enum LightState
 {
     /// <summary>The state could not be determined.</summary>
     Unknown,
 
-    /// <summary>The upper one: stop.</summary>
+    /// <summary>The upper lamp: stop.</summary>
     Red,
 
-    /// <summary>The middle one: clear the junction.</summary>
+    /// <summary>The middle lamp: clear the junction.</summary>
     Amber,
 
-    /// <summary>The lower one: go.</summary>
+    /// <summary>The lower lamp: go.</summary>
     Green,
 }

@@ -3,12 +3,12 @@ using System.Globalization;
 
 namespace Harvester.Sessions.Scenes;
 
-/// <summary>The number by which the game knows a model: Bob Jenkins's one-at-a-time hash of its name in small letters.</summary>
+/// <summary>The game's hash of a model: Bob Jenkins's one-at-a-time hash of its name in lower case.</summary>
 public static class ModelHash
 {
     /// <summary>The hash of a model's name, as the scripting API gives it: a signed 32-bit number.</summary>
-    /// <param name="model">The name, ASCII; capital letters count as small ones.</param>
-    /// <exception cref="ArgumentNullException">No name is given.</exception>
+    /// <param name="model">The name, ASCII; upper and lower case are equivalent.</param>
+    /// <exception cref="ArgumentNullException"><paramref name="model"/> is null.</exception>
     public static int Of(string model)
     {
         if (model is null)
@@ -33,7 +33,7 @@ public static class ModelHash
         }
     }
 
-    /// <summary>Reads a hash as a signed or unsigned decimal number or as 0x and hexadecimal digits.</summary>
+    /// <summary>Parses a hash: a signed or unsigned decimal number, or 0x and hexadecimal digits.</summary>
     public static bool TryParse(string text, out int hash)
     {
         hash = 0;

@@ -1,12 +1,12 @@
 namespace Harvester.Sessions.Scenes;
 
-/// <summary>What kind of thing an object of a scene is. In files its name begins with a small letter.</summary>
+/// <summary>The class of an object. In files its name begins with a lower-case letter.</summary>
 public enum ObjectClass
 {
     /// <summary>A passenger car, pick-up or van.</summary>
     Car,
 
-    /// <summary>A lorry, fire engine or other heavy goods vehicle.</summary>
+    /// <summary>A truck, fire engine or other heavy goods vehicle.</summary>
     Truck,
 
     /// <summary>A bus.</summary>
@@ -30,6 +30,6 @@ public enum ObjectClass
     /// <summary>A traffic light.</summary>
     TrafficLight,
 
-    /// <summary>Whatever else is labelled.</summary>
+    /// <summary>Any other labelled object.</summary>
     Other,
 }

@@ -2,7 +2,7 @@ using Harvester.Geometry;
 
 namespace Harvester.Sessions.Scenes;
 
-/// <summary>A prop that stands somewhere in the game's world.</summary>
+/// <summary>A prop placed in the game's world.</summary>
 /// <param name="Name">Name of its model.</param>
 /// <param name="Position">Metres, world.</param>
 /// <param name="Rotation">Its orientation in the world.</param>

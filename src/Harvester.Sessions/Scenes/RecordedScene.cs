@@ -3,14 +3,16 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Sessions.Scenes;
 
-/// <summary>All that a frame's labels were made from, so that they can be made again without the game, in another way.</summary>
+/// <summary>
+/// Everything from which a frame's labels were made, so that they can be recomputed without the game and with other options.
+/// </summary>
 /// <param name="Snapshot">The scene, with everything within the labelling range, labelled or not.</param>
-/// <param name="Lens">The lens that was labelled with.</param>
-/// <param name="Ids">The numbers that entities have in labels, by handle; not all of them have one.</param>
-/// <param name="Occlusions">What was found of the entities and faces in the image.</param>
+/// <param name="Lens">The lens used for the labels.</param>
+/// <param name="Ids">The ids of entities in labels, by handle; not all of them have one.</param>
+/// <param name="Occlusions">The findings about the entities and faces in the image.</param>
 public sealed record RecordedScene(
     SceneSnapshot Snapshot, Lens Lens, IReadOnlyDictionary<int, int> Ids, IReadOnlyList<RecordedOcclusion> Occlusions)
 {
-    /// <summary>What was found of the entities beyond the labelling range that are in the image.</summary>
+    /// <summary>The entities beyond the labelling range that are in the image, and whether they were visible.</summary>
     public IReadOnlyList<DistantEntity> Distant { get; init; } = [];
 }

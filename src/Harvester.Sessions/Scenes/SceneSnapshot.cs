@@ -2,8 +2,8 @@ using System.Collections.Generic;
 
 namespace Harvester.Sessions.Scenes;
 
-/// <summary>Everything that a frame's labels are made from, read once. Nothing after it asks the game anything but rays.</summary>
-/// <param name="GameFrame">The game's own count of frames at the moment of reading.</param>
+/// <summary>Everything from which a frame's labels are made, read once. After it, the game is asked only for rays.</summary>
+/// <param name="GameFrame">The game's frame count at the moment of reading.</param>
 /// <param name="TimeSeconds">The game's time, seconds.</param>
 /// <param name="Camera">The camera that the game renders with.</param>
 /// <param name="Ego">The vehicle that carries the camera.</param>
@@ -17,6 +17,6 @@ public sealed record SceneSnapshot(
     IReadOnlyList<EntityState> Entities,
     EnvironmentState Environment)
 {
-    /// <summary>The entities beyond the labelling range that are near enough to be seen, in the order of their handles.</summary>
+    /// <summary>The entities beyond the labelling range that are near enough to be visible, in the order of their handles.</summary>
     public IReadOnlyList<EntityState> Distant { get; init; } = [];
 }

@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace Harvester.Sessions.Scenes;
 
-/// <summary>The game's names of weathers, in small letters.</summary>
+/// <summary>The game's names of weathers, in lower case.</summary>
 public static class WeatherNames
 {
     private static readonly string[] Names =
@@ -11,12 +11,12 @@ public static class WeatherNames
 
     private static readonly Dictionary<int, string> Known = Names.ToDictionary(ModelHash.Of);
 
-    /// <summary>All names, as the game spells them.</summary>
+    /// <summary>All names, in lower case.</summary>
     public static IReadOnlyList<string> All => Names;
 
-    /// <summary>Whether a name is one of them.</summary>
+    /// <summary>Whether the game has a weather of this name.</summary>
     public static bool IsKnown(string name) => Names.Contains(name);
 
-    /// <summary>The name of the weather with a hash; "unknown" for one that is not the game's own.</summary>
+    /// <summary>The name of the weather with a hash; "unknown" for an unknown hash.</summary>
     public static string Of(int hash) => Known.TryGetValue(hash, out string? name) ? name : "unknown";
 }

@@ -6,12 +6,17 @@ namespace Harvester.Sessions.Text;
 /// <summary>One line of comma-separated values, RFC 4180 without line breaks within fields.</summary>
 internal static class CsvFields
 {
-    /// <summary>What is wrong with a line that has no fields.</summary>
-    public const string Problem = "a quotation mark is not closed, or stands in a field that is not in quotation marks as a whole.";
+    /// <summary>The message for a line that cannot be split.</summary>
+    public const string Problem = "a quoted field is not closed, or a quotation mark stands in an unquoted field.";
 
-    /// <summary>The fields of a line, or null when its quotation marks are not where they belong.</summary>
+    /// <summary>The fields of a line, or null if its quotation marks are misplaced.</summary>
     public static List<string>? Split(string line)
     {
+        if (line.IndexOf('"') < 0)
+        {
+            return [.. line.Split(',')];
+        }
+
         var fields = new List<string>();
         var field = new StringBuilder();
         bool quoted = false;
@@ -53,7 +58,7 @@ internal static class CsvFields
         return quoted ? null : fields;
     }
 
-    /// <summary>A field as it stands in a line: in quotation marks where it needs them.</summary>
+    /// <summary>A field as written in a line: in quotation marks if it needs them.</summary>
     public static string Quote(string field) =>
         field.IndexOfAny([',', '"']) < 0 ? field : "\"" + field.Replace("\"", "\"\"") + "\"";
 }

@@ -5,16 +5,16 @@ using System.Text;
 namespace Harvester.Sessions.Text;
 
 /// <summary>
-/// The one way in which numbers are written into files: rounded to a whole number of the last decimal, half away from zero, and
-/// written digit by digit. The formats of .NET Framework and .NET do not agree (2.675 with two decimals is 2.68 in one and 2.67 in
-/// the other); this does not use them. No exponent, no trailing zeros, no minus zero.
+/// Writes numbers to files in the one way that all files use: rounded half away from zero to the last decimal, and written digit by digit.
+/// The formats of .NET Framework and .NET differ (2.675 with two decimals is 2.68 in one and 2.67 in the other), so they are not used. No
+/// exponent, no trailing zeros, no negative zero.
 /// </summary>
 public static class InvariantNumber
 {
     /// <summary>Maximum number of decimals.</summary>
     public const int MaxDecimals = 12;
 
-    /// <summary>Below this, doubles hold every whole number and every half.</summary>
+    /// <summary>Below this, doubles represent every integer and every half exactly.</summary>
     private const double MaxScaled = 4_503_599_627_370_496;
 
     private static readonly double[] PowersOfTen = [1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12];
@@ -22,9 +22,9 @@ public static class InvariantNumber
     /// <summary>Appends a number, rounded half away from zero.</summary>
     /// <param name="target">Receives the text.</param>
     /// <param name="value">The number; finite.</param>
-    /// <param name="decimals">Digits after the point at most, 0 to 12.</param>
+    /// <param name="decimals">Maximum number of digits after the point, 0 to 12.</param>
     /// <exception cref="ArgumentOutOfRangeException">
-    /// The number is not finite or has more than 15 digits in all, or the decimals are out of range.
+    /// The number is not finite or has more than 15 digits, or the decimals are out of range.
     /// </exception>
     public static void Append(StringBuilder target, double value, int decimals)
     {

@@ -2,7 +2,7 @@ using System;
 
 namespace Harvester.Sessions.Text;
 
-/// <summary>The names of enumerations in files: with a small first letter.</summary>
+/// <summary>The names of enumeration values in files: with a lower-case first letter.</summary>
 public static class JsonName
 {
     /// <summary>The name of a value, such as trafficLight.</summary>

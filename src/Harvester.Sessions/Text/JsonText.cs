@@ -5,8 +5,8 @@ using Harvester.Geometry;
 namespace Harvester.Sessions.Text;
 
 /// <summary>
-/// Writes JSON (RFC 8259) in the order of the calls: the library that would do it is not to be had in the game. On one line, or with
-/// the members of objects on lines of their own.
+/// Writes JSON (RFC 8259) in the order of the calls; JSON libraries are not available in the game. On one line, or with the members of
+/// objects on lines of their own.
 /// </summary>
 internal sealed class JsonText(bool indented = false)
 {
@@ -60,10 +60,10 @@ internal sealed class JsonText(bool indented = false)
 
     public JsonText Number(double? value, int decimals) => value is { } known ? Number(known, decimals) : Word("null");
 
-    /// <summary>A number that reads back as the very same double: it may have an exponent.</summary>
+    /// <summary>A number that reads back as the same double; it may have an exponent.</summary>
     public JsonText Exact(double value)
     {
-        // .NET Framework's shortest form does not always read back; seventeen digits do. Minus zero is written as zero.
+        // .NET Framework's shortest form does not always read back; seventeen digits do. Negative zero is written as zero.
         double number = value + 0.0;
         string shortest = number.ToString("R", CultureInfo.InvariantCulture);
         return Word(double.Parse(shortest, CultureInfo.InvariantCulture).Equals(number) ? shortest
@@ -135,7 +135,7 @@ internal sealed class JsonText(bool indented = false)
         return this;
     }
 
-    /// <summary>What comes before a value: nothing after a key, a comma after another element.</summary>
+    /// <summary>Writes what precedes a value: nothing after a key, a comma after another element.</summary>
     private void Separate()
     {
         if (_needsComma && !_afterKey)
@@ -166,7 +166,7 @@ internal sealed class JsonText(bool indented = false)
             }
             else if (c < ' ' || char.IsSurrogate(c))
             {
-                // Surrogates are escaped one by one, so that a lone one does not spoil the file's UTF-8.
+                // Surrogates are escaped one by one, so that a lone one does not make the file's UTF-8 invalid.
                 _text.Append("\\u").Append(((int)c).ToString("x4", CultureInfo.InvariantCulture));
             }
             else

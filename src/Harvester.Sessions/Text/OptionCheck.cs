@@ -2,14 +2,14 @@ using System;
 
 namespace Harvester.Sessions.Text;
 
-/// <summary>The checks of options at the public edge.</summary>
+/// <summary>Checks of options in the public API.</summary>
 internal static class OptionCheck
 {
-    public static double AtLeast(double value, double least, string name) =>
-        value >= least && !double.IsInfinity(value)
+    public static double AtLeast(double value, double minimum, string name) =>
+        value >= minimum && !double.IsInfinity(value)
             ? value
             : throw new ArgumentOutOfRangeException(
-                name, value, FormattableString.Invariant($"{name} must be a number of at least {least}."));
+                name, value, FormattableString.Invariant($"{name} must be a number of at least {minimum}."));
 
     public static double Positive(double value, string name) =>
         value > 0 && !double.IsInfinity(value)
@@ -21,8 +21,8 @@ internal static class OptionCheck
             ? value
             : throw new ArgumentOutOfRangeException(name, value, $"{name} must be 0 to 1.");
 
-    public static int InRange(int value, int least, int most, string name) =>
-        value >= least && value <= most
+    public static int InRange(int value, int minimum, int maximum, string name) =>
+        value >= minimum && value <= maximum
             ? value
-            : throw new ArgumentOutOfRangeException(name, value, FormattableString.Invariant($"{name} must be {least} to {most}."));
+            : throw new ArgumentOutOfRangeException(name, value, FormattableString.Invariant($"{name} must be {minimum} to {maximum}."));
 }

@@ -5,8 +5,8 @@ using Harvester.Geometry;
 namespace Harvester.Simulation.Game;
 
 /// <summary>
-/// The simulated ego, driven from outside. There is no player to take it back; in a tick in which it is not driven its own driver
-/// follows its route, through junctions too.
+/// The simulated ego as a driven car. There is no player to take over; in a tick without controls, its built-in driver follows its route,
+/// through junctions too.
 /// </summary>
 internal sealed class CarPort(SimulatedGame game) : IDrivenCar
 {

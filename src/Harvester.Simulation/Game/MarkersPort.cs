@@ -4,7 +4,7 @@ using Harvester.Geometry.Calibration;
 
 namespace Harvester.Simulation.Game;
 
-/// <summary>Balls in the simulated world.</summary>
+/// <summary>Shows balls in the simulated world.</summary>
 internal sealed class MarkersPort(SimulatedGame game) : IMarkers
 {
     public void Show(IReadOnlyList<PlannedMarker> markers) => game.Markers = markers;

@@ -11,7 +11,7 @@ internal sealed class PaintPort(IReadOnlyList<PaintedLine> lines) : IRoadPaint
 {
     public IEnumerable<PaintedLine> Near(Vector3D place, double range) => lines.Where(line => IsNear(line, place, range));
 
-    /// <summary>Points are so near to each other that the next one can be skipped by the distance to this one.</summary>
+    /// <summary>Points are close together, so the distance to one point shows how many of the next can be skipped.</summary>
     private static bool IsNear(PaintedLine line, Vector3D place, double range)
     {
         int i = 0;

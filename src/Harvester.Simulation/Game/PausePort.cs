@@ -2,7 +2,7 @@ using Harvester.Capture.Ports;
 
 namespace Harvester.Simulation.Game;
 
-/// <summary>Stops the simulated world.</summary>
+/// <summary>Freezes and resumes the simulated world.</summary>
 internal sealed class PausePort(SimulatedGame game) : IPause
 {
     public FreezeMethod Method

@@ -4,7 +4,7 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Game;
 
-/// <summary>Rays against the shapes of the moment.</summary>
+/// <summary>Casts rays against the current shapes.</summary>
 internal sealed class RayPort(SimulatedGame game) : IRayCaster
 {
     private SceneRayCaster? _caster;

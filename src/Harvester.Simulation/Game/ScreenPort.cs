@@ -5,7 +5,7 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Game;
 
-/// <summary>The picture that the simulated game shows; it is rendered at the size that is asked for.</summary>
+/// <summary>The picture of the simulated game, rendered at the requested size.</summary>
 internal sealed class ScreenPort(SimulatedGame game) : IScreen
 {
     public GrabResult Grab(PixelBuffer target)

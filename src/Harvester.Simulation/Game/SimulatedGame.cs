@@ -17,12 +17,12 @@ using Harvester.Simulation.World;
 namespace Harvester.Simulation.Game;
 
 /// <summary>
-/// A game without GTA: a car drives through a town or along given roads among traffic, with a camera mounted on it.
-/// It is used through its ports, as the real one is; the truth about its pictures and lanes is for tests.
+/// A simulated game: a car with a camera drives among traffic through a town or along given roads. It is used through its ports, like the
+/// real game; the ground truth about its pictures and lanes is for tests.
 /// </summary>
 public sealed class SimulatedGame
 {
-    /// <summary>What moves farther away is not drawn, metres.</summary>
+    /// <summary>Moving objects farther away are not drawn, metres.</summary>
     private const double SightRange = 350;
 
     private readonly SimulationOptions _options;
@@ -44,13 +44,13 @@ public sealed class SimulatedGame
     private long _rayState = -1;
 
     /// <summary>Builds the world.</summary>
-    /// <exception cref="ArgumentException">No road lies near the start, or the weather is none of the game's.</exception>
+    /// <exception cref="ArgumentException">No road lies near the start, or the game has no such weather.</exception>
     public SimulatedGame(SimulationOptions options)
     {
         ArgumentNullException.ThrowIfNull(options);
         _options = options;
 
-        // A wrong name is found before a world is built in vain.
+        // A wrong name is found before a world is built.
         _weather = new WeatherClock(options);
         _world = new SimulatedWorld(options);
         Freezing = new Freezing(options.Seed, options.Quirks);
@@ -68,16 +68,16 @@ public sealed class SimulatedGame
         };
     }
 
-    /// <summary>The game as the harvest sees it.</summary>
+    /// <summary>The ports of the game, for a harvest.</summary>
     public GamePorts Ports { get; }
 
-    /// <summary>The roads that the world was built on.</summary>
+    /// <summary>The road network of the world.</summary>
     public RoadNetwork Roads => _world.Roads;
 
-    /// <summary>The lanes that the world was built with.</summary>
+    /// <summary>The ground truth of the lanes.</summary>
     public RoadTruth Truth => _world.Truth;
 
-    /// <summary>Whether the world stands still.</summary>
+    /// <summary>Whether the world is frozen.</summary>
     public bool IsFrozen => Freezing.IsStanding;
 
     /// <summary>
@@ -86,20 +86,18 @@ public sealed class SimulatedGame
     public bool MustEgoGiveWay => _world.MustEgoGiveWay;
 
     /// <summary>
-    /// The camera's place on the car: 2 m ahead of its origin and 0.4 m above it, unless it is moved. A change takes in the next tick.
+    /// The camera's pose on the car: by default 2 m ahead of its origin and 0.4 m above it. A change takes effect in the next tick.
     /// </summary>
     public Pose CameraMount { get; set; }
 
-    /// <summary>
-    /// What the picture shown at present shows, whatever the ports report: the true camera, ego, all entities and the tick.
-    /// </summary>
+    /// <summary>The ground truth of the current picture, whatever the ports report: camera, ego, all entities and the tick.</summary>
     public SceneSnapshot Shown => MomentShown.Truth;
 
     internal Freezing Freezing { get; }
 
     internal SimulatedWorld World => _world;
 
-    /// <summary>Balls that are shown beside what the world holds.</summary>
+    /// <summary>Balls that are shown in addition to the world.</summary>
     internal IReadOnlyList<PlannedMarker> Markers
     {
         get;
@@ -138,7 +136,7 @@ public sealed class SimulatedGame
         }
     }
 
-    /// <summary>The world's time for hour and weather, which may go on in a frozen world.</summary>
+    /// <summary>The world's time for time of day and weather, which may continue in a frozen world.</summary>
     private double WeatherSeconds => _world.TimeSeconds + _weatherAheadSeconds;
 
     private CameraState Camera =>
@@ -171,8 +169,8 @@ public sealed class SimulatedGame
 
     private Moment MomentShown => _toBeShown.TryPeek(out Moment? oldest) ? oldest : Present;
 
-    /// <summary>One frame of the game: the world goes on, unless it is frozen, and the frame is counted.</summary>
-    /// <param name="seconds">Time that passes for the player; greater than 0.</param>
+    /// <summary>Runs one frame of the game: the world moves unless it is frozen, and the frame is counted.</summary>
+    /// <param name="seconds">Real time since the last frame, seconds; greater than 0.</param>
     public void Tick(double seconds)
     {
         ArgumentOutOfRangeException.ThrowIfNegativeOrZero(seconds);
@@ -213,9 +211,9 @@ public sealed class SimulatedGame
         }
     }
 
-    /// <summary>Makes a traffic light show a state until it is told otherwise; traffic does not obey it, as in the game.</summary>
+    /// <summary>Sets the state of a traffic light until the next call; traffic does not obey it, as in the game.</summary>
     /// <param name="light">The light's handle.</param>
-    /// <param name="state">Null or unknown gives the light back.</param>
+    /// <param name="state">Null or unknown gives the light back to the game.</param>
     public void DriveLight(int light, LightState? state)
     {
         if (state is null or LightState.Unknown)
@@ -230,7 +228,7 @@ public sealed class SimulatedGame
         _state++;
     }
 
-    /// <summary>The picture that is shown, with the true handle and depth of each pixel; it is overwritten by the next one.</summary>
+    /// <summary>Renders the current picture, with the handle and depth of each pixel; it is overwritten by the next one.</summary>
     public RenderTarget Render(ImageSize size)
     {
         if (_picture is null || _picture.Width != size.Width || _picture.Height != size.Height)
@@ -255,14 +253,14 @@ public sealed class SimulatedGame
         return _picture;
     }
 
-    /// <summary>Puts the ego somewhere, also while the world stands still.</summary>
+    /// <summary>Places the ego at a position, even while the world is frozen.</summary>
     internal void ResetEgo(Vector3D position, double headingDegrees)
     {
         _world.ResetEgo(position, headingDegrees);
         _state++;
     }
 
-    /// <summary>Sets what is not null.</summary>
+    /// <summary>Sets weather, time of day or both; null leaves a value unchanged.</summary>
     internal void SetEnvironment(string? weather, TimeSpan? timeOfDay)
     {
         _weather.Set(weather, timeOfDay, WeatherSeconds);

@@ -5,7 +5,7 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Simulation.Game;
 
-/// <summary>What is read of the simulated world.</summary>
+/// <summary>Reads the simulated world.</summary>
 internal sealed class WorldPort(SimulatedGame game) : IWorld
 {
     public long GameFrame => game.GameFrame;

@@ -4,7 +4,7 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Models;
 
-/// <summary>Makes buildings of any size. The origin is the middle of the footprint at the ground.</summary>
+/// <summary>Makes buildings of any size. The origin is the middle of the footprint on the ground.</summary>
 public static class BuildingModels
 {
     private const double FloorHeight = 3.3;
@@ -24,7 +24,7 @@ public static class BuildingModels
     /// <param name="style">How it looks.</param>
     /// <param name="width">Metres along x.</param>
     /// <param name="depth">Metres along y.</param>
-    /// <param name="height">Metres; a house's roof is on top of it.</param>
+    /// <param name="height">Metres, without the roof of a house.</param>
     /// <param name="seed">Chooses colours and which windows are lit at night.</param>
     public static Mesh Create(BuildingStyle style, double width, double depth, double height, int seed)
     {
@@ -63,7 +63,7 @@ public static class BuildingModels
             return;
         }
 
-        // A tarred roof behind a parapet, with the box of a lift or a cooler on it.
+        // A tarred roof behind a parapet, with the box of an elevator or a cooler on it.
         var parapet = new Vector3D(0.15, 0.15, 0);
         builder.AddBox((min - parapet) with { Z = max.Z - 0.3 }, max + parapet + new Vector3D(0, 0, 0.5), wall.Scaled(0.86));
         builder.AddQuad(
@@ -80,7 +80,7 @@ public static class BuildingModels
     {
         private const double StickOut = 0.03;
 
-        /// <summary>A wall from a lower corner along a level direction; its outer side is to the right of the way.</summary>
+        /// <summary>Adds a wall from a lower corner along a horizontal direction; its outer side is on the right.</summary>
         public void Add(Vector3D corner, Vector3D along, double length, double height)
         {
             Vector3D outward = new Vector3D(along.Y, -along.X, 0) * StickOut;

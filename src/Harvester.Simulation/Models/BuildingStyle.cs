@@ -1,6 +1,6 @@
 namespace Harvester.Simulation.Models;
 
-/// <summary>How a building looks.</summary>
+/// <summary>The style of a building.</summary>
 public enum BuildingStyle
 {
     /// <summary>A house with a hipped roof.</summary>
@@ -9,7 +9,7 @@ public enum BuildingStyle
     /// <summary>Rows of windows in plaster or brick, with shops on the ground floor.</summary>
     Block,
 
-    /// <summary>Bands of glass between floors.</summary>
+    /// <summary>Bands of glass between storeys.</summary>
     Tower,
 
     /// <summary>Sheet metal with a few high windows and a gate.</summary>

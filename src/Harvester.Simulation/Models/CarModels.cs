@@ -9,7 +9,7 @@ namespace Harvester.Simulation.Models;
 /// </summary>
 internal static class CarModels
 {
-    /// <summary>The body stands in from the box's sides by this share of the width; the mirrors reach them.</summary>
+    /// <summary>Distance of the body from the box's sides, as a fraction of the width; the mirrors reach the sides.</summary>
     private const double SideInset = 0.012;
     private const double Sill = 0.11;
 
@@ -47,7 +47,7 @@ internal static class CarModels
             colour,
             Surface.Paint);
 
-        // Bumpers reach the ends of the box; they are set in at the corners less than the eye sees.
+        // Bumpers reach the ends of the box; at the corners they are set back by less than is visible.
         builder.AddBox(frame.At(SideInset, 0, Sill * 0.45), frame.At(1 - SideInset, 0.05, 0.33), colour.Scaled(0.8), Surface.Paint);
         builder.AddBox(frame.At(SideInset, 0.95, Sill * 0.45), frame.At(1 - SideInset, 1, 0.33), colour.Scaled(0.8), Surface.Paint);
         builder.AddBox(frame.At(0.06, 0.03, Sill * 0.7), frame.At(0.94, 0.97, Sill), VehiclePaint.DarkPlastic);
@@ -55,7 +55,7 @@ internal static class CarModels
         AddGap(builder, frame, 0.62, profile);
     }
 
-    /// <summary>The gap of a door as a dark line on both sides.</summary>
+    /// <summary>Adds the gap of a door as a dark line on both sides.</summary>
     private static void AddGap(MeshBuilder builder, ModelFrame frame, double forward, CarProfile profile)
     {
         foreach (double side in new[] { SideInset - 0.001, 1 - SideInset + 0.001 })
@@ -91,7 +91,7 @@ internal static class CarModels
         }
     }
 
-    /// <summary>A strip of paint on the cabin's side, a finger's breadth outside of the glass.</summary>
+    /// <summary>Adds a strip of paint on the cabin's side, slightly outside the glass.</summary>
     private static void AddPillar(
         MeshBuilder builder, int side, double bottomX, double topX, double bottomY, double topY, double breadth, double bottomZ,
             double topZ, Rgb colour)

@@ -5,8 +5,8 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Simulation.Models;
 
 /// <summary>
-/// Motorcycles and bicycles. The rider is an entity of his own in the game, whose model's box is the machine's alone; ours sits low
-/// enough to stay within it, so that the machine is not an empty frame.
+/// Motorcycles and bicycles. The rider is a separate entity in the game, and the model's box is that of the machine alone. The simulated
+/// rider sits low enough to stay within it, so that the machine is not an empty frame.
 /// </summary>
 internal static class CycleModels
 {

@@ -3,7 +3,7 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Models;
 
-/// <summary>Lorries, box vans, buses, tractors and trailers: big bodies on a chassis.</summary>
+/// <summary>Trucks, box vans, buses, tractors and trailers: large bodies on a chassis.</summary>
 internal static class HeavyModels
 {
     private const double SideInset = 0.02;
@@ -52,7 +52,7 @@ internal static class HeavyModels
         return builder.Build();
     }
 
-    /// <summary>Frame rails, wheels and bumpers from one end of the box to the other.</summary>
+    /// <summary>Adds frame rails, wheels and bumpers from one end of the box to the other.</summary>
     private static void AddChassis(MeshBuilder builder, ModelFrame frame, double rear, double[] axles)
     {
         builder.AddBox(frame.At(0.12, rear, Chassis * 0.5), frame.At(0.88, 0.98, Chassis * 1.3), VehiclePaint.DarkPlastic);

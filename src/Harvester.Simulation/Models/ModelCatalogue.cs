@@ -24,7 +24,7 @@ public sealed class ModelCatalogue
             .ToDictionary(model => model.Name, StringComparer.Ordinal);
     }
 
-    /// <summary>One catalogue for all worlds; models never change.</summary>
+    /// <summary>One catalogue for all worlds; models are immutable.</summary>
     public static ModelCatalogue Shared => LazyShared.Value;
 
     /// <summary>Vehicles with the sizes of the game's models, in several colours.</summary>
@@ -33,22 +33,22 @@ public sealed class ModelCatalogue
     /// <summary>People of several heights and clothes; the variants are the steps of a stride.</summary>
     public IReadOnlyList<Model> Pedestrians { get; }
 
-    /// <summary>Traffic signs, whose faces look to the model's -y.</summary>
+    /// <summary>Traffic signs, whose faces look towards -y of the model.</summary>
     public IReadOnlyList<Model> Signs { get; }
 
-    /// <summary>Traffic lights, whose lenses look to the model's -y; the variants are the states.</summary>
+    /// <summary>Traffic lights, whose lenses look towards -y of the model; the variants are the states.</summary>
     public IReadOnlyList<Model> TrafficLights { get; }
 
-    /// <summary>A street lamp; its arm reaches to the model's -x.</summary>
+    /// <summary>A street lamp; its arm extends towards -x of the model.</summary>
     public Model StreetLamp { get; }
 
-    /// <summary>Where the lamp's light comes from, in the frame of <see cref="StreetLamp"/>.</summary>
+    /// <summary>Position of the lamp's light, in the frame of <see cref="StreetLamp"/>.</summary>
     public static Vector3D StreetLampHead => StreetModels.LampHead;
 
     /// <summary>Trees of several kinds, each in several sizes.</summary>
     public IReadOnlyList<Model> Trees { get; }
 
-    /// <summary>The model of a name.</summary>
+    /// <summary>The model with a name.</summary>
     /// <exception cref="KeyNotFoundException">There is no such model.</exception>
     public Model this[string name] => _byName.TryGetValue(name, out Model? model)
         ? model

@@ -7,7 +7,7 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Simulation.Models;
 
-/// <summary>The faces and heads of the simulated game's own signs and traffic lights, as their shapes have them.</summary>
+/// <summary>The faces and heads of the simulated game's signs and traffic lights, computed from their shapes.</summary>
 public static class ModelFaces
 {
     private const string Source = "the simulated game's own shapes";
@@ -37,7 +37,7 @@ public static class ModelFaces
         .. SignalModels.All().SelectMany(HeadsOf),
     ]));
 
-    /// <summary>The table of them all. Its corners are derived from the shapes, not measured in them.</summary>
+    /// <summary>The table of all of them. Its corners are derived from the shapes, not measured.</summary>
     public static FaceTable Table => LazyTable.Value;
 
     private static ModelFace FaceOf(Model sign)

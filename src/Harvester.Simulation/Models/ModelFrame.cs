@@ -2,7 +2,7 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Models;
 
-/// <summary>A model's box, to name points in it by fractions: 0 is rear, left, bottom and 1 is front, right, top.</summary>
+/// <summary>A model's box, in which points are given by fractions: 0 is rear, left, bottom and 1 is front, right, top.</summary>
 internal readonly record struct ModelFrame(Vector3D Min, Vector3D Max)
 {
     public double Width => Max.X - Min.X;
@@ -13,7 +13,7 @@ internal readonly record struct ModelFrame(Vector3D Min, Vector3D Max)
 
     public Vector3D At(double right, double forward, double up) => new(X(right), Y(forward), Z(up));
 
-    // Weighing both ends, so that 0 and 1 give the ends to the last bit.
+    // A weighted sum of both ends, so that 0 and 1 give the ends exactly.
     public double X(double fraction) => (Min.X * (1 - fraction)) + (Max.X * fraction);
 
     public double Y(double fraction) => (Min.Y * (1 - fraction)) + (Max.Y * fraction);

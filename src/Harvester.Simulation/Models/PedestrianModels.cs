@@ -8,8 +8,8 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Simulation.Models;
 
 /// <summary>
-/// People who walk: the variants are eight steps of a stride, the first with the legs together. As in the game the origin is
-/// at the hips, about a metre above the ground.
+/// Walking people: the variants are eight steps of a stride, the first with the legs together. As in the game, the origin is at the hips,
+/// about a metre above the ground.
 /// </summary>
 internal static class PedestrianModels
 {
@@ -40,7 +40,7 @@ internal static class PedestrianModels
         var builder = new MeshBuilder();
         foreach (int side in new[] { -1, 1 })
         {
-            // The foot that swings forward is lifted so far that the leg keeps its length.
+            // The foot that swings forward is raised so far that the leg keeps its length.
             var hipJoint = new Vector3D(side * 0.09, 0, 0);
             var ankle = new Vector3D(side * 0.09, side * Math.Sin(swing) * leg, -leg * Math.Cos(swing));
             builder.AddCylinder(hipJoint, ankle, 0.085, 0.055, 8, trousers);

@@ -8,8 +8,8 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Simulation.Models;
 
 /// <summary>
-/// Traffic signs by the game's names: a plate on a post whose foot is the origin; the face looks to -y. The game's exact sizes are not
-/// public; these follow the real signs'.
+/// Traffic signs by the game's names: a plate on a post whose foot is the origin; the face looks towards -y. The game's exact sizes are not
+/// public; these follow real signs.
 /// </summary>
 internal static class SignModels
 {
@@ -40,7 +40,7 @@ internal static class SignModels
         }
     }
 
-    /// <summary>The box of a sign's face: the sheet's front and the paint on it.</summary>
+    /// <summary>The box of a sign's face: the front of the sheet and the paint on it.</summary>
     public static (Vector3D Min, Vector3D Max) Face(Model sign)
     {
         Bounds face = Bounds.Empty;
@@ -152,14 +152,14 @@ internal static class SignModels
         return middle;
     }
 
-    /// <summary>A sheet whose front lies on the face's plane, bare metal behind.</summary>
+    /// <summary>Adds a sheet whose front lies in the face's plane, with bare metal behind.</summary>
     private static void AddPlate(MeshBuilder builder, Vector3D[] outline, Rgb colour)
     {
         builder.AddPrism(outline, new Vector3D(0, PlateThickness, 0), Metal);
         AddFace(builder, outline, 0, colour);
     }
 
-    /// <summary>A layer of paint in front of the plate; a higher layer lies in front of a lower one.</summary>
+    /// <summary>Adds a layer of paint in front of the plate; a higher layer lies in front of a lower one.</summary>
     private static void AddFace(MeshBuilder builder, Vector3D[] outline, int layer, Rgb colour) =>
         builder.AddPolygon(outline.Select(corner => corner with { Y = FaceY - (Ink * (layer + 0.5)) }).ToArray(), colour);
 

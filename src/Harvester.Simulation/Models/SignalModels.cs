@@ -8,8 +8,8 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Simulation.Models;
 
 /// <summary>
-/// Traffic lights by the game's names. The foot of the pole is the origin, the road and any arm lie to -x, and the lenses look to -y,
-/// against the traffic they stop.
+/// Traffic lights by the game's names. The foot of the pole is the origin, the road and any arm are towards -x, and the lenses look towards
+/// -y, against the traffic that they stop.
 /// </summary>
 internal static class SignalModels
 {
@@ -33,7 +33,7 @@ internal static class SignalModels
 
     public static IEnumerable<Model> All() => Frames.Select(frame => Build(frame.Key, frame.Value));
 
-    /// <summary>The box of each head of a model, housing and visors, without the plate behind it.</summary>
+    /// <summary>The box of each head of a model: housing and visors, without the backplate.</summary>
     public static IEnumerable<(Vector3D Min, Vector3D Max)> Heads(string model) => Frames[model](new MeshBuilder())
         .Select(middle => (
             middle - new Vector3D(HeadHalfWidth, HeadFront + VisorLength, HeadHeight / 2),
@@ -53,7 +53,7 @@ internal static class SignalModels
         return builder.Build();
     }
 
-    /// <summary>A pole with an arm over the road; returns the middles of its heads.</summary>
+    /// <summary>Adds a pole with an arm over the road; returns the centres of its heads.</summary>
     private static IEnumerable<Vector3D> AddMast(MeshBuilder builder, double armLength, double[] heads)
     {
         const double armHeight = 5.9;

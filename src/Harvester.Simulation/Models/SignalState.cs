@@ -1,6 +1,6 @@
 namespace Harvester.Simulation.Models;
 
-/// <summary>Which lamp of a traffic light burns.</summary>
+/// <summary>The lit lamp of a traffic light.</summary>
 public enum SignalState
 {
     /// <summary>Stop.</summary>

@@ -6,10 +6,10 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Models;
 
-/// <summary>What stands beside a road and is no entity: street lamps and trees. Their foot is the origin.</summary>
+/// <summary>Street lamps and trees, which are no entities. Their foot is the origin.</summary>
 internal static class StreetModels
 {
-    /// <summary>Where the lamp of a street lamp is, in its model's frame.</summary>
+    /// <summary>Position of the lamp of a street lamp, in its model's frame.</summary>
     public static readonly Vector3D LampHead = new(-2.2, 0, 8.05);
 
     private static readonly Rgb Pole = new(104, 108, 110);

@@ -5,14 +5,16 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Models;
 
-/// <summary>Letters and figures of straight strokes, for the faces of signs.</summary>
+/// <summary>Letters and digits made of straight strokes, for the faces of signs.</summary>
 internal static class StrokeFont
 {
     private const double GridWidth = 2;
     private const double GridHeight = 4;
     private const double Advance = 3.1;
 
-    /// <summary>Strokes through points of a grid, column 0 to 2 from the left and row 0 to 4 from below; a bar lifts the pen.</summary>
+    /// <summary>
+    /// Strokes through points of a grid, column 0 to 2 from the left and row 0 to 4 from the bottom; a bar lifts the pen.
+    /// </summary>
     private static readonly Dictionary<char, string> Glyphs = new()
     {
         ['A'] = "00 03 14 23 20|02 22",
@@ -42,10 +44,10 @@ internal static class StrokeFont
         ['6'] = "24 04 00 20 22 02",
     };
 
-    /// <summary>Writes a line of text on a face that looks to -y, so that it reads from left to right along +x.</summary>
-    /// <param name="builder">Takes the strokes.</param>
-    /// <param name="text">Capital letters and figures of the font, and blanks.</param>
-    /// <param name="centre">Middle of the line, a little in front of the face.</param>
+    /// <summary>Writes a line of text on a face that looks towards -y, so that it reads from left to right along +x.</summary>
+    /// <param name="builder">Receives the strokes.</param>
+    /// <param name="text">Capital letters and digits of the font, and blanks.</param>
+    /// <param name="centre">Centre of the line, slightly in front of the face.</param>
     /// <param name="height">Height of a letter, metres.</param>
     /// <param name="colour">Colour of the strokes.</param>
     public static void Write(MeshBuilder builder, string text, Vector3D centre, double height, Rgb colour)
@@ -71,7 +73,7 @@ internal static class StrokeFont
         }
     }
 
-    /// <summary>A straight stroke on a face that looks to -y, with square ends that reach a half of its breadth farther.</summary>
+    /// <summary>Adds a straight stroke on a face that looks towards -y, with square ends that extend by half of its breadth.</summary>
     public static void AddStroke(MeshBuilder builder, Vector3D from, Vector3D to, double halfBreadth, Rgb colour)
     {
         Vector3D along = (to - from).Normalized() * halfBreadth;

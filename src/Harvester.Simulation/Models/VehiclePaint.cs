@@ -2,7 +2,7 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Models;
 
-/// <summary>Colours of vehicles, after how often they are met on the road.</summary>
+/// <summary>Colours of vehicles, by their frequency on the road.</summary>
 internal static class VehiclePaint
 {
     public static readonly Rgb Rubber = new(22, 22, 24);

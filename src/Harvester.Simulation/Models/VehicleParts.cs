@@ -3,12 +3,12 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Models;
 
-/// <summary>Parts that all four-wheeled vehicles share.</summary>
+/// <summary>Parts common to all four-wheeled vehicles.</summary>
 internal static class VehicleParts
 {
     private const int WheelSides = 16;
 
-    /// <summary>Two wheels that stand on the box's floor, each with tyre, rim and the dark of its arch.</summary>
+    /// <summary>Adds two wheels that stand on the box's floor, each with tyre, rim and the dark of its arch.</summary>
     public static void AddAxle(MeshBuilder builder, ModelFrame frame, double forward, double radius, double breadth, double insetFraction)
     {
         double y = frame.Y(forward);
@@ -16,7 +16,7 @@ internal static class VehicleParts
         AddWheel(builder, new(frame.X(1 - insetFraction), y, frame.Min.Z), -1, radius, breadth);
     }
 
-    /// <summary>Lamps at the corners of both ends, number plates and a grille.</summary>
+    /// <summary>Adds lamps at the corners of both ends, number plates and a grille.</summary>
     public static void AddLamps(MeshBuilder builder, ModelFrame frame, double frontHeight, double rearHeight, double height)
     {
         const double stickOut = 0.0005;
@@ -35,7 +35,7 @@ internal static class VehicleParts
 
     private static void AddWheel(MeshBuilder builder, Vector3D outerFoot, int inward, double radius, double breadth)
     {
-        // The lowest corner of the many-sided tyre lies straight below its axle, on the floor; the cylinder's first corner is straight up.
+        // The lowest corner of the polygonal tyre lies straight below its axle, on the floor; the cylinder's first corner is straight up.
         Vector3D hub = outerFoot + new Vector3D(0, 0, radius);
         Vector3D Inside(double depth) => hub + new Vector3D(inward * depth, 0, 0);
         builder.AddCylinder(Inside(0.004), Inside(breadth), radius, radius, WheelSides, VehiclePaint.Rubber);

@@ -1,6 +1,6 @@
 namespace Harvester.Simulation.Models;
 
-/// <summary>How a vehicle is built.</summary>
+/// <summary>The body type of a vehicle.</summary>
 internal enum VehicleShape
 {
     Sedan,

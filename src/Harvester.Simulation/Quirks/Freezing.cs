@@ -4,13 +4,13 @@ using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Quirks;
 
-/// <summary>How time passes in a game that is frozen and let go, in either way, each with its quirks.</summary>
+/// <summary>How time passes in a game that is frozen and resumed, by either method, each with its quirks.</summary>
 internal sealed class Freezing(int seed, GameQuirks quirks)
 {
-    /// <summary>Fast enough that traffic moves by centimetres a tick, too slow to be seen.</summary>
+    /// <summary>Time scale of a creeping world: fast enough that traffic moves by centimetres per tick, too slow to be noticed.</summary>
     private const double CreepingScale = 0.1;
 
-    /// <summary>For so many ticks a vehicle stays hidden where visibility changes, and for as many none is.</summary>
+    /// <summary>Number of ticks for which a vehicle is hidden, and for which none is, when visibility changes.</summary>
     private const int VisibilityTicks = 8;
 
     private static readonly FreezeQuirks None = new();
@@ -25,13 +25,13 @@ internal sealed class Freezing(int seed, GameQuirks quirks)
 
     public bool IsStanding => IsAsked && _creepTicksLeft == 0 && !_quirks.NeverStands;
 
-    /// <summary>Whether a change of the camera must wait until the game goes on.</summary>
+    /// <summary>Whether a change of the camera takes effect only when the game resumes.</summary>
     public bool HoldsCamera => _quirks.HoldsCamera;
 
-    /// <summary>Whether rain and the hour go on though the world is frozen.</summary>
+    /// <summary>Whether rain and time of day continue although the world is frozen.</summary>
     public bool LetsWeatherGoOn => _quirks.LetsWeatherGoOn;
 
-    /// <summary>Whether a vehicle that is there is not shown.</summary>
+    /// <summary>Whether an existing vehicle is not shown.</summary>
     public bool HidesVehicle => _quirks.ChangesVisibility && _ticks / VisibilityTicks % 2 == 1;
 
     public void Freeze()
@@ -51,8 +51,8 @@ internal sealed class Freezing(int seed, GameQuirks quirks)
         _quirks = None;
     }
 
-    /// <summary>Takes a tick.</summary>
-    /// <returns>The speed of the world's time in it: 1 when it runs, 0 when it stands.</returns>
+    /// <summary>Runs a tick.</summary>
+    /// <returns>The speed of the world's time in it: 1 when it runs, 0 when it is frozen.</returns>
     public double TakeTick()
     {
         double scale = !IsAsked ? 1 : IsStanding ? 0 : CreepingScale;

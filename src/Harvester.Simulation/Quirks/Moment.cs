@@ -4,10 +4,10 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Quirks;
 
-/// <summary>All that a picture of one state of the world is made from, and the truth about it.</summary>
+/// <summary>Everything from which a picture of one state of the world is made, and the ground truth about it.</summary>
 /// <param name="State">Number of the state.</param>
-/// <param name="Truth">Camera, ego and entities as they are, whatever the game reports.</param>
-/// <param name="Moving">The shapes of what moves.</param>
+/// <param name="Truth">The true camera, ego and entities, whatever the game reports.</param>
+/// <param name="Moving">The shapes of moving objects.</param>
 /// <param name="Lighting">Light and weather.</param>
 /// <param name="Lights">Lamps near the camera.</param>
 internal sealed record Moment(

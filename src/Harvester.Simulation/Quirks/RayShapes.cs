@@ -6,9 +6,7 @@ using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Quirks;
 
-/// <summary>
-/// The shapes that rays meet where they differ from those that are seen: boxes around entities, and far vehicles left out.
-/// </summary>
+/// <summary>The shapes that rays hit if they differ from the visible ones: boxes around entities, and far vehicles left out.</summary>
 internal sealed class RayShapes
 {
     private const double MissesBeyond = 30;
@@ -24,14 +22,14 @@ internal sealed class RayShapes
         Scene = new RenderScene(Met(seen.Static.Instances));
     }
 
-    /// <summary>What rays meet.</summary>
+    /// <summary>The scene against which rays are cast.</summary>
     public RenderScene Scene { get; }
 
     public static bool AreNeededFor(GameQuirks quirks) => quirks.RaysMeetBoxes || quirks.RayMissFraction > 0;
 
-    /// <summary>Takes over what moves.</summary>
-    /// <param name="moving">What is seen.</param>
-    /// <param name="eye">The camera's place.</param>
+    /// <summary>Updates the moving shapes.</summary>
+    /// <param name="moving">The visible shapes.</param>
+    /// <param name="eye">The camera's position.</param>
     /// <param name="isVehicle">Whether a handle is a moving vehicle's.</param>
     /// <param name="state">Number of the world's state.</param>
     public void Show(IEnumerable<MeshInstance> moving, Vector3D eye, Predicate<int> isVehicle, long state)

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Harvester.Simulation.Quirks;
 
-/// <summary>Lets an entity be gone right after it has been read, and brings it back some ticks later. One is gone at a time.</summary>
+/// <summary>Removes an entity right after it has been read, and brings it back some ticks later. One at a time is removed.</summary>
 internal sealed class Vanishing(int seed, double fraction)
 {
     private const int MaxTicks = 50;
@@ -11,11 +11,11 @@ internal sealed class Vanishing(int seed, double fraction)
     private readonly Random _random = new(seed);
     private long _backAt;
 
-    /// <summary>The handle of the entity that is gone; 0 for none.</summary>
+    /// <summary>The handle of the removed entity; 0 if there is none.</summary>
     public int Handle { get; private set; }
 
-    /// <summary>Called after a reading of these entities.</summary>
-    /// <returns>Whether one of them is gone now.</returns>
+    /// <summary>Call it after a reading of these entities.</summary>
+    /// <returns>Whether one of them was removed.</returns>
     public bool AfterReading(IReadOnlyList<int> handles, long gameFrame)
     {
         if (Handle != 0 || handles.Count == 0 || _random.NextDouble() >= fraction)
@@ -28,6 +28,6 @@ internal sealed class Vanishing(int seed, double fraction)
         return true;
     }
 
-    /// <summary>Called in every tick: the entity comes back when its time is over.</summary>
+    /// <summary>Call it in every tick: the entity comes back when its time is over.</summary>
     public void Tick(long gameFrame) => Handle = gameFrame >= _backAt ? 0 : Handle;
 }

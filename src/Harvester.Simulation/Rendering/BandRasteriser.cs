@@ -4,21 +4,23 @@ using System.Runtime.Intrinsics;
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>
-/// Fills the pixels of a band of rows whose centres lie in a triangle that is nearer than what is there. Of two triangles at the
-/// same depth the first one given stays, so that the picture does not depend on how the work is shared out.
+/// Fills the pixels of a band of rows whose centres lie in a triangle that is nearer than what was drawn before. Of two triangles at the
+/// same depth the first one drawn stays, so that the image does not depend on how the work is divided.
 /// </summary>
 internal static class BandRasteriser
 {
+    /// <summary>Fewer columns than this are drawn one by one.</summary>
+    private const int MinColumnsAtOnce = 3;
+
     public static void Draw(in ScreenTriangle triangle, int id, View view, int top, int bottom, float[] nearness, int[] ids)
     {
         int first = Math.Max(top, triangle.Pixels.Top);
         int last = Math.Min(bottom, triangle.Pixels.Bottom);
-        EdgeTriple edges = view.Grid is null ? new EdgeTriple(triangle) : default;
         for (int row = first; row < last; row++)
         {
             if (view.Grid is null)
             {
-                DrawRow(triangle, edges, id, row, view.Camera.Width, nearness, ids);
+                DrawRow(triangle, id, row, view.Camera.Width, nearness, ids);
             }
             else
             {
@@ -27,20 +29,21 @@ internal static class BandRasteriser
         }
     }
 
-    private static void DrawRow(in ScreenTriangle triangle, in EdgeTriple edges, int id, int row, int width, float[] nearness, int[] ids)
+    private static void DrawRow(in ScreenTriangle triangle, int id, int row, int width, float[] nearness, int[] ids)
     {
         double y = row + 0.5;
-        (int column, int right) = edges.ColumnsInside(y, triangle.Pixels.Left, triangle.Pixels.Right);
-        double step = triangle.Nearness.X;
-        double start = triangle.Nearness.At(0.5, y);
+        (int column, int right) = triangle.Edges.ColumnsInside(y, triangle.Pixels.Left, triangle.Pixels.Right);
+        double step = triangle.NearnessStep;
+        double start = triangle.NearnessAt(0.5, y);
         int offset = row * width;
-        for (; column <= right - Vector256<float>.Count; column += Vector256<float>.Count)
+        for (; column <= right - MinColumnsAtOnce && column <= width - Vector256<float>.Count; column += Vector256<float>.Count)
         {
             Vector256<double> low = Vector256.Create((double)column) + Vector256.Create(0.0, 1, 2, 3);
             Vector256<double> high = Vector256.Create((double)column) + Vector256.Create(4.0, 5, 6, 7);
             Vector256<float> own = Vector256.Narrow(Vector256.Create(start) + (low * step), Vector256.Create(start) + (high * step));
             Span<float> before = nearness.AsSpan(offset + column, Vector256<float>.Count);
-            Vector256<float> isNearer = Vector256.GreaterThan(own, Vector256.Create<float>(before));
+            Vector256<int> isWithin = Vector256.LessThan(Vector256.Create(0, 1, 2, 3, 4, 5, 6, 7), Vector256.Create(right - column));
+            Vector256<float> isNearer = Vector256.GreaterThan(own, Vector256.Create<float>(before)) & isWithin.AsSingle();
             if (isNearer != Vector256<float>.Zero)
             {
                 Span<int> idsBefore = ids.AsSpan(offset + column, Vector256<int>.Count);
@@ -68,12 +71,12 @@ internal static class BandRasteriser
         {
             double x = grid.U[pixel];
             double y = grid.V[pixel];
-            if (triangle.Edge0.At(x, y) < 0 || triangle.Edge1.At(x, y) < 0 || triangle.Edge2.At(x, y) < 0)
+            if (Vector256.LessThanAny(triangle.Edges.At(x, y), Vector256<double>.Zero))
             {
                 continue;
             }
 
-            float own = (float)triangle.Nearness.At(x, y);
+            float own = (float)triangle.NearnessAt(x, y);
             if (own > nearness[pixel])
             {
                 nearness[pixel] = own;

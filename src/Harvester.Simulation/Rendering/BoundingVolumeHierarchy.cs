@@ -6,25 +6,27 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>
-/// A tree of boxes over items, for rays and for what lies in a camera's view. Items are named by their place in <see cref="Order"/>.
-/// </summary>
+/// <summary>A tree of boxes over items, for rays and for view culling. An item is identified by its index in <see cref="Order"/>.</summary>
 internal sealed class BoundingVolumeHierarchy
 {
-    private const int MaxTreeDepth = 128;
+    /// <summary>Nodes that may wait while the tree is walked, at most.</summary>
+    public const int MaxTreeDepth = 128;
+
     private readonly HierarchyNode[] _nodes;
     private readonly Slabs[] _slabs;
 
-    public BoundingVolumeHierarchy(IReadOnlyList<Bounds> items)
+    /// <param name="items">The items' boxes.</param>
+    /// <param name="leafSize">Items that a leaf may hold.</param>
+    public BoundingVolumeHierarchy(IReadOnlyList<Bounds> items, int leafSize)
     {
-        (_nodes, Order) = new HierarchyBuilder(items).Build();
+        (_nodes, Order) = new HierarchyBuilder(items, leafSize).Build();
         _slabs = Array.ConvertAll(_nodes, node => new Slabs(node.Bounds));
     }
 
     /// <summary>The items' numbers in the order of the leaves.</summary>
     public int[] Order { get; }
 
-    /// <summary>The box around everything; empty for no items.</summary>
+    /// <summary>The box around all items; empty if there are none.</summary>
     public Bounds Bounds => _nodes[0].Bounds;
 
     /// <summary>Visits the leaves that a ray passes through before the limit, nearer children first.</summary>
@@ -79,7 +81,7 @@ internal sealed class BoundingVolumeHierarchy
     }
 
     /// <summary>
-    /// Adds the ranges of the order whose boxes are not wholly outside one of the planes; a range may hold items that are.
+    /// Adds the ranges of the order whose boxes are not wholly outside one of the planes; a range may contain items that are.
     /// </summary>
     public void AddRangesInside(ReadOnlySpan<Plane> planes, List<(int First, int Count)> ranges)
     {
@@ -116,6 +118,9 @@ internal sealed class BoundingVolumeHierarchy
             stack[depth++] = node.Child;
         }
     }
+
+    /// <summary>The nodes: the root first, each with its children further on.</summary>
+    public ReadOnlySpan<HierarchyNode> Nodes => _nodes;
 
     private static void AddRange(List<(int First, int Count)> ranges, int first, int count)
     {

@@ -4,7 +4,7 @@ using Harvester.Geometry;
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>
-/// A box with sides along the axes of its frame. The default value is a point at the origin; start from <see cref="Empty"/> to collect.
+/// A box with sides along the axes of its frame. The default value is a point at the origin; start from <see cref="Empty"/> to accumulate.
 /// </summary>
 internal readonly record struct Bounds(Vector3D Min, Vector3D Max)
 {
@@ -14,7 +14,7 @@ internal readonly record struct Bounds(Vector3D Min, Vector3D Max)
 
     public Vector3D Centre => (Min + Max) * 0.5;
 
-    /// <summary>Half of the surface's area: the measure of how likely a ray meets the box.</summary>
+    /// <summary>Half of the surface area: proportional to the probability that a ray hits the box.</summary>
     public double HalfArea
     {
         get

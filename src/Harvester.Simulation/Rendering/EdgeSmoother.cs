@@ -1,4 +1,6 @@
 using System;
+using System.Numerics;
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using System.Threading.Tasks;
 using Harvester.Geometry;
@@ -6,47 +8,44 @@ using Harvester.Geometry;
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>
-/// Smooths the steps along edges in the colours alone: where a neighbouring pixel shows another triangle, the nearer of the two says
-/// by its own edges how far the border lies from the pixel's centre, and the neighbour's colour gets the share it reaches in.
+/// Smooths the steps along edges, in the colours only: where a neighbouring pixel shows another triangle, the edges of the nearer triangle
+/// give the border's distance from the pixel's centre, and the neighbour's colour is mixed in by the fraction that it covers.
 /// </summary>
 internal sealed class EdgeSmoother(View view, ScreenTriangles triangles, int[] ids, float[] nearness)
 {
+    private static readonly (int Across, int Down)[] Sides = [(-1, 0), (1, 0), (0, -1), (0, 1)];
+
     public void Smooth(RenderTarget target, byte[] before)
     {
         Array.Copy(target.Colour, before, before.Length);
         Parallel.For(0, target.Height, row =>
         {
-            for (int column = 0; column < target.Width;)
+            for (int column = 0; column < target.Width; column += Vector256<int>.Count)
             {
-                if (IsWithinOneTriangle(column, row, target.Width, target.Height))
+                for (uint borders = BordersAt(column, row, target.Width, target.Height); borders != 0; borders &= borders - 1)
                 {
-                    column += Vector256<int>.Count;
-                    continue;
-                }
-
-                for (int end = Math.Min(target.Width, column + Vector256<int>.Count); column < end; column++)
-                {
-                    Smooth(target, before, column, row);
+                    Smooth(target, before, column + BitOperations.TrailingZeroCount(borders), row);
                 }
             }
         });
     }
 
     /// <summary>
-    /// Whether each of the next few pixels of a row shows the same triangle as its neighbours do; no at the image's border.
+    /// Which of the next few pixels of a row may show another triangle than a neighbour does, as bits from the lowest; at the image's
+    /// border all of them.
     /// </summary>
-    private bool IsWithinOneTriangle(int column, int row, int width, int height)
+    private uint BordersAt(int column, int row, int width, int height)
     {
         if (column == 0 || row == 0 || row == height - 1 || column + Vector256<int>.Count >= width)
         {
-            return false;
+            return (1u << Math.Min(Vector256<int>.Count, width - column)) - 1;
         }
 
         int pixel = (row * width) + column;
         Vector256<int> own = Vector256.Create(ids, pixel);
         Vector256<int> differences = (own ^ Vector256.Create(ids, pixel - 1)) | (own ^ Vector256.Create(ids, pixel + 1))
             | (own ^ Vector256.Create(ids, pixel - width)) | (own ^ Vector256.Create(ids, pixel + width));
-        return differences == Vector256<int>.Zero;
+        return ~Vector256.Equals(differences, Vector256<int>.Zero).ExtractMostSignificantBits() & 0xFF;
     }
 
     private void Smooth(RenderTarget target, byte[] before, int column, int row)
@@ -54,55 +53,52 @@ internal sealed class EdgeSmoother(View view, ScreenTriangles triangles, int[] i
         int pixel = (row * target.Width) + column;
         double share = 0;
         int neighbour = pixel;
-        Consider(column > 0, -1, 0);
-        Consider(column < target.Width - 1, 1, 0);
-        Consider(row > 0, 0, -1);
-        Consider(row < target.Height - 1, 0, 1);
-        for (int channel = 0; share > 0 && channel < 3; channel++)
+        ref readonly ScreenTriangle own = ref ids[pixel] == ScreenTriangles.Nothing
+            ? ref Unsafe.NullRef<ScreenTriangle>()
+            : ref triangles[ids[pixel]];
+        for (int side = 0; side < Sides.Length; side++)
         {
-            byte own = before[(pixel * 3) + channel];
-            byte other = before[(neighbour * 3) + channel];
-            target.Colour[(pixel * 3) + channel] = (byte)Math.Round(own + ((other - own) * share));
-        }
-
-        void Consider(bool isInImage, int across, int down)
-        {
+            (int across, int down) = Sides[side];
             int other = pixel + across + (down * target.Width);
-            if (!isInImage || ids[other] == ids[pixel])
+            if ((uint)(column + across) >= (uint)target.Width || (uint)(row + down) >= (uint)target.Height || ids[other] == ids[pixel])
             {
-                return;
+                continue;
             }
 
-            double reach = ReachInto(pixel, other, view.SampleAt(column, row), view.SampleAt(column + across, row + down));
+            // How far, of the way between two centres, the neighbour reaches past the middle towards the pixel.
+            Vector2D centre = view.SampleAt(column, row);
+            Vector2D neighbouring = view.SampleAt(column + across, row + down);
+            double reach = nearness[pixel] >= nearness[other]
+                ? 0.5 - ExitOf(own, centre, neighbouring, 1)
+                : ExitOf(triangles[ids[other]], neighbouring, centre, 0) - 0.5;
             if (reach > share)
             {
                 (share, neighbour) = (reach, other);
             }
         }
+
+        for (int channel = 0; share > 0 && channel < 3; channel++)
+        {
+            byte from = before[(pixel * 3) + channel];
+            byte to = before[(neighbour * 3) + channel];
+            target.Colour[(pixel * 3) + channel] = (byte)Math.Round(from + ((to - from) * share));
+        }
     }
 
-    /// <summary>
-    /// How far, of the way between two centres, the neighbour reaches past the middle towards the pixel; 0 if it does not.
-    /// </summary>
-    private double ReachInto(int pixel, int neighbour, Vector2D centre, Vector2D neighbouring)
-    {
-        double reach = nearness[pixel] >= nearness[neighbour]
-            ? 0.5 - ExitOf(triangles[ids[pixel]], centre, neighbouring, 1)
-            : ExitOf(triangles[ids[neighbour]], neighbouring, centre, 0) - 0.5;
-        return Math.Max(0, reach);
-    }
-
-    /// <summary>Where on the way from a point within a triangle to another the triangle ends, 0 to 1.</summary>
+    /// <summary>Where the segment from a point within a triangle to another point leaves the triangle, 0 to 1.</summary>
     private static double ExitOf(in ScreenTriangle triangle, Vector2D from, Vector2D to, double ifNowhere)
     {
-        double exit = double.PositiveInfinity;
-        foreach (ScreenLine edge in (ReadOnlySpan<ScreenLine>)[triangle.Edge0, triangle.Edge1, triangle.Edge2])
+        Vector256<double> start = triangle.Edges.At(from.X, from.Y);
+        Vector256<double> end = triangle.Edges.At(to.X, to.Y);
+        Vector256<double> isLeft = Vector256.LessThan(end, Vector256<double>.Zero)
+            & Vector256.GreaterThanOrEqual(start, Vector256<double>.Zero);
+        if (isLeft == Vector256<double>.Zero)
         {
-            double start = edge.At(from.X, from.Y);
-            double end = edge.At(to.X, to.Y);
-            exit = end < 0 && start >= 0 ? Math.Min(exit, start / (start - end)) : exit;
+            return ifNowhere;
         }
 
-        return double.IsInfinity(exit) ? ifNowhere : exit;
+        Vector256<double> exits = Vector256.ConditionalSelect(isLeft, start / (start - end), Vector256<double>.One);
+        Vector128<double> first = Vector128.MinNative(exits.GetLower(), exits.GetUpper());
+        return Math.Min(first[0], first[1]);
     }
 }

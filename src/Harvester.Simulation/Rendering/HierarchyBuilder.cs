@@ -3,13 +3,12 @@ using System.Collections.Generic;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>Builds a hierarchy top down: each set of items is parted where the surface area heuristic over a few bins is least.</summary>
+/// <summary>Builds a hierarchy top down: each set of items is split where the surface area heuristic over a few bins is smallest.</summary>
 internal sealed class HierarchyBuilder
 {
-    private const int LeafSize = 4;
     private const int BinCount = 12;
 
-    /// <summary>From here on sets are halved, so that no input makes a tree too deep for the stacks that walk it.</summary>
+    /// <summary>From this depth on, sets are halved, so that no input makes a tree too deep for the traversal stacks.</summary>
     private const int DepthOfHalving = 64;
 
     private readonly IReadOnlyList<Bounds> _items;
@@ -20,8 +19,11 @@ internal sealed class HierarchyBuilder
     private readonly int[] _binCounts = new int[BinCount];
     private readonly double[] _costFromRight = new double[BinCount];
 
-    public HierarchyBuilder(IReadOnlyList<Bounds> items)
+    private readonly int _leafSize;
+
+    public HierarchyBuilder(IReadOnlyList<Bounds> items, int leafSize)
     {
+        _leafSize = leafSize;
         _items = items;
         _order = new int[items.Count];
         for (int i = 0; i < _order.Length; i++)
@@ -44,7 +46,7 @@ internal sealed class HierarchyBuilder
     private void Split(int number)
     {
         HierarchyNode node = _nodes[number];
-        if (node.Count <= LeafSize)
+        if (node.Count <= _leafSize)
         {
             return;
         }
@@ -64,7 +66,7 @@ internal sealed class HierarchyBuilder
     }
 
     /// <summary>
-    /// Reorders a node's items about the best plane along the longest side of their centres' box; returns how many lie left of it.
+    /// Partitions a node's items at the best plane along the longest side of the box of their centres; returns how many lie left of it.
     /// </summary>
     private int PartByBins(HierarchyNode node)
     {

@@ -5,15 +5,18 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>Instances with a tree over their boxes in the world.</summary>
+/// <summary>Mesh instances with a tree over their boxes in the world.</summary>
 internal sealed class InstanceSet
 {
+    /// <summary>A box is cheaper to test than a ray is to move into the frame of a mesh.</summary>
+    private const int LeafSize = 1;
+
     private readonly MeshInstance[] _instances;
 
     public InstanceSet(IEnumerable<MeshInstance> instances)
     {
         MeshInstance[] given = instances.ToArray();
-        Hierarchy = new BoundingVolumeHierarchy(Array.ConvertAll(given, instance => instance.Mesh.Bounds.MovedBy(instance.Pose)));
+        Hierarchy = new BoundingVolumeHierarchy(Array.ConvertAll(given, instance => instance.Mesh.Bounds.MovedBy(instance.Pose)), LeafSize);
         _instances = Array.ConvertAll(Hierarchy.Order, number => given[number]);
     }
 
@@ -23,7 +26,7 @@ internal sealed class InstanceSet
     public ReadOnlySpan<MeshInstance> Instances => _instances;
 
     /// <summary>Shortens a ray to the nearest triangle of the set, if one is nearer than the limit.</summary>
-    /// <returns>Whether the ray was shortened; its new end then belongs to the entity given.</returns>
+    /// <returns>Whether the ray was shortened; the handle is then that of the entity hit.</returns>
     public bool Intersect(Ray ray, int ignoredHandle, ref double limit, ref int handle)
     {
         var visitor = new InstanceVisitor(_instances, ray, ignoredHandle);
@@ -64,7 +67,7 @@ internal sealed class InstanceSet
         }
     }
 
-    /// <summary>Möller and Trumbore's test, both sides of a triangle, edges included.</summary>
+    /// <summary>The test of Möller and Trumbore; both sides of a triangle count, edges included.</summary>
     private struct TriangleVisitor(Mesh mesh, Vector3D origin, Vector3D direction) : ILeafVisitor
     {
         public readonly Vector3D Origin => origin;

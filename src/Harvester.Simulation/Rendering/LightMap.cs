@@ -1,11 +1,12 @@
 using System;
 using System.Collections.Generic;
 using System.Numerics;
+using System.Runtime.Intrinsics;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>The lamps that burn at night, sorted into tiles of the image that their light can reach.</summary>
+/// <summary>The lamps that are lit at night, sorted into the tiles of the image that their light can reach.</summary>
 internal sealed class LightMap
 {
     private const int TileSize = 32;
@@ -37,27 +38,27 @@ internal sealed class LightMap
         }
     }
 
-    /// <summary>Whether any lamp shines on what is in view.</summary>
+    /// <summary>Whether any lamp lights what is in view.</summary>
     public bool AreLit => _tiles.Length > 0;
 
-    /// <summary>The light of all lamps on a surface at a place relative to the camera.</summary>
-    public Vector3 At(Vector3 place, Vector3 normal, int column, int row)
+    /// <summary>How many pixels from a column on, at most as many as are coloured at once, lie in the same tile.</summary>
+    public int StepAt(int column) => AreLit ? Math.Min(PixelRow.Step, TileSize - (column % TileSize)) : PixelRow.Step;
+
+    /// <summary>
+    /// The light of all lamps on a surface at places relative to the camera; those past the tile's end get the wrong one.
+    /// </summary>
+    public WideVector At(in WideVector place, Vector3 normal, int column, int row)
     {
-        Vector3 light = Vector3.Zero;
-        if (_tiles[((row / TileSize) * _tilesAcross) + (column / TileSize)] is not { } lamps)
+        WideVector light = WideVector.Of(Vector3.Zero);
+        foreach (NearLight lamp in _tiles[((row / TileSize) * _tilesAcross) + (column / TileSize)] ?? [])
         {
-            return light;
+            light = lamp.Add(light, place, normal);
         }
 
-        foreach (NearLight lamp in lamps)
-        {
-            light += lamp.At(place, normal);
-        }
-
-        return light * _night;
+        return light * Vector256.Create(_night);
     }
 
-    /// <summary>The pixels that the ball of a lamp's light may cover.</summary>
+    /// <summary>The pixels that the sphere of a lamp's light may cover.</summary>
     private static PixelRectangle ReachOf(LightSource light, View view)
     {
         RenderCamera camera = view.Camera;
@@ -92,20 +93,23 @@ internal sealed class LightMap
         private readonly float _cone = (float)light.ConeCosine;
         private readonly float _range = (float)light.RangeMetres;
 
-        public Vector3 At(Vector3 place, Vector3 normal)
+        public WideVector Add(in WideVector light, in WideVector place, Vector3 normal)
         {
-            Vector3 towards = _place - place;
-            float distance = towards.Length();
-            if (distance >= _range || distance == 0)
+            WideVector towards = WideVector.Of(_place) - place;
+            Vector256<float> distance = Vector256.Sqrt(towards.Dot(towards));
+            Vector256<float> fade = Wide.One - (distance * Vector256.Create(1 / _range));
+            Vector256<float> isLit = Vector256.GreaterThan(fade, Wide.Zero) & Vector256.GreaterThan(distance, Wide.Zero);
+            if (isLit == Wide.Zero)
             {
-                return Vector3.Zero;
+                return light;
             }
 
-            towards /= distance;
-            float inCone = Math.Clamp((-Vector3.Dot(towards, _direction) - _cone) / (1 - _cone) * 2.5f, 0, 1);
-            float facing = 0.25f + (0.75f * Math.Max(0, Vector3.Dot(towards, normal)));
-            float fade = 1 - (distance / _range);
-            return _colour * (1.6f * inCone * facing * fade * fade);
+            towards *= Wide.One / distance;
+            Vector256<float> inCone = Wide.Fraction(
+                (-towards.Dot(WideVector.Of(_direction)) - Vector256.Create(_cone)) * Vector256.Create(2.5f / (1 - _cone)));
+            Vector256<float> facing = Vector256.Create(0.25f)
+                + (Vector256.Create(0.75f) * Vector256.MaxNative(towards.Dot(WideVector.Of(normal)), Wide.Zero));
+            return light + (WideVector.Of(_colour) * (isLit & (Vector256.Create(1.6f) * inCone * facing * fade * fade)));
         }
     }
 }

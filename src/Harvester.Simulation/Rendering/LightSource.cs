@@ -5,15 +5,15 @@ namespace Harvester.Simulation.Rendering;
 /// <summary>A street lamp or a headlight.</summary>
 /// <param name="Position">Metres, world.</param>
 /// <param name="Direction">Unit vector along the middle of its cone.</param>
-/// <param name="ConeCosine">Cosine of the cone's half angle; -1 shines all round.</param>
-/// <param name="RangeMetres">Where its light has faded to nothing.</param>
+/// <param name="ConeCosine">Cosine of the cone's half angle; -1 shines in all directions.</param>
+/// <param name="RangeMetres">Distance at which its light has faded to zero, metres.</param>
 /// <param name="Colour">Colour of a white surface close to it.</param>
 public readonly record struct LightSource(Vector3D Position, Vector3D Direction, double ConeCosine, double RangeMetres, Rgb Colour)
 {
-    /// <summary>A street lamp that shines down and around.</summary>
+    /// <summary>A street lamp, which shines down and around.</summary>
     public static LightSource StreetLamp(Vector3D position) => new(position, new(0, 0, -1), 0.2, 22, new(255, 196, 120));
 
-    /// <summary>Both headlights of a vehicle, taken as one between them.</summary>
+    /// <summary>Both headlights of a vehicle, as one light source between them.</summary>
     public static LightSource Headlights(Vector3D position, Vector3D forward) =>
         new(position, (forward + new Vector3D(0, 0, -0.08)).Normalized(), 0.85, 45, new(255, 244, 214));
 }

@@ -6,7 +6,7 @@ using Harvester.Geometry;
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>
-/// A shape of coloured triangles in a model's frame (x right, y forward, z up, metres). It never changes and may be shown by many
+/// A shape of coloured triangles in a model's frame (x right, y forward, z up, metres). It is immutable and may be shared by many
 /// instances.
 /// </summary>
 public sealed class Mesh
@@ -14,10 +14,7 @@ public sealed class Mesh
     private readonly MeshTriangle[] _given;
     private MeshTree? _tree;
 
-    /// <summary>
-    /// Makes a mesh. The tree that rays and culling find its triangles by is built when it is first asked for: much of a world is never
-    /// seen.
-    /// </summary>
+    /// <summary>Creates a mesh. The tree for rays and culling is built on first use: much of a world is never seen.</summary>
     public Mesh(IEnumerable<MeshTriangle> triangles)
     {
         _given = triangles.ToArray();
@@ -33,16 +30,16 @@ public sealed class Mesh
     /// <summary>The triangles, in the order of the tree.</summary>
     public ReadOnlySpan<MeshTriangle> Triangles => Tree.Triangles;
 
-    /// <summary>Least coordinates of all corners, metres.</summary>
+    /// <summary>Minimum coordinates of all corners, metres.</summary>
     public Vector3D Min => Bounds.Min;
 
-    /// <summary>Greatest coordinates of all corners, metres.</summary>
+    /// <summary>Maximum coordinates of all corners, metres.</summary>
     public Vector3D Max => Bounds.Max;
 
     internal BoundingVolumeHierarchy Hierarchy => Tree.Hierarchy;
 
     internal Bounds Bounds { get; }
 
-    /// <summary>Two threads that ask at once may both build it; they build the same.</summary>
+    /// <summary>Two threads that ask at once may both build it; the results are equal.</summary>
     private MeshTree Tree => _tree ??= new MeshTree(_given);
 }

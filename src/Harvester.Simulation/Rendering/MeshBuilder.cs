@@ -9,7 +9,7 @@ public sealed class MeshBuilder
 {
     private readonly List<MeshTriangle> _triangles = [];
 
-    /// <summary>The mesh of what was added.</summary>
+    /// <summary>Creates the mesh of all parts added.</summary>
     public Mesh Build() => new(_triangles);
 
     /// <summary>Adds a triangle.</summary>
@@ -19,11 +19,11 @@ public sealed class MeshBuilder
         return this;
     }
 
-    /// <summary>Adds a flat face of four corners in order around it.</summary>
+    /// <summary>Adds a flat quadrilateral; corners in order around it.</summary>
     public MeshBuilder AddQuad(Vector3D a, Vector3D b, Vector3D c, Vector3D d, Rgb colour, Surface surface = Surface.Matte) =>
         AddTriangle(a, b, c, colour, surface).AddTriangle(a, c, d, colour, surface);
 
-    /// <summary>Adds a flat convex face of corners in order around it.</summary>
+    /// <summary>Adds a flat convex polygon; corners in order around it.</summary>
     public MeshBuilder AddPolygon(IReadOnlyList<Vector3D> corners, Rgb colour, Surface surface = Surface.Matte)
     {
         ArgumentNullException.ThrowIfNull(corners);
@@ -35,7 +35,7 @@ public sealed class MeshBuilder
         return this;
     }
 
-    /// <summary>Adds all triangles of a mesh, turned and moved.</summary>
+    /// <summary>Adds all triangles of a mesh, rotated and translated.</summary>
     public MeshBuilder AddMesh(Mesh mesh, Pose pose)
     {
         ArgumentNullException.ThrowIfNull(mesh);
@@ -52,13 +52,13 @@ public sealed class MeshBuilder
         AddFrustum(min, max, min, max, colour, surface);
 
     /// <summary>
-    /// Adds a body between a rectangle at the height of <paramref name="min"/> and another at the height of <paramref name="max"/>:
-    /// a box whose top has a rectangle of its own, as a car's cabin or a hipped roof.
+    /// Adds a body between a rectangle at the height of <paramref name="min"/> and another at the height of <paramref name="max"/>: a box
+    /// whose top has a rectangle of its own, as a car's cabin or a hipped roof.
     /// </summary>
     /// <param name="min">Rear, left corner of the lower rectangle.</param>
     /// <param name="max">Front, right corner of the lower rectangle, at the height of the upper one.</param>
-    /// <param name="topMin">Rear, left corner of the upper rectangle; its height is not looked at.</param>
-    /// <param name="topMax">Front, right corner of the upper rectangle; its height is not looked at.</param>
+    /// <param name="topMin">Rear, left corner of the upper rectangle; its height is ignored.</param>
+    /// <param name="topMax">Front, right corner of the upper rectangle; its height is ignored.</param>
     /// <param name="colour">Colour of all faces.</param>
     /// <param name="surface">Surface of all faces.</param>
     public MeshBuilder AddFrustum(
@@ -77,9 +77,9 @@ public sealed class MeshBuilder
         return this;
     }
 
-    /// <summary>Adds a body with a convex outline that is drawn along a line: its two ends and its sides.</summary>
+    /// <summary>Adds a prism: a convex outline extruded along a vector, with both ends and the sides.</summary>
     /// <param name="outline">Corners of the first end, in order around it.</param>
-    /// <param name="along">From the first end to the other.</param>
+    /// <param name="along">The vector from the first end to the other.</param>
     /// <param name="colour">Colour of all faces.</param>
     /// <param name="surface">Surface of all faces.</param>
     public MeshBuilder AddPrism(IReadOnlyList<Vector3D> outline, Vector3D along, Rgb colour, Surface surface = Surface.Matte)
@@ -103,11 +103,11 @@ public sealed class MeshBuilder
     }
 
     /// <summary>Adds a tapered cylinder between two points; a radius of 0 makes a cone.</summary>
-    /// <param name="start">Middle of the first end.</param>
-    /// <param name="end">Middle of the other end; not the same point.</param>
-    /// <param name="startRadius">Radius there, metres.</param>
-    /// <param name="endRadius">Radius there, metres.</param>
-    /// <param name="sides">Number of faces around; at least 3. The first corner lies straight along the first cross direction.</param>
+    /// <param name="start">Centre of the first end.</param>
+    /// <param name="end">Centre of the other end; a different point.</param>
+    /// <param name="startRadius">Radius of the first end, metres.</param>
+    /// <param name="endRadius">Radius of the other end, metres.</param>
+    /// <param name="sides">Number of faces around; at least 3. The first corner lies along the first cross direction.</param>
     /// <param name="colour">Colour of all faces.</param>
     /// <param name="surface">Surface of all faces.</param>
     public MeshBuilder AddCylinder(
@@ -126,7 +126,7 @@ public sealed class MeshBuilder
         return this;
     }
 
-    /// <summary>Adds a round body of rings of faces, as a head or a tree's crown.</summary>
+    /// <summary>Adds an ellipsoid made of rings of faces, as for a head or the crown of a tree.</summary>
     public MeshBuilder AddEllipsoid(Vector3D centre, Vector3D radii, int sides, int rings, Rgb colour, Surface surface = Surface.Matte)
     {
         Vector3D Point(int side, int ring)

@@ -7,5 +7,5 @@ namespace Harvester.Simulation.Rendering;
 /// <param name="B">Second corner.</param>
 /// <param name="C">Third corner.</param>
 /// <param name="Colour">Its colour in white light.</param>
-/// <param name="Surface">How it takes light.</param>
+/// <param name="Surface">How it reflects or emits light.</param>
 public readonly record struct MeshTriangle(Vector3D A, Vector3D B, Vector3D C, Rgb Colour, Surface Surface);

@@ -3,12 +3,12 @@ using System.Runtime.Intrinsics;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>Cuts triangles in clip space at the near plane (w = near) and divides what is left by w.</summary>
+/// <summary>Clips triangles in clip space at the near plane (w = near) and divides by w.</summary>
 internal static class NearClipper
 {
     private const int DepthElement = 3;
 
-    /// <summary>The corners of what is left, 0, 3 or 4; x and y are then pixels and z is near / depth.</summary>
+    /// <summary>Returns the number of corners that remain, 0, 3 or 4; x and y are then pixels and z is near / depth.</summary>
     public static int Clip(Vector256<double> a, Vector256<double> b, Vector256<double> c, double near, Span<Vector256<double>> kept)
     {
         double depthA = a[DepthElement];

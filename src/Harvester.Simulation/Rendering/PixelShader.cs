@@ -1,21 +1,31 @@
 using System;
 using System.Numerics;
+using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>Light and air for each pixel.</summary>
+/// <summary>Light and air for each pixel, row by row.</summary>
 internal sealed class PixelShader
 {
+    /// <summary>Noise of the ground per metre: patches, and a grain that is seen from near only.</summary>
+    private const double PatchesPerMetre = 0.35;
+
+    private const double GrainsPerMetre = 5;
+    private const float GrainReachMetres = 40;
+    private static readonly Vector3 Snow = new(0.95f, 0.96f, 1);
+
     private readonly Lighting _lighting;
     private readonly Sky _sky;
     private readonly LightMap _lights;
     private readonly ViewDirections _directions;
-    private readonly Vector3D _eye;
+    private readonly NoisePlane _patches;
+    private readonly NoisePlane _grains;
     private readonly Vector3 _sun;
     private readonly Vector3 _sunColour;
     private readonly Vector3 _ambient;
+    private readonly float _near;
     private readonly float _night;
     private readonly float _rain;
     private readonly float _fog;
@@ -27,83 +37,99 @@ internal sealed class PixelShader
         _sky = new Sky(_lighting);
         _lights = new LightMap(scene, view);
         _directions = new ViewDirections(view);
-        _eye = view.Camera.Pose.Position;
+        Vector3D eye = view.Camera.Pose.Position;
+        _patches = new NoisePlane(eye.X, eye.Y, PatchesPerMetre);
+        _grains = new NoisePlane(eye.X, eye.Y, GrainsPerMetre);
         _sun = Sky.ToSingle(_lighting.SunDirection);
         _sunColour = Sky.ToLight(_lighting.SunColour);
         _ambient = Sky.ToLight(_lighting.AmbientColour);
+        _near = (float)view.Camera.NearClip;
         _night = (float)_lighting.NightFraction;
         _rain = (float)_lighting.RainFraction;
         _fog = (float)_lighting.FogDensity;
         _haze = Math.Min(1, _fog * 45);
     }
 
-    /// <summary>Colours pixels of a row that show the sky.</summary>
-    /// <param name="row">The row.</param>
-    /// <param name="first">The first of the pixels.</param>
-    /// <param name="colours">Red, green and blue of each.</param>
-    public void ShadeSky(int row, int first, Span<byte> colours)
+    /// <summary>Works out depths, directions and air of a row.</summary>
+    /// <param name="row">The row, with its number.</param>
+    /// <param name="nearness">Near / depth of its pixels; 0 for the sky.</param>
+    public void Begin(PixelRow row, ReadOnlySpan<float> nearness)
     {
-        for (int i = 0; i < colours.Length; i += 3)
+        _directions.Begin(row);
+        nearness.CopyTo(row.Depths);
+        for (int column = 0; column < nearness.Length; column += PixelRow.Step)
         {
-            Vector3 sky = _sky.ColourAt(Vector3.Normalize(_directions.At(first + (i / 3), row)));
-            Write(Vector3.Lerp(sky, _sky.Horizon, _haze), colours.Slice(i, 3));
+            Vector256<float> depth = Vector256.Create(_near) / Vector256.Create(row.Depths, column);
+            depth.CopyTo(row.Depths, column);
+            Wide.Exp(Vector256.Create(-_fog) * depth * Vector256.Create(row.Stretch, column)).CopyTo(row.Through, column);
+        }
+    }
+
+    /// <summary>Colours pixels of a row that show the sky.</summary>
+    public void ShadeSky(PixelRow row, int first, int length)
+    {
+        WideVector horizon = WideVector.Of(_sky.Horizon);
+        for (int column = first; column < first + length; column += PixelRow.Step)
+        {
+            WideVector direction = _directions.At(row, column) * (Wide.One / Vector256.Create(row.Stretch, column));
+            row.Write(column, _sky.ColourAt(direction).Towards(horizon, Vector256.Create(_haze)));
         }
     }
 
     /// <summary>Colours pixels of a row that show one triangle.</summary>
-    /// <param name="triangle">The triangle.</param>
-    /// <param name="row">The row.</param>
-    /// <param name="first">The first of the pixels.</param>
-    /// <param name="depths">The depth of each, metres.</param>
-    /// <param name="colours">Red, green and blue of each.</param>
-    public void Shade(in ScreenTriangle triangle, int row, int first, ReadOnlySpan<float> depths, Span<byte> colours)
+    public void Shade(in ScreenTriangle triangle, PixelRow row, int first, int length)
     {
+        // Everything is relative to the camera, so that single precision is enough anywhere in the world.
         Surface surface = triangle.Surface;
         Vector3 normal = triangle.Normal;
-        Vector3 plain = Sky.ToLight(triangle.Colour);
-        float lying = SnowOn(surface, normal);
+        float lying = SnowOn(surface, normal) * 0.7f;
+        Vector3 colour = Sky.ToLight(triangle.Colour);
         Vector3 light = (_ambient * (0.8f + (0.2f * normal.Z))) + (_sunColour * Math.Max(0, Vector3.Dot(normal, _sun)));
-        Vector3 own = Snowed(plain, lying);
-        Vector3 lit = own * light;
-        for (int i = 0; i < depths.Length; i++)
+        WideVector own = WideVector.Of(Vector3.Lerp(colour, Snow, lying));
+        WideVector lit = own * WideVector.Of(light);
+        WideVector horizon = WideVector.Of(_sky.Horizon);
+        for (int column = first; column < first + length; column += _lights.StepAt(column))
         {
-            // Everything is relative to the camera, so that single precision is enough anywhere in the world.
-            Vector3 direction = _directions.At(first + i, row);
-            Vector3 place = direction * depths[i];
-            float distance = place.Length();
             if (surface == Surface.Ground)
             {
-                own = Snowed(plain * GrainAt(place, distance), lying);
+                own = WideVector.Of(colour) * GrainAt(row, column);
+                own = own.Towards(WideVector.Of(Snow), Vector256.Create(lying));
+                lit = own * WideVector.Of(light);
             }
 
-            if (surface == Surface.Ground || _lights.AreLit)
+            if (_lights.AreLit)
             {
-                lit = own * (_lights.AreLit ? light + _lights.At(place, normal, first + i, row) : light);
+                WideVector place = _directions.At(row, column) * Vector256.Create(row.Depths, column);
+                lit = own * (WideVector.Of(light) + _lights.At(place, normal, column, row.Number));
             }
 
-            Vector3 shown = surface switch
+            WideVector shown = surface switch
             {
                 Surface.Lamp => own,
-                Surface.NightLamp => Vector3.Lerp(lit, own, _night),
-                Surface.LitWindow => Vector3.Lerp(Mirrored(lit * 0.2f, direction, normal, 0.3f), own, _night),
-                Surface.Glass => Mirrored(lit, direction, normal, 0.3f),
-                Surface.Paint => Mirrored(lit, direction, normal, 0.06f),
-                Surface.Ground when _rain > 0 => Mirrored(lit * (1 - (0.3f * _rain)), direction, normal, 0.09f * _rain),
+                Surface.NightLamp => lit.Towards(own, Vector256.Create(_night)),
+                Surface.LitWindow => Mirrored(lit * Vector256.Create(0.2f), row, column, normal, 0.3f)
+                    .Towards(own, Vector256.Create(_night)),
+                Surface.Glass => Mirrored(lit, row, column, normal, 0.3f),
+                Surface.Paint => Mirrored(lit, row, column, normal, 0.06f),
+                Surface.Ground when _rain > 0 =>
+                    Mirrored(lit * Vector256.Create(1 - (0.3f * _rain)), row, column, normal, 0.09f * _rain),
                 _ => lit,
             };
-            float through = MathF.Exp(-_fog * distance);
-            Write(Vector3.Lerp(_sky.Horizon, shown, through), colours.Slice(i * 3, 3));
+            row.Write(column, horizon.Towards(shown, Vector256.Create(row.Through, column)));
         }
     }
 
     /// <summary>Mixes in the mirrored sky, more of it at a grazing angle (Schlick's approximation).</summary>
-    private Vector3 Mirrored(Vector3 lit, Vector3 direction, Vector3 normal, float straightOn)
+    private WideVector Mirrored(in WideVector lit, PixelRow row, int column, Vector3 normal, float straightOn)
     {
-        direction = Vector3.Normalize(direction);
-        float cosine = Math.Clamp(-Vector3.Dot(direction, normal), 0, 1);
-        float away = 1 - cosine;
-        float share = straightOn + ((0.5f - (straightOn / 2)) * away * away * away * away);
-        return Vector3.Lerp(lit, _sky.GradientAt(Vector3.Reflect(direction, normal)), share);
+        WideVector direction = _directions.At(row, column);
+        Vector256<float> shrink = Wide.One / Vector256.Create(row.Stretch, column);
+        Vector256<float> towards = direction.Dot(WideVector.Of(normal)) * shrink;
+        Vector256<float> away = Wide.One - Wide.Fraction(-towards);
+        away *= away;
+        Vector256<float> share = Vector256.Create(straightOn) + (Vector256.Create(0.5f - (straightOn / 2)) * away * away);
+        Vector256<float> height = (direction.Z * shrink) - (towards * Vector256.Create(2 * normal.Z));
+        return lit.Towards(_sky.GradientAt(height), share);
     }
 
     /// <summary>How much snow lies on a surface, 0 to 1.</summary>
@@ -111,26 +137,20 @@ internal sealed class PixelShader
         ? (float)_lighting.SnowFraction * Math.Clamp((normal.Z - 0.5f) * 2, 0, 1)
         : 0;
 
-    private static Vector3 Snowed(Vector3 own, float lying) =>
-        lying > 0 ? Vector3.Lerp(own, new Vector3(0.95f, 0.96f, 1), lying * 0.7f) : own;
-
     /// <summary>A grain on the ground that fades where it would be finer than the pixels.</summary>
-    private float GrainAt(Vector3 place, float distance)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private Vector256<float> GrainAt(PixelRow row, int column)
     {
-        var x = (float)(_eye.X + place.X);
-        var y = (float)(_eye.Y + place.Y);
-        float coarse = Noise.At(x * 0.35f, y * 0.35f) - 0.5f;
-        float fine = distance < 40 ? (Noise.At(x * 5, y * 5) - 0.5f) * (1 - (distance / 40)) : 0;
-        return 1 + (0.10f * coarse) + (0.16f * fine);
-    }
+        Vector256<float> depth = Vector256.Create(row.Depths, column);
+        WideVector place = _directions.At(row, column) * depth;
+        Vector256<float> grain = Wide.One + (Vector256.Create(0.10f) * (_patches.At(place.X, place.Y) - Vector256.Create(0.5f)));
+        Vector256<float> closeness = Wide.One - (depth * Vector256.Create(row.Stretch, column) * Vector256.Create(1 / GrainReachMetres));
+        if (Vector256.GreaterThanAny(closeness, Wide.Zero))
+        {
+            Vector256<float> fine = _grains.At(place.X, place.Y) - Vector256.Create(0.5f);
+            grain += Vector256.Create(0.16f) * fine * Vector256.MaxNative(closeness, Wide.Zero);
+        }
 
-    private static void Write(Vector3 light, Span<byte> colour)
-    {
-        Vector128<float> scaled = (light.AsVector128() * 255) + Vector128.Create(0.5f);
-        Vector128<int> bytes = Vector128.ConvertToInt32(
-            Vector128.Min(Vector128.Max(scaled, Vector128<float>.Zero), Vector128.Create(255f)));
-        colour[2] = (byte)bytes[2];
-        colour[1] = (byte)bytes[1];
-        colour[0] = (byte)bytes[0];
+        return grain;
     }
 }

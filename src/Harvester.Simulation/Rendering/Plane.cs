@@ -1,6 +1,6 @@
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>A side of a view: points with X·x + Y·y + Z·z + W ≥ 0 are inside.</summary>
+/// <summary>A side of a view frustum: points with X·x + Y·y + Z·z + W ≥ 0 are inside.</summary>
 internal readonly record struct Plane(double X, double Y, double Z, double W)
 {
     public bool IsOutside(in Bounds box) =>

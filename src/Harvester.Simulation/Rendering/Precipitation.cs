@@ -2,7 +2,7 @@ using System;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>Streaks of rain and flakes of snow over the finished colours; depth and handles know nothing of them.</summary>
+/// <summary>Draws streaks of rain and flakes of snow over the finished colours; depth and handles are unaffected.</summary>
 internal static class Precipitation
 {
     private const double DropsPerPixel = 0.0022;

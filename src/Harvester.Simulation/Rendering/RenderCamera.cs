@@ -3,16 +3,16 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>The camera of a picture.</summary>
+/// <summary>The camera of a rendered image.</summary>
 /// <param name="Pose">Position and orientation in the world: x right, y forward, z up.</param>
 /// <param name="VerticalFovDegrees">Vertical field of view, degrees.</param>
-/// <param name="WindowAspect">Width divided by height of the window's picture, which is scaled to the image.</param>
+/// <param name="WindowAspect">Width divided by height of the window, whose picture is scaled to the image.</param>
 /// <param name="NearClip">Distance of the near plane, metres; what is nearer is not drawn.</param>
 /// <param name="Width">Width of the image in pixels.</param>
 /// <param name="Height">Height of the image in pixels.</param>
 public sealed record RenderCamera(Pose Pose, double VerticalFovDegrees, double WindowAspect, double NearClip, int Width, int Height)
 {
-    /// <summary>What the lens does to the picture.</summary>
+    /// <summary>The distortion of the lens.</summary>
     public RenderLens Lens { get; init; } = RenderLens.None;
 
     internal double FocalX => FocalY * Width / (Height * WindowAspect);
@@ -24,8 +24,8 @@ public sealed record RenderCamera(Pose Pose, double VerticalFovDegrees, double W
     internal double CentreY => Height * (0.5 + Lens.CentreOffsetY);
 
     /// <summary>
-    /// World to clip space, column vectors: after division by w, x and y are pixels (before the lens bends them),
-    /// z is near / depth, which is 1 on the near plane and falls to 0 at infinity, and w is the depth in metres.
+    /// World to clip space, column vectors. After division by w, x and y are pixels (before the lens distorts them), z is near / depth,
+    /// which is 1 on the near plane and falls to 0 at infinity, and w is the depth in metres.
     /// </summary>
     internal Matrix4 ViewProjection
     {

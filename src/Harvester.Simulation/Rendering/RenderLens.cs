@@ -1,6 +1,6 @@
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>What the simulated game's camera does to its picture beyond a pinhole.</summary>
+/// <summary>How the simulated game's camera differs from a pinhole camera.</summary>
 /// <param name="FocalScale">Factor on both focal lengths.</param>
 /// <param name="CentreOffsetX">Shift of the principal point to the right, as a fraction of the width.</param>
 /// <param name="CentreOffsetY">Shift of the principal point downward, as a fraction of the height.</param>
@@ -8,7 +8,7 @@ namespace Harvester.Simulation.Rendering;
 /// <param name="K2">Coefficient of r⁴.</param>
 public readonly record struct RenderLens(double FocalScale, double CentreOffsetX, double CentreOffsetY, double K1, double K2)
 {
-    /// <summary>A pinhole.</summary>
+    /// <summary>A pinhole camera.</summary>
     public static RenderLens None { get; } = new(1, 0, 0, 0, 0);
 
     /// <summary>Whether straight lines stay straight.</summary>

@@ -3,10 +3,10 @@ using System.Collections.Generic;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>What there is to see: the world that stands still, the entities of the moment, and the light.</summary>
+/// <summary>What is drawn: the static world, the entities of the moment, and the light.</summary>
 public sealed class RenderScene
 {
-    /// <summary>Makes a scene of a world that stands still; its search tree is built here, once.</summary>
+    /// <summary>Creates a scene of a static world; its search tree is built here, once.</summary>
     public RenderScene(IEnumerable<MeshInstance> staticInstances)
     {
         ArgumentNullException.ThrowIfNull(staticInstances);
@@ -16,16 +16,14 @@ public sealed class RenderScene
     /// <summary>Sun, sky and weather.</summary>
     public Lighting Lighting { get; set; } = new();
 
-    /// <summary>
-    /// Street lamps and headlights that light what is near them once it is dark; only those near the camera need be given.
-    /// </summary>
+    /// <summary>Street lamps and headlights that light their surroundings at night; only those near the camera need be given.</summary>
     public IReadOnlyList<LightSource> Lights { get; set; } = [];
 
     internal InstanceSet Static { get; }
 
     internal InstanceSet Dynamic { get; private set; } = new([]);
 
-    /// <summary>Replaces the instances that move: vehicles, people, signals.</summary>
+    /// <summary>Replaces the moving instances: vehicles, people, signals.</summary>
     public void SetDynamic(IEnumerable<MeshInstance> instances)
     {
         ArgumentNullException.ThrowIfNull(instances);

@@ -2,10 +2,10 @@ using System;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>A rendered picture with what is known about each pixel; used again from frame to frame. Rows from the top.</summary>
+/// <summary>A rendered image with the depth and entity of each pixel; reused from frame to frame. Rows from the top.</summary>
 public sealed class RenderTarget
 {
-    /// <summary>Makes a target.</summary>
+    /// <summary>Creates a target.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A side is less than 1.</exception>
     public RenderTarget(int width, int height)
     {
@@ -28,11 +28,11 @@ public sealed class RenderTarget
     /// <summary>Red, green, blue of each pixel.</summary>
     public byte[] Colour { get; }
 
-    /// <summary>Handle of what is seen at each pixel's centre; 0 for the world and the sky.</summary>
+    /// <summary>Handle of the entity visible at each pixel's centre; 0 for the static world and the sky.</summary>
     public int[] Handles { get; }
 
     /// <summary>
-    /// Distance along the camera's forward axis of what is seen at each pixel's centre, metres; positive infinity for the sky.
+    /// Distance along the camera's forward axis of what is visible at each pixel's centre, metres; positive infinity for the sky.
     /// </summary>
     public float[] Depth { get; }
 }

@@ -5,16 +5,21 @@ using System.Threading.Tasks;
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>
-/// Draws a scene on the processor: meshes through 4x4 matrices into a z-buffer, bands of rows in parallel, then light and air for each
-/// pixel. Pixel (i, j) shows what lies at its centre (i + 0.5, j + 0.5); both sides of a triangle are drawn. The same scene and
-/// camera give the same bytes. A renderer keeps its buffers from frame to frame and serves one caller at a time.
+/// Draws a scene on the processor: meshes through 4x4 matrices into a z-buffer, bands of rows in parallel, then light and fog for each
+/// pixel. Pixel (i, j) shows what lies at its centre (i + 0.5, j + 0.5); both sides of a triangle are drawn. The same scene and camera give
+/// the same bytes. A renderer reuses its buffers from frame to frame and serves one caller at a time.
 /// </summary>
 public sealed class Renderer
 {
-    private const int BandHeight = 16;
+    /// <summary>How far the first batch of instances reaches, metres.</summary>
+    private const double FirstReachMetres = 12;
+
     private readonly List<TriangleChunk> _chunks = [];
-    private readonly List<(int First, int Count)> _instances = [];
-    private readonly List<(int First, int Count)> _triangles = [];
+    private readonly List<(int First, int Count)> _ranges = [];
+    private readonly List<SeenInstance> _seen = [];
+    private PixelRow[] _rows = [];
+    private DepthTiles _tiles = new(1, 1);
+    private (int Width, int Height) _tilesOf = (1, 1);
     private int _chunkCount;
     private readonly ScreenTriangles _screen;
     private byte[] _stepped = [];
@@ -22,13 +27,28 @@ public sealed class Renderer
     private int[] _ids = [];
     private (RenderCamera Camera, SampleGrid Grid)? _bentBefore;
 
-    /// <summary>Makes a renderer.</summary>
+    /// <summary>Creates a renderer.</summary>
     public Renderer() => _screen = new ScreenTriangles(_chunks);
 
+    /// <summary>Triangles of the last picture that were brought onto the screen, hidden ones included.</summary>
+    internal int TrianglesDrawn
+    {
+        get
+        {
+            int drawn = 0;
+            for (int number = 0; number < _chunkCount; number++)
+            {
+                drawn += _chunks[number].Triangles.Length;
+            }
+
+            return drawn;
+        }
+    }
+
     /// <summary>Draws a scene.</summary>
-    /// <param name="scene">What there is to see.</param>
-    /// <param name="camera">From where.</param>
-    /// <param name="target">Where the picture goes; as large as the camera's image.</param>
+    /// <param name="scene">What to draw.</param>
+    /// <param name="camera">The camera.</param>
+    /// <param name="target">Receives the image; it has the size of the camera's image.</param>
     /// <exception cref="ArgumentException">The target's size is not the camera's.</exception>
     public void Render(RenderScene scene, RenderCamera camera, RenderTarget target)
     {
@@ -37,13 +57,12 @@ public sealed class Renderer
         ArgumentNullException.ThrowIfNull(target);
         if (target.Width != camera.Width || target.Height != camera.Height)
         {
-            throw new ArgumentException($"The target is {target.Width}x{target.Height}, but the camera's image {camera.Width}x{camera.Height}.", nameof(target));
+            throw new ArgumentException(
+                $"The target is {target.Width}x{target.Height}, but the camera's image is {camera.Width}x{camera.Height}.", nameof(target));
         }
 
         var view = new View(camera, GridOf(camera));
-        int bandCount = (camera.Height + BandHeight - 1) / BandHeight;
-        CollectPieces(scene, view, bandCount);
-        Parallel.For(0, _chunkCount, number => _chunks[number].Process(view, BandHeight));
+        int bandCount = (camera.Height + DepthTiles.Size - 1) / DepthTiles.Size;
         if (_ids.Length != target.Depth.Length)
         {
             _ids = new int[target.Depth.Length];
@@ -51,13 +70,28 @@ public sealed class Renderer
             _stepped = new byte[target.Colour.Length];
         }
 
+        if (_tilesOf != (camera.Width, camera.Height))
+        {
+            _tiles = new DepthTiles(camera.Width, camera.Height);
+            _tilesOf = (camera.Width, camera.Height);
+            _rows = new PixelRow[bandCount];
+            for (int band = 0; band < bandCount; band++)
+            {
+                _rows[band] = new PixelRow(camera.Width);
+            }
+        }
+
+        Array.Clear(_nearness);
+        Array.Fill(_ids, ScreenTriangles.Nothing);
+        FindInstances(scene, view);
+        DrawInstances(view, bandCount);
+
         var shader = new PixelShader(scene, view);
         Parallel.For(0, bandCount, band =>
         {
-            int top = band * BandHeight;
-            int bottom = Math.Min(camera.Height, top + BandHeight);
-            DrawBand(view, band, top, bottom);
-            Resolve(shader, view, target, top, bottom);
+            int top = band * DepthTiles.Size;
+            int bottom = Math.Min(camera.Height, top + DepthTiles.Size);
+            Resolve(shader, target, _rows[band], top, bottom);
         });
         new EdgeSmoother(view, _screen, _ids, _nearness).Smooth(target, _stepped);
         Precipitation.Draw(scene.Lighting, target);
@@ -70,7 +104,7 @@ public sealed class Renderer
             return null;
         }
 
-        // Where pixels lie in the pinhole's image has nothing to do with where the camera stands.
+        // The positions of pixels in the pinhole image do not depend on the camera's pose.
         RenderCamera unposed = camera with { Pose = default };
         if (_bentBefore is not { } before || before.Camera != unposed)
         {
@@ -80,42 +114,73 @@ public sealed class Renderer
         return _bentBefore?.Grid;
     }
 
-    private void CollectPieces(RenderScene scene, View view, int bandCount)
+    /// <summary>Finds the instances that may be in view, the nearest first.</summary>
+    private void FindInstances(RenderScene scene, View view)
     {
-        _chunkCount = 0;
+        _seen.Clear();
+        Span<Plane> sides = stackalloc Plane[View.SideCount];
+        view.WriteSides(view.Matrix, sides);
         foreach (InstanceSet set in new[] { scene.Static, scene.Dynamic })
         {
-            _instances.Clear();
-            set.Hierarchy.AddRangesInside(view.Sides(view.Matrix), _instances);
-            foreach ((int first, int count) in _instances)
+            _ranges.Clear();
+            set.Hierarchy.AddRangesInside(sides, _ranges);
+            foreach ((int first, int count) in _ranges)
             {
                 foreach (ref readonly MeshInstance instance in set.Instances.Slice(first, count))
                 {
-                    CollectPieces(instance, view, bandCount);
+                    var toClip = new ClipTransform(view.Matrix * Matrix4.ToWorld(instance.Pose));
+                    ScreenBox? box = ScreenBox.Of(instance.Mesh.Bounds, toClip, view);
+                    if (box is not { Pixels.IsEmpty: true })
+                    {
+                        _seen.Add(new SeenInstance(instance, box is { } onScreen ? view.NearClip / onScreen.Nearness : 0, _seen.Count));
+                    }
                 }
             }
         }
+
+        _seen.Sort();
     }
 
-    private void CollectPieces(in MeshInstance instance, View view, int bandCount)
+    /// <summary>
+    /// Draws instances in batches that reach twice as far each: what nearer ones hide is skipped. Batches do
+    /// not depend on how the work is shared out, so the picture does not either.
+    /// </summary>
+    private void DrawInstances(View view, int bandCount)
     {
-        _triangles.Clear();
-        instance.Mesh.Hierarchy.AddRangesInside(view.Sides(view.Matrix * Matrix4.ToWorld(instance.Pose)), _triangles);
-        foreach ((int first, int count) in _triangles)
+        _chunkCount = 0;
+        _tiles.Clear();
+        double reach = FirstReachMetres;
+        for (int next = 0; next < _seen.Count; reach *= 2)
         {
-            for (int done = 0; done < count;)
+            int firstChunk = _chunkCount;
+            for (; next < _seen.Count && _seen[next].Depth < reach; next++)
             {
-                TriangleChunk chunk = ChunkWithRoom(bandCount);
-                int taken = Math.Min(count - done, TriangleChunk.Capacity - chunk.TriangleCount);
-                chunk.Add(new MeshPiece(instance, first + done, taken));
-                done += taken;
+                Add(_seen[next].Instance, firstChunk, bandCount);
+            }
+
+            if (firstChunk < _chunkCount)
+            {
+                Parallel.For(firstChunk, _chunkCount, number => _chunks[number].Process(view, _tiles, DepthTiles.Size));
+                Parallel.For(0, bandCount, band => DrawBand(view, band, firstChunk));
             }
         }
     }
 
-    private TriangleChunk ChunkWithRoom(int bandCount)
+    private void Add(in MeshInstance instance, int firstChunk, int bandCount)
     {
-        if (_chunkCount == 0 || _chunks[_chunkCount - 1].TriangleCount == TriangleChunk.Capacity)
+        int count = instance.Mesh.Triangles.Length;
+        for (int done = 0; done < count;)
+        {
+            TriangleChunk chunk = ChunkWithRoom(firstChunk, bandCount);
+            int taken = Math.Min(count - done, TriangleChunk.Capacity - chunk.TriangleCount);
+            chunk.Add(new MeshPiece(instance, done, taken));
+            done += taken;
+        }
+    }
+
+    private TriangleChunk ChunkWithRoom(int firstChunk, int bandCount)
+    {
+        if (_chunkCount == firstChunk || _chunks[_chunkCount - 1].TriangleCount == TriangleChunk.Capacity)
         {
             if (_chunkCount == _chunks.Count)
             {
@@ -128,13 +193,11 @@ public sealed class Renderer
         return _chunks[_chunkCount - 1];
     }
 
-    private void DrawBand(View view, int band, int top, int bottom)
+    private void DrawBand(View view, int band, int firstChunk)
     {
-        int start = top * view.Camera.Width;
-        int length = (bottom - top) * view.Camera.Width;
-        Array.Clear(_nearness, start, length);
-        Array.Fill(_ids, ScreenTriangles.Nothing, start, length);
-        for (int number = 0; number < _chunkCount; number++)
+        int top = band * DepthTiles.Size;
+        int bottom = Math.Min(view.Camera.Height, top + DepthTiles.Size);
+        for (int number = firstChunk; number < _chunkCount; number++)
         {
             ReadOnlySpan<ScreenTriangle> triangles = _chunks[number].Triangles;
             foreach (int index in _chunks[number].Band(band))
@@ -142,42 +205,41 @@ public sealed class Renderer
                 BandRasteriser.Draw(triangles[index], ScreenTriangles.IdOf(number, index), view, top, bottom, _nearness, _ids);
             }
         }
+
+        _tiles.Update(band, _nearness);
     }
 
-    private void Resolve(PixelShader shader, View view, RenderTarget target, int top, int bottom)
+    private void Resolve(PixelShader shader, RenderTarget target, PixelRow row, int top, int bottom)
     {
-        var near = (float)view.Camera.NearClip;
-        for (int row = top; row < bottom; row++)
+        int width = target.Width;
+        for (int number = top; number < bottom; number++)
         {
-            int end = (row + 1) * target.Width;
-            for (int pixel = row * target.Width; pixel < end;)
+            row.Number = number;
+            ReadOnlySpan<int> ids = _ids.AsSpan(number * width, width);
+            Span<int> handles = target.Handles.AsSpan(number * width, width);
+            shader.Begin(row, _nearness.AsSpan(number * width, width));
+            for (int column = 0; column < width;)
             {
-                int id = _ids[pixel];
-                int length = _ids.AsSpan(pixel, end - pixel).IndexOfAnyExcept(id);
-                length = length < 0 ? end - pixel : length;
-                int column = pixel - (row * target.Width);
-                Span<byte> colours = target.Colour.AsSpan(pixel * 3, length * 3);
-                Span<float> depths = target.Depth.AsSpan(pixel, length);
+                int id = ids[column];
+                int length = ids[column..].IndexOfAnyExcept(id);
+                length = length < 0 ? width - column : length;
                 if (id == ScreenTriangles.Nothing)
                 {
-                    target.Handles.AsSpan(pixel, length).Clear();
-                    depths.Fill(float.PositiveInfinity);
-                    shader.ShadeSky(row, column, colours);
+                    handles.Slice(column, length).Clear();
+                    shader.ShadeSky(row, column, length);
                 }
                 else
                 {
                     ref readonly ScreenTriangle triangle = ref _screen[id];
-                    target.Handles.AsSpan(pixel, length).Fill(triangle.Handle);
-                    for (int i = 0; i < length; i++)
-                    {
-                        depths[i] = near / _nearness[pixel + i];
-                    }
-
-                    shader.Shade(triangle, row, column, depths, colours);
+                    handles.Slice(column, length).Fill(triangle.Handle);
+                    shader.Shade(triangle, row, column, length);
                 }
 
-                pixel += length;
+                column += length;
             }
+
+            row.Depths.AsSpan(0, width).CopyTo(target.Depth.AsSpan(number * width, width));
+            row.CopyTo(target.Colour.AsSpan(number * width * 3, width * 3));
         }
     }
 }

@@ -6,7 +6,7 @@ namespace Harvester.Simulation.Rendering;
 /// <param name="Blue">Blue, 0 to 255.</param>
 public readonly record struct Rgb(byte Red, byte Green, byte Blue)
 {
-    /// <summary>The colour with its brightness multiplied, held to the range of a byte.</summary>
+    /// <summary>The colour with its brightness multiplied, clamped to the range of a byte.</summary>
     public Rgb Scaled(double factor) => new(Scale(Red, factor), Scale(Green, factor), Scale(Blue, factor));
 
     /// <summary>The colour a fraction of the way to another.</summary>

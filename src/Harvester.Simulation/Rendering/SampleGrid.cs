@@ -4,8 +4,8 @@ using System.Threading.Tasks;
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>
-/// Where in the pinhole's image each pixel of a bent picture has its centre. The lens maps a normalised radius r to
-/// r (1 + k1 r² + k2 r⁴), and goes on straight once the slope has fallen to 0.1; the grid holds the inverse.
+/// The position in the pinhole image of each pixel's centre of a distorted image. The lens maps a normalised radius r to r (1 + k1 r² + k2
+/// r⁴), continued as a straight line once the slope has fallen to 0.1; the grid holds the inverse.
 /// </summary>
 internal sealed class SampleGrid
 {
@@ -41,15 +41,15 @@ internal sealed class SampleGrid
     /// <summary>Pixels from the top in the pinhole's image, row by row.</summary>
     public double[] V { get; }
 
-    /// <summary>The least and greatest factor by which the lens moves points whose normalised radius lies between two values.</summary>
-    public (double Least, double Greatest) FactorsBetween(double low, double high)
+    /// <summary>The minimum and maximum factor by which the lens scales points whose normalised radius lies between two values.</summary>
+    public (double Minimum, double Maximum) FactorsBetween(double low, double high)
     {
         double atLow = FactorAt(low);
         double atHigh = FactorAt(high);
         double least = Math.Min(atLow, atHigh);
         double greatest = Math.Max(atLow, atHigh);
 
-        // 1 + k1 q + k2 q² turns at q = -k1 / (2 k2).
+        // 1 + k1 q + k2 q² has its extremum at q = -k1 / (2 k2).
         double turn = _lens.K2 == 0 ? -1 : -_lens.K1 / (2 * _lens.K2);
         double turningRadius = turn > 0 ? Math.Sqrt(turn) : -1;
         if (turningRadius > low && turningRadius < high && turningRadius < _end)
@@ -77,7 +77,7 @@ internal sealed class SampleGrid
 
     private double RadiusShownAt(double shown)
     {
-        // Newton's steps are few; where they do not settle, halving does.
+        // Newton's method needs few steps; if it does not converge, bisection does.
         double radius = Math.Min(shown, _end);
         for (int step = 0; step < 20; step++)
         {

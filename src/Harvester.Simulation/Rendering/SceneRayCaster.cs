@@ -4,12 +4,12 @@ using Harvester.Geometry.Visibility;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>Rays against the very shapes that the renderer draws.</summary>
+/// <summary>Casts rays against the same shapes that the renderer draws.</summary>
 public sealed class SceneRayCaster : IRayCaster
 {
     private readonly RenderScene _scene;
 
-    /// <summary>Makes a caster that always asks the scene as it is at the moment of the question.</summary>
+    /// <summary>Creates a ray caster that uses the scene as it is at the time of each call.</summary>
     public SceneRayCaster(RenderScene scene)
     {
         ArgumentNullException.ThrowIfNull(scene);

@@ -1,12 +1,17 @@
 using System.Numerics;
+using System.Runtime.Intrinsics;
 
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>
-/// A triangle in the pinhole's image: three edges whose value grows inward, the plane of near / depth over it, and its looks.
+/// A triangle in the pinhole image: three edge functions that grow inward, the plane of near / depth over it, and its appearance.
 /// </summary>
 internal readonly struct ScreenTriangle
 {
+    private readonly double _slopeX;
+    private readonly double _slopeY;
+    private readonly double _atOrigin;
+
     /// <param name="a">First corner: pixels, near / depth.</param>
     /// <param name="b">Second corner.</param>
     /// <param name="c">Third corner.</param>
@@ -15,16 +20,15 @@ internal readonly struct ScreenTriangle
     /// <param name="handle">The handle of what it belongs to.</param>
     /// <param name="source">The triangle that is shown.</param>
     /// <param name="normal">Unit vector of the world square to it, on the camera's side.</param>
-    public ScreenTriangle(in Vector4 a, in Vector4 b, in Vector4 c, double doubleArea, PixelRectangle pixels, int handle,
-        in MeshTriangle source, Vector3 normal)
+    public ScreenTriangle(Vector256<double> a, Vector256<double> b, Vector256<double> c, double doubleArea, PixelRectangle pixels,
+        int handle, in MeshTriangle source, Vector3 normal)
     {
-        // Edges of neighbours are the same numbers with opposite signs, to the last bit, so that no pixel falls between them.
-        (Edge0, Edge1, Edge2) = doubleArea >= 0
-            ? (new ScreenLine(a, b), new ScreenLine(b, c), new ScreenLine(c, a))
-            : (new ScreenLine(b, a), new ScreenLine(c, b), new ScreenLine(a, c));
-        double slopeX = (((b.Z - a.Z) * (c.Y - a.Y)) - ((c.Z - a.Z) * (b.Y - a.Y))) / doubleArea;
-        double slopeY = (((c.Z - a.Z) * (b.X - a.X)) - ((b.Z - a.Z) * (c.X - a.X))) / doubleArea;
-        Nearness = new ScreenLine(slopeX, slopeY, a.Z - (slopeX * a.X) - (slopeY * a.Y));
+        Edges = doubleArea >= 0 ? new EdgeTriple(a, b, c) : new EdgeTriple(b, a, c);
+        Vector256<double> ab = b - a;
+        Vector256<double> ac = c - a;
+        _slopeX = ((ab[2] * ac[1]) - (ac[2] * ab[1])) / doubleArea;
+        _slopeY = ((ac[2] * ab[0]) - (ab[2] * ac[0])) / doubleArea;
+        _atOrigin = a[2] - (_slopeX * a[0]) - (_slopeY * a[1]);
         Pixels = pixels;
         Handle = handle;
         Colour = source.Colour;
@@ -32,14 +36,10 @@ internal readonly struct ScreenTriangle
         Normal = normal;
     }
 
-    public ScreenLine Edge0 { get; }
+    public EdgeTriple Edges { get; }
 
-    public ScreenLine Edge1 { get; }
-
-    public ScreenLine Edge2 { get; }
-
-    /// <summary>The near plane's distance divided by the depth.</summary>
-    public ScreenLine Nearness { get; }
+    /// <summary>What a step to the right adds to the near plane's distance divided by the depth.</summary>
+    public double NearnessStep => _slopeX;
 
     public PixelRectangle Pixels { get; }
 
@@ -49,6 +49,9 @@ internal readonly struct ScreenTriangle
 
     public Surface Surface { get; }
 
-    /// <summary>Unit vector of the world square to the triangle, on the camera's side.</summary>
+    /// <summary>Unit normal of the triangle in the world, on the camera's side.</summary>
     public Vector3 Normal { get; }
+
+    /// <summary>The near plane's distance divided by the depth at a place of the image.</summary>
+    public double NearnessAt(double x, double y) => (_slopeX * x) + (_slopeY * y) + _atOrigin;
 }

@@ -1,12 +1,19 @@
-using System;
 using System.Numerics;
+using System.Runtime.Intrinsics;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>The sky's colour in any direction: a gradient, the sun or moon, and clouds. Colours are 0 to 1.</summary>
+/// <summary>The colour of the sky in any direction: a gradient, the sun or moon, and clouds. Colours are 0 to 1.</summary>
 internal sealed class Sky
 {
+    private const float GlowCosine = 0.9f;
+    private const float DiscCosine = 0.9996f;
+    private const float MinCloudHeight = 0.02f;
+    private static readonly NoisePlane Large = new(0, 0, 1.3);
+    private static readonly NoisePlane Middle = new(0, 0, 3.1);
+    private static readonly NoisePlane Small = new(0, 0, 7.7);
+
     private readonly Vector3 _sun;
     private readonly Vector3 _sunColour;
     private readonly Vector3 _zenith;
@@ -23,7 +30,7 @@ internal sealed class Sky
         _cloud = Vector3.Min(Vector3.One, (ToLight(lighting.AmbientColour) * 1.15f) + (_sunColour * 0.75f));
     }
 
-    /// <summary>The horizon's colour, which fog takes on.</summary>
+    /// <summary>The colour of the horizon, which is also the colour of the fog.</summary>
     public Vector3 Horizon { get; }
 
     public static Vector3 ToSingle(Vector3D vector) => new((float)vector.X, (float)vector.Y, (float)vector.Z);
@@ -31,31 +38,54 @@ internal sealed class Sky
     public static Vector3 ToLight(Rgb colour) => new Vector3(colour.Red, colour.Green, colour.Blue) / 255;
 
     /// <summary>The gradient alone, as a surface mirrors it.</summary>
-    public Vector3 GradientAt(Vector3 direction)
+    /// <param name="height">The vertical components of unit vectors.</param>
+    public WideVector GradientAt(Vector256<float> height)
     {
-        float height = Math.Clamp(direction.Z, 0, 1);
-        return Vector3.Lerp(Horizon, _zenith, 1 - ((1 - height) * (1 - height) * (1 - height)));
+        Vector256<float> down = Wide.One - Wide.Fraction(height);
+        return WideVector.Of(_zenith).Towards(WideVector.Of(Horizon), down * down * down);
     }
 
     /// <summary>All of it.</summary>
-    public Vector3 ColourAt(Vector3 direction)
+    /// <param name="direction">Unit vectors.</param>
+    public WideVector ColourAt(in WideVector direction)
     {
-        Vector3 colour = GradientAt(direction);
-        float towardsSun = Math.Max(0, Vector3.Dot(direction, _sun));
-        float glow = towardsSun > 0.9f ? MathF.Pow(towardsSun, 48) * 0.35f : 0;
-        float disc = towardsSun > 0.9996f ? 1 : 0;
-        colour += _sunColour * ((glow + disc) * (1 - (_clouds * 0.9f)));
-        if (direction.Z > 0.02f && _clouds > 0)
+        WideVector colour = GradientAt(direction.Z);
+        Vector256<float> towardsSun = direction.Dot(WideVector.Of(_sun));
+        if (Vector256.GreaterThanAny(towardsSun, Vector256.Create(GlowCosine)))
         {
-            // A flat layer of cloud: the farther towards the horizon, the smaller it looks, until haze hides it.
-            float x = direction.X / direction.Z;
-            float y = direction.Y / direction.Z;
-            float thickness = (Noise.At(x * 1.3f, y * 1.3f) * 0.6f) + (Noise.At(x * 3.1f, y * 3.1f) * 0.28f)
-                + (Noise.At(x * 7.7f, y * 7.7f) * 0.12f);
-            float cover = Math.Clamp((thickness - 0.72f + (_clouds * 0.62f)) * 4, 0, 1) * Math.Clamp((direction.Z - 0.02f) * 6, 0, 1);
-            colour = Vector3.Lerp(colour, _cloud * (1.06f - (0.3f * thickness)), cover * 0.85f);
+            colour += WideVector.Of(_sunColour * (1 - (_clouds * 0.9f))) * Shine(towardsSun);
         }
 
-        return colour;
+        return _clouds > 0 && Vector256.GreaterThanAny(direction.Z, Vector256.Create(MinCloudHeight))
+            ? Clouded(colour, direction)
+            : colour;
+    }
+
+    /// <summary>The sun's glow and disc.</summary>
+    private static Vector256<float> Shine(Vector256<float> towardsSun)
+    {
+        // The 48th power.
+        Vector256<float> power = towardsSun * towardsSun * towardsSun;
+        for (int doubling = 0; doubling < 4; doubling++)
+        {
+            power *= power;
+        }
+
+        Vector256<float> glow = Vector256.GreaterThan(towardsSun, Vector256.Create(GlowCosine)) & (power * Vector256.Create(0.35f));
+        return glow + (Vector256.GreaterThan(towardsSun, Vector256.Create(DiscCosine)) & Wide.One);
+    }
+
+    /// <summary>A flat layer of cloud: the farther towards the horizon, the smaller it looks, until haze hides it.</summary>
+    private WideVector Clouded(in WideVector colour, in WideVector direction)
+    {
+        Vector256<float> height = Vector256.MaxNative(direction.Z, Vector256.Create(MinCloudHeight));
+        Vector256<float> x = direction.X / height;
+        Vector256<float> y = direction.Y / height;
+        Vector256<float> thickness = (Large.At(x, y) * Vector256.Create(0.6f)) + (Middle.At(x, y) * Vector256.Create(0.28f))
+            + (Small.At(x, y) * Vector256.Create(0.12f));
+        Vector256<float> cover = Wide.Fraction((thickness + Vector256.Create((_clouds * 0.62f) - 0.72f)) * Vector256.Create(4f))
+            * Wide.Fraction((height - Vector256.Create(MinCloudHeight)) * Vector256.Create(6f));
+        WideVector cloud = WideVector.Of(_cloud) * (Vector256.Create(1.06f) - (Vector256.Create(0.3f) * thickness));
+        return colour.Towards(cloud, cover * Vector256.Create(0.85f));
     }
 }

@@ -4,17 +4,17 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>A box laid out for rays: its three pairs of faces are met at once.</summary>
+/// <summary>A box prepared for ray tests: its three pairs of faces are tested at once.</summary>
 internal readonly struct Slabs(in Bounds box)
 {
-    // The fourth pair of faces is met at all distances, so that it never decides.
+    // The fourth pair of faces is infinitely far away, so that it never decides.
     private readonly Vector256<double> _min = Vector256.Create(box.Min.X, box.Min.Y, box.Min.Z, double.NegativeInfinity);
     private readonly Vector256<double> _max = Vector256.Create(box.Max.X, box.Max.Y, box.Max.Z, double.PositiveInfinity);
 
-    /// <summary>A point as <see cref="Entry"/> takes it.</summary>
+    /// <summary>A point in the form that <see cref="Entry"/> expects.</summary>
     public static Vector256<double> Origin(Vector3D origin) => Vector256.Create(origin.X, origin.Y, origin.Z, 0);
 
-    /// <summary>One divided by a direction's components, as <see cref="Entry"/> takes them.</summary>
+    /// <summary>The reciprocals of a direction's components in the form that <see cref="Entry"/> expects.</summary>
     public static Vector256<double> Inverse(Vector3D direction) =>
         Vector256.Create(Inverse(direction.X), Inverse(direction.Y), Inverse(direction.Z), 1);
 
@@ -33,11 +33,11 @@ internal readonly struct Slabs(in Bounds box)
         double entry = last > 0 ? last : 0;
         double exit = first < limit ? first : limit;
 
-        // Rounding of the slabs must not lose a hit on a box's very edge.
+        // Rounding must not lose a hit exactly on the edge of a box.
         const double room = 1 + 1e-12;
         return entry <= exit * room ? entry : double.PositiveInfinity;
     }
 
-    /// <summary>A finite stand-in for 1 / 0, so that a ray along a face gives 0 and not a missing number.</summary>
+    /// <summary>A finite substitute for 1 / 0, so that a ray along a face gives 0 and not NaN.</summary>
     private static double Inverse(double component) => component == 0 ? 1e300 : 1 / component;
 }

@@ -1,26 +1,26 @@
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>How a triangle's surface takes and gives light.</summary>
+/// <summary>How the surface of a triangle reflects or emits light.</summary>
 public enum Surface
 {
     /// <summary>Dull, lit by sun and sky.</summary>
     Matte,
 
-    /// <summary>Car paint: as matte with a little of the sky mirrored.</summary>
+    /// <summary>Car paint: matte with a little of the sky reflected.</summary>
     Paint,
 
-    /// <summary>Window glass: dark, with much of the sky mirrored.</summary>
+    /// <summary>Window glass: dark, with much of the sky reflected.</summary>
     Glass,
 
-    /// <summary>A window with a lamp behind it: glass by day, its own colour by night.</summary>
+    /// <summary>A window with a lamp behind it: glass by day, its own colour at night.</summary>
     LitWindow,
 
-    /// <summary>A lamp that is off by day and matte then, and shines in its own colour by night.</summary>
+    /// <summary>A lamp that is off by day, and matte then; at night it shines in its own colour.</summary>
     NightLamp,
 
-    /// <summary>A lamp that burns by day as well: its own colour whatever the light.</summary>
+    /// <summary>A lamp that is lit by day as well: always its own colour.</summary>
     Lamp,
 
-    /// <summary>Ground: matte, with a fine grain so that large faces are not flat colour.</summary>
+    /// <summary>Ground: matte, with a fine grain so that large faces are not of one colour.</summary>
     Ground,
 }

@@ -1,12 +1,8 @@
-using System.Runtime.Intrinsics;
-
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>Homogeneous coordinates, or a row of a matrix.</summary>
 internal readonly record struct Vector4(double X, double Y, double Z, double W)
 {
-    public static Vector4 Of(Vector256<double> elements) => new(elements[0], elements[1], elements[2], elements[3]);
-
     public static Vector4 operator +(Vector4 a, Vector4 b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z, a.W + b.W);
 
     public static Vector4 operator -(Vector4 a, Vector4 b) => new(a.X - b.X, a.Y - b.Y, a.Z - b.Z, a.W - b.W);

@@ -5,10 +5,13 @@ using Harvester.Geometry;
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>
-/// A camera made ready for drawing: its matrix, the sides of its view, and which pixels a piece of the pinhole's image can reach.
+/// A camera prepared for drawing: its matrix, the sides of its frustum, and the pixels that a rectangle of the pinhole image can reach.
 /// </summary>
 internal sealed class View
 {
+    /// <summary>How many sides a view has, the near plane included.</summary>
+    public const int SideCount = 5;
+
     private readonly double _left;
     private readonly double _top;
     private readonly double _right;
@@ -27,26 +30,26 @@ internal sealed class View
 
     public RenderCamera Camera { get; }
 
-    /// <summary>Null for a lens that keeps lines straight.</summary>
+    /// <summary>The sample positions of a distorting lens; null for a lens that keeps lines straight.</summary>
     public SampleGrid? Grid { get; }
 
     public Matrix4 Matrix { get; }
 
-    /// <summary>The sides of the view in the frame that a matrix to clip space starts from.</summary>
-    public Plane[] Sides(in Matrix4 toClip) =>
-    [
-        Side(toClip.Row0, toClip.Row3 * -_left),
-        Side(toClip.Row3 * _right, toClip.Row0 * -1),
-        Side(toClip.Row1, toClip.Row3 * -_top),
-        Side(toClip.Row3 * _bottom, toClip.Row1 * -1),
-        Side(toClip.Row3, new Vector4(0, 0, 0, -Camera.NearClip)),
-    ];
+    /// <summary>Writes the sides of the view in the frame that a matrix to clip space starts from.</summary>
+    public void WriteSides(in Matrix4 toClip, Span<Plane> sides)
+    {
+        sides[4] = Side(toClip.Row3, new Vector4(0, 0, 0, -Camera.NearClip));
+        sides[3] = Side(toClip.Row3 * _bottom, toClip.Row1 * -1);
+        sides[2] = Side(toClip.Row1, toClip.Row3 * -_top);
+        sides[1] = Side(toClip.Row3 * _right, toClip.Row0 * -1);
+        sides[0] = Side(toClip.Row0, toClip.Row3 * -_left);
+    }
 
     /// <summary>Distance of the near plane, metres.</summary>
     public double NearClip => Camera.NearClip;
 
     /// <summary>
-    /// The pixels whose centres may lie in a rectangle of the pinhole's image; x and y are the first two elements of its corners.
+    /// The pixels whose centres may lie in a rectangle of the pinhole image; x and y are the first two elements of its corners.
     /// </summary>
     public PixelRectangle PixelsIn(Vector256<double> min, Vector256<double> max)
     {
@@ -61,12 +64,12 @@ internal sealed class View
         return new PixelRectangle((int)sides[0], (int)sides[1], (int)sides[2], (int)sides[3]);
     }
 
-    /// <summary>The pixels whose centres may lie in a rectangle of the pinhole's image.</summary>
+    /// <summary>The pixels whose centres may lie in a rectangle of the pinhole image.</summary>
     public PixelRectangle PixelsIn(double left, double top, double right, double bottom)
     {
         if (Grid is not null)
         {
-            // Moved outward by interval arithmetic: every point of the rectangle is scaled about the centre by some factor of the range.
+            // Enlarged by interval arithmetic: every point of the rectangle is scaled about the centre by some factor of the range.
             (double least, double greatest) = FactorsIn(left, top, right, bottom);
             (left, right) = Scale(left, right, Camera.CentreX, least, greatest);
             (top, bottom) = Scale(top, bottom, Camera.CentreY, least, greatest);
@@ -79,7 +82,7 @@ internal sealed class View
             (int)Math.Clamp(Math.Ceiling(bottom - 0.5) + (Grid is null ? 0 : 1), 0, Camera.Height));
     }
 
-    /// <summary>Where a pixel's centre lies in the pinhole's image.</summary>
+    /// <summary>The position of a pixel's centre in the pinhole image.</summary>
     public Vector2D SampleAt(int column, int row) => Grid is null
         ? new Vector2D(column + 0.5, row + 0.5)
         : new Vector2D(Grid.U[(row * Camera.Width) + column], Grid.V[(row * Camera.Width) + column]);

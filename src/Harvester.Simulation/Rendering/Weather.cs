@@ -5,12 +5,12 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Simulation.Rendering;
 
-/// <summary>What the game's weathers and hours look like.</summary>
+/// <summary>How the game's weathers and times of day look.</summary>
 public static class Weather
 {
     private static readonly Rgb Grey = new(150, 154, 160);
 
-    /// <summary>What makes a weather: clouds, fog (share of the view lost each metre), rain and snow.</summary>
+    /// <summary>Clouds, fog (fraction of the light lost per metre), rain and snow of each weather.</summary>
     private static readonly Dictionary<string, (double Clouds, double Fog, double Rain, double Snow)> Airs = new(StringComparer.Ordinal)
     {
         ["clear"] = (0.15, 0.0006, 0, 0),
@@ -30,7 +30,7 @@ public static class Weather
         ["halloween"] = (0.9, 0.012, 0.15, 0),
     };
 
-    /// <summary>The light of a weather at an hour.</summary>
+    /// <summary>The light of a weather at a time of day.</summary>
     /// <param name="weather">One of <see cref="WeatherNames.All"/>.</param>
     /// <param name="timeOfDay">Time since midnight.</param>
     /// <exception cref="ArgumentException">The game has no such weather.</exception>

@@ -7,31 +7,31 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Settings;
 
-/// <summary>What a simulated game is made with.</summary>
+/// <summary>The options of a simulated game.</summary>
 public sealed record SimulationOptions
 {
-    /// <summary>Decides everything that is left to chance: town, traffic, routes.</summary>
+    /// <summary>Seed of everything random: town, traffic, routes.</summary>
     public int Seed { get; init; }
 
-    /// <summary>The roads to build on; null for a town made from the seed.</summary>
+    /// <summary>The roads of the world; null for a town made from the seed.</summary>
     public RoadNetwork? Roads { get; init; }
 
     /// <summary>Where the ego starts, metres, world x and y; null for the middle of the roads.</summary>
     public Vector2D? Near { get; init; }
 
-    /// <summary>Roads further from the start than this are not built, metres; the ego does not leave them.</summary>
+    /// <summary>Roads farther than this from the start are not built, metres; the ego does not leave the others.</summary>
     public double RadiusMetres { get; init; } = 400;
 
-    /// <summary>Traffic lights and street lamps to set up where they are given, in place of made-up ones; null to make them up.</summary>
+    /// <summary>Positions of traffic lights and street lamps, in place of generated ones; null to generate them.</summary>
     public IReadOnlyList<PropPlacement>? Props { get; init; }
 
     /// <summary>The weather, one of <see cref="WeatherNames.All"/>.</summary>
     public string Weather { get; init; } = "clear";
 
-    /// <summary>The hour at the beginning.</summary>
+    /// <summary>The time of day at the start.</summary>
     public TimeSpan TimeOfDay { get; init; } = TimeSpan.FromHours(12);
 
-    /// <summary>Whether the hour stands still; else a minute of the game's day passes every two seconds.</summary>
+    /// <summary>Whether the time of day is fixed; otherwise a minute of the game's day passes every two seconds.</summary>
     public bool IsTimeOfDayFixed { get; init; }
 
     /// <summary>Vertical field of view, degrees.</summary>
@@ -40,7 +40,7 @@ public sealed record SimulationOptions
     /// <summary>Width divided by height of the window.</summary>
     public double WindowAspect { get; init; } = 4.0 / 3;
 
-    /// <summary>What the game's camera does to its picture beyond a pinhole, of which it reports nothing.</summary>
+    /// <summary>The unreported distortion of the game's camera.</summary>
     public RenderLens Lens { get; init; } = RenderLens.None;
 
     /// <summary>Distance of the near plane, metres.</summary>
@@ -52,6 +52,6 @@ public sealed record SimulationOptions
     /// <summary>Factor on the number of people on foot.</summary>
     public double PedestrianDensity { get; init; } = 1;
 
-    /// <summary>In what the game misbehaves; nothing by default.</summary>
+    /// <summary>Imitated faults of the real game; none by default.</summary>
     public GameQuirks Quirks { get; init; } = new();
 }

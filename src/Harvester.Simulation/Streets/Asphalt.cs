@@ -8,10 +8,10 @@ namespace Harvester.Simulation.Streets;
 /// <summary>The asphalt of all roads as it is drawn.</summary>
 internal sealed class Asphalt(RoadIndex index)
 {
-    /// <summary>Roads that are further above or below are others' bridges, metres.</summary>
+    /// <summary>Maximum height difference of roads on one level, metres; farther ones are on another bridge.</summary>
     private const double SameLevel = 2.5;
 
-    /// <summary>What lies less above another road's asphalt is not seen for sure, metres.</summary>
+    /// <summary>Minimum height above another road's asphalt for something to be visible with certainty, metres.</summary>
     private const double MinAbove = 0.005;
 
     private readonly Dictionary<Road, RoadFacets> _facets = [];
@@ -19,9 +19,7 @@ internal sealed class Asphalt(RoadIndex index)
     /// <summary>The asphalt of a road.</summary>
     public RoadFacets Of(Road road) => _facets.TryGetValue(road, out RoadFacets? facets) ? facets : _facets[road] = new RoadFacets(road);
 
-    /// <summary>
-    /// Whether a place of a road is on another's carriageway, or what lies so much above it would be buried in another's asphalt.
-    /// </summary>
+    /// <summary>Whether a point of a road is on another's carriageway, or would be buried in another's asphalt at a given height.</summary>
     public bool IsAnothers(Road road, double distance, double rightOffset, double above)
     {
         Vector3D place = Of(road).At(distance, rightOffset) + (Horizontal.Up * above);

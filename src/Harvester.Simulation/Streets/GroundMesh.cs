@@ -7,7 +7,7 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>
-/// Collects faces of the ground in world coordinates and hands them out as square patches, so that a view need not look at all.
+/// Collects faces of the ground in world coordinates and returns them as square patches, so that a view need not process all of them.
 /// </summary>
 internal sealed class GroundMesh
 {

@@ -1,6 +1,6 @@
 namespace Harvester.Simulation.Streets;
 
-/// <summary>Gives every entity its own handle, upwards from 1.</summary>
+/// <summary>Gives every entity a handle of its own, from 1 upwards.</summary>
 internal sealed class HandleCounter
 {
     private int _last;

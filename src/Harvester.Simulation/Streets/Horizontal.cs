@@ -3,12 +3,12 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
 
-/// <summary>Directions on the ground: what is to the right of a way, whatever its slope.</summary>
+/// <summary>Directions on the ground, independent of slope.</summary>
 internal static class Horizontal
 {
     public static readonly Vector3D Up = new(0, 0, 1);
 
-    /// <summary>The level unit vector to the right of a direction that is not vertical.</summary>
+    /// <summary>The horizontal unit vector to the right of a direction that is not vertical.</summary>
     public static Vector3D RightOf(Vector3D forward)
     {
         double length = Math.Sqrt((forward.X * forward.X) + (forward.Y * forward.Y));
@@ -28,7 +28,7 @@ internal static class Horizontal
     public static double Turn(Vector3D from, Vector3D to) =>
         Math.Atan2((from.X * to.Y) - (from.Y * to.X), (from.X * to.X) + (from.Y * to.Y));
 
-    /// <summary>Something that stands on a slope without leaning to a side.</summary>
+    /// <summary>The orientation of an object on a slope that does not lean to a side.</summary>
     public static Axes AxesAlong(Vector3D unitForward)
     {
         Vector3D right = RightOf(unitForward);

@@ -7,7 +7,7 @@ namespace Harvester.Simulation.Streets;
 /// <summary>A node at which roads end: a crossing, a corner, a change of lane layout or a dead end.</summary>
 /// <param name="Node">Number of the network's node.</param>
 /// <param name="Position">Metres, world.</param>
-/// <param name="Flags">What the network says of the node.</param>
+/// <param name="Flags">The node's flags in the network.</param>
 /// <param name="Arms">The road ends that meet here.</param>
 internal sealed record Junction(int Node, Vector3D Position, RoadNodeFlags Flags, IReadOnlyList<RoadArm> Arms)
 {

@@ -4,13 +4,13 @@ using System.Linq;
 
 namespace Harvester.Simulation.Streets;
 
-/// <summary>All the ways that vehicles drive, and which follows which.</summary>
+/// <summary>All paths on which vehicles drive, and which follow which.</summary>
 internal sealed class LaneGraph
 {
-    /// <summary>Two ways nearer than this cannot be driven at once: a lorry's width with a little room.</summary>
+    /// <summary>Paths closer together than this conflict, metres: a truck's width with a little room.</summary>
     private const double ConflictDistance = 3.2;
 
-    private const double SharpestTurn = 2.4;
+    private const double MaxTurn = 2.4;
     private const double StraightAtMost = 0.6;
 
     private readonly List<LanePath> _paths = [];
@@ -52,7 +52,7 @@ internal sealed class LaneGraph
             List<(List<LanePath> Lanes, double Turn)> exits = [.. junction.Arms
                 .Where(exit => exit != arm)
                 .Select(exit => (lanes[(exit.Road, exit.AtStart)], Horizontal.Turn(-arm.Outward, exit.Outward)))
-                .Where(exit => exit.Item1.Count > 0 && Math.Abs(exit.Item2) < SharpestTurn)
+                .Where(exit => exit.Item1.Count > 0 && Math.Abs(exit.Item2) < MaxTurn)
                 .OrderBy(exit => -exit.Item2)];
             foreach (LanePath lane in incoming)
             {
@@ -68,8 +68,8 @@ internal sealed class LaneGraph
     }
 
     /// <summary>
-    /// Left turns from the leftmost lane, right turns from the rightmost, straight on from all; where nothing leads straight on, each lane
-    /// has a way.
+    /// Left turns from the leftmost lane, right turns from the rightmost, straight on from all; if nothing leads straight on, each lane has
+    /// an exit.
     /// </summary>
     private static List<(List<LanePath> Lanes, double Turn)> ExitsOf(int lane, int lanes, List<(List<LanePath> Lanes, double Turn)> exits)
     {
@@ -103,7 +103,7 @@ internal sealed class LaneGraph
     private static bool AreNear(LanePath a, LanePath b) =>
         a.Line.Points.Any(p => b.Line.Points.Any(q => Horizontal.SquaredDistance(p, q) < ConflictDistance * ConflictDistance));
 
-    /// <summary>A way goes on when one of its followers does; taken away from the dead ends backwards.</summary>
+    /// <summary>Marks paths without an end: one continues if one of its followers does; computed backwards from the dead ends.</summary>
     private void MarkDeadEnds()
     {
         Stack<LanePath> ending = new(_paths.Where(path => path.Next.Count == 0));

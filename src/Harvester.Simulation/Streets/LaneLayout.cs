@@ -5,8 +5,8 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>
-/// How lanes lie across a road, in metres to the right of its line: the line runs in the middle of the median of a two-way road
-/// and in the middle of a one-way road. Written down here once more, apart from the geometry library, because it judges it.
+/// The position of lanes across a road, in metres to the right of its line: the line runs in the middle of the median of a two-way road and
+/// in the middle of a one-way road. Implemented independently of the geometry library, because it is used to test it.
 /// </summary>
 internal readonly record struct LaneLayout(int Forward, int Backward, double LaneWidth, double MedianWidth)
 {
@@ -23,7 +23,10 @@ internal readonly record struct LaneLayout(int Forward, int Backward, double Lan
 
     public double HalfWidth => Math.Max(-LeftEdge, RightEdge);
 
-    public LaneLayout Reversed => this with { Forward = Backward, Backward = Forward };
+    /// <summary>
+    /// The layout seen in the other direction. It is a method because a record's text includes its properties, and so would recurse.
+    /// </summary>
+    public LaneLayout Reversed() => this with { Forward = Backward, Backward = Forward };
 
     public static LaneLayout Of(RoadLink link)
     {
@@ -34,7 +37,7 @@ internal readonly record struct LaneLayout(int Forward, int Backward, double Lan
 
     public int Lanes(bool forward) => forward ? Forward : Backward;
 
-    /// <summary>Offset of the middle of a lane; lane 0 is the leftmost for who drives in it.</summary>
+    /// <summary>Offset of the centre of a lane; lane 0 is the leftmost as seen by its drivers.</summary>
     public double LaneCentre(bool forward, int lane)
     {
         double fromInnerEdge = (lane + 0.5) * LaneWidth;
@@ -43,7 +46,7 @@ internal readonly record struct LaneLayout(int Forward, int Backward, double Lan
             : forward ? (MedianWidth / 2) + fromInnerEdge : -(MedianWidth / 2) - fromInnerEdge;
     }
 
-    /// <summary>The lane at an offset; null beside the lanes and on the median.</summary>
+    /// <summary>The lane at an offset; null outside the lanes and on the median.</summary>
     public (bool Forward, int Lane)? LaneAt(double offset)
     {
         bool forward = IsOneWay ? Forward > 0 : offset >= 0;

@@ -5,7 +5,7 @@ using Harvester.Geometry;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>
-/// A way that vehicles drive: a lane of a road between the junctions, or a way through a junction from one lane to another.
+/// A path on which vehicles drive: a lane of a road between the junctions, or a path through a junction from one lane to another.
 /// </summary>
 internal sealed class LanePath
 {
@@ -23,32 +23,32 @@ internal sealed class LanePath
 
     public int Index { get; }
 
-    /// <summary>The road whose lane it is; null within a junction.</summary>
+    /// <summary>The road to which the lane belongs; null within a junction.</summary>
     public Road? Road { get; }
 
-    /// <summary>Whether the lane is driven along the road's line or against it.</summary>
+    /// <summary>Whether the lane's direction is that of the road's line.</summary>
     public bool IsForward { get; }
 
     /// <summary>The lane's number from the left of its direction.</summary>
     public int Lane { get; }
 
-    /// <summary>The junction it leads through; null on a road.</summary>
+    /// <summary>The junction of the path; null on a road.</summary>
     public Junction? Junction { get; }
 
     public Polyline Line { get; }
 
     public double Length => Line.Length;
 
-    /// <summary>The ways that go on from its end.</summary>
+    /// <summary>The paths that continue from its end.</summary>
     public List<LanePath> Next { get; } = [];
 
-    /// <summary>The ways that lead to its start.</summary>
+    /// <summary>The paths that lead to its start.</summary>
     public List<LanePath> Previous { get; } = [];
 
-    /// <summary>Other ways of the same junction that come so near that two vehicles would touch.</summary>
+    /// <summary>Other paths of the same junction that come so close that two vehicles would touch.</summary>
     public List<LanePath> Conflicts { get; } = [];
 
-    /// <summary>Whether one who follows it can drive on for ever.</summary>
+    /// <summary>Whether a vehicle that follows it can drive on for ever.</summary>
     public bool GoesOn { get; set; } = true;
 
     public static LanePath OnRoad(int index, Road road, bool forward, int lane)

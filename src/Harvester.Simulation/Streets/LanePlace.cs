@@ -3,17 +3,17 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
 
-/// <summary>Where a point lies along and beside a way.</summary>
-/// <param name="Path">The way.</param>
-/// <param name="Distance">Metres from its start to the place abreast of the point; an end where the point lies beyond it.</param>
+/// <summary>The position of a point along and beside a path.</summary>
+/// <param name="Path">The path.</param>
+/// <param name="Distance">Metres from its start to the closest point on it; an end if the point lies beyond it.</param>
 /// <param name="RightOffset">Metres to the right of its line.</param>
 /// <param name="Height">Metres above it.</param>
-/// <param name="Beyond">Metres that the point lies beyond its end, negative before its start; 0 abreast of it.</param>
+/// <param name="Beyond">Metres that the point lies beyond its end, negative before its start; 0 beside it.</param>
 internal readonly record struct LanePlace(LanePath Path, double Distance, double RightOffset, double Height, double Beyond)
 {
     private const int ProjectionSteps = 6;
 
-    /// <summary>The place of a point on a way, searched from a place near it.</summary>
+    /// <summary>The position of a point on a path, searched from a distance near it.</summary>
     public static LanePlace Of(LanePath path, Vector3D point, double near)
     {
         double distance = Math.Clamp(near, 0, path.Length);

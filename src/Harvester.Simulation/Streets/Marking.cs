@@ -4,7 +4,7 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>A line painted along a road.</summary>
-/// <param name="Offset">Its middle, metres to the right of the road's line.</param>
+/// <param name="Offset">Its centre line, metres to the right of the road's line.</param>
 /// <param name="Kind">How it is painted.</param>
 internal readonly record struct Marking(double Offset, MarkingKind Kind)
 {

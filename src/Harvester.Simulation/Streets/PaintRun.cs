@@ -4,28 +4,28 @@ using Harvester.Geometry.Lanes;
 
 namespace Harvester.Simulation.Streets;
 
-/// <summary>A line along a road from where its paint begins to where it ends.</summary>
+/// <summary>A painted line along a road from the start of its paint to its end.</summary>
 /// <param name="Facets">The asphalt of the road.</param>
-/// <param name="Marking">What is painted.</param>
-/// <param name="Pieces">The painted pieces, metres along the road; an unbroken line is one.</param>
+/// <param name="Marking">The marking.</param>
+/// <param name="Pieces">The painted pieces, metres along the road; a solid line has one.</param>
 internal sealed record PaintRun(RoadFacets Facets, Marking Marking, IReadOnlyList<(double From, double To)> Pieces)
 {
-    /// <summary>Paint lies this far above the asphalt, metres: enough to be drawn, too little to be seen as height.</summary>
+    /// <summary>Height of the paint above the asphalt, metres: enough to be drawn, too little to be visible as height.</summary>
     public const double Height = 0.01;
 
     /// <summary>
-    /// Between points, metres. They lie off the ends of dashes by half of it, and off the end of the line by a quarter, where it is plain
-    /// whether there is paint.
+    /// Distance between points, metres. They are off the ends of dashes by half of it, and off the end of the line by a quarter, so that it
+    /// is clear whether there is paint.
     /// </summary>
     private const double Step = 0.5;
 
     private const double DashLength = 3;
     private const double DashPeriod = 9;
 
-    /// <summary>An unbroken line is painted, or left out, metre by metre.</summary>
+    /// <summary>A solid line is painted, or left out, metre by metre.</summary>
     private const double Metre = 1;
 
-    /// <summary>The lines of a road: none in the junctions at its ends, and none where another road's asphalt takes their place.</summary>
+    /// <summary>The lines of a road, except in the junctions at its ends, and where another road's asphalt takes their place.</summary>
     public static IEnumerable<PaintRun> Of(Road road, Asphalt asphalt)
     {
         RoadFacets facets = asphalt.Of(road);
@@ -55,7 +55,7 @@ internal sealed record PaintRun(RoadFacets Facets, Marking Marking, IReadOnlyLis
         }
     }
 
-    /// <summary>Its middle in the world.</summary>
+    /// <summary>Its centre line in the world.</summary>
     public PaintedLine Line()
     {
         List<LinePoint> points = [PointAt(Pieces[0].From, isPainted: true)];
@@ -75,7 +75,7 @@ internal sealed record PaintRun(RoadFacets Facets, Marking Marking, IReadOnlyLis
         return new PaintedLine(Marking.Paint, points);
     }
 
-    /// <summary>Whether nothing takes a piece's place, from its one end to its other.</summary>
+    /// <summary>Whether nothing else covers a piece, from one end to the other.</summary>
     private static bool IsFree(Road road, Asphalt asphalt, Marking marking, double from, double to)
     {
         int steps = Math.Max(1, (int)Math.Ceiling((to - from) / Metre));
@@ -90,7 +90,7 @@ internal sealed record PaintRun(RoadFacets Facets, Marking Marking, IReadOnlyLis
         return true;
     }
 
-    /// <summary>Pieces that meet become one.</summary>
+    /// <summary>Adds a piece; adjacent pieces are merged.</summary>
     private static void Add(List<(double From, double To)> pieces, double from, double to)
     {
         if (pieces.Count > 0 && pieces[^1].To >= from)

@@ -4,7 +4,7 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
 
-/// <summary>A way made of short straight pieces, with the distance along it in metres.</summary>
+/// <summary>A path made of short straight pieces, with the distance along it in metres.</summary>
 internal sealed class Polyline
 {
     private readonly Vector3D[] _points;
@@ -12,8 +12,8 @@ internal sealed class Polyline
     private readonly double[] _distances;
     private readonly double[] _bends;
 
-    /// <param name="points">At least two, no two neighbours in one place.</param>
-    /// <param name="tangents">The unit direction of the smooth way at each point.</param>
+    /// <param name="points">At least two; neighbours must differ.</param>
+    /// <param name="tangents">The unit direction of the smooth path at each point.</param>
     public Polyline(IReadOnlyList<Vector3D> points, IReadOnlyList<Vector3D> tangents)
     {
         _points = [.. points];
@@ -38,22 +38,34 @@ internal sealed class Polyline
     public Vector3D PositionAt(double distance)
     {
         (int index, double fraction) = Find(distance);
-        return _points[index] + ((_points[index + 1] - _points[index]) * fraction);
+        return PositionIn(index, fraction);
     }
 
-    /// <summary>Unit direction along the way.</summary>
+    /// <summary>The position at a distance and the unit direction along the way.</summary>
+    public (Vector3D Position, Vector3D Tangent) At(double distance)
+    {
+        (int index, double fraction) = Find(distance);
+        return (PositionIn(index, fraction), TangentIn(index, fraction));
+    }
+
+    /// <summary>Unit direction along the path.</summary>
     public Vector3D TangentAt(double distance)
     {
         (int index, double fraction) = Find(distance);
-        return (_tangents[index] + ((_tangents[index + 1] - _tangents[index]) * fraction)).Normalized();
+        return TangentIn(index, fraction);
     }
 
-    /// <summary>How sharply the way turns at a place, 1/m.</summary>
+    /// <summary>Curvature of the path at a distance, 1/m.</summary>
     public double BendAt(double distance) => _bends[Find(distance).Index];
+
+    private Vector3D PositionIn(int index, double fraction) => _points[index] + ((_points[index + 1] - _points[index]) * fraction);
+
+    private Vector3D TangentIn(int index, double fraction) =>
+        (_tangents[index] + ((_tangents[index + 1] - _tangents[index]) * fraction)).Normalized();
 
     private (int Index, double Fraction) Find(double distance)
     {
-        // Points lie nearly evenly, so the right piece is next to the one that an even way would have there.
+        // Points are nearly evenly spaced, so the right piece is next to the one at the proportional index.
         int last = _points.Length - 2;
         int index = (int)Math.Clamp(distance / Length * (last + 1), 0, last);
         while (index > 0 && _distances[index] > distance)

@@ -4,7 +4,7 @@ using Harvester.Geometry.Roads;
 
 namespace Harvester.Simulation.Streets;
 
-/// <summary>Links of one lane layout in a row, from one end node to the next, with the smooth line through their nodes.</summary>
+/// <summary>A chain of links with one lane layout, from one end node to the next, with the smooth line through their nodes.</summary>
 internal sealed class Road(int index, IReadOnlyList<int> nodes, LaneLayout layout, RoadNodeFlags flags, RoadCurve curve)
 {
     public int Index { get; } = index;
@@ -14,7 +14,7 @@ internal sealed class Road(int index, IReadOnlyList<int> nodes, LaneLayout layou
 
     public LaneLayout Layout { get; } = layout;
 
-    /// <summary>What holds of all of its nodes but those it shares at its ends.</summary>
+    /// <summary>The flags common to all its nodes except the shared ones at its ends.</summary>
     public RoadNodeFlags Flags { get; } = flags;
 
     public RoadCurve Curve { get; } = curve;
@@ -34,10 +34,12 @@ internal sealed class Road(int index, IReadOnlyList<int> nodes, LaneLayout layou
 
     public bool IsUnpaved => Flags.HasFlag(RoadNodeFlags.OffRoad);
 
-    /// <summary>Whether people walk and houses stand along it.</summary>
+    /// <summary>Whether it has pavements and houses.</summary>
     public bool IsStreet => !IsHighway && !IsUnpaved && !IsInner && !Flags.HasFlag(RoadNodeFlags.Tunnel);
 
-    /// <summary>Asphalt beyond the carriageway's edges: a strip to park on along a street, a hard shoulder along a motorway.</summary>
+    /// <summary>
+    /// Width of asphalt beyond the carriageway's edges: a parking strip along a street, a hard shoulder along a motorway.
+    /// </summary>
     public double Shoulder => IsHighway ? 2.5 : IsStreet ? 2.4 : IsInner ? 1.5 : 0.4;
 
     /// <summary>Offset of the left border of the asphalt.</summary>

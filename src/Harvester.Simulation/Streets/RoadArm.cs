@@ -4,7 +4,7 @@ namespace Harvester.Simulation.Streets;
 
 /// <summary>A road's end at a junction.</summary>
 /// <param name="Road">The road.</param>
-/// <param name="AtStart">Whether it is the road's start that lies at the junction.</param>
+/// <param name="AtStart">Whether the road's start lies at the junction; otherwise its end.</param>
 internal readonly record struct RoadArm(Road Road, bool AtStart)
 {
     /// <summary>Unit direction away from the junction.</summary>
@@ -12,6 +12,6 @@ internal readonly record struct RoadArm(Road Road, bool AtStart)
 
     public double Trim => Road.TrimAt(AtStart);
 
-    /// <summary>The place on the road at a distance from the junction, metres from the road's start.</summary>
+    /// <summary>The position on the road at a distance from the junction, metres from the road's start.</summary>
     public double DistanceAt(double fromJunction) => AtStart ? fromJunction : Road.Length - fromJunction;
 }

@@ -6,9 +6,9 @@ using Harvester.Geometry.Roads;
 
 namespace Harvester.Simulation.Streets;
 
-/// <summary>Links of one layout in a row.</summary>
+/// <summary>A chain of links with one layout.</summary>
 /// <param name="Nodes">Numbers of the nodes along it, at least two; a one-way road runs forward.</param>
-/// <param name="Layout">Its lanes, seen along it.</param>
+/// <param name="Layout">Its lanes, as seen along it.</param>
 internal sealed record RoadChain(IReadOnlyList<int> Nodes, LaneLayout Layout)
 {
     /// <summary>Cuts a set of links into chains that end where roads meet, where the layout changes, at corners and at dead ends.</summary>
@@ -26,7 +26,7 @@ internal sealed record RoadChain(IReadOnlyList<int> Nodes, LaneLayout Layout)
                 LinkedList<int> nodes = new([link.From, link.To]);
                 Extend(nodes, layout, forward: true);
                 Extend(nodes, layout, forward: false);
-                chains.Add(layout.Forward > 0 ? new RoadChain([.. nodes], layout) : new RoadChain([.. nodes.Reverse()], layout.Reversed));
+                chains.Add(layout.Forward > 0 ? new RoadChain([.. nodes], layout) : new RoadChain([.. nodes.Reverse()], layout.Reversed()));
             }
         }
 
@@ -61,8 +61,8 @@ internal sealed record RoadChain(IReadOnlyList<int> Nodes, LaneLayout Layout)
     }
 
     /// <summary>
-    /// Directions at the nodes where one chain runs on into another: at a change of layout, and across a junction for the two arms
-    /// that are straightest to each other. The key is the node and the next node of the chain; the direction points along it.
+    /// Directions at the nodes where one chain continues another: at a change of layout, and across a junction for the two arms that are
+    /// straightest to each other. The key is the node and the next node of the chain; the direction points along it.
     /// </summary>
     public static Dictionary<(int Node, int Neighbour), Vector3D> EndTangents(RoadNetwork network, IReadOnlyList<RoadChain> chains)
     {
@@ -112,10 +112,10 @@ internal sealed record RoadChain(IReadOnlyList<int> Nodes, LaneLayout Layout)
         return best;
     }
 
-    /// <summary>Whether the way turns so sharply at a node that a smooth line through it would fold the lanes on its inner side.</summary>
+    /// <summary>Whether the road turns so sharply at a node that a smooth line through it would fold the lanes on its inner side.</summary>
     private static bool IsCorner(RoadNetwork network, int before, int node, int after, double halfWidth)
     {
-        // The arc that touches both pieces, as large as the shorter one lets it be; the curve through the nodes is sharper in places.
+        // The arc that touches both pieces, as large as the shorter one allows; the curve through the nodes is sharper in places.
         const double room = 1.6;
         Vector3D corner = network.Nodes[node].Position;
         double shorter = Math.Min(
@@ -132,6 +132,6 @@ internal sealed record RoadChain(IReadOnlyList<int> Nodes, LaneLayout Layout)
     private static LaneLayout LayoutFrom(RoadLink link, int node, bool forward)
     {
         LaneLayout layout = LaneLayout.Of(link);
-        return link.From == node == forward ? layout : layout.Reversed;
+        return link.From == node == forward ? layout : layout.Reversed();
     }
 }

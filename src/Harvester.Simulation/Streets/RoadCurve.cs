@@ -5,12 +5,12 @@ using Harvester.Geometry;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>
-/// The smooth line through a road's nodes: cubic Hermite pieces whose tangents at the nodes are those of the parabola through
-/// three neighbours, so position and direction are continuous. Places on it are named by the distance from its start, metres.
+/// The smooth line through a road's nodes: cubic Hermite pieces whose tangents at the nodes are those of the parabola through three
+/// neighbours, so position and direction are continuous. Positions on it are given by the distance from its start, metres.
 /// </summary>
 internal sealed class RoadCurve
 {
-    /// <summary>Chords that a piece is cut into for measuring its length; at 10 m between nodes the chord error is below 0.1 mm.</summary>
+    /// <summary>Number of chords per piece for measuring its length; at 10 m between nodes the chord error is below 0.1 mm.</summary>
     private const int ChordsPerPiece = 16;
 
     private const int ProjectionSteps = 12;
@@ -18,9 +18,9 @@ internal sealed class RoadCurve
     private readonly CurvePiece[] _pieces;
     private readonly double[] _distances;
 
-    /// <param name="nodes">At least two, no two neighbours in one place.</param>
-    /// <param name="startTangent">Unit direction at the start where another road goes on smoothly; else null.</param>
-    /// <param name="endTangent">Unit direction at the end; else null.</param>
+    /// <param name="nodes">At least two; neighbours must differ.</param>
+    /// <param name="startTangent">Unit direction at the start if another road continues smoothly; otherwise null.</param>
+    /// <param name="endTangent">Unit direction at the end; otherwise null.</param>
     public RoadCurve(IReadOnlyList<Vector3D> nodes, Vector3D? startTangent = null, Vector3D? endTangent = null)
     {
         Vector3D[] tangents = Tangents(nodes, startTangent, endTangent);
@@ -57,7 +57,7 @@ internal sealed class RoadCurve
     /// <summary>A point beside the road, on the level of its line.</summary>
     public Vector3D OffsetAt(double distance, double rightOffset) => SectionAt(distance).At(rightOffset);
 
-    /// <summary>The line square to the road at a place.</summary>
+    /// <summary>The line perpendicular to the road at a distance.</summary>
     public CrossSection SectionAt(double distance)
     {
         (Vector3D position, Vector3D derivative, _) = At(Parameter(distance));
@@ -65,7 +65,7 @@ internal sealed class RoadCurve
     }
 
     /// <summary>
-    /// By how much, and where to, a point beside the road moves for each metre along the road's line: longer on the outside of a bend.
+    /// Derivative of a point beside the road with respect to the distance along the road's line: longer than 1 on the outside of a bend.
     /// </summary>
     public Vector3D OffsetTangentAt(double distance, double rightOffset)
     {
@@ -77,7 +77,7 @@ internal sealed class RoadCurve
     }
 
     /// <summary>
-    /// The place whose perpendicular on the ground runs through a point, searched from a place near it; clamped to the ends.
+    /// The position whose perpendicular on the ground runs through a point, searched from a distance near it; clamped to the ends.
     /// </summary>
     public double Project(Vector3D point, double nearDistance)
     {
@@ -146,7 +146,7 @@ internal sealed class RoadCurve
         return Math.Clamp(index >= 0 ? index : ~index - 1, 0, _distances.Length - 2);
     }
 
-    /// <summary>Position and derivatives by the chord number, whole or between.</summary>
+    /// <summary>Position and derivatives at a chord number, which may be fractional.</summary>
     private (Vector3D Position, Vector3D Derivative, Vector3D Second) At(double chord)
     {
         int piece = Math.Clamp((int)(chord / ChordsPerPiece), 0, _pieces.Length - 1);

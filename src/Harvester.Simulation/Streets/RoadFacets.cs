@@ -6,20 +6,20 @@ using Harvester.Geometry;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>
-/// The flat triangles that the asphalt of a road is drawn with, from station to station and from kerb to kerb. They leave the road's
-/// curve by centimetres, up and down too, so what is painted on the road is laid on them and not on the curve.
+/// The flat triangles of a road's asphalt, from station to station and from kerb to kerb. They deviate from the road's curve by
+/// centimetres, also in height, so paint is laid on them and not on the curve.
 /// </summary>
 internal sealed class RoadFacets
 {
     private const double MaxStep = 5;
     private const double MinStep = 0.75;
 
-    /// <summary>Largest deviation of a facet's straight edge from the curve on the ground, metres.</summary>
+    /// <summary>Maximum deviation of a facet's straight edge from the curve on the ground, metres.</summary>
     private const double Deviation = 0.01;
 
     /// <summary>
-    /// In a bend one side of a facet is longer than the other by no more than this, metres: on a slope, its two triangles lean
-    /// differently, and the wider it is, the further it is off the curve.
+    /// Maximum difference of the lengths of a facet's sides in a bend, metres: on a slope, its two triangles are inclined differently, and
+    /// the wider it is, the farther it deviates from the curve.
     /// </summary>
     private const double MaxTwist = 0.25;
 
@@ -44,10 +44,10 @@ internal sealed class RoadFacets
         _sections = [.. _stations.Select(road.Curve.SectionAt)];
     }
 
-    /// <summary>Where facets begin and end, metres along the road.</summary>
+    /// <summary>Stations at which facets begin and end, metres along the road.</summary>
     public IReadOnlyList<double> Stations => _stations;
 
-    /// <summary>All of them.</summary>
+    /// <summary>All facets.</summary>
     public IEnumerable<RoadFacet> All()
     {
         for (int i = 1; i < _stations.Count; i++)
@@ -70,9 +70,9 @@ internal sealed class RoadFacets
         return Facet(upper, column, columns).At(Along(upper, distance), across - column);
     }
 
-    /// <summary>Faces of four corners that cover a strip of the asphalt; each lies in one of the triangles.</summary>
-    /// <param name="from">Where the strip begins, metres along the road.</param>
-    /// <param name="to">Where it ends.</param>
+    /// <summary>Quadrilaterals that cover a strip of the asphalt; each lies in one of the triangles.</summary>
+    /// <param name="from">Start of the strip, metres along the road.</param>
+    /// <param name="to">End of the strip.</param>
     /// <param name="left">Its left edge, metres to the right of the road's line.</param>
     /// <param name="right">Its right edge.</param>
     public IEnumerable<Vector3D[]> Cover(double from, double to, double left, double right)
@@ -102,7 +102,7 @@ internal sealed class RoadFacets
         }
     }
 
-    /// <summary>The first station that is not before a place, or the last of all; never the first of all.</summary>
+    /// <summary>The first station at or after a distance, or the last of all; never the first of all.</summary>
     private int UpperOf(double distance)
     {
         int upper = _stations.BinarySearch(distance);
@@ -113,7 +113,7 @@ internal sealed class RoadFacets
 
     private double Across(double rightOffset) => (rightOffset - _road.LeftKerb) / (_road.RightKerb - _road.LeftKerb);
 
-    /// <summary>How many facets lie side by side between two stations.</summary>
+    /// <summary>Number of facets side by side between two stations.</summary>
     private int CountColumns(int upper)
     {
         Vector3D near = _road.Curve.TangentAt(_stations[upper - 1]);

@@ -5,13 +5,13 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
 
-/// <summary>Finds the roads at a point: a grid on the ground whose cells name the samples of roads that reach into them.</summary>
+/// <summary>Finds the roads at a point: a grid on the ground whose cells list the samples of roads that reach into them.</summary>
 internal sealed class RoadIndex
 {
     private const double CellSize = 10;
     private const double SampleStep = 4;
 
-    /// <summary>How far beside a carriageway places are still found, metres.</summary>
+    /// <summary>Maximum distance beside a carriageway at which positions are still found, metres.</summary>
     private const double Reach = 12;
 
     private readonly Dictionary<(int X, int Y), List<(Road Road, double Distance, Vector3D Point)>> _cells = [];
@@ -28,12 +28,10 @@ internal sealed class RoadIndex
         }
     }
 
-    /// <summary>
-    /// The places of a point on the roads it lies on or beside; it lies abreast of them, not before or behind their ends.
-    /// </summary>
+    /// <summary>The positions of a point on the roads on which or beside which it lies, except before or behind their ends.</summary>
     /// <param name="point">Metres, world.</param>
-    /// <param name="pastTheEnd">How far before or behind an end still counts as abreast of it, metres.</param>
-    /// <param name="except">A road that is passed over.</param>
+    /// <param name="pastTheEnd">Distance before or behind an end that still counts as beside the road, metres.</param>
+    /// <param name="except">A road to ignore.</param>
     public IEnumerable<RoadPlace> PlacesAt(Vector3D point, double pastTheEnd = 0.05, Road? except = null)
     {
         if (!_cells.TryGetValue(CellOf(point), out List<(Road Road, double Distance, Vector3D Point)>? samples))
@@ -72,14 +70,14 @@ internal sealed class RoadIndex
         }
     }
 
-    /// <summary>Whether a point lies on the carriageway of a road other than one, on its level.</summary>
+    /// <summary>Whether a point lies on the carriageway of another road on the same level.</summary>
     public bool IsOnAnother(Road? road, Vector3D point, double margin)
     {
         const double sameLevel = 2.5;
         return PlacesAt(point, except: road).Any(place => Math.Abs(place.Height) < sameLevel && place.IsOnCarriageway(margin));
     }
 
-    /// <summary>Whether a point lies on or over or under a carriageway, moved outward by a margin, on whatever level.</summary>
+    /// <summary>Whether a point lies on, over or under a carriageway extended by a margin, on any level.</summary>
     public bool IsAbreast(Vector3D point, double margin) => PlacesAt(point).Any(place => place.IsOnCarriageway(margin));
 
     private static (int X, int Y) CellOf(Vector3D point) =>

@@ -1,6 +1,6 @@
 namespace Harvester.Simulation.Streets;
 
-/// <summary>The lanes that a town's road is laid out with.</summary>
+/// <summary>The lane layout of a town's road.</summary>
 /// <param name="Forward">Lanes from its start to its end.</param>
 /// <param name="Backward">Lanes from its end to its start.</param>
 /// <param name="MedianWidth">Metres between the directions.</param>

@@ -2,14 +2,14 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
 
-/// <summary>Where a point lies along and beside a road.</summary>
+/// <summary>The position of a point along and beside a road.</summary>
 /// <param name="Road">The road.</param>
 /// <param name="Distance">Metres from the road's start.</param>
 /// <param name="RightOffset">Metres to the right of the road's line.</param>
 /// <param name="Height">Metres above the road's line.</param>
 internal readonly record struct RoadPlace(Road Road, double Distance, double RightOffset, double Height)
 {
-    /// <summary>Whether the point lies between the carriageway's edges, moved outward by a margin.</summary>
+    /// <summary>Whether the point lies between the carriageway's edges, extended by a margin.</summary>
     public bool IsOnCarriageway(double margin) =>
         RightOffset > Road.Layout.LeftEdge - margin && RightOffset < Road.Layout.RightEdge + margin;
 

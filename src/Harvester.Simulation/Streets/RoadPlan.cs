@@ -6,7 +6,7 @@ using Harvester.Geometry.Roads;
 
 namespace Harvester.Simulation.Streets;
 
-/// <summary>The roads and junctions that a world is built on.</summary>
+/// <summary>The roads and junctions of a world.</summary>
 /// <param name="Roads">In the order of their indices.</param>
 /// <param name="Junctions">In the order of their nodes.</param>
 internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junction> Junctions)
@@ -16,7 +16,7 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
     private const double LayoutChange = 10;
     private const double InnerRoadLength = 24;
 
-    /// <summary>Makes the plan of the part of a network within a radius of a point.</summary>
+    /// <summary>Plans the part of a network within a radius of a point.</summary>
     /// <exception cref="ArgumentException">No road lies there.</exception>
     public static RoadPlan Build(RoadNetwork network, Vector3D centre, double radius)
     {
@@ -109,7 +109,7 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
     }
 
     /// <summary>
-    /// How far from the node an arm's edge leaves the carriageway of another: (b + a·cos t) / sin t for half widths a and b.
+    /// Distance from the node at which an arm's edge leaves the carriageway of another: (b + a·cos t) / sin t for half widths a and b.
     /// </summary>
     private static double SetBack(RoadArm arm, RoadArm other)
     {

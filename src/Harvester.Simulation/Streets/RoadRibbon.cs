@@ -5,10 +5,10 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Streets;
 
-/// <summary>Lays strips of one colour along a road's curve.</summary>
+/// <summary>Adds strips of one colour along a road's curve.</summary>
 internal sealed class RoadRibbon(Road road, IReadOnlyList<double> stations, GroundMesh mesh)
 {
-    /// <summary>A strip along the whole road, left out where a test of a piece's middle says no.</summary>
+    /// <summary>Adds a strip along the whole road, except for pieces whose centre fails a test.</summary>
     public void Lay(Rail left, Rail right, Rgb colour, Surface surface, Func<double, bool>? isPresent = null)
     {
         for (int i = 1; i < stations.Count; i++)

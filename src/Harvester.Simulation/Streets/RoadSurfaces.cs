@@ -14,7 +14,7 @@ internal sealed class RoadSurfaces(RoadPlan plan, RoadIndex index, Terrain terra
     private const double ParapetHeight = 0.9;
     private const double ParapetThickness = 0.3;
 
-    /// <summary>The asphalt of another road beyond its carriageway, metres.</summary>
+    /// <summary>Width of another road's asphalt beyond its carriageway, metres.</summary>
     private const double OtherShoulder = 2.4;
 
     public void Build()
@@ -107,7 +107,7 @@ internal sealed class RoadSurfaces(RoadPlan plan, RoadIndex index, Terrain terra
     private bool IsClear(Road road, double distance, double offset) =>
         !index.IsOnAnother(road, road.Curve.OffsetAt(distance, offset), OtherShoulder);
 
-    /// <summary>A round plate that closes the wedges between the ends of roads.</summary>
+    /// <summary>Adds a round plate that closes the wedges between the ends of roads.</summary>
     private void FillNode(Junction junction)
     {
         const int sides = 16;

@@ -5,23 +5,23 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
 
-/// <summary>Knows the lanes that the world was built with: the judge of whatever works lanes out from nodes or pictures.</summary>
+/// <summary>The ground truth of the lanes, for testing everything that finds lanes from nodes or images.</summary>
 public sealed class RoadTruth
 {
     private const double SameLevel = 3;
 
-    /// <summary>How far beside the carriageways that meet in a junction the ways through it may lead, metres.</summary>
+    /// <summary>Maximum distance of paths through a junction from its carriageways, metres.</summary>
     private const double JunctionMargin = 10;
 
     private readonly RoadIndex _index;
 
     internal RoadTruth(RoadIndex index) => _index = index;
 
-    /// <summary>Where a body is among the lanes.</summary>
+    /// <summary>Finds a body's position among the lanes.</summary>
     /// <param name="position">A point of it near the ground, metres, world.</param>
-    /// <param name="forward">The direction it faces.</param>
-    /// <returns>The road it is on that runs best along its direction, or in a junction, on no lane, a road beside it; null on
-    /// none.</returns>
+    /// <param name="forward">The direction in which it faces.</param>
+    /// <returns>The road under it that best matches its direction or, in a junction outside all lanes, a road beside it; null if there is
+    /// no road.</returns>
     public LanePosition? Locate(Vector3D position, Vector3D forward)
     {
         if (BestAlong(forward, _index.PlacesAt(position).Where(place => place.IsOnCarriageway(0))) is { } on)
@@ -41,9 +41,7 @@ public sealed class RoadTruth
         .Cast<RoadPlace?>()
         .FirstOrDefault();
 
-    /// <summary>
-    /// Angle between a direction and the traffic of one side of a road; more than any angle where that side has no lanes.
-    /// </summary>
+    /// <summary>Angle between a direction and the traffic on one side of a road; larger than any angle if that side has no lanes.</summary>
     private static double HeadingMisfit(RoadPlace place, Vector3D forward, bool along) =>
         place.Road.Layout.Lanes(along) > 0 ? Math.Abs(Horizontal.Turn(along ? place.Tangent : -place.Tangent, forward)) : 4;
 

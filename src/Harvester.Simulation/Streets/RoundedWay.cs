@@ -10,9 +10,9 @@ internal static class RoundedWay
     private const double MaxStep = 14;
     private const double MaxTurnOfStep = 0.2;
 
-    /// <summary>Points along the way, its ends included.</summary>
-    /// <param name="corners">Ends and corners of the straight pieces, metres; heights are not looked at.</param>
-    /// <param name="radius">Radius of the arcs; less where the pieces are too short for it.</param>
+    /// <summary>Points along the path, including its ends.</summary>
+    /// <param name="corners">Ends and corners of the straight pieces, metres; heights are ignored.</param>
+    /// <param name="radius">Radius of the arcs; smaller if the pieces are too short for it.</param>
     public static List<Vector3D> Sample(IReadOnlyList<Vector3D> corners, double radius)
     {
         List<Vector3D> points = [corners[0]];

@@ -7,8 +7,8 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>
-/// The ground around the roads: a grid of heights that lies a little below the lowest road at each place and is filled
-/// smoothly between the roads. A road high above it is on a bridge.
+/// The ground around the roads: a grid of heights slightly below the lowest road at each point, interpolated smoothly between the roads. A
+/// road high above it is on a bridge.
 /// </summary>
 internal sealed class Terrain
 {
@@ -38,7 +38,7 @@ internal sealed class Terrain
         }
     }
 
-    /// <summary>Height of the ground, metres; beyond the grid that of its border.</summary>
+    /// <summary>Height of the ground, metres; outside the grid that of its border.</summary>
     public double HeightAt(Vector3D place)
     {
         double x = Math.Clamp((place.X - _west) / CellSize, 0, _heights.GetLength(0) - 1.001);
@@ -78,7 +78,7 @@ internal sealed class Terrain
         return Enumerable.Range(0, steps + 1).Select(i => (road.Curve.PositionAt(road.Length * i / steps), reach));
     }
 
-    /// <summary>The lowest road of each cell, without bridges over it; not a number where there is no road.</summary>
+    /// <summary>The height of the lowest road in each cell, ignoring bridges over it; NaN if there is no road.</summary>
     private double[,] Lowest(List<(Vector3D Place, double Reach)> samples, int columns, int rows)
     {
         double[,] lowest = new double[columns, rows];
@@ -110,7 +110,7 @@ internal sealed class Terrain
         return grounded;
     }
 
-    /// <summary>Fills the gaps: first from the nearest road, then smoothed as a membrane held by the roads.</summary>
+    /// <summary>Fills the gaps: first from the nearest road, then smoothed as a membrane fixed at the roads.</summary>
     private static double[,] Fill(double[,] known)
     {
         int columns = known.GetLength(0);
@@ -177,7 +177,7 @@ internal sealed class Terrain
 
     private Vector3D Corner(int i, int j) => new(_west + (i * CellSize), _south + (j * CellSize), _heights[i, j]);
 
-    /// <summary>Flat land from the grid's border to the horizon.</summary>
+    /// <summary>Adds flat land from the grid's border to the horizon.</summary>
     private void AddSurroundings(GroundMesh mesh, int columns, int rows)
     {
         const double horizon = 3000;

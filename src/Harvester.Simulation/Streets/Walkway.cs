@@ -4,11 +4,11 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
 
-/// <summary>A stretch of pavement along one side of a street that no other road cuts.</summary>
+/// <summary>A stretch of pavement along one side of a street that no other road crosses.</summary>
 /// <param name="Road">The street.</param>
 /// <param name="OnRight">Whether it lies on the right of the street's line.</param>
-/// <param name="From">Where it begins, metres along the street.</param>
-/// <param name="To">Where it ends.</param>
+/// <param name="From">Its start, metres along the street.</param>
+/// <param name="To">Its end.</param>
 internal sealed record Walkway(Road Road, bool OnRight, double From, double To)
 {
     /// <summary>Width of a pavement, metres.</summary>
@@ -25,13 +25,13 @@ internal sealed record Walkway(Road Road, bool OnRight, double From, double To)
 
     public double Length => To - From;
 
-    /// <summary>Offset from the street's line of a place some metres beyond the kerb.</summary>
+    /// <summary>Offset from the street's line of a point at a distance beyond the kerb, metres.</summary>
     public double OffsetBeyondKerb(double metres) => OnRight ? Road.RightKerb + metres : Road.LeftKerb - metres;
 
     public Vector3D PlaceBeyondKerb(double distance, double metres) =>
         Road.Curve.OffsetAt(distance, OffsetBeyondKerb(metres)) + (Horizontal.Up * KerbHeight);
 
-    /// <summary>By how much, and where to, that place moves for each metre along the street's line.</summary>
+    /// <summary>Derivative of that point with respect to the distance along the street's line.</summary>
     public Vector3D TangentBeyondKerb(double distance, double metres) => Road.Curve.OffsetTangentAt(distance, OffsetBeyondKerb(metres));
 
     /// <summary>Finds the stretches along all streets.</summary>

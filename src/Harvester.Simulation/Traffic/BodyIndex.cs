@@ -4,8 +4,8 @@ using Harvester.Geometry;
 
 namespace Harvester.Simulation.Traffic;
 
-/// <summary>Finds bodies near a place by a grid on the ground.</summary>
-/// <typeparam name="T">What is found.</typeparam>
+/// <summary>Finds bodies near a position by a grid on the ground.</summary>
+/// <typeparam name="T">The bodies.</typeparam>
 internal sealed class BodyIndex<T>
     where T : notnull
 {
@@ -35,7 +35,7 @@ internal sealed class BodyIndex<T>
         }
     }
 
-    /// <summary>The bodies of the cell at a place and of the eight around it: all within 20 m, and some further.</summary>
+    /// <summary>The bodies of the cell at a position and of the eight around it: all within 20 m, and some farther away.</summary>
     public IEnumerable<T> Near(Vector3D place)
     {
         (int x, int y) = CellOf(place);
@@ -55,11 +55,11 @@ internal sealed class BodyIndex<T>
     }
 
     /// <summary>
-    /// Whether a condition holds for one of these bodies. Asked for every vehicle in every tick, so nothing is allocated for it.
+    /// Whether a condition holds for one of these bodies. Called for every vehicle in every tick, so it allocates nothing.
     /// </summary>
-    /// <param name="place">The place.</param>
-    /// <param name="asked">What the condition is about.</param>
-    /// <param name="condition">A condition on a body and what it is about.</param>
+    /// <param name="place">The position.</param>
+    /// <param name="asked">The argument of the condition.</param>
+    /// <param name="condition">A condition on a body and the argument.</param>
     public bool AnyNear<TAsked>(Vector3D place, in TAsked asked, Func<T, TAsked, bool> condition)
     {
         (int x, int y) = CellOf(place);

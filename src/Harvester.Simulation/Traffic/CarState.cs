@@ -5,8 +5,8 @@ using Harvester.Geometry;
 namespace Harvester.Simulation.Traffic;
 
 /// <summary>
-/// A car on the ground as a bicycle that does not slide sideways: its rear axle moves where it points. Limits are those of the
-/// steering's speed, of engine and brakes, and of the tyres: what is asked of them beyond their grip the front wheels do not turn.
+/// A car on the ground, as a bicycle that does not slide sideways: its rear axle moves in its direction. It is limited by the steering
+/// rate, by engine and brakes, and by the grip of the tyres: the front wheels do not turn farther than the grip allows.
 /// </summary>
 /// <param name="RearAxle">Middle of the rear axle, metres, world x and y.</param>
 /// <param name="Yaw">Direction, radians counter-clockwise from east.</param>
@@ -19,7 +19,7 @@ internal readonly record struct CarState(Vector2D RearAxle, double Yaw, double S
 
     public Vector2D Forward => new(Math.Cos(Yaw), Math.Sin(Yaw));
 
-    /// <summary>A car that drives straight on.</summary>
+    /// <summary>A car that drives straight ahead.</summary>
     public static CarState At(Vector2D origin, double yaw, double speed, CarLimits limits)
     {
         CarState state = new(origin, yaw, speed, 0, 0);
@@ -28,15 +28,15 @@ internal readonly record struct CarState(Vector2D RearAxle, double Yaw, double S
 
     public Vector2D Origin(CarLimits limits) => RearAxle + (Forward * limits.OriginAheadOfRearAxle);
 
-    /// <summary>Velocity of the origin: in a turn it also moves sideways.</summary>
+    /// <summary>Velocity of the origin, which in a turn also moves sideways.</summary>
     public Vector2D Velocity(CarLimits limits) =>
         (Forward * Speed) + (new Vector2D(-Forward.Y, Forward.X) * (YawRate * limits.OriginAheadOfRearAxle));
 
     /// <summary>The state some time later.</summary>
-    /// <param name="controls">Wheel and pedals.</param>
-    /// <param name="slope">Rise of the road by metre in the car's direction.</param>
-    /// <param name="limits">What the car can do.</param>
-    /// <param name="seconds">Short against the car's reactions: 0.05 at most.</param>
+    /// <param name="controls">Steering and pedals.</param>
+    /// <param name="slope">Rise of the road per metre in the car's direction.</param>
+    /// <param name="limits">The car's physical limits.</param>
+    /// <param name="seconds">Time step, short compared with the car's reactions: at most 0.05.</param>
     public CarState After(DrivingControls controls, double slope, CarLimits limits, double seconds)
     {
         double turned = Math.Clamp(

@@ -6,8 +6,8 @@ using Harvester.Simulation.Streets;
 namespace Harvester.Simulation.Traffic;
 
 /// <summary>
-/// How a driver uses the pedals: the intelligent driver model of Treiber, Hennecke and Helbing (2000), with bends taken
-/// no faster than is comfortable and with people on the road and stop lines taken as standing vehicles.
+/// A driver's use of the pedals: the intelligent driver model of Treiber, Hennecke and Helbing (2000), with a comfortable speed in bends,
+/// and with people on the road and stop lines treated as standing vehicles.
 /// </summary>
 internal static class Driver
 {
@@ -34,7 +34,7 @@ internal static class Driver
         return Math.Clamp(Acceleration0 * (1 - freeShare - (interaction * interaction)), -HardestBraking, Acceleration0);
     }
 
-    /// <summary>The share of the wanted gap in the actual one.</summary>
+    /// <summary>The ratio of the desired gap to the actual one.</summary>
     private static double Interaction(double speed, double gap, double leaderSpeed)
     {
         double wanted = StandingGap

@@ -8,12 +8,12 @@ using Harvester.Simulation.Streets;
 namespace Harvester.Simulation.Traffic;
 
 /// <summary>
-/// The ego off the rails: from the first time that it is driven from outside it moves as a car does, also while its own driver has
-/// it again. Until then it follows its lane's line as all vehicles do.
+/// The ego as a freely moving car: from the first controls of a client or controller on it moves by car physics, even when its built-in
+/// driver has taken over again. Until then it follows its lane's line like all vehicles.
 /// </summary>
 internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
 {
-    /// <summary>A body this near to a way's line is in the way of who drives there, metres.</summary>
+    /// <summary>A body closer than this to a path's line blocks it, metres.</summary>
     private const double InTheWay = 2.6;
     private const double HalfOrdinaryLane = 2.7;
     private const double MaxTurn = 1.2;
@@ -23,10 +23,10 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
     private CarState _state;
     private DrivingControls? _controls;
 
-    /// <summary>Whether it moves as a car does.</summary>
+    /// <summary>Whether it moves by car physics.</summary>
     public bool IsLoose { get; private set; }
 
-    /// <summary>Whether it is driven from outside in this tick.</summary>
+    /// <summary>Whether it has controls for this tick.</summary>
     public bool IsDriven => _controls is not null;
 
     public void Drive(DrivingControls controls)
@@ -38,7 +38,9 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
         }
     }
 
-    /// <summary>Puts it somewhere, standing; its height is that of the way there, if there is one within 3 m above or below.</summary>
+    /// <summary>
+    /// Places it at a position, at rest; its height is that of the path there, if there is one within 3 m above or below.
+    /// </summary>
     public void Reset(Vector3D position, double headingDegrees)
     {
         IsLoose = true;
@@ -48,7 +50,7 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
         ego.StandingSeconds = 0;
     }
 
-    /// <summary>Takes over where the vehicle has been put.</summary>
+    /// <summary>Takes over the vehicle's pose.</summary>
     public void Loosen()
     {
         IsLoose = true;
@@ -57,19 +59,19 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
         _state = CarState.At(new Vector2D(ground.X, ground.Y), Math.Atan2(forward.Y, forward.X), ego.Speed, _limits);
     }
 
-    /// <summary>Stops it dead, as vehicles on their lanes stop before what is in their way.</summary>
+    /// <summary>Stops it at once, as vehicles on their lanes stop before an obstacle.</summary>
     public void Stop() => _state = _state with { Speed = 0, YawRate = 0 };
 
-    /// <summary>Moves it, by the controls given for this tick or else by its own driver.</summary>
+    /// <summary>Moves it by the controls given for this tick or else by its built-in driver.</summary>
     /// <param name="seconds">Time that passes.</param>
-    /// <param name="ownAcceleration">What its own driver would do with the pedals, m/s².</param>
-    /// <param name="isTaken">Whether another body is nearer to it, where it is, than so many metres.</param>
+    /// <param name="ownAcceleration">The acceleration that its built-in driver wants, m/s².</param>
+    /// <param name="isTaken">Whether another body is closer to it than a distance in metres.</param>
     public void Advance(double seconds, double ownAcceleration, Func<double, bool> isTaken)
     {
         CarState before = _state;
         bool wasTouching = isTaken(0);
 
-        // Its own driver stops dead before what is in his way, as everybody in the traffic does; who is too near already may yet drive off.
+        // Its built-in driver stops at once before an obstacle, like all traffic; one that is too close already may still drive off.
         double room = _controls is null && !isTaken(TrafficFlow.Clearance) ? TrafficFlow.Clearance : 0;
         Vector3D forward = ego.Pose.Axes.Forward;
         double slope = forward.Z / Math.Sqrt(1 - (forward.Z * forward.Z));
@@ -77,14 +79,14 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
         Take(_state.After(controls, slope, _limits, seconds), Ground.Z, isTeleported: false);
         if (isTaken(room))
         {
-            // Who has run into something stands; it can drive on when that is gone.
+            // A car that has hit something stands still; it can drive on when that is gone.
             Take((wasTouching || _controls is null ? before : _state) with { Speed = 0, YawRate = 0 }, Ground.Z, isTeleported: false);
         }
 
         ego.StandingSeconds = _state.Speed > 0 ? 0 : ego.StandingSeconds + seconds;
     }
 
-    /// <summary>The controls of a tick hold for no other.</summary>
+    /// <summary>Ends the tick; its controls apply to no other.</summary>
     public void EndTick() => _controls = null;
 
     private Vector3D Ground => ego.Pose.Position + (ego.Pose.Axes.Up * ego.Model.Min.Z);
@@ -112,7 +114,7 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
             near.Where(other => Math.Abs(other.RightOffset) < InTheWay));
     }
 
-    /// <summary>The place on its route as long as it keeps to that, else on the lane that it drives along.</summary>
+    /// <summary>The position on its route as long as it follows that, otherwise on the lane along which it drives.</summary>
     private LanePlace Locate(List<LanePlace> near, Vector3D point, Vector3D forward, bool isTeleported)
     {
         LanePlace onRoute = OnRoute(point);

@@ -5,12 +5,12 @@ namespace Harvester.Simulation.Traffic;
 
 /// <summary>The rectangle that a body covers on the ground.</summary>
 /// <param name="Centre">Middle, metres, world.</param>
-/// <param name="Forward">Level unit direction of its length.</param>
+/// <param name="Forward">Horizontal unit direction of its length.</param>
 /// <param name="HalfLength">Metres.</param>
 /// <param name="HalfWidth">Metres.</param>
 internal readonly record struct Footprint(Vector3D Centre, Vector3D Forward, double HalfLength, double HalfWidth)
 {
-    /// <summary>Bodies further apart in height are on different levels of a bridge.</summary>
+    /// <summary>Maximum height difference of bodies on one level of a bridge, metres.</summary>
     private const double SameLevel = 3.5;
 
     public static Footprint Of(Pose pose, Vector3D min, Vector3D max)
@@ -22,7 +22,7 @@ internal readonly record struct Footprint(Vector3D Centre, Vector3D Forward, dou
 
     public Footprint Grown(double margin) => this with { HalfLength = HalfLength + margin, HalfWidth = HalfWidth + margin };
 
-    /// <summary>Whether two rectangles overlap: no side of either parts them.</summary>
+    /// <summary>Whether two rectangles overlap: no side of either separates them.</summary>
     public bool Overlaps(Footprint other)
     {
         Vector3D offset = other.Centre - Centre;

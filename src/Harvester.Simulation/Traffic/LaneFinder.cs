@@ -5,10 +5,10 @@ using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 
-/// <summary>Finds the ways at a point, on roads and through junctions.</summary>
+/// <summary>Finds the paths at a point, on roads and through junctions.</summary>
 internal sealed class LaneFinder
 {
-    /// <summary>Ways whose line is further off are not found, metres.</summary>
+    /// <summary>Maximum distance of a path's line from the point, metres.</summary>
     public const double Reach = 12;
 
     private const double SampleStep = 4;
@@ -27,7 +27,7 @@ internal sealed class LaneFinder
         }
     }
 
-    /// <summary>The places of a point on all ways that it lies abreast of, within <see cref="Reach"/>.</summary>
+    /// <summary>The positions of a point on all paths beside which it lies, within <see cref="Reach"/>.</summary>
     public IEnumerable<LanePlace> Near(Vector3D point) => _samples.Near(point)
         .Where(sample => Horizontal.SquaredDistance(sample.Path.Line.PositionAt(sample.Distance), point) < (Reach + SampleStep) * (
             Reach + SampleStep))

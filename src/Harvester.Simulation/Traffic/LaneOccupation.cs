@@ -3,7 +3,7 @@ using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 
-/// <summary>Which vehicles are on which way at the beginning of a tick.</summary>
+/// <summary>The vehicles on each path at the beginning of a tick.</summary>
 internal sealed class LaneOccupation(LaneGraph lanes)
 {
     private readonly List<Vehicle>?[] _vehicles = new List<Vehicle>?[lanes.Paths.Count];

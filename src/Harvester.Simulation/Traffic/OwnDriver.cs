@@ -6,8 +6,8 @@ using Harvester.Simulation.Streets;
 namespace Harvester.Simulation.Traffic;
 
 /// <summary>
-/// The driver who sits in the ego when nobody drives it from outside: by the pure pursuit of Coulter (1992) he steers for a point of
-/// his route, and he accelerates as everybody in the traffic does.
+/// The built-in driver of the ego, for ticks without controls: steers by the pure pursuit of Coulter (1992) towards a point of its route,
+/// and accelerates like all traffic.
 /// </summary>
 internal static class OwnDriver
 {

@@ -6,7 +6,7 @@ using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 
-/// <summary>Puts vehicles on lanes: all at the beginning, later those that reached a dead end or are stuck.</summary>
+/// <summary>Places vehicles on lanes: all at the beginning, later those that have reached a dead end or are stuck.</summary>
 internal sealed class Placing
 {
     private const double EndRoom = 8;
@@ -31,10 +31,10 @@ internal sealed class Placing
         }
     }
 
-    /// <summary>Length of all lanes that vehicles can be put on, metres.</summary>
+    /// <summary>Total length of the lanes on which vehicles can be placed, metres.</summary>
     public double LaneMetres => _summedLengths.Length == 0 ? 0 : _summedLengths[^1];
 
-    /// <summary>Puts the ego on a lane from which it can drive on for ever, as near to a point as there is one.</summary>
+    /// <summary>Places the ego on a lane from which it can drive on for ever, as close to a point as possible.</summary>
     public void PutEgo(Vehicle ego, Vector3D near)
     {
         _ego = ego;
@@ -50,8 +50,8 @@ internal sealed class Placing
             Math.Min(EndRoom, path.Length / 2));
     }
 
-    /// <summary>Puts a vehicle at a random free place; it stays where it is when none is found.</summary>
-    /// <returns>Whether it was put somewhere.</returns>
+    /// <summary>Places a vehicle at a random free position; if none is found, it is not moved.</summary>
+    /// <returns>Whether it was moved.</returns>
     public bool Replace(Vehicle vehicle, Func<Footprint, bool> isFree)
     {
         (LanePath Path, double Distance) before = vehicle.Route.Count > 0 ? (vehicle.Path, vehicle.Distance) : default;

@@ -7,7 +7,8 @@ using Harvester.Simulation.Streets;
 namespace Harvester.Simulation.Traffic;
 
 /// <summary>
-/// Who may drive into a junction: first come, first served among ways that cross, with the lights at green and room behind the junction.
+/// Decides who may drive into a junction: first come, first served among conflicting paths, with the lights at green and room behind the
+/// junction.
 /// </summary>
 internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupation occupation)
 {
@@ -16,14 +17,14 @@ internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupatio
     private const double RoomBehind = 2;
     private const double FlowingSpeed = 2;
 
-    /// <summary>After this long at the line a driver is let in: who would cross his way is no longer given theirs.</summary>
+    /// <summary>After this time at the line a driver is let in: conflicting paths are no longer granted to others.</summary>
     private const double PatienceSeconds = 2;
 
     private readonly int[] _users = new int[lanes.Paths.Count];
     private readonly Dictionary<Junction, (Vehicle Vehicle, LanePath Way)> _waiting = [];
 
     /// <summary>
-    /// Metres from the vehicle's origin to the line where it has to stop; infinite when its way is free as far as it needs.
+    /// Metres from the vehicle's origin to the line where it has to stop; infinite if its path is free as far as it needs.
     /// </summary>
     public double DistanceToStop(Vehicle vehicle, double timeSeconds)
     {

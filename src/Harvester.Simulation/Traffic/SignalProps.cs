@@ -8,17 +8,17 @@ using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 
-/// <summary>The traffic lights that stand at junctions and show whose turn it is.</summary>
+/// <summary>The traffic lights at junctions, which show whose turn it is.</summary>
 internal sealed class SignalProps(Signals signals, HandleCounter handles)
 {
     private readonly List<(Prop Prop, Junction? Junction, RoadArm Arm)> _lights = [];
 
-    /// <summary>The lights that are driven from outside, by their handles. Traffic goes by its own turns all the same.</summary>
+    /// <summary>The overridden lights by handle. Traffic follows the regular turns all the same.</summary>
     public Dictionary<int, SignalState> Driven { get; } = [];
 
     public IEnumerable<EntityState> States => _lights.Select(light => light.Prop.State);
 
-    /// <summary>A light at the right of each stop line, and one on an arm behind the junction for wide roads.</summary>
+    /// <summary>Adds a light at the right of each stop line, and one on an arm behind the junction for wide roads.</summary>
     public void AddAtStopLines(RoadIndex index, ModelCatalogue catalogue)
     {
         foreach (Junction junction in signals.Junctions)
@@ -30,7 +30,7 @@ internal sealed class SignalProps(Signals signals, HandleCounter handles)
         }
     }
 
-    /// <summary>Lights that are given, each joined to the arm of the nearest junction whose traffic it faces.</summary>
+    /// <summary>Adds lights at given positions, each assigned to the arm of the nearest junction whose traffic it faces.</summary>
     public void AddGiven(IEnumerable<PropPlacement> placements, ModelCatalogue catalogue)
     {
         const double farthest = 45;
@@ -46,11 +46,11 @@ internal sealed class SignalProps(Signals signals, HandleCounter handles)
         }
     }
 
-    /// <summary>The lights as they show at a time.</summary>
+    /// <summary>The mesh instances of the lights at a time.</summary>
     public IEnumerable<MeshInstance> Instances(double timeSeconds) => _lights.Select(light =>
         new MeshInstance(light.Prop.Model.Variant((int)StateAt(light, timeSeconds)), light.Prop.Pose, light.Prop.Handle));
 
-    /// <summary>What a light shows at a time; null where the handle is no light's.</summary>
+    /// <summary>The state of a light at a time; null if the handle is not that of a light.</summary>
     public SignalState? StateAt(int handle, double timeSeconds)
     {
         int index = _lights.FindIndex(light => light.Prop.Handle == handle);
@@ -73,7 +73,7 @@ internal sealed class SignalProps(Signals signals, HandleCounter handles)
         }
     }
 
-    /// <summary>Puts a light for an arm's traffic to the right of it, on that arm or behind the junction on another.</summary>
+    /// <summary>Adds a light for an arm's traffic to the right of it, on that arm or behind the junction on another.</summary>
     private void TryAdd(Junction junction, RoadArm arm, RoadArm on, bool isDrivingAway, RoadIndex index, Model model)
     {
         const double besideKerb = 0.8;

@@ -7,7 +7,7 @@ using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 
-/// <summary>Traffic lights: at each signalled junction the roads that cross take turns.</summary>
+/// <summary>Traffic lights: at each signalled junction the crossing roads take turns.</summary>
 internal sealed class Signals
 {
     private const double GreenSeconds = 7;
@@ -30,7 +30,7 @@ internal sealed class Signals
 
     public bool Has(Junction junction) => _offsets.ContainsKey(junction);
 
-    /// <summary>The light that an arm's traffic sees; green where there are no lights.</summary>
+    /// <summary>The light for an arm's traffic; green if there are no lights.</summary>
     public SignalState ColourFor(Junction junction, RoadArm arm, double timeSeconds)
     {
         if (!_offsets.TryGetValue(junction, out double offset))
@@ -46,9 +46,9 @@ internal sealed class Signals
 
     private static bool IsSignalled(Junction junction, RoadNetwork network)
     {
-        const int fewestArms = 3;
+        const int minArms = 3;
         const double stopLineRange = 45;
-        return junction.Arms.Count >= fewestArms && junction.Arms.Count(HasStopLine) >= 2;
+        return junction.Arms.Count >= minArms && junction.Arms.Count(HasStopLine) >= 2;
 
         bool HasStopLine(RoadArm arm) => !arm.Road.IsInner && arm.Road.Nodes.Any(node =>
             network.Nodes[node].Flags.HasFlag(RoadNodeFlags.TrafficLight)

@@ -6,10 +6,10 @@ using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 
-/// <summary>Moves vehicles along their lanes. A vehicle never moves into the place of another, whatever its driver has decided.</summary>
+/// <summary>Moves vehicles along their lanes. A vehicle never moves into another one, whatever its driver has decided.</summary>
 internal sealed class TrafficFlow
 {
-    /// <summary>Least distance between two bodies, metres.</summary>
+    /// <summary>Minimum distance between two bodies, metres.</summary>
     public const double Clearance = 0.15;
 
     private const double LookAhead = 1;
@@ -25,7 +25,7 @@ internal sealed class TrafficFlow
     private readonly LaneOccupation _occupation;
     private readonly EgoCar _egoCar;
 
-    /// <summary>Starts with vehicles that are on lanes and clear of each other and of the obstacles; the first is the ego.</summary>
+    /// <summary>Starts with vehicles that are on lanes and clear of each other and of obstacles; the first is the ego.</summary>
     public TrafficFlow(
         LaneGraph lanes, Signals signals, IReadOnlyList<Vehicle> vehicles, EgoCar egoCar, IEnumerable<Footprint> obstacles, Placing placing)
     {
@@ -50,10 +50,10 @@ internal sealed class TrafficFlow
 
     private Vehicle Ego => _vehicles[0];
 
-    /// <summary>The vehicles in the neighbourhood of a place.</summary>
+    /// <summary>The vehicles near a position.</summary>
     public IEnumerable<Vehicle> Near(Vector3D place) => _index.Near(place);
 
-    /// <summary>Puts the ego somewhere, standing.</summary>
+    /// <summary>Places the ego at a position, at rest.</summary>
     public void ResetEgo(Vector3D position, double headingDegrees)
     {
         Vector3D before = Ego.Pose.Position;

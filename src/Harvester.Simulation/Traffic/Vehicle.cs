@@ -7,7 +7,7 @@ using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 
-/// <summary>A vehicle that drives along lanes, and the ways it has chosen to drive next.</summary>
+/// <summary>A vehicle that drives along lanes, and the paths that it has chosen to drive next.</summary>
 internal sealed class Vehicle
 {
     private const double PlannedAhead = 80;
@@ -15,7 +15,7 @@ internal sealed class Vehicle
     private readonly Random _random;
     private readonly List<LanePath> _route = [];
 
-    /// <summary>Of a vehicle that does not keep to a lane's line: where it is along each way that it is in the way on.</summary>
+    /// <summary>The distances along each path that it blocks, for a vehicle that does not follow a lane's line.</summary>
     private Dictionary<LanePath, double>? _places;
     private Vector3D _freeVelocity;
 
@@ -34,17 +34,17 @@ internal sealed class Vehicle
     /// <summary>Speed on a free straight street, metres per second.</summary>
     public double CruiseSpeed { get; }
 
-    /// <summary>The way it is on and those that follow.</summary>
+    /// <summary>Its current path and those that follow.</summary>
     public IReadOnlyList<LanePath> Route => _route;
 
     public LanePath Path => _route[0];
 
-    /// <summary>Metres from the start of its way to its origin.</summary>
+    /// <summary>Metres from the start of its path to its origin.</summary>
     public double Distance { get; private set; }
 
     public double Speed { get; set; }
 
-    /// <summary>Seconds it has not moved.</summary>
+    /// <summary>Time for which it has not moved, seconds.</summary>
     public double StandingSeconds { get; set; }
 
     public Pose Pose { get; private set; }
@@ -53,10 +53,10 @@ internal sealed class Vehicle
 
     public Vector3D Velocity => _places is null ? Pose.Axes.Forward * Speed : _freeVelocity;
 
-    /// <summary>The ways that it is on.</summary>
+    /// <summary>The paths on which it is.</summary>
     public IEnumerable<LanePath> Ways => _places is null ? [Path] : _places.Keys;
 
-    /// <summary>Ways through junctions that it has been given, in the order of driving.</summary>
+    /// <summary>Paths through junctions that were granted to it, in the order of driving.</summary>
     public List<LanePath> Granted { get; } = [];
 
     public double FrontOverhang => Model.Max.Y;
@@ -76,12 +76,12 @@ internal sealed class Vehicle
         MoveTo(distance);
     }
 
-    /// <summary>Moves it off its lane's line.</summary>
-    /// <param name="place">Where it is along the way that it follows; another than it had planned makes it plan anew.</param>
+    /// <summary>Moves it without following its lane's line.</summary>
+    /// <param name="place">Its position along the path that it follows; a path that was not planned makes it plan again.</param>
     /// <param name="pose">Its pose.</param>
     /// <param name="speed">Metres per second.</param>
-    /// <param name="velocity">The same with its direction.</param>
-    /// <param name="alsoOn">The ways that it is on besides.</param>
+    /// <param name="velocity">Velocity, m/s, world.</param>
+    /// <param name="alsoOn">Its positions on other paths.</param>
     public void MoveFreely(LanePlace place, Pose pose, double speed, Vector3D velocity, IEnumerable<LanePlace> alsoOn)
     {
         int planned = _route.IndexOf(place.Path);
@@ -101,38 +101,44 @@ internal sealed class Vehicle
         _places[place.Path] = place.Distance;
     }
 
-    /// <summary>Metres from the start of a way that it is on.</summary>
+    /// <summary>Metres from the start of a path on which it is.</summary>
     public double DistanceOn(LanePath way) => _places is not null && _places.TryGetValue(way, out double distance) ? distance : Distance;
 
-    /// <summary>Its speed along a way that it is on; 0 across and against it.</summary>
+    /// <summary>Its speed along a path on which it is; 0 across and against it.</summary>
     public double SpeedOn(LanePath way) =>
         _places is null ? Speed : Math.Max(0, _freeVelocity.Dot(way.Line.TangentAt(DistanceOn(way))));
 
-    /// <summary>The pose some metres further along its route.</summary>
+    /// <summary>The pose at a distance ahead along its route, metres.</summary>
     public Pose PoseAhead(double metres)
     {
         (LanePath path, double distance) = PlaceAhead(metres);
-        Axes axes = Horizontal.AxesAlong(path.Line.TangentAt(distance));
-        return new Pose(path.Line.PositionAt(distance) - (axes.Up * Model.Min.Z), axes);
+        (Vector3D position, Vector3D tangent) = path.Line.At(distance);
+        Axes axes = Horizontal.AxesAlong(tangent);
+        return new Pose(position - (axes.Up * Model.Min.Z), axes);
     }
 
     public Footprint FootprintAhead(double metres) => Footprint.Of(PoseAhead(metres), Model.Min, Model.Max);
 
-    /// <summary>Drives some metres along the route.</summary>
+    /// <summary>Moves it along the route.</summary>
     public void Advance(double metres)
     {
         double distance = Distance + metres;
+        int planned = _route.Count;
         while (distance > Path.Length && _route.Count > 1)
         {
             distance -= Path.Length;
             _route.RemoveAt(0);
         }
 
-        Plan();
+        if (_route.Count < planned)
+        {
+            Plan();
+        }
+
         MoveTo(Math.Min(distance, Path.Length));
     }
 
-    /// <summary>The way and the place on it that lie some metres ahead; the end of the route at most.</summary>
+    /// <summary>The path and the position on it at a distance ahead, metres; at most the end of the route.</summary>
     public (LanePath Path, double Distance) PlaceAhead(double metres)
     {
         double distance = Distance + metres;

@@ -6,7 +6,7 @@ using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 
-/// <summary>Somebody who walks up and down a pavement and sometimes crosses the street at its end, when no vehicle comes.</summary>
+/// <summary>A pedestrian who walks up and down a pavement and sometimes crosses the street at its end, when no vehicle comes.</summary>
 internal sealed class Walker
 {
     private const double TurnSeconds = 0.6;
@@ -39,10 +39,10 @@ internal sealed class Walker
 
     public double WalkingSpeed { get; }
 
-    /// <summary>Metres walked, for the steps of the walk.</summary>
+    /// <summary>Metres walked, which select the step of the walk.</summary>
     public double Walked { get; private set; }
 
-    /// <summary>The shape of the present step of the walk.</summary>
+    /// <summary>The mesh of the current step of the walk.</summary>
     public Mesh Look => Model.Variant((int)(Walked / StepLength));
 
     public bool IsMoving { get; private set; } = true;
@@ -53,13 +53,17 @@ internal sealed class Walker
 
     public Footprint Footprint => Footprint.Of(Pose, Model.Min, Model.Max);
 
-    /// <summary>Along the pavement, up and down its slope and longer on the outside of a bend; level where the street is crossed.</summary>
+    /// <summary>
+    /// Along the pavement, up and down its slope and longer on the outside of a bend; horizontal where the street is crossed.
+    /// </summary>
     public Vector3D Velocity =>
         !IsMoving ? Vector3D.Zero
         : _opposite is null ? _walkway.TangentBeyondKerb(_distance, _beyondKerb) * (_direction * WalkingSpeed)
         : Pose.Axes.Forward * WalkingSpeed;
 
-    /// <summary>Walks on, given how to find the pavement across a street at a place, and whether no vehicle comes near a place.</summary>
+    /// <summary>
+    /// Walks on, given functions for the pavement across the street at a position, and for whether no vehicle comes near a position.
+    /// </summary>
     public void Tick(double seconds, Func<Walkway, double, Walkway?> oppositeOf, Func<Vector3D, bool> isSafe)
     {
         double metres = WalkingSpeed * seconds;

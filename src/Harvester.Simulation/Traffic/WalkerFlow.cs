@@ -6,7 +6,7 @@ using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 
-/// <summary>Moves the people on foot.</summary>
+/// <summary>Moves the pedestrians.</summary>
 internal sealed class WalkerFlow
 {
     private const double StandingVehicleRoom = 7;
@@ -22,7 +22,7 @@ internal sealed class WalkerFlow
         _walkwaysOf = walkways.ToLookup(walkway => walkway.Road);
     }
 
-    /// <summary>The walkers that are on a carriageway now.</summary>
+    /// <summary>The pedestrians on a carriageway now.</summary>
     public BodyIndex<Walker> OnRoad()
     {
         BodyIndex<Walker> index = new();

@@ -6,7 +6,7 @@ using Harvester.Simulation.Models;
 
 namespace Harvester.Simulation.World;
 
-/// <summary>The buildings that a town is put together from.</summary>
+/// <summary>The set of buildings of a town.</summary>
 internal static class BuildingStock
 {
     private const int OfEachStyle = 5;

@@ -9,7 +9,7 @@ using Harvester.Simulation.Traffic;
 
 namespace Harvester.Simulation.World;
 
-/// <summary>Chooses, from a seed, who and what is on the roads at the beginning.</summary>
+/// <summary>Chooses, from a seed, the initial traffic and pedestrians.</summary>
 internal sealed class Population
 {
     private const double VehiclesPerLaneMetre = 1.0 / 80;
@@ -18,7 +18,7 @@ internal sealed class Population
     private const double WalkersPerMetre = 1.0 / 45;
     private const double FromKerb = 1.15;
 
-    /// <summary>A sports car as the thesis drives, of a model whose sizes are known.</summary>
+    /// <summary>A sports car as in the thesis, of a model whose dimensions are known.</summary>
     private const string EgoModel = "cheetah";
 
     private readonly Random _random;
@@ -39,7 +39,7 @@ internal sealed class Population
         _parkable = [.. _cars.Where(model => model.Max.X - model.Min.X < widestParked)];
     }
 
-    /// <summary>Vehicles at the roadside, clear of all lanes.</summary>
+    /// <summary>Parked vehicles, clear of all lanes.</summary>
     public List<Prop> Park(IReadOnlyList<Walkway> walkways, RoadIndex index, double density)
     {
         List<Prop> parked = [];
@@ -60,7 +60,7 @@ internal sealed class Population
         return parked;
     }
 
-    /// <summary>The ego, then the vehicles that drive, each clear of the others.</summary>
+    /// <summary>The ego, then the driving vehicles, each clear of the others.</summary>
     public List<Vehicle> Drive(Placing placing, IReadOnlyList<Prop> parked, Vector3D start, double density)
     {
         const double egoSpeed = 10;

@@ -9,7 +9,7 @@ using Harvester.Simulation.Traffic;
 
 namespace Harvester.Simulation.World;
 
-/// <summary>What stands beside the roads: buildings, trees, lamps, signs.</summary>
+/// <summary>The objects beside the roads: buildings, trees, lamps, signs.</summary>
 internal sealed class Scenery
 {
     private const double LampSpacing = 34;
@@ -46,7 +46,7 @@ internal sealed class Scenery
 
     public IReadOnlyList<Prop> Props => _props;
 
-    /// <summary>Where the lamps shine from.</summary>
+    /// <summary>The positions of the lamps' lights.</summary>
     public IReadOnlyList<Vector3D> Lamps => _lamps;
 
     public void AddAlong(IReadOnlyList<Walkway> walkways)
@@ -63,7 +63,7 @@ internal sealed class Scenery
         }
     }
 
-    /// <summary>Lamps along streets, on one side and then the other, and along motorways.</summary>
+    /// <summary>Adds lamps along streets, alternating between the sides, and along motorways.</summary>
     public void AddLamps(RoadPlan plan, IReadOnlyList<Walkway> walkways)
     {
         foreach (Walkway walkway in walkways)
@@ -88,7 +88,7 @@ internal sealed class Scenery
         }
     }
 
-    /// <summary>Lamps that are given; others of a list are left out.</summary>
+    /// <summary>Adds lamps at given positions; other props of the list are ignored.</summary>
     public void AddLamps(IEnumerable<PropPlacement> placements)
     {
         foreach (PropPlacement placement in placements)
@@ -99,7 +99,7 @@ internal sealed class Scenery
 
     private void AddLamp(Vector3D foot, Vector3D along, int side)
     {
-        // A lamp's arm reaches to its left, over the road.
+        // A lamp's arm extends to its left, over the road.
         Vector3D level = new Vector3D(along.X, along.Y, 0).Normalized();
         Stand(new Pose(foot, Horizontal.AxesAlong(level * side)));
     }
@@ -110,7 +110,9 @@ internal sealed class Scenery
         _lamps.Add(pose.ToWorld(ModelCatalogue.StreetLampHead));
     }
 
-    /// <summary>Stop signs where streets meet without lights; a yield sign where a street of one lane each way goes on.</summary>
+    /// <summary>
+    /// Adds stop signs where streets meet without lights, and a yield sign where a street with one lane each way continues.
+    /// </summary>
     public void AddStopSigns(RoadPlan plan, Func<Junction, bool> hasLights)
     {
         const double besideKerb = 0.7;
@@ -203,7 +205,7 @@ internal sealed class Scenery
         }
     }
 
-    /// <summary>Trees on the open land around roads without houses.</summary>
+    /// <summary>Adds trees on the open land around roads without houses.</summary>
     public void AddWoods(RoadPlan plan)
     {
         const double nearest = 9;

@@ -13,7 +13,7 @@ using Harvester.Simulation.Traffic;
 
 namespace Harvester.Simulation.World;
 
-/// <summary>Roads with all that stands and moves on and beside them.</summary>
+/// <summary>Roads with all fixed and moving objects on and beside them.</summary>
 internal sealed class SimulatedWorld
 {
     private const double MaxTick = 0.05;
@@ -34,7 +34,8 @@ internal sealed class SimulatedWorld
             : Sites.Roads(options.Seed, options.Roads, start, options.RadiusMetres);
         if (!site.Network.Nodes.Any(node => Horizontal.Distance(node.Position, start) < options.RadiusMetres))
         {
-            throw new ArgumentException(FormattableString.Invariant($"No road lies within {options.RadiusMetres} m of {start.X}, {start.Y}; choose another place."));
+            throw new ArgumentException(FormattableString.Invariant(
+                $"No road lies within {options.RadiusMetres} m of {start.X}, {start.Y}; choose another place."));
         }
 
         Roads = site.Network;
@@ -87,12 +88,12 @@ internal sealed class SimulatedWorld
     /// <summary>The lines painted along the roads.</summary>
     public IReadOnlyList<PaintedLine> Paint { get; }
 
-    /// <summary>Seconds since the beginning.</summary>
+    /// <summary>Seconds since the start.</summary>
     public double TimeSeconds { get; private set; }
 
     public Vehicle Ego => _vehicles[0];
 
-    /// <summary>The ego, to be driven from outside.</summary>
+    /// <summary>The ego as a driven car.</summary>
     public EgoCar Car { get; }
 
     public EgoState EgoState => new(Ego.Handle, Ego.Model.Name, Ego.Pose, Ego.Velocity)
@@ -109,16 +110,16 @@ internal sealed class SimulatedWorld
 
     public IReadOnlyList<Vehicle> Vehicles => _vehicles;
 
-    /// <summary>A moving entity that is neither seen nor read; 0 for none.</summary>
+    /// <summary>The handle of a moving entity that is neither drawn nor read; 0 if there is none.</summary>
     public int HiddenHandle { get; set; }
 
-    /// <summary>Puts the ego somewhere, standing.</summary>
+    /// <summary>Places the ego at a position, at rest.</summary>
     public void ResetEgo(Vector3D position, double headingDegrees) => _traffic.ResetEgo(position, headingDegrees);
 
-    /// <summary>The traffic lights that are driven from outside.</summary>
+    /// <summary>The overridden traffic lights by handle.</summary>
     public Dictionary<int, SignalState> DrivenLights => _signalProps.Driven;
 
-    /// <summary>What a traffic light shows at a time; null for another entity.</summary>
+    /// <summary>The state of a traffic light at a time; null for another entity.</summary>
     public LightState? LightAt(int handle, double timeSeconds) => _signalProps.StateAt(handle, timeSeconds)?.AsLight();
 
     public void Advance(double seconds)
@@ -135,7 +136,7 @@ internal sealed class SimulatedWorld
         Car.EndTick();
     }
 
-    /// <summary>What moves or changes within a distance of a place, without the ego.</summary>
+    /// <summary>Objects that move or change within a distance of a position, without the ego.</summary>
     public IEnumerable<MeshInstance> MovingNear(Vector3D place, double range)
     {
         double squared = range * range;
@@ -146,7 +147,7 @@ internal sealed class SimulatedWorld
             .Concat(_signalProps.Instances(TimeSeconds).Where(signal => (signal.Pose.Position - place).LengthSquared < squared));
     }
 
-    /// <summary>The entities within a distance of a place, without the ego, in the order of their handles.</summary>
+    /// <summary>The entities within a distance of a position, without the ego, in the order of their handles.</summary>
     public List<EntityState> EntitiesNear(Vector3D place, double range)
     {
         double squared = range * range;
@@ -154,7 +155,7 @@ internal sealed class SimulatedWorld
             new EntityState(vehicle.Handle, vehicle.Model.Class, vehicle.Model.Name, vehicle.Pose, vehicle.Model.Min, vehicle.Model.Max,
                 vehicle.Velocity)
             {
-                HasRider = vehicle.Model.Class is ObjectClass.Motorcycle or ObjectClass.Bicycle ? true : null,
+                HasRider = VehicleClasses.HaveRiders(vehicle.Model.Class) ? true : null,
             });
         IEnumerable<EntityState> walkers = _walkers.Where(walker => IsNear(walker.Pose)).Select(walker =>
             new EntityState(walker.Handle, walker.Model.Class, walker.Model.Name, walker.Pose, walker.Model.Min, walker.Model.Max,
@@ -167,11 +168,11 @@ internal sealed class SimulatedWorld
         bool IsNear(Pose pose) => (pose.Position - place).LengthSquared < squared;
     }
 
-    /// <summary>The handle of the vehicle nearest to a place, without the ego; 0 when there is none.</summary>
+    /// <summary>The handle of the vehicle nearest to a position, without the ego; 0 if there is none.</summary>
     public int VehicleNearest(Vector3D place) =>
         _vehicles.Skip(1).MinBy(vehicle => (vehicle.Pose.Position - place).LengthSquared)?.Handle ?? 0;
 
-    /// <summary>The nearest street lamps and headlights, which light what is seen at night.</summary>
+    /// <summary>The nearest street lamps and headlights, which light the scene at night.</summary>
     public List<LightSource> LightsNear(Vector3D eye)
     {
         const double range = 90;

@@ -11,9 +11,7 @@ using Harvester.Simulation.Traffic;
 
 namespace Harvester.Simulation.World;
 
-/// <summary>
-/// Roads, the land that they lie on, and the buildings to put beside them. It never changes, so worlds that are alike share it.
-/// </summary>
+/// <summary>Roads, the land around them, and the buildings for them. Immutable, so worlds on the same roads share it.</summary>
 internal sealed class Site
 {
     private Site(int seed, RoadNetwork network, RoadPlan plan)
@@ -57,10 +55,10 @@ internal sealed class Site
     /// <summary>The lines painted along the roads.</summary>
     public IReadOnlyList<PaintedLine> Paint { get; }
 
-    /// <summary>The ground, roads and paint as they are drawn.</summary>
+    /// <summary>The meshes of ground, roads and paint.</summary>
     public IReadOnlyList<MeshInstance> Ground { get; }
 
-    /// <summary>A town made up from a seed.</summary>
+    /// <summary>A town generated from a seed.</summary>
     public static Site OfTown(int seed)
     {
         RoadNetwork network = TownBuilder.Build(seed);

@@ -7,18 +7,18 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Simulation.World;
 
 /// <summary>
-/// The sites that were asked for last. A program that plays one game after another mostly plays on the same roads, and a site takes far
-/// longer to build than what moves on it.
+/// A cache of recent sites. A program that runs several games usually uses the same roads, and a site takes far longer to build than what
+/// moves on it.
 /// </summary>
 internal static class Sites
 {
-    /// <summary>A town takes some 30 MB, so only a few are kept.</summary>
+    /// <summary>Maximum number of cached sites; a town takes some 30 MB.</summary>
     private const int MaxKept = 3;
 
     private static readonly Lock Guard = new();
     private static readonly List<(object Key, Lazy<Site> Site)> Kept = [];
 
-    /// <summary>A town made up from a seed.</summary>
+    /// <summary>A town generated from a seed.</summary>
     public static Site Town(int seed) => Of(seed, () => Site.OfTown(seed));
 
     /// <summary>The part of given roads within a radius of a point.</summary>
@@ -41,7 +41,7 @@ internal static class Sites
             Kept.Add((key, site));
         }
 
-        // Built outside the lock: only those who want the same site wait for it.
+        // Built outside the lock: only callers that want the same site wait for it.
         return site.Value;
     }
 }

@@ -7,8 +7,8 @@ using Harvester.Simulation.Streets;
 namespace Harvester.Simulation.World;
 
 /// <summary>
-/// Lays out a town: a grid of streets and avenues with bends, one-way streets and an avenue with a median, a motorway around it,
-/// and a winding country road over the hills outside. The same seed gives the same town.
+/// Generates a town: a grid of streets and avenues with bends, one-way streets and an avenue with a median, a motorway around it, and a
+/// winding country road over the hills outside. The same seed gives the same town.
 /// </summary>
 public sealed class TownBuilder
 {
@@ -32,7 +32,7 @@ public sealed class TownBuilder
         _northPhase = _random.NextDouble() * 2 * Math.PI;
     }
 
-    /// <summary>The road network of a town; its middle lies at the origin.</summary>
+    /// <summary>The road network of a town; its centre is at the origin.</summary>
     public static RoadNetwork Build(int seed)
     {
         TownBuilder builder = new(seed);
@@ -112,9 +112,9 @@ public sealed class TownBuilder
     private void AddStreet(int from, int to, RoadLanes lanes)
     {
         const double bendRadius = 45;
-        const double largestBend = 14;
+        const double maxBend = 14;
         bool bends = _random.Next(3) == 0;
-        double bend = largestBend * ((2 * _random.NextDouble()) - 1);
+        double bend = maxBend * ((2 * _random.NextDouble()) - 1);
         Vector3D start = Level(from);
         Vector3D way = Level(to) - start;
         Vector3D aside = Horizontal.RightOf(way) * bend;
@@ -174,7 +174,7 @@ public sealed class TownBuilder
         return _nodes.Count - 1;
     }
 
-    /// <summary>Gentle waves under the town that grow to hills outside of it.</summary>
+    /// <summary>Gentle waves under the town that grow into hills outside it.</summary>
     private double Height(Vector3D place)
     {
         double fromMiddle = Math.Sqrt((place.X * place.X) + (place.Y * place.Y));

@@ -5,7 +5,7 @@ using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.World;
 
-/// <summary>The weather and the hour of a game, which goes on with the world's time.</summary>
+/// <summary>The weather and time of day of a game; the latter advances with the world's time.</summary>
 internal sealed class WeatherClock
 {
     private const double RealSecondsPerGameMinute = 2;
@@ -13,7 +13,7 @@ internal sealed class WeatherClock
     private string _weather;
     private TimeSpan _start;
 
-    /// <summary>Starts at the weather and hour of the options.</summary>
+    /// <summary>Starts at the weather and time of day of the options.</summary>
     /// <exception cref="ArgumentException">The game has no such weather.</exception>
     public WeatherClock(SimulationOptions options)
     {
@@ -21,13 +21,13 @@ internal sealed class WeatherClock
         (_weather, _start) = Checked(options.Weather, options.TimeOfDay);
     }
 
-    /// <summary>The weather and hour after so many seconds of the world.</summary>
+    /// <summary>The weather and time of day at a time of the world, seconds.</summary>
     public EnvironmentState At(double worldSeconds) => new(_weather, TimeOfDay(worldSeconds));
 
-    /// <summary>The light after so many seconds of the world.</summary>
+    /// <summary>The light at a time of the world, seconds.</summary>
     public Lighting LightingAt(double worldSeconds) => Weather.LightingOf(_weather, TimeOfDay(worldSeconds));
 
-    /// <summary>Sets what is not null.</summary>
+    /// <summary>Sets weather, time of day or both; null leaves a value unchanged.</summary>
     /// <exception cref="ArgumentException">The game has no such weather; nothing is set.</exception>
     public void Set(string? weather, TimeSpan? timeOfDay, double worldSeconds) =>
         (_weather, _start) = Checked(weather ?? _weather, timeOfDay is { } now ? _start + now - TimeOfDay(worldSeconds) : _start);

@@ -5,27 +5,28 @@ using System.Linq;
 namespace Harvester.Surveys.Faces;
 
 /// <summary>
-/// Depths of a model over a grid of rays along its y axis, seen from behind (from -y). Cells are squares; row 0 is the lowest. Rays go
-/// where they can tell something: between two rays that meet the same surface, or both nothing, none is cast.
+/// Depths of a model over a grid of rays along its y axis, seen from behind (from -y). Cells are squares; row 0 is the lowest. Between two
+/// rays that hit the same surface, or both hit nothing, no further rays are cast.
 /// </summary>
 internal sealed class DepthGrid
 {
-    /// <summary>Cells between two of the rays that are cast anyway.</summary>
+    /// <summary>Number of cells between two rays that are always cast.</summary>
     private const int Stride = 4;
 
     /// <summary>
-    /// One row in so many is cast whole, so that a post thinner than the stride is met. The rows after it look where it was.
+    /// One row in this many is cast completely, so that a post thinner than the stride is hit. The following rows are searched where it
+    /// was.
     /// </summary>
     private const int WholeEvery = 8 * Stride;
 
-    /// <summary>Two rays that differ less in depth meet the same surface, metres.</summary>
+    /// <summary>Maximum difference in depth of two rays on the same surface, metres.</summary>
     private const double SameSurface = 0.002;
 
     private readonly double _left;
     private readonly double _bottom;
     private readonly double?[,] _depths;
 
-    /// <summary>Makes an empty grid over a rectangle.</summary>
+    /// <summary>Creates an empty grid over a rectangle.</summary>
     public DepthGrid(double left, double bottom, double right, double top, double step)
     {
         _left = left;
@@ -48,10 +49,10 @@ internal sealed class DepthGrid
 
     public double ZOf(double row) => _bottom + (row * Step);
 
-    /// <summary>The column at a place, which may lie outside the grid.</summary>
+    /// <summary>The column at a position, which may lie outside the grid.</summary>
     public int ColumnOf(double x) => (int)Math.Floor((x - _left) / Step);
 
-    /// <summary>Casts the rays, one an element.</summary>
+    /// <summary>Casts the rays, one per element.</summary>
     public IEnumerable<bool> Fill(StageProbe probe)
     {
         int below = 0;
@@ -81,7 +82,7 @@ internal sealed class DepthGrid
         }
     }
 
-    /// <summary>Cells of a row that met the model.</summary>
+    /// <summary>Number of cells of a row in which the model was hit.</summary>
     public int Width(int row)
     {
         int width = 0;
@@ -93,7 +94,7 @@ internal sealed class DepthGrid
         return width;
     }
 
-    /// <summary>The middle one of a row's depths in some of its columns; null where there is none.</summary>
+    /// <summary>The median of a row's depths in some of its columns; null if there is none.</summary>
     public double? MedianDepth(int row, Func<int, bool> isCounted)
     {
         var depths = new List<double>();
@@ -112,7 +113,7 @@ internal sealed class DepthGrid
     private static bool IsSame(double? one, double? other) =>
         one is { } first && other is { } second ? Math.Abs(first - second) <= SameSurface : one is null && other is null;
 
-    /// <summary>Casts a row: at each stride and where another row changes, and then between those of them that differ.</summary>
+    /// <summary>Casts a row: at each stride and where another row changes, and then between neighbours that differ.</summary>
     private IEnumerable<bool> FillRow(StageProbe probe, int row, int other)
     {
         bool isWhole = row % WholeEvery == 0;

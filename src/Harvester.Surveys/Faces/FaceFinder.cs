@@ -5,24 +5,24 @@ using System.Linq;
 namespace Harvester.Surveys.Faces;
 
 /// <summary>
-/// Finds the faces of a sign: a grid of rays tells the rows in which the model is wider than its post, in bands of one depth each, and
-/// from each band the edges of its plate are followed on the side that looks away from the post.
+/// Finds the faces of a sign: a grid of rays shows the rows in which the model is wider than its post, in bands of equal depth, and the
+/// edges of each band's plate are followed on the side that faces away from the post.
 /// </summary>
 internal sealed class FaceFinder(StageProbe probe, StagedModel model)
 {
     private const double FinestStep = 0.012;
     private const double MaxRays = 30_000;
 
-    /// <summary>Rows of one plate differ less in depth than this, metres.</summary>
+    /// <summary>Maximum difference in depth of rows of one plate, metres.</summary>
     private const double SamePlane = 0.02;
 
-    /// <summary>Lower faces are rims and brackets, metres.</summary>
+    /// <summary>Minimum height of a face, metres; lower ones are rims and brackets.</summary>
     private const double MinFaceHeight = 0.08;
 
     /// <summary>The faces found so far.</summary>
     public List<MeasuredFace> Faces { get; } = [];
 
-    /// <summary>Measures; each element is a few rays.</summary>
+    /// <summary>Measures the model; each element is a few rays.</summary>
     public IEnumerable<bool> Run()
     {
         double area = (model.Max.X - model.Min.X) * (model.Max.Z - model.Min.Z);
@@ -80,7 +80,7 @@ internal sealed class FaceFinder(StageProbe probe, StagedModel model)
         return bands;
     }
 
-    /// <summary>Whether two faces overlap by more than half of the smaller: bands of one plate.</summary>
+    /// <summary>Whether two faces overlap by more than half of the smaller one: bands of one plate.</summary>
     private static bool AreOne(MeasuredFace one, MeasuredFace other)
     {
         double width = Math.Min(one.Max.X, other.Max.X) - Math.Max(one.Min.X, other.Min.X);

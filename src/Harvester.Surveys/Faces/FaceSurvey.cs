@@ -10,16 +10,15 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Surveys.Faces;
 
 /// <summary>
-/// Measures models one after the other: call <see cref="Step"/> once in every tick, from the game's own thread, until it is over. A model
-/// that the folder knows as done is passed over. Nothing is thrown to the caller after construction, and whatever happens no model
-/// is left standing.
+/// Measures models in turn: call <see cref="Step"/> once in every tick, from the game's own thread, until it is over. A model that the
+/// folder records as done is skipped. After construction, nothing is thrown to the caller, and no model is left standing in the end.
 /// </summary>
 public sealed class FaceSurvey : IDisposable
 {
-    /// <summary>Ticks in which a model must be loaded; ten seconds of a game of 60 ticks a second.</summary>
+    /// <summary>Maximum number of ticks until a model is loaded: ten seconds at 60 ticks per second.</summary>
     private const int MaxLoadingTicks = 600;
 
-    /// <summary>Ticks from putting a model up until rays meet it.</summary>
+    /// <summary>Ticks from placing a model until rays hit it.</summary>
     private const int SettlingTicks = 2;
 
     private readonly ISurveyStage _stage;
@@ -32,13 +31,13 @@ public sealed class FaceSurvey : IDisposable
     private string? _next;
     private int _standing;
 
-    /// <summary>Makes a survey; nothing is asked of the game before the first step.</summary>
-    /// <param name="stage">Where models are put up.</param>
+    /// <summary>Creates a survey. The game is not used before the first step.</summary>
+    /// <param name="stage">Places the models.</param>
     /// <param name="models">The models to measure.</param>
-    /// <param name="folder">Where the rows go.</param>
-    /// <param name="clock">The player's time.</param>
-    /// <param name="budgetMilliseconds">Time that rays may take of a tick.</param>
-    /// <param name="camera">Takes photographs; null for none.</param>
+    /// <param name="folder">Receives the rows.</param>
+    /// <param name="clock">Real time.</param>
+    /// <param name="budgetMilliseconds">Maximum time of rays per tick, milliseconds.</param>
+    /// <param name="camera">Takes photographs; null to take none.</param>
     public FaceSurvey(
         ISurveyStage stage, IEnumerable<SurveyedModel> models, SurveyFolder folder, IClock clock, double budgetMilliseconds,
             ISurveyCamera? camera = null)
@@ -51,13 +50,13 @@ public sealed class FaceSurvey : IDisposable
         _run = Run().GetEnumerator();
     }
 
-    /// <summary>Models of the list.</summary>
+    /// <summary>Number of models in the list.</summary>
     public int Models => _models.Count;
 
-    /// <summary>Models that are done, those of earlier surveys included.</summary>
+    /// <summary>Number of models that are done, including those of earlier surveys.</summary>
     public int Done { get; private set; }
 
-    /// <summary>Whether there is nothing more to do.</summary>
+    /// <summary>Whether the survey is over.</summary>
     public bool IsOver { get; private set; }
 
     /// <summary>The model that is being measured; empty before the first.</summary>
@@ -66,13 +65,13 @@ public sealed class FaceSurvey : IDisposable
     /// <summary>Whether the screen is needed for a photograph, so that nothing may be drawn over it.</summary>
     public bool IsPhotographing => _photographer?.IsAtWork ?? false;
 
-    /// <summary>One line that says why the survey ended before its time; null without a fault.</summary>
+    /// <summary>Why the survey ended early, in one line; null without a fault.</summary>
     public string? Fault { get; private set; }
 
-    /// <summary>Whether the game has refused to take something back at the end. <see cref="Dispose"/> tries it again.</summary>
+    /// <summary>Whether the game has refused to remove something at the end. <see cref="Dispose"/> tries again.</summary>
     public bool HasLeftSomething { get; private set; }
 
-    /// <summary>Does one tick's share. After the end it does nothing.</summary>
+    /// <summary>Does the work of one tick. After the end it does nothing.</summary>
     public void Step()
     {
         if (IsOver)
@@ -102,7 +101,7 @@ public sealed class FaceSurvey : IDisposable
         }
     }
 
-    /// <summary>Ends the survey and takes away what stands.</summary>
+    /// <summary>Ends the survey and removes what it placed.</summary>
     public void Dispose() => End();
 
     private IEnumerable<bool> Run()
@@ -121,7 +120,7 @@ public sealed class FaceSurvey : IDisposable
             Done++;
         }
 
-        // A slow disk may refuse the last model's rows when all are measured.
+        // A slow disk may report the failure of the last model's rows when all are measured.
         while (_folder.IsWriting)
         {
             yield return true;
@@ -247,7 +246,7 @@ public sealed class FaceSurvey : IDisposable
         {
             giveBack();
         }
-#pragma warning disable CA1031 // The first fault is the one to tell, and the rest is to be given back all the same.
+#pragma warning disable CA1031 // The first fault is reported; the rest must be released all the same.
         catch (Exception exception)
 #pragma warning restore CA1031
         {

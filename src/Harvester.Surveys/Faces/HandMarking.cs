@@ -6,14 +6,14 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Surveys.Faces;
 
-/// <summary>A face marked by hand: two opposite corners of it, pointed at with the aiming ray. A third mark begins anew.</summary>
-/// <param name="prop">The prop that bears the face.</param>
+/// <summary>A face marked by hand: two opposite corners of it, marked with the aiming ray. A third mark begins a new face.</summary>
+/// <param name="prop">The prop that has the face.</param>
 public sealed class HandMarking(EntityState prop)
 {
-    /// <summary>The least depth of a marked face, metres: both corners may lie in its very plane.</summary>
+    /// <summary>Minimum depth of a marked face, metres: both corners may lie exactly in its plane.</summary>
     private const double MinDepth = 0.02;
 
-    /// <summary>The least width and height of a face, metres.</summary>
+    /// <summary>Minimum width and height of a face, metres.</summary>
     private const double MinSide = 0.02;
 
     private readonly EntityState _prop = prop ?? throw new ArgumentNullException(nameof(prop));
@@ -21,10 +21,10 @@ public sealed class HandMarking(EntityState prop)
     private Vector3D? _second;
     private Facing _facing;
 
-    /// <summary>Whether both corners are marked, apart enough to make a face.</summary>
+    /// <summary>Whether both corners are marked, far enough apart for a face.</summary>
     public bool IsComplete => Corners is not null;
 
-    /// <summary>The cuboid as it stands, to be drawn; null before the second mark.</summary>
+    /// <summary>The current cuboid, for drawing; null before the second mark.</summary>
     public Cuboid? Preview => Corners is { } corners ? Cuboid.FromModel(corners.Min, corners.Max, _prop.Pose) : null;
 
     private bool IsAcrossX => _facing is Facing.Back or Facing.Front;
@@ -46,8 +46,8 @@ public sealed class HandMarking(EntityState prop)
     }
 
     /// <summary>Marks a corner of the face. After two corners, the next mark starts a new face.</summary>
-    /// <param name="world">Where the aiming ray meets the prop, metres, world.</param>
-    /// <param name="eye">Where the camera is, metres, world: the face looks to the side of the model on which it is.</param>
+    /// <param name="world">Where the aiming ray hits the prop, metres, world.</param>
+    /// <param name="eye">Position of the camera, metres, world: the face looks to the camera's side of the model.</param>
     public void Mark(Vector3D world, Vector3D eye)
     {
         Vector3D corner = _prop.Pose.ToLocal(world);
@@ -68,7 +68,7 @@ public sealed class HandMarking(EntityState prop)
 
     /// <summary>The row of the marked face.</summary>
     /// <param name="name">What the sign says.</param>
-    /// <param name="mutcdCode">Its code; empty when it has none or it is unknown.</param>
+    /// <param name="mutcdCode">Its code; empty if it has none or it is unknown.</param>
     /// <param name="face">Number of the face on its model, from 0.</param>
     /// <exception cref="InvalidOperationException">The corners are not both marked.</exception>
     public ModelFace ToSpace(string name, string mutcdCode, int face)
@@ -89,7 +89,7 @@ public sealed class HandMarking(EntityState prop)
             "marked by hand in the game");
     }
 
-    /// <summary>The corners with the least depth, added behind the face.</summary>
+    /// <summary>The corners with the minimum depth, extended behind the face.</summary>
     private (Vector3D Min, Vector3D Max) Deepened(Vector3D min, Vector3D max) => _facing switch
     {
         Facing.Back => (min, max with { Y = Math.Max(max.Y, min.Y + MinDepth) }),

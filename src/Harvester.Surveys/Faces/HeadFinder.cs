@@ -7,29 +7,29 @@ using Harvester.Sessions.Faces;
 namespace Harvester.Surveys.Faces;
 
 /// <summary>
-/// Finds the heads of a traffic light: around each bone that marks one, rays find how far the housing's front reaches, and rays across
-/// how deep it is. The plate behind a head lies deeper and does not count.
+/// Finds the heads of a traffic light: around each bone that marks one, rays measure the extent of the housing's front, and rays across it
+/// measure its depth. The backplate lies deeper and does not count.
 /// </summary>
 internal sealed class HeadFinder(StageProbe probe, StagedModel model)
 {
     private const double Step = 0.012;
 
-    /// <summary>How far from its bone a head may reach, metres.</summary>
+    /// <summary>Maximum distance of a head's edge from its bone, metres.</summary>
     private const double Reach = 0.75;
 
-    /// <summary>How far from its bone the front is looked for, metres.</summary>
+    /// <summary>Maximum distance from its bone at which the front is searched, metres.</summary>
     private const double Core = 0.25;
 
-    /// <summary>Housing and lenses lie within this behind the front, the plate does not, metres.</summary>
+    /// <summary>Housing and lenses lie within this distance behind the front, the backplate does not, metres.</summary>
     private const double FrontTolerance = 0.06;
 
-    /// <summary>A housing is no deeper, metres.</summary>
+    /// <summary>Maximum depth of a housing, metres.</summary>
     private const double MaxHousingDepth = 0.6;
 
     /// <summary>The heads found so far.</summary>
     public List<MeasuredFace> Heads { get; } = [];
 
-    /// <summary>Measures; each element is a ray or so.</summary>
+    /// <summary>Measures the model; each element is about one ray.</summary>
     public IEnumerable<bool> Run()
     {
         foreach (Vector3D bone in model.Heads)
@@ -71,7 +71,7 @@ internal sealed class HeadFinder(StageProbe probe, StagedModel model)
             false);
     }
 
-    /// <summary>Where rays that run to the right, begun to the left of the housing, meet it no more.</summary>
+    /// <summary>The depth from which rays to the right, starting left of the housing, no longer hit it.</summary>
     private double BackOf(double left, double front, double z)
     {
         const double before = 0.02;

@@ -3,15 +3,15 @@ using Harvester.Geometry.Visibility;
 namespace Harvester.Surveys.Faces;
 
 /// <summary>
-/// A quiet place of a game where models are placed one at a time and measured. All calls come from the game's own thread; exceptions
-/// of the game are passed on.
+/// A free place in a game where models are placed one at a time and measured. All calls come from the game's own thread; exceptions of the
+/// game are passed on.
 /// </summary>
 public interface ISurveyStage
 {
     /// <summary>Casts rays at the placed model.</summary>
     IRayCaster Rays { get; }
 
-    /// <summary>Asks the game to load a model, and says how far it is; called every tick until it is loaded or not to be had.</summary>
+    /// <summary>Asks the game to load a model, and returns its loading state; called every tick until it is loaded or missing.</summary>
     /// <param name="model">The name of the model in the game.</param>
     ModelLoading Load(string model);
 
@@ -19,24 +19,24 @@ public interface ISurveyStage
     /// <param name="model">The name of the model in the game.</param>
     void Forget(string model);
 
-    /// <summary>Puts a loaded model up where nothing else is.</summary>
+    /// <summary>Places a loaded model where nothing else is.</summary>
     /// <param name="model">The name of the model in the game.</param>
-    /// <returns>The entity's handle; 0 when the game refuses.</returns>
+    /// <returns>The entity's handle; 0 if the game refuses.</returns>
     int PutUp(string model);
 
-    /// <summary>Keeps what was put up where it is.</summary>
+    /// <summary>Fixes a placed entity in its position.</summary>
     /// <param name="entity">Handle of the placed entity.</param>
     void Hold(int entity);
 
-    /// <summary>Reads a model that was put up.</summary>
+    /// <summary>Reads a placed model.</summary>
     /// <param name="entity">Handle of the placed entity.</param>
     /// <param name="model">The name of the model in the game.</param>
     StagedModel Read(int entity, string model);
 
-    /// <summary>Whether what was put up is still there; a saved game that is loaded sweeps it away.</summary>
+    /// <summary>Whether a placed entity still exists; loading a saved game removes it.</summary>
     /// <param name="entity">Handle of the placed entity.</param>
     bool IsStanding(int entity);
 
-    /// <summary>Takes an entity away that was put up. One that is gone is no harm.</summary>
+    /// <summary>Removes a placed entity. It need not exist any more.</summary>
     void TakeAway(int entity);
 }

@@ -5,15 +5,15 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Surveys.Faces;
 
-/// <summary>Faces of a model that a survey leaves as they were known: rays cannot tell what is painted on a plate's back.</summary>
+/// <summary>The faces of a model that a survey keeps: rays cannot find what is painted on the back of a plate.</summary>
 internal static class KeptFaces
 {
     /// <summary>
-    /// The faces of a sign that a survey found, and after them those that it could not find: the known ones to whose side none of the found
-    /// ones looks, if they were measured before, or look another way than the model's first. Heads of lights are found by their bones, all
-    /// of them, and none is kept. A kept face keeps its number where that is free.
+    /// The faces of a sign that a survey found, followed by those that it could not find: the known faces on a side where none was found,
+    /// if they were measured before, or look in another direction than the model's first. All heads of lights are found by their bones, and
+    /// none is kept. A kept face keeps its number if that is free.
     /// </summary>
-    /// <param name="found">What was found, at least one face.</param>
+    /// <param name="found">The faces found, at least one.</param>
     /// <param name="known">The model's faces as known before.</param>
     public static IReadOnlyList<ModelFace> BesideFound(IReadOnlyList<ModelFace> found, IReadOnlyList<ModelFace> known)
     {
@@ -32,7 +32,7 @@ internal static class KeptFaces
         return all;
     }
 
-    /// <summary>The least number that no face has.</summary>
+    /// <summary>The smallest number that no face has.</summary>
     public static int FreeNumber(IReadOnlyCollection<ModelFace> faces) =>
         Enumerable.Range(0, faces.Count + 1).First(number => faces.All(face => face.Number != number));
 }

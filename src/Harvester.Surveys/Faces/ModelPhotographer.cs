@@ -8,27 +8,26 @@ using Harvester.Sessions.Imaging;
 namespace Harvester.Surveys.Faces;
 
 /// <summary>
-/// Photographs a model from the side towards which its first face looks, and from the other. A picture that is refused again and again is
-/// left out.
+/// Photographs a model from the side of its first face, and from the opposite side. A picture that is refused repeatedly is left out.
 /// </summary>
 internal sealed class ModelPhotographer(ISurveyCamera camera, SurveyFolder folder)
 {
     private const double VerticalFovDegrees = 50;
 
-    /// <summary>Ticks from moving the camera until the picture shows it; the picture may be some ticks behind the game.</summary>
+    /// <summary>Ticks from moving the camera until the picture shows it; the picture may lag some ticks behind the game.</summary>
     private const int SettlingTicks = 6;
 
     private const int MaxGrabs = 10;
 
-    /// <summary>How much more than the faces the picture shows.</summary>
+    /// <summary>Size of the picture relative to that of the faces.</summary>
     private const double Surroundings = 1.5;
 
     private const double MinDistance = 1;
 
-    /// <summary>Whether the screen is the photographer's.</summary>
+    /// <summary>Whether it needs the screen.</summary>
     public bool IsAtWork { get; private set; }
 
-    /// <summary>Takes the photographs, a tick an element.</summary>
+    /// <summary>Takes the photographs, one tick per element.</summary>
     public IEnumerable<bool> Take(StagedModel model, string name, IReadOnlyList<MeasuredFace> faces)
     {
         Vector3D min = faces.Count == 0 ? model.Min : Least(faces.Select(face => face.Min));
@@ -64,14 +63,14 @@ internal sealed class ModelPhotographer(ISurveyCamera camera, SurveyFolder folde
         LookAway();
     }
 
-    /// <summary>Gives the view back. Again is no harm.</summary>
+    /// <summary>Restores the player's view. Calling it again has no effect.</summary>
     public void LookAway()
     {
         IsAtWork = false;
         camera.LookAway();
     }
 
-    /// <summary>Where a square picture shows a box from a side, in the model's frame.</summary>
+    /// <summary>The camera pose from which a square picture shows a box from one side, in the model's frame.</summary>
     private static Pose EyeOf(Vector3D min, Vector3D max, Vector3D outward)
     {
         Vector3D forward = -outward;

@@ -6,15 +6,15 @@ using Harvester.Sessions.Faces;
 namespace Harvester.Surveys.Faces;
 
 /// <summary>
-/// Measures the plate of a sign from some of its rows: which way it looks, and how far it reaches. Its post stands behind it, so from its
-/// face every part of it is seen, also the tips that are narrower than the post.
+/// Measures the plate of a sign from some of its rows: its direction and its extent. Its post stands behind it, so all of it is visible
+/// from the front, including tips that are narrower than the post.
 /// </summary>
 internal sealed class PlateFinder(StageProbe probe, DepthGrid grid, SignPost post, int first, int last)
 {
-    /// <summary>Depths of one plate differ less than this, metres.</summary>
+    /// <summary>Maximum difference between the depths of one plate, metres.</summary>
     private const double SamePlane = 0.02;
 
-    /// <summary>The least distance between a plate's surface and its post's by which they are told apart, metres.</summary>
+    /// <summary>Minimum distance between the surfaces of a plate and its post that distinguishes them, metres.</summary>
     private const double PlateOffset = 0.004;
 
     private double _plane;
@@ -24,7 +24,7 @@ internal sealed class PlateFinder(StageProbe probe, DepthGrid grid, SignPost pos
     /// <summary>The face; null before the end.</summary>
     public MeasuredFace? Found { get; private set; }
 
-    /// <summary>Measures; each element is a few rays.</summary>
+    /// <summary>Measures the plate; each element is a few rays.</summary>
     public IEnumerable<bool> Run()
     {
         int middle = (first + last) / 2;
@@ -52,14 +52,14 @@ internal sealed class PlateFinder(StageProbe probe, DepthGrid grid, SignPost pos
                 yield return rays;
             }
 
-            edges[i] = edge.Furthest;
+            edges[i] = edge.End;
         }
 
         Found = new MeasuredFace(
             new(edges[2], _plane, edges[0]), new(edges[3], _plane, edges[1]), _looksAhead ? Facing.Front : Facing.Back, post.IsWhole);
     }
 
-    /// <summary>A plate behind its post, seen from behind, looks ahead.</summary>
+    /// <summary>A plate behind its post, seen from behind, looks forward.</summary>
     private void FindSide(int middle, double behind)
     {
         double? nearest = post.IsWhole ? null : post.Columns.Min(column => grid[column, post.Row]);
@@ -71,7 +71,7 @@ internal sealed class PlateFinder(StageProbe probe, DepthGrid grid, SignPost pos
         _beforePost = surface is { } there ? Math.Min(SamePlane, Math.Abs(_plane - there) / 2) : SamePlane;
     }
 
-    /// <summary>Cells that are the plate's: those that the grid has seen, and where the post hid it, those of the middle row.</summary>
+    /// <summary>Cells of the plate: those that the grid has hit and, where the post hid it, those of the middle row.</summary>
     private IEnumerable<(int Column, int Row)> Known(double behind, int middle)
     {
         for (int column = 0; column < grid.Columns; column++)
@@ -98,7 +98,7 @@ internal sealed class PlateFinder(StageProbe probe, DepthGrid grid, SignPost pos
 
     private bool IsOn(int column, int row, double behind) => grid[column, row] is { } depth && Math.Abs(depth - behind) <= SamePlane;
 
-    /// <summary>Whether a ray at the face meets the plate.</summary>
+    /// <summary>Whether a ray at the face hits the plate.</summary>
     private bool IsPlate(double x, double z)
     {
         double? depth = _looksAhead ? probe.FromAhead(x, z) : probe.FromBehind(x, z);
@@ -106,12 +106,12 @@ internal sealed class PlateFinder(StageProbe probe, DepthGrid grid, SignPost pos
         return depth is { } met && Math.Abs(met - _plane) <= tolerance;
     }
 
-    /// <summary>Whether, seen from behind, something stands before a good part of a plate of which no post was found.</summary>
+    /// <summary>Whether, seen from behind, something stands in front of a large part of a plate for which no post was found.</summary>
     private bool HasPostBefore(double behind)
     {
-        const int leastShare = 4;
+        const int minFraction = 4;
         int before = Enumerable.Range(first, last - first + 1)
             .Count(row => Enumerable.Range(0, grid.Columns).Any(column => grid[column, row] < behind - PlateOffset));
-        return before * leastShare > last - first + 1;
+        return before * minFraction > last - first + 1;
     }
 }

@@ -5,15 +5,15 @@ using System.Linq;
 namespace Harvester.Surveys.Faces;
 
 /// <summary>
-/// What carries a sign: where the model is narrowest over a hand's length and more. The tips of triangles and diamonds are narrower than
-/// a post, but not for so long.
+/// The post of a sign: where the model is narrowest over at least a hand's length. The tips of triangles and diamonds are narrower than a
+/// post, but not over such a length.
 /// </summary>
 internal sealed class SignPost
 {
-    /// <summary>A post is seen over this length, metres.</summary>
+    /// <summary>Minimum visible length of a post, metres.</summary>
     private const double SeenLength = 0.3;
 
-    /// <summary>A row is of a face when it is wider than the post by this factor and by so many metres.</summary>
+    /// <summary>A row belongs to a face if it is wider than the post by this factor and by a minimum in metres.</summary>
     private const double WiderByFactor = 1.5;
     private const double WiderByMetres = 0.06;
 
@@ -28,16 +28,16 @@ internal sealed class SignPost
         IsWhole = isWhole;
     }
 
-    /// <summary>A row in which there is nothing but the post.</summary>
+    /// <summary>A row that shows only the post.</summary>
     public int Row { get; }
 
-    /// <summary>Whether the model is about as narrow everywhere, so that there is no post.</summary>
+    /// <summary>Whether the model is about equally narrow everywhere, so that there is no post.</summary>
     public bool IsWhole { get; }
 
-    /// <summary>The columns that the post takes.</summary>
+    /// <summary>The columns of the post.</summary>
     public IEnumerable<int> Columns => Enumerable.Range(0, _columns.Length).Where(HasColumn);
 
-    /// <summary>Finds the post; null where no ray met the model.</summary>
+    /// <summary>Finds the post; null if no ray hit the model.</summary>
     public static SignPost? Find(DepthGrid grid)
     {
         int[] rows = [.. Enumerable.Range(0, grid.Rows).Where(row => grid.Width(row) > 0)];
@@ -68,10 +68,10 @@ internal sealed class SignPost
         return new SignPost(columns, middle, widest, isWhole);
     }
 
-    /// <summary>Whether a row of so many cells is wider than a post.</summary>
+    /// <summary>Whether a row of this many cells is wider than a post.</summary>
     public bool IsNarrowerThan(int width) => width > _widest;
 
-    /// <summary>Whether the post takes a column.</summary>
+    /// <summary>Whether the post covers a column.</summary>
     public bool HasColumn(int column) => column >= 0 && column < _columns.Length && _columns[column];
 
     /// <summary>Whether the post or its edge may be in a column.</summary>

@@ -4,27 +4,27 @@ using Harvester.Geometry.Visibility;
 
 namespace Harvester.Surveys.Faces;
 
-/// <summary>Rays at a model on the stage, along the axes of its own frame.</summary>
+/// <summary>Casts rays at a model on the stage, along the axes of its own frame.</summary>
 internal sealed class StageProbe(IRayCaster rays, StagedModel model)
 {
-    /// <summary>How far outside the model's box rays begin and end, metres: shapes that rays meet may reach over it a little.</summary>
+    /// <summary>
+    /// Distance outside the model's box at which rays begin and end, metres: shapes that rays hit may extend beyond it a little.
+    /// </summary>
     private const double Clearance = 0.3;
 
-    /// <summary>Where a ray that runs forward at (x, z) first meets the model: y in its frame; null when it passes.</summary>
+    /// <summary>Where a ray that runs forward at (x, z) first hits the model: y in its frame; null if it misses.</summary>
     public double? FromBehind(double x, double z) =>
         Cast(new Vector3D(x, model.Min.Y - Clearance, z), new Vector3D(0, 1, 0), model.Max.Y - model.Min.Y) is { } distance
             ? model.Min.Y - Clearance + distance
             : null;
 
-    /// <summary>Where a ray that runs backward at (x, z) first meets the model: y in its frame; null when it passes.</summary>
+    /// <summary>Where a ray that runs backward at (x, z) first hits the model: y in its frame; null if it misses.</summary>
     public double? FromAhead(double x, double z) =>
         Cast(new Vector3D(x, model.Max.Y + Clearance, z), new Vector3D(0, -1, 0), model.Max.Y - model.Min.Y) is { } distance
             ? model.Max.Y + Clearance - distance
             : null;
 
-    /// <summary>
-    /// How far a ray that begins at a point of the model's frame and runs to its right gets before it meets the model; null when it passes.
-    /// </summary>
+    /// <summary>Distance from a point of the model's frame to its right at which a ray hits the model; null if it misses.</summary>
     public double? ToRight(Vector3D from) => Cast(from, new Vector3D(1, 0, 0), Clearance);
 
     private double? Cast(Vector3D from, Vector3D direction, double reach)

@@ -12,9 +12,9 @@ using Harvester.Sessions.Imaging.Pictures;
 namespace Harvester.Surveys.Faces;
 
 /// <summary>
-/// What a user has measured, in a folder: the rows in faces.csv, one line for each model that a survey is done with in models.txt, and
-/// photographs. Tables are written anew after each model under a temporary name and renamed, so a survey that is cut off goes on
-/// where it was. All writing is on another thread; a failure of it is thrown by the next call that writes.
+/// A folder with a user's measurements: the rows in spaces.csv, one line for each finished model in models.txt, and photographs. After each
+/// model, the tables are written under temporary names and renamed, so an interrupted survey continues where it was. All writing is done on
+/// another thread; its failure is thrown by the next call that writes.
 /// </summary>
 public sealed class SurveyFolder
 {
@@ -27,8 +27,8 @@ public sealed class SurveyFolder
     private readonly DiskQueue _disk = new();
     private readonly Dictionary<string, SurveyPhoto> _photos = new(StringComparer.Ordinal);
 
-    /// <summary>Opens a folder, made if it is not there, with what an earlier survey has left in it. This reads the disk at once.</summary>
-    /// <exception cref="IOException">A file cannot be read, or a row of a table is refused: it would be lost.</exception>
+    /// <summary>Opens a folder with the results of an earlier survey, or creates it. Reads the disk immediately.</summary>
+    /// <exception cref="IOException">A file cannot be read, or a row of a table is invalid and would be lost.</exception>
     public SurveyFolder(string path)
     {
         _path = path;
@@ -64,10 +64,10 @@ public sealed class SurveyFolder
     /// <summary>Whether a model is done, with or without a face found.</summary>
     public bool IsDone(string model) => _done.Any(line => ModelOf(line) == model);
 
-    /// <summary>Notes that a model is done.</summary>
+    /// <summary>Records that a model is done.</summary>
     /// <param name="model">The model's name.</param>
-    /// <param name="outcome">What came of it, in a few words.</param>
-    /// <param name="faces">The model's faces; where there are any they take the place of its earlier ones.</param>
+    /// <param name="outcome">The outcome, in a few words.</param>
+    /// <param name="faces">The model's faces; if there are any, they replace its earlier ones.</param>
     /// <exception cref="IOException">Something could not be written.</exception>
     public void Finish(string model, string outcome, IReadOnlyList<ModelFace> faces)
     {
@@ -80,9 +80,9 @@ public sealed class SurveyFolder
         Write(DoneName, text => text.Write(done));
     }
 
-    /// <summary>Keeps a photograph.</summary>
-    /// <param name="photo">Of what, and from where.</param>
-    /// <param name="picture">Its pixels; not to be changed any more.</param>
+    /// <summary>Stores a photograph.</summary>
+    /// <param name="photo">The model and the camera.</param>
+    /// <param name="picture">Its pixels; must not be changed any more.</param>
     /// <exception cref="IOException">Something could not be written.</exception>
     public void Keep(SurveyPhoto photo, PixelBuffer picture)
     {
@@ -92,11 +92,11 @@ public sealed class SurveyFolder
         Write(SurveyPhoto.TableName, text => SurveyPhoto.Write(photos, text));
     }
 
-    /// <summary>Waits until all is written, at most so long.</summary>
+    /// <summary>Waits until everything is written, or until the time is over.</summary>
     /// <exception cref="IOException">Something could not be written.</exception>
-    public void Wait(TimeSpan longest)
+    public void Wait(TimeSpan timeout)
     {
-        _disk.Wait(longest);
+        _disk.Wait(timeout);
         ThrowFailure();
     }
 

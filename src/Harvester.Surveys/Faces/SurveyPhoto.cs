@@ -9,26 +9,29 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Surveys.Faces;
 
-/// <summary>A photograph of a model, square, with the camera by which cuboids are drawn on it.</summary>
-/// <param name="File">Name of the picture in the folder of photographs.</param>
+/// <summary>A square photograph of a model, with the camera with which cuboids are drawn on it.</summary>
+/// <param name="File">Name of the file in the folder of photographs.</param>
 /// <param name="Model">The model's name.</param>
 /// <param name="Camera">Position (metres) and orientation of the camera in the model's frame.</param>
-/// <param name="VerticalFovDegrees">Vertical field of view, which in a square is the horizontal one too, degrees.</param>
+/// <param name="VerticalFovDegrees">Vertical and horizontal field of view, degrees.</param>
 public sealed record SurveyPhoto(string File, string Model, Pose Camera, double VerticalFovDegrees)
 {
-    /// <summary>The folder of photographs beside the measured rows.</summary>
+    /// <summary>The subfolder of photographs.</summary>
     public const string FolderName = "photos";
 
-    /// <summary>The file that says from where each photograph was taken, in the folder of the measured rows.</summary>
+    /// <summary>The file with the camera of each photograph, in the folder of the measured rows.</summary>
     public const string TableName = "photos.csv";
 
     private const string Header = "file,model,x,y,z,pitch,roll,yaw,verticalFov";
     private const int Decimals = 6;
     private const int Fields = 9;
 
-    /// <summary>
-    /// The photographs that a folder tells of; lines that are none are passed over, for all that is lost with them is a drawing.
-    /// </summary>
+    /// <summary>Positions are within metres of a model; NaN and infinity are no position.</summary>
+    private const double MaxNumber = 1e6;
+    private const double MinFovDegrees = 0.1;
+    private const double MaxFovDegrees = 179;
+
+    /// <summary>The photographs listed in a folder; invalid lines are ignored, since only a drawing is lost with them.</summary>
     /// <param name="folder">The folder of the measured rows.</param>
     /// <exception cref="IOException">The file cannot be read.</exception>
     public static IReadOnlyList<SurveyPhoto> ReadAll(string folder)
@@ -43,7 +46,7 @@ public sealed record SurveyPhoto(string File, string Model, Pose Camera, double 
         return ReadAll(text);
     }
 
-    /// <summary>The same, of an open table.</summary>
+    /// <summary>The photographs listed in an open table.</summary>
     public static IReadOnlyList<SurveyPhoto> ReadAll(TextReader table)
     {
         var photos = new List<SurveyPhoto>();
@@ -58,7 +61,7 @@ public sealed record SurveyPhoto(string File, string Model, Pose Camera, double 
         return photos;
     }
 
-    /// <summary>Writes the table of photographs, ordered by their files.</summary>
+    /// <summary>Writes the table of photographs, ordered by file name.</summary>
     internal static void Write(IEnumerable<SurveyPhoto> photos, TextWriter text)
     {
         text.Write(Header + "\n");
@@ -68,7 +71,8 @@ public sealed record SurveyPhoto(string File, string Model, Pose Camera, double 
             Vector3D place = photo.Camera.Position;
             double[] numbers = [place.X, place.Y, place.Z, angles.PitchDegrees, angles.RollDegrees, angles.YawDegrees,
                 photo.VerticalFovDegrees];
-            text.Write($"{photo.File},{photo.Model},{string.Join(",", numbers.Select(number => InvariantNumber.Format(number, Decimals)))}\n");
+            string row = string.Join(",", numbers.Select(number => InvariantNumber.Format(number, Decimals)));
+            text.Write($"{photo.File},{photo.Model},{row}\n");
         }
     }
 
@@ -78,13 +82,14 @@ public sealed record SurveyPhoto(string File, string Model, Pose Camera, double 
         var numbers = new List<double>();
         foreach (string field in fields.Skip(2))
         {
-            if (double.TryParse(field, NumberStyles.Float, CultureInfo.InvariantCulture, out double number))
+            if (double.TryParse(field, NumberStyles.Float, CultureInfo.InvariantCulture, out double number)
+                && Math.Abs(number) <= MaxNumber)
             {
                 numbers.Add(number);
             }
         }
 
-        return fields.Length != Fields || numbers.Count != Fields - 2
+        return fields.Length != Fields || numbers.Count != Fields - 2 || numbers[6] is not (>= MinFovDegrees and <= MaxFovDegrees)
             ? null
             : new SurveyPhoto(
                 fields[0],

@@ -10,17 +10,17 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Surveys.Faces;
 
-/// <summary>Collects the models of signs, lights and props of unknown kind that are met and that a table lacks.</summary>
-/// <param name="table">Gives what is known now.</param>
+/// <summary>Collects the models of signs, lights and props of unknown class that were seen and that a table lacks.</summary>
+/// <param name="table">Returns the currently known faces.</param>
 public sealed class UnknownModels(Func<FaceTable> table)
 {
     private readonly Func<FaceTable> _table = table ?? throw new ArgumentNullException(nameof(table));
     private readonly SortedDictionary<string, (ObjectClass Class, Vector3D Place)> _met = new(StringComparer.Ordinal);
 
-    /// <summary>The models met so far, by name.</summary>
+    /// <summary>The models seen so far, by name.</summary>
     public IReadOnlyCollection<string> Models => [.. _met.Keys.Where(IsUnknown)];
 
-    /// <summary>Looks at the entities of a moment.</summary>
+    /// <summary>Examines the entities of one moment.</summary>
     public void Look(IEnumerable<EntityState> entities)
     {
         foreach (EntityState entity in entities.Where(
@@ -33,7 +33,7 @@ public sealed class UnknownModels(Func<FaceTable> table)
         }
     }
 
-    /// <summary>Writes a line for each model with a header: name, hash, class, and where it was first met (metres, world).</summary>
+    /// <summary>Writes a header and a line for each model: name, hash, class, and where it was first seen (metres, world).</summary>
     public void Write(TextWriter text)
     {
         if (text is null)

@@ -7,8 +7,8 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Surveys.Roads;
 
 /// <summary>
-/// Roads that are prepared on another thread, so that the game never waits: those of a file, or those of a survey again and again as it
-/// grows. All calls come from the game's thread.
+/// Roads that are prepared on another thread, so that the game never waits: those of a file, or repeatedly those of a survey as it grows.
+/// All calls come from the game's thread.
 /// </summary>
 /// <param name="laneWidth">Width of the lanes of an ordinary road, metres.</param>
 /// <param name="narrowLaneWidth">Width of the lanes of a narrow road, metres.</param>
@@ -17,7 +17,7 @@ public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth, doub
     private Task<KnownRoads?>? _preparing;
     private KnownRoads? _known;
 
-    /// <summary>Whether roads are being prepared; until then others are not taken.</summary>
+    /// <summary>Whether roads are being prepared; until then others are not accepted.</summary>
     public bool IsPreparing => _preparing is { IsCompleted: false };
 
     /// <inheritdoc/>
@@ -32,7 +32,7 @@ public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth, doub
         return _known;
     }
 
-    /// <summary>Why the last roads could not be prepared, once; those before stay. Null when nothing failed.</summary>
+    /// <summary>Why the last roads could not be prepared; returned once. The earlier roads stay in use. Null if nothing failed.</summary>
     public Exception? TakeFailure()
     {
         Exception? failure = _preparing?.Exception?.InnerException;
@@ -40,9 +40,9 @@ public sealed class GrowingRoads(double laneWidth = RoadGeometry.LaneWidth, doub
         return failure;
     }
 
-    /// <summary>Begins to prepare a network in place of what is known now; until it is ready, that stays.</summary>
-    /// <param name="read">Gives the network, on another thread.</param>
-    /// <param name="source">Where it is from, as a short camelCase word for the labels.</param>
+    /// <summary>Starts preparing a network; until it is ready, the current one stays in use.</summary>
+    /// <param name="read">Returns the network; called on another thread.</param>
+    /// <param name="source">Its source, as a short camelCase word for the labels.</param>
     public void Prepare(Func<RoadNetwork> read, string source)
     {
         if (!IsPreparing)

@@ -7,10 +7,10 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Surveys.Roads;
 
 /// <summary>
-/// Collects the road network around a car while it drives, a few questions to the game a tick. Nodes come from the list of those
-/// closest to the car; links are looked for at eight points around every node, since the game only tells the one closest to a
-/// point. A link that is nowhere the closest of its neighbours is not found. For the edges of a link the game is asked twice, ticks
-/// apart, at both of its ends, looking along it; whether the answers can be trusted is left to <see cref="LaneModel"/>.
+/// Collects the road network around a car while it drives, with a few calls to the game per tick. Nodes come from the list of those closest
+/// to the car; links are searched at eight points around every node, since the game only returns the one closest to a point. A link that is
+/// nowhere closer than its neighbours is not found. For the edges of a link the game is called twice, ticks apart, at both of its ends,
+/// looking along it; <see cref="LaneModel"/> decides whether the results can be trusted.
 /// </summary>
 public sealed class RoadSurvey
 {
@@ -25,13 +25,13 @@ public sealed class RoadSurvey
 
     private const int MaxLanes = 7;
 
-    /// <summary>An answer further from its node is of another road, metres.</summary>
-    private const double FurthestEdge = 100;
+    /// <summary>Maximum distance of an edge point from its node, metres; a farther one belongs to another road.</summary>
+    private const double MaxEdgeDistance = 100;
 
-    /// <summary>How often the edges of a link are asked for, at each of its two ends.</summary>
+    /// <summary>Number of calls for the edges of a link at each of its two ends.</summary>
     private const int EdgeRounds = 2;
 
-    /// <summary>The handle of node 0 of cell 0, for an end of a link that the game does not name.</summary>
+    /// <summary>The handle of node 0 of cell 0, for an end of a link for which the game gives no handle.</summary>
     private const int UnknownHandle = 1;
 
     private const int MinCalls = 16;
@@ -47,10 +47,10 @@ public sealed class RoadSurvey
     private int _nextProbe;
     private int _calls;
 
-    /// <summary>Creates a survey. The game is not asked before the first step.</summary>
-    /// <param name="source">Answers the questions about nodes and links.</param>
-    /// <param name="earlier">What an earlier survey found, to go on with; null for none.</param>
-    /// <param name="callsPerStep">Questions to the game a tick at most; at least 16.</param>
+    /// <summary>Creates a survey. The game is not used before the first step.</summary>
+    /// <param name="source">The game's functions for nodes and links.</param>
+    /// <param name="earlier">The result of an earlier survey, to continue it; null to start a new one.</param>
+    /// <param name="callsPerStep">Maximum number of calls to the game per tick; at least 16.</param>
     public RoadSurvey(IRoadSource source, RoadNetwork? earlier = null, int callsPerStep = 40)
     {
         _source = source ?? throw new ArgumentNullException(nameof(source));
@@ -66,8 +66,8 @@ public sealed class RoadSurvey
         }
     }
 
-    /// <summary>Goes on with the survey; to be called every tick, for the game forgets requests to load nodes.</summary>
-    /// <param name="place">Where the car is, metres, world.</param>
+    /// <summary>Continues the survey; call it every tick, because the game forgets requests to load nodes.</summary>
+    /// <param name="place">The car's position, metres, world.</param>
     public RoadSurveyStatus Step(Vector3D place)
     {
         bool isLoaded = _source.RequestNodes(place, Range);
@@ -85,7 +85,7 @@ public sealed class RoadSurvey
                 MeasureNext(place);
             }
 
-            // To meet a node takes two questions.
+            // A node takes two calls.
             while (_calls < _callsPerStep - 2 && MeetNext(place))
             {
             }
@@ -95,11 +95,11 @@ public sealed class RoadSurvey
             _network.NodeCount, _network.LinkCount, _network.EdgeCount, _waiting.Count + _unmeasured.Count, isLoaded);
     }
 
-    /// <summary>What was found so far, together with what the earlier survey had found.</summary>
+    /// <summary>Everything found so far, including the earlier survey.</summary>
     public RoadNetwork ToNetwork() => _network.ToNetwork();
 
     /// <summary>
-    /// Meets the next of the nodes around; after the last, and when the car has moved on, it begins again with the closest.
+    /// Surveys the next node around the car; after the last, and when the car has moved on, it begins again with the closest.
     /// </summary>
     private bool MeetNext(Vector3D place)
     {
@@ -179,7 +179,7 @@ public sealed class RoadSurvey
         Vector3D start = PathGrid.Truncate(_network.Node(road.From).Position);
         Vector3D end = PathGrid.Truncate(_network.Node(road.To).Position);
 
-        // Far away the game has no node, and would tell the edge of another: such a link waits until the car is near both its ends.
+        // Far away the game has no node, and would return the edge of another: such a link waits until the car is near both its ends.
         if ((start - place).Length > Range || (end - place).Length > Range)
         {
             _unmeasured.Enqueue((link, rounds));
@@ -197,7 +197,7 @@ public sealed class RoadSurvey
     private void Measure(int link, bool isAtStart, Vector3D node, Vector3D along)
     {
         _calls++;
-        if (_source.RoadEdge(node, Angles.HeadingDegrees(along)) is { } edge && (edge - node).Length < FurthestEdge)
+        if (_source.RoadEdge(node, Angles.HeadingDegrees(along)) is { } edge && (edge - node).Length < MaxEdgeDistance)
         {
             _network.Add(new RoadEdge(link, isAtStart, edge + (PathGrid.RemoveBias(node) - node)));
         }

@@ -7,11 +7,11 @@ using Harvester.Sessions.Roads;
 
 namespace Harvester.Surveys.Roads;
 
-/// <summary>Keeps a survey's findings in a file of the form of <see cref="RoadCsv"/>.</summary>
+/// <summary>Stores a survey's result in a file of the format <see cref="RoadCsv"/>.</summary>
 public static class RoadSurveyFile
 {
-    /// <summary>What an earlier survey found; null when there is no file.</summary>
-    /// <exception cref="FormatException">The file is damaged; the message says in which line.</exception>
+    /// <summary>Reads the result of an earlier survey; null if there is no file.</summary>
+    /// <exception cref="FormatException">The file is damaged; the message names the line.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
     public static RoadNetwork? Load(string path)
     {
@@ -24,8 +24,8 @@ public static class RoadSurveyFile
         return RoadCsvReader.Read(text);
     }
 
-    /// <summary>Writes the findings. The file is always a whole survey.</summary>
-    /// <exception cref="IOException">The file cannot be written; one that was there before is as it was.</exception>
+    /// <summary>Writes the result. The file is always complete.</summary>
+    /// <exception cref="IOException">The file cannot be written; an older one is unchanged.</exception>
     public static void Save(string path, RoadNetwork network) => AtomicFile.Write(path, stream =>
     {
         using var text = new StreamWriter(stream, new UTF8Encoding(encoderShouldEmitUTF8Identifier: false), 4096, leaveOpen: true);

@@ -6,8 +6,8 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Surveys.Roads;
 
 /// <summary>
-/// A network that grows. Nodes are known by their stored positions, which is all that the game's links name them by, and links by
-/// the nodes at their ends.
+/// A growing network. Nodes are identified by their stored positions, which is all that the game's links give of them, and links by the
+/// nodes at their ends.
 /// </summary>
 internal sealed class SurveyedNetwork
 {
@@ -24,7 +24,7 @@ internal sealed class SurveyedNetwork
 
     public int EdgeCount => _edges.Count;
 
-    /// <summary>Adds what an earlier survey found. Nodes at one stored position, and links between the same nodes, become one.</summary>
+    /// <summary>Adds the result of an earlier survey. Nodes at one stored position, and links between the same nodes, are merged.</summary>
     public void Add(RoadNetwork earlier)
     {
         var nodes = new List<int>();
@@ -41,7 +41,7 @@ internal sealed class SurveyedNetwork
 
         foreach (RoadEdge edge in earlier.Edges)
         {
-            // Where a link became one with another, its ends may have changed places: such edges are not kept.
+            // When links are merged, their ends may have been swapped: such edges are not kept.
             if (links[edge.Link] is { } link && _links[link].From == nodes[earlier.Links[edge.Link].From])
             {
                 Add(edge with { Link = link });
@@ -55,7 +55,7 @@ internal sealed class SurveyedNetwork
 
     public RoadLink Link(int link) => _links[link];
 
-    /// <summary>How many points are known on the edges of a link.</summary>
+    /// <summary>Number of known points on the edges of a link.</summary>
     public int EdgesOf(int link) => _edgesOfLink[link];
 
     public int Add(RoadNode node, Vector3D stored)
@@ -70,7 +70,9 @@ internal sealed class SurveyedNetwork
         return _nodes.Count - 1;
     }
 
-    /// <summary>The place of a link, which is added if there is none yet between its nodes; null for one that leads nowhere.</summary>
+    /// <summary>
+    /// The index of a link, which is added unless there is one between its nodes; null for a link whose ends are the same node.
+    /// </summary>
     public int? Add(RoadLink link)
     {
         if (link.From == link.To)
@@ -98,6 +100,6 @@ internal sealed class SurveyedNetwork
 
     public RoadNetwork ToNetwork() => new([.. _nodes], [.. _links], [.. _edges]);
 
-    /// <summary>Without minus zero, whose hash is not that of zero in every runtime.</summary>
+    /// <summary>Without negative zero, whose hash differs from that of zero in some runtimes.</summary>
     private static Vector3D Key(Vector3D stored) => stored + Vector3D.Zero;
 }

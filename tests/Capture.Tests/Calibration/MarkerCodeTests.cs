@@ -5,7 +5,7 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Capture.Tests.Calibration;
 
-/// <summary>Markers that are told apart by the pictures that show them.</summary>
+/// <summary>Identifying markers by the pictures that show them.</summary>
 public sealed class MarkerCodeTests
 {
     private const double Reach = 6;

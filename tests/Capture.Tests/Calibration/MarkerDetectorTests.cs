@@ -16,7 +16,7 @@ public sealed class MarkerDetectorTests
     [Theory]
     [InlineData(8, 0.05)]
     [InlineData(1, 0.2)]
-    public void Find_gives_the_centre_to_a_part_of_a_pixel(int samplesPerSide, double tolerance)
+    public void Find_locates_the_centre_to_a_fraction_of_a_pixel(int samplesPerSide, double tolerance)
     {
         // With 64 points a pixel the picture is smooth; with 1 an outline of some 38 pixels is rounded: 0.3 · √38 / (6² π) = 0.02 px
         // typically.

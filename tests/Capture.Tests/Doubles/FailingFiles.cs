@@ -1,11 +1,13 @@
 using Harvester.Capture.Storage;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Capture.Tests.Doubles;
 
 /// <summary>
-/// A session's directory whose disk is full from a given write on, as the medium's own stream would tell: in the middle of a file.
+/// A session's directory whose disk is full from a given write on, permanently or for some writes, in the middle of a file, as a real
+/// stream reports it.
 /// </summary>
-internal sealed class FailingFiles(string directory, int failingWrite) : ISessionFiles
+internal sealed class FailingFiles(string directory, int failingWrite, int failures = int.MaxValue) : ISessionFiles
 {
     private readonly SessionDirectory _files = new(directory);
     private int _writes;
@@ -14,24 +16,36 @@ internal sealed class FailingFiles(string directory, int failingWrite) : ISessio
 
     public void MakeFolder(string name) => _files.MakeFolder(name);
 
-    public void WriteWhole(string name, Action<Stream> content) =>
+    public FileDigest WriteWhole(string name, Action<Stream> content) =>
         _files.WriteWhole(name, stream =>
         {
             content(stream);
             FailIfDue();
         });
 
-    public void AppendLabel(string line)
+    public void Append(string name, IReadOnlyList<string> lines, bool isDurable)
     {
         FailIfDue();
-        _files.AppendLabel(line);
+        _files.Append(name, lines, isDurable);
+    }
+
+    public void Sync()
+    {
+        FailIfDue();
+        _files.Sync();
+    }
+
+    public void TidyManifest(Predicate<int> isFrame, bool keepsReplaced, bool isDurable)
+    {
+        FailIfDue();
+        _files.TidyManifest(isFrame, keepsReplaced, isDurable);
     }
 
     public void Dispose() => _files.Dispose();
 
     private void FailIfDue()
     {
-        if (++_writes >= failingWrite)
+        if (++_writes >= failingWrite && _writes - failingWrite < failures)
         {
             throw new IOException("No space left on device.");
         }

@@ -4,7 +4,7 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Tests.Doubles;
 
-/// <summary>Notes which entities are asked for.</summary>
+/// <summary>Records which entities are requested.</summary>
 internal sealed class RecordingWorld(IWorld world, List<(Vector3D Centre, double Range)> asked) : IWorld
 {
     public long GameFrame => world.GameFrame;

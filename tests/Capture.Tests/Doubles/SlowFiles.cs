@@ -1,4 +1,5 @@
 using Harvester.Capture.Storage;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Capture.Tests.Doubles;
 
@@ -12,13 +13,18 @@ internal sealed class SlowFiles(string directory) : ISessionFiles
 
     public void MakeFolder(string name) => _files.MakeFolder(name);
 
-    public void WriteWhole(string name, Action<Stream> content)
+    public FileDigest WriteWhole(string name, Action<Stream> content)
     {
         _released.Wait();
-        _files.WriteWhole(name, content);
+        return _files.WriteWhole(name, content);
     }
 
-    public void AppendLabel(string line) => _files.AppendLabel(line);
+    public void Append(string name, IReadOnlyList<string> lines, bool isDurable) => _files.Append(name, lines, isDurable);
+
+    public void Sync() => _files.Sync();
+
+    public void TidyManifest(Predicate<int> isFrame, bool keepsReplaced, bool isDurable) =>
+        _files.TidyManifest(isFrame, keepsReplaced, isDurable);
 
     public void Dispose()
     {

@@ -52,5 +52,5 @@ public sealed class FreezeReportTests
         ]).ToString());
 
     [Fact]
-    public void No_finding_at_all_is_refused() => Assert.Throws<ArgumentException>(() => FreezeReport.Of([]));
+    public void Report_without_findings_is_refused() => Assert.Throws<ArgumentException>(() => FreezeReport.Of([]));
 }

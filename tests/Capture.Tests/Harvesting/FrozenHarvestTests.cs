@@ -8,7 +8,7 @@ using Harvester.TestSupport;
 
 namespace Harvester.Capture.Tests.Harvesting;
 
-/// <summary>The frozen harvest against a game whose pictures tell which state they show.</summary>
+/// <summary>The frozen harvest against a game whose pictures show the number of their state.</summary>
 public sealed class FrozenHarvestTests
 {
     private static readonly HarvestOptions Small = new() { Image = new ImageSize(64, 48), MaxFrames = 25, OcclusionSamples = 4 };
@@ -53,7 +53,7 @@ public sealed class FrozenHarvestTests
     }
 
     [Fact]
-    public void Step_with_a_lag_above_the_limit_is_what_the_judge_would_see()
+    public void Judge_detects_frames_with_a_lag_above_the_limit()
     {
         // The control for the test above: with room for 2 ticks and a lag of 3, pictures and labels must be found to disagree.
         var game = new FakeGame { PictureLag = 3 };
@@ -77,7 +77,7 @@ public sealed class FrozenHarvestTests
 
         Assert.Equal(0, session.Counters.Captured);
         Assert.Equal(
-            "The picture is 3 ticks or more behind the game; the harvest allows 2.",
+            "The image is 3 ticks or more behind the game; the harvest allows 2.",
             session.Fault);
     }
 
@@ -94,7 +94,7 @@ public sealed class FrozenHarvestTests
         game.Run(session);
 
         Assert.StartsWith(
-            $"The picture is {lag} ticks or more behind the game; the harvest allows 4.", session.Fault, StringComparison.Ordinal);
+            $"The image is {lag} ticks or more behind the game; the harvest allows 4.", session.Fault, StringComparison.Ordinal);
         Assert.Empty(sink.Frames);
         Assert.False(game.WantsFrozen);
     }

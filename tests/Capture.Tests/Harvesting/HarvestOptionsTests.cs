@@ -25,7 +25,7 @@ public sealed class HarvestOptionsTests
 
     [Theory]
     [MemberData(nameof(Impossible))]
-    public void Impossible_value_is_refused_by_name(string name, Func<HarvestOptions, HarvestOptions> change)
+    public void Value_out_of_range_is_refused_by_name(string name, Func<HarvestOptions, HarvestOptions> change)
     {
         ArgumentOutOfRangeException refusal = Assert.Throws<ArgumentOutOfRangeException>(() => change(new HarvestOptions()));
 
@@ -34,7 +34,7 @@ public sealed class HarvestOptionsTests
     }
 
     [Fact]
-    public void Absent_end_and_limits_themselves_are_accepted()
+    public void Absent_frame_limit_and_values_at_the_limits_are_accepted()
     {
         HarvestOptions options =
             new() { MaxFrames = null, MaxOccludedFraction = 1, MinBoxAreaPixels = 0, MaxPictureLagTicks = 0, MaxSettleTicks = 1 };

@@ -60,7 +60,7 @@ public sealed class HarvestSessionTests
 
         game.Run(session);
 
-        // Never more than one tick late, and never late because the one before was; a game of 60 ticks gives no more than 60.
+        // Never more than one tick late, and delays do not add up; a game of 60 ticks gives no more than 60 frames.
         double period = 1 / Math.Min(rateHz, FakeGame.TicksPerSecond);
         Assert.All(sink.Frames.Select((frame, index) => frame.Label.TimeSeconds - (index * period)), late =>
             Assert.InRange(late, -1e-9, (1 / FakeGame.TicksPerSecond) - 1e-9));
@@ -183,7 +183,7 @@ public sealed class HarvestSessionTests
     [Fact]
     public void Step_with_too_many_objects_to_number_ends_with_a_message()
     {
-        // Each state has a car of its own.
+        // Each state has a different car.
         var game = new FakeGame();
         game.Entities = entities => [.. entities.Select(entity => entity with { Handle = 1_000 + (int)game.State })];
         var sink = new MemorySink { FirstObjectId = 65_534 };
@@ -196,7 +196,7 @@ public sealed class HarvestSessionTests
     }
 
     [Fact]
-    public void Step_twice_over_gives_the_same_labels()
+    public void Same_harvest_twice_gives_the_same_labels()
     {
         string[][] runs = [.. Enumerable.Range(0, 2).Select(_ =>
         {

@@ -8,7 +8,7 @@ namespace Harvester.Capture.Tests.Harvesting;
 /// <summary>Records are written as rows: the place of the camera, the place of the entity, the change of the picture.</summary>
 public sealed class LagRecordTests
 {
-    private const int GreatestTicks = 4;
+    private const int MaxTicks = 4;
     private const int RunningTicks = 2;
 
     [Fact]
@@ -98,9 +98,9 @@ public sealed class LagRecordTests
         Assert.Null(Lag(record));
     }
 
-    private static IEnumerable<int> Running => Enumerable.Range(-GreatestTicks - 1, GreatestTicks + 1);
+    private static IEnumerable<int> Running => Enumerable.Range(-MaxTicks - 1, MaxTicks + 1);
 
-    private static PictureLag? Lag(LagRecord record) => record.LagOf(RunningTicks, GreatestTicks);
+    private static PictureLag? Lag(LagRecord record) => record.LagOf(RunningTicks, MaxTicks);
 
     private static LagRecord Record(params (double Camera, double Entity, double Change)[] rows)
     {

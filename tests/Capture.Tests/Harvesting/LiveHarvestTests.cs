@@ -57,7 +57,7 @@ public sealed class LiveHarvestTests
     }
 
     [Fact]
-    public void Step_with_a_wrong_lag_given_is_what_the_judge_would_see()
+    public void Judge_detects_frames_with_a_wrong_given_lag()
     {
         // The control for the test above.
         var game = new FakeGame { PictureLag = 2 };

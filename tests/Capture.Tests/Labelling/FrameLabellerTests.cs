@@ -203,7 +203,7 @@ public sealed class FrameLabellerTests
     [InlineData(true)]
     public void Object_with_only_empty_space_in_view_has_no_label_or_region(bool masks)
     {
-        // The image ends at 10 m to the right at 10 m ahead. Rays meet the entity at its right end only, from 11 m on.
+        // The image ends at 10 m to the right at 10 m ahead. Rays hit the entity at its right end only, from 11 m on.
         EntityState wide = Entity(20, 9, 10) with { ModelMax = new Vector3D(8, 1, 1) };
         EntityState rightEnd = Entity(20, 16, 10) with { ModelMax = new Vector3D(1, 1, 1) };
         FrameDraft draft = Labeller(

@@ -51,7 +51,7 @@ public sealed class ObjectRegistryTests
     [Fact]
     public void Remember_prefers_the_ids_of_the_latest_scene()
     {
-        // The handle came to another car of the same model, which a resumed harvest gave a number of its own.
+        // The handle was reused for another car of the same model, to which a resumed harvest gave a new id.
         var registry = new ObjectRegistry(20);
         registry.Remember(SceneOf(Car, 4));
         registry.Remember(SceneOf(Car, 9));

@@ -17,7 +17,7 @@ internal sealed class SessionFolder : IDisposable
             ? File.ReadAllLines(System.IO.Path.Combine(Session, "labels.jsonl"))
             : [];
 
-    /// <summary>Checks that each label line is whole and has whole files, and returns the number of lines.</summary>
+    /// <summary>Checks that each label line and its files are complete, and returns the number of lines.</summary>
     public int CheckValid()
     {
         string[] lines = LabelLines;

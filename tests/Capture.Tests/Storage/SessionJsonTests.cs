@@ -18,7 +18,8 @@ public sealed class SessionJsonTests
             0.125,
             new CameraState(new Pose(new Vector3D(1, 2, 3), Axes.Identity), 90, 0.15, 1)),
         null,
-        0);
+        0,
+        HasManifest: true);
 
     [Fact]
     public void Text_of_a_finished_session_is_as_documented()
@@ -99,6 +100,7 @@ public sealed class SessionJsonTests
               },
               "state": "complete",
               "fault": null,
+              "manifest": true,
               "end": {
                 "gameFrame": 99,
                 "timeSeconds": 1.5

@@ -3,6 +3,7 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.Storage;
 using Harvester.Capture.Tests.Doubles;
 using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.TestSupport;
 
@@ -24,7 +25,7 @@ public sealed class SessionWriterTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
-    public void Harvest_writes_a_session_that_is_complete()
+    public void Harvest_writes_a_valid_complete_session()
     {
         using (var writer = new SessionWriter(_folder.Session, Origin))
         {
@@ -56,8 +57,8 @@ public sealed class SessionWriterTests : IDisposable
         IReadOnlyDictionary<string, byte[]> first = _folder.Files();
         IReadOnlyDictionary<string, byte[]> second = other.Files();
 
-        // 6 pictures, 6 masks, 6 scenes, labels and header.
-        Assert.Equal(20, first.Count);
+        // 6 pictures, 6 masks, 6 scenes, labels, manifest and header.
+        Assert.Equal(21, first.Count);
         Assert.Equal(first.Keys.Order(), second.Keys.Order());
         Assert.All(first, file => Assert.Equal(file.Value, second[file.Key]));
     }
@@ -88,30 +89,35 @@ public sealed class SessionWriterTests : IDisposable
         Assert.Single(Directory.GetFileSystemEntries(_folder.Session));
     }
 
-    // The writes of one frame with a mask: picture, mask, scene, label; before the first comes the header.
+    // Before the first frame: the header's line in the manifest, the header, and both brought to the disk. Of each frame: picture, mask,
+    // scene, these brought to the disk, its line in the manifest, its label line.
     [Theory]
     [InlineData(1, 0)]
     [InlineData(2, 0)]
     [InlineData(3, 0)]
     [InlineData(4, 0)]
     [InlineData(5, 0)]
-    [InlineData(6, 1)]
-    [InlineData(7, 1)]
-    [InlineData(9, 1)]
-    [InlineData(17, 3)]
-    [InlineData(18, 4)]
+    [InlineData(6, 0)]
+    [InlineData(7, 0)]
+    [InlineData(8, 0)]
+    [InlineData(9, 0)]
+    [InlineData(10, 1)]
+    [InlineData(13, 1)]
+    [InlineData(15, 1)]
+    [InlineData(27, 3)]
+    [InlineData(28, 4)]
     public void Harvest_to_a_disk_that_fills_up_leaves_complete_frames(int failingWrite, int wholeFrames)
     {
         var files = new FailingFiles(_folder.Session, failingWrite);
         var game = new FakeGame();
         var writer = new SessionWriter(_folder.Session, Origin, resume: false, files);
-        var session = new HarvestSession(Options with { MaxFrames = 1_000 }, game.Ports, writer);
+        var session = new HarvestSession(Options with { MaxFrames = 1_000, Sync = SyncMode.Always }, game.Ports, writer);
         RunToEnd(session, game, writer);
         writer.Dispose();
 
         Assert.Equal(HarvestPhase.Faulted, session.Status.Phase);
         Assert.Contains("No space left on device.", session.Fault, StringComparison.Ordinal);
-        Assert.Contains($"Its {wholeFrames} frames so far are complete", session.Fault, StringComparison.Ordinal);
+        Assert.Contains($"The session so far is valid, with {wholeFrames} frame", session.Fault, StringComparison.Ordinal);
         Assert.DoesNotContain('\n', session.Fault!);
         Assert.False(game.WantsFrozen);
         Assert.Equal(wholeFrames, _folder.CheckValid());
@@ -157,7 +163,7 @@ public sealed class SessionWriterTests : IDisposable
     }
 
     [Fact]
-    public void Harvest_resumed_follows_on_and_gives_new_numbers_to_objects()
+    public void Resumed_harvest_continues_frame_and_object_numbers()
     {
         using (var writer = new SessionWriter(_folder.Session, Origin))
         {

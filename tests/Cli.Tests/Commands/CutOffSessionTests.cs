@@ -47,7 +47,7 @@ public sealed class CutOffSessionTests : IDisposable
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.StartsWith("Note: the unfinished last line of labels.jsonl is ignored", run.Out, StringComparison.Ordinal);
-        Assert.EndsWith("good\n", run.Out, StringComparison.Ordinal);
+        Assert.EndsWith("no problems\n", run.Out, StringComparison.Ordinal);
     }
 
     [Theory]
@@ -57,7 +57,7 @@ public sealed class CutOffSessionTests : IDisposable
         string header = Path.Combine(Session, SessionInfo.FileName);
         File.WriteAllText(header, File.ReadAllText(header)[..300]);
 
-        Run(arguments).AssertFailed(ExitCode.BadData, "session.json: not JSON");
+        Run(arguments).AssertFailed(ExitCode.BadData, "session.json: invalid JSON");
         Assert.False(Directory.Exists(_folder.PathOf("out")));
     }
 

@@ -19,7 +19,7 @@ public sealed class DoctorCommandTests : IDisposable
             $"""
             Read {log}: 1 line
 
-            1. The pictures were black or of a single colour: the game runs in exclusive full screen, or the picture cannot be copied.
+            1. The images were black or of a single colour: the game runs in exclusive full screen, or its window cannot be copied.
                What to do: Choose windowed borderless in the game's graphics settings.
                Seen in GtaDataHarvester.log line 1: 2026-10-02 18:03:11 The harvest ended: 0 frames, discarded: 50 black, in out.
 
@@ -45,7 +45,7 @@ public sealed class DoctorCommandTests : IDisposable
         const string begin = "2026-10-02 18:03:11 GtaDataHarvester 0.1.0.0, API 3.6.0.0, GTA V Legacy 1.0.3179.0.\n";
         string log = Write(begin + "2026-10-02 18:03:11 The harvest: on\n" + begin);
 
-        Assert.Contains("1 line, 1 earlier run left aside", CliRun.Of("doctor", log).Out, StringComparison.Ordinal);
+        Assert.Contains("1 line, 1 earlier run skipped", CliRun.Of("doctor", log).Out, StringComparison.Ordinal);
         Assert.Contains("1 problem found", CliRun.Of("doctor", log, "--all-runs").Out, StringComparison.Ordinal);
     }
 
@@ -58,7 +58,7 @@ public sealed class DoctorCommandTests : IDisposable
     }
 
     [Fact]
-    public void What_cannot_be_read_is_refused_in_one_line()
+    public void Unreadable_log_is_refused_in_one_line()
     {
         CliRun.Of("doctor", Path.Combine(_folder.Path, "missing.log")).AssertFailed(ExitCode.InputOutput, "missing.log");
         CliRun.Of("doctor", _folder.Path)

@@ -33,16 +33,16 @@ public sealed class DriveCommandTests
     }
 
     [Fact]
-    public void Drive_to_no_folder_is_refused() => CliRun.Of("drive").AssertFailed(2, "'--out' is required");
+    public void Drive_without_an_output_folder_is_refused() => CliRun.Of("drive").AssertFailed(2, "'--out' is required");
 
     [Fact]
-    public void Drive_by_nobody_known_is_refused() =>
+    public void Drive_by_an_unknown_controller_is_refused() =>
         CliRun.Of("drive", "--out", "unused", "--controller", "nobody")
             .AssertFailed(2, "--controller takes stanley or deepdriving, not 'nobody'.");
 
     [Fact]
-    public void Drive_from_no_place_is_refused() =>
-        CliRun.Of("drive", "--out", "unused", "--near", "here").AssertFailed(2, "--near takes two numbers, not 'here'.");
+    public void Drive_from_an_invalid_place_is_refused() =>
+        CliRun.Of("drive", "--out", "unused", "--near", "here").AssertFailed(2, "--near takes two numbers, e.g. 0,-1000, not 'here'.");
 
     [Fact]
     public void Drive_over_a_drive_requires_overwrite_and_then_replaces_it()
@@ -52,7 +52,7 @@ public sealed class DriveCommandTests
         Short(drive);
         File.WriteAllText(Path.Combine(drive, "drive.json"), "the first");
 
-        Short(drive).AssertFailed(2, "already holds a drive. Name another folder with --out, or replace it with --overwrite.");
+        Short(drive).AssertFailed(2, "already has a drive. Name another folder with --out, or replace it with --overwrite.");
         Assert.Equal("the first", File.ReadAllText(Path.Combine(drive, "drive.json")));
         Assert.Equal(0, Short(drive, "--overwrite").ExitCode);
         Assert.NotEqual("the first", File.ReadAllText(Path.Combine(drive, "drive.json")));
@@ -66,7 +66,7 @@ public sealed class DriveCommandTests
         using TemporaryFolder folder = new();
         File.WriteAllText(folder.PathOf(file), "mine");
 
-        Short(folder.PathOf(""), "--overwrite").AssertFailed(2, $"holds other files besides a drive, e.g. '{file}'");
+        Short(folder.PathOf(""), "--overwrite").AssertFailed(2, $"has files that are not a drive's, e.g. '{file}'");
         Assert.Equal("mine", File.ReadAllText(folder.PathOf(file)));
         Assert.Single(Directory.GetFiles(folder.PathOf("")));
     }
@@ -97,7 +97,7 @@ public sealed class DriveCommandTests
     }
 
     [Fact]
-    public void Drive_far_from_the_roads_of_a_made_up_town_is_refused()
+    public void Drive_far_from_the_roads_of_a_generated_town_is_refused()
     {
         using TemporaryFolder folder = new();
 

@@ -155,7 +155,7 @@ public sealed class DriveOverBridgeTests : IDisposable
     [InlineData("--role and --bridge", "--role game and --role client need --bridge", "--role", "client")]
     [InlineData("--bridge", "--bridge takes direct, folder or socket, not 'usb'", "--bridge", "usb")]
     [InlineData("--role", "--role takes both, game or client, not 'none'", "--role", "none")]
-    [InlineData("--at", "--at takes an IP address and a port, e.g. 127.0.0.1:4567, not 'here'", "--bridge", "socket", "--at", "here")]
+    [InlineData("--at", "--at takes an IP address with a port, e.g. 127.0.0.1:4567, not 'here'", "--bridge", "socket", "--at", "here")]
     [InlineData(
         "no token", "0.0.0.0 is reachable from other machines; set a --token", "--bridge", "socket", "--role", "game", "--at",
         "0.0.0.0:4567")]

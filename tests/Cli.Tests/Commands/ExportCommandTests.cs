@@ -27,10 +27,10 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     }
 
     [Theory]
-    [InlineData("kitti", "bus=Bus", "--map: kitti has no class 'Bus'. It has Car, Van, Truck,")]
-    [InlineData("cityscapes", "bus=Bus", "--map: cityscapes has no class 'Bus'. It has unlabeled, ")]
+    [InlineData("kitti", "bus=Bus", "--map: kitti has no class 'Bus'. Its classes are Car, Van, Truck,")]
+    [InlineData("cityscapes", "bus=Bus", "--map: cityscapes has no class 'Bus'. Its classes are unlabeled, ")]
     [InlineData("kitti", "bus=DontCare", "--map: kitti has no class 'DontCare'.")]
-    public void Name_that_the_format_does_not_have_is_refused(string format, string map, string message) =>
+    public void Class_name_unknown_to_the_format_is_refused(string format, string map, string message) =>
         CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"), "--map", map)
             .AssertFailed(ExitCode.Usage, message);
 
@@ -64,7 +64,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
                     + $"cityscapes, csv.");
 
     [Fact]
-    public void Subclass_that_is_not_known_is_refused() =>
+    public void Unknown_subclass_is_refused() =>
         CliRun.Of("export", session.Folder, "--format", "yolo", "--out", _folder.PathOf("out"), "--subclasses", "colour")
             .AssertFailed(ExitCode.Usage, "--subclasses takes mutcd, light or mutcd,light, not 'colour'.");
 
@@ -116,7 +116,7 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData("--split", "train:0.5,val:0.1", "add up to 1")]
     [InlineData("--classes", "cars", "--classes takes a comma-separated list of car, ")]
     [InlineData("--min-visible", "2", "--min-visible takes a number from 0 to 1")]
-    [InlineData("--shard", "3/2", "--shard takes a shard, e.g. 1/8")]
+    [InlineData("--shard", "3/2", "--shard takes I/N with I from 1 to N, e.g. 1/8")]
     [InlineData("--map", "cars=Car", "--map takes classes with names, e.g. bus=Car,truck=Car, not 'cars=Car'.")]
     [InlineData("--map", "car=", "--map takes classes with names, e.g. bus=Car,truck=Car, not 'car='.")]
     [InlineData("--map", "car=A,car=B", "--map names car twice.")]

@@ -174,7 +174,7 @@ public sealed class HarvestCommandTests : IDisposable
     [Fact]
     public void Harvest_through_a_lens_labels_what_its_pictures_show()
     {
-        // A shift by 0.1 of 160 pixels; the check of the camera model holds the labels' camera against the pictures.
+        // A shift by 0.1 of 160 pixels; the check of the camera model compares the labels' camera with the pictures.
         CliRun run = CliRun.Of(
             "harvest", "--out", Session, "--frames", "1", "--size", "160x120", "--no-report", "--centre-offset", "0.1,0", "--focal-scale",
             "1.05", "--k1", "-0.05");

@@ -47,7 +47,7 @@ public sealed class HarvestMasksTests : IDisposable
     [InlineData("--rays", "-1")]
     [InlineData("--rays", "many")]
     [InlineData("--ray-reach", "0")]
-    public void Harvest_bad_limit_of_masks_is_refused(string option, string value)
+    public void Harvest_refuses_an_impossible_limit_of_rays(string option, string value)
     {
         CliRun run = Harvest(Session, "--masks", option, value);
 

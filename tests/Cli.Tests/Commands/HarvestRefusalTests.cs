@@ -3,7 +3,7 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Cli.Tests.Commands;
 
-/// <summary>What the harvest command refuses, and what it leaves as it is when it does.</summary>
+/// <summary>What the harvest command rejects, and what it leaves unchanged then.</summary>
 public sealed class HarvestRefusalTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
@@ -32,7 +32,7 @@ public sealed class HarvestRefusalTests : IDisposable
     {
         Harvest(Session, "--frames", "2", "--seed", "3", "--hz", "2", "--quirks", $"lag={lag}").AssertFailed(
             ExitCode.HarvestFault,
-            $"The picture is {lag} ticks behind the game; the harvest allows 4. To allow more, raise --max-picture-lag.");
+            $"The image is {lag} ticks behind the game; the harvest allows 4. To allow more, raise --max-picture-lag.");
 
         Assert.False(Directory.Exists(Session));
     }
@@ -88,7 +88,7 @@ public sealed class HarvestRefusalTests : IDisposable
     {
         _folder.File("precious.txt", "mine");
 
-        Harvest(_folder.Path, "--overwrite").AssertFailed(ExitCode.Usage, "holds no session");
+        Harvest(_folder.Path, "--overwrite").AssertFailed(ExitCode.Usage, "has no session");
 
         Assert.True(File.Exists(_folder.PathOf("precious.txt")));
     }
@@ -182,7 +182,7 @@ public sealed class HarvestRefusalTests : IDisposable
     private static CliRun Harvest(string session, params string[] arguments) =>
         CliRun.Of(["harvest", "--out", session, "--size", "160x120", .. arguments]);
 
-    /// <summary>What a command asks for besides the size.</summary>
+    /// <summary>Required arguments of a command besides the size.</summary>
     private string[] Required(string command) => command switch
     {
         "harvest" => ["--out", Session],

@@ -20,7 +20,7 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
     [Theory]
     [InlineData("bmp")]
     [InlineData("jpg")]
-    public void The_format_of_the_images_changes_no_label(string format)
+    public void Image_format_changes_no_label(string format)
     {
         string png = File.ReadAllText(Path.Combine(harvested.SessionOf("png"), "labels.jsonl"));
 
@@ -118,7 +118,7 @@ public sealed class ImageFormatTests(HarvestedFormats harvested) : IClassFixture
     [InlineData("jpg", "0", "--quality takes a whole number from 1 to 100")]
     [InlineData("png", "90", "--quality has no effect without --image-format jpg")]
     [InlineData(null, "90", "--quality has no effect without --image-format jpg")]
-    public void A_format_or_quality_that_makes_no_sense_is_refused(string? format, string? quality, string message)
+    public void Impossible_format_or_quality_is_refused(string? format, string? quality, string message)
     {
         string[] options =
         [

@@ -17,8 +17,8 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
         Assert.Equal($"{_folder.PathOf("merged/session")}: 8 frames\n", merge.Out);
         string[] files = Files(harvested.PathOf("whole/session"));
 
-        // Of each frame picture, mask and scene; labels, header and report; roads and faces.
-        Assert.Equal((8 * 3) + 3 + 2, files.Length);
+        // Of each frame picture, mask and scene; labels, manifest, header and report; roads and faces.
+        Assert.Equal((8 * 3) + 4 + 2, files.Length);
         Assert.Equal(files, Files(_folder.PathOf("merged/session")));
         Assert.All(files, file => Assert.Equal(
             File.ReadAllBytes(harvested.PathOf($"whole/session/{file}")), File.ReadAllBytes(_folder.PathOf($"merged/session/{file}"))));
@@ -27,7 +27,7 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
     [Theory]
     [InlineData("part-1", 3)]
     [InlineData("part-3", 2)]
-    public void A_shard_is_a_valid_session_of_its_frames_without_a_report(string part, int frames)
+    public void Shard_is_a_valid_session_of_its_frames_without_a_report(string part, int frames)
     {
         Assert.StartsWith(
             $"{harvested.PathOf(part)}: {frames} frames", CliRun.Of("validate", harvested.PathOf(part)).Out, StringComparison.Ordinal);
@@ -53,7 +53,7 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
             "labels.jsonl",
             text => string.Concat(text.Split('\n').Where((_, line) => line != 1).Select(line => line + "\n")).TrimEnd() + "\n");
 
-        Merge("merged", "part-1", part, "part-3").AssertFailed(ExitCode.BadData, "lacks frame 4");
+        Merge("merged", "part-1", part, "part-3").AssertFailed(ExitCode.BadData, "has no frame 4");
         Assert.False(File.Exists(_folder.PathOf("merged/session.json")));
     }
 
@@ -79,7 +79,7 @@ public sealed class MergeSessionsTests(HarvestedShards harvested) : IClassFixtur
             .AssertFailed(ExitCode.InputOutput, "Folder not found: '");
 
     [Fact]
-    public void Merge_into_a_folder_that_holds_something_is_refused()
+    public void Merge_into_an_occupied_folder_is_refused()
     {
         _folder.File("thesis.tex", "mine");
 

@@ -45,7 +45,10 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
         {
             string part = _folder.PathOf("part-" + number);
             CliRun run = CliRun.Of(["relabel", Session, "--out", part, .. options, "--shard", number + "/2"]);
-            Assert.EndsWith($"{part}: shard {number}/2, 4 frames. When all are done: harvester merge\n", run.Out, StringComparison.Ordinal);
+            Assert.EndsWith(
+                $"{part}: shard {number}/2, 4 frames. When all shards are done, merge them: harvester merge SHARD... --out DIR\n",
+                run.Out,
+                StringComparison.Ordinal);
         }
 
         CliRun.Of("merge", _folder.PathOf("part-2"), _folder.PathOf("part-1"), "--out", _folder.PathOf("merged/made"));

@@ -48,7 +48,8 @@ public sealed class ReportCommandTests
         using var folder = new TemporaryFolder();
         folder.File("session.json", Header);
 
-        CliRun.Of("report", folder.Path, "--still", "7").AssertFailed(ExitCode.BadData, $"'{folder.Path}' has no frame 7.");
+        CliRun.Of("report", folder.Path, "--still", "7")
+            .AssertFailed(ExitCode.BadData, $"'{folder.Path}' has no frame 7. It is empty.");
     }
 
     [Theory]
@@ -79,7 +80,7 @@ public sealed class ReportCommandTests
     }
 
     [Fact]
-    public void Report_still_accepts_a_frame_number() =>
+    public void Report_still_requires_a_frame_number() =>
         CliRun.Of("report", "session", "--still", "frame.png")
             .AssertFailed(ExitCode.Usage, "--still takes a frame number, e.g. 12, not 'frame.png'.");
 

@@ -78,7 +78,7 @@ public sealed class RoadsCommandTests : IDisposable
     [Fact]
     public void Nodes_of_a_survey_with_road_edges_have_the_measured_width()
     {
-        // A lane each way to the north, 4.5 m wide, told twice at both ends.
+        // A lane each way to the north, 4.5 m wide, reported twice at both ends.
         string survey = _folder.File("survey.csv", """
             harvester roads,1
             node,0,0,0,0,10,,,,
@@ -102,7 +102,7 @@ public sealed class RoadsCommandTests : IDisposable
 
     // 2000 / 15 * 15 is more than 2000 in doubles.
     [Fact]
-    public void Longer_side_of_a_map_has_the_size_asked_for()
+    public void Longer_side_of_a_map_has_the_requested_size()
     {
         string from = _folder.File("roads.txt", Ipl);
         string svg = _folder.PathOf("map.svg");
@@ -149,7 +149,7 @@ public sealed class RoadsCommandTests : IDisposable
 
         CliRun.Of("roads", "map", from, "--out", svg, "--area=-10,0,10,40", "--size", "400");
         Assert.Contains(">unpaved</text>", File.ReadAllText(svg), StringComparison.Ordinal);
-        CliRun.Of("roads", "map", from, "--out", svg, "--area=900,900,999,999").AssertFailed(2, "--area has no roads.");
+        CliRun.Of("roads", "map", from, "--out", svg, "--area=900,900,999,999").AssertFailed(2, "There are no roads in --area.");
         CliRun.Of("roads", "map", from, "--out", "map.bmp").AssertFailed(2, "--out takes a file that ends in .png or .svg");
     }
 

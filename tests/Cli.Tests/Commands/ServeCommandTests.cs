@@ -66,8 +66,8 @@ public sealed class ServeCommandTests
         serve
             .AssertFailed(
                 ExitCode.Usage,
-                $"'{folder.Path}' holds other files than those of a bridge, e.g. '{foreign}'. Name another folder with --folder.");
-        drive.AssertFailed(ExitCode.Usage, "holds other files than those of a bridge");
+                $"'{folder.Path}' has files that are not a bridge's, e.g. '{foreign}'. Name another folder with --folder.");
+        drive.AssertFailed(ExitCode.Usage, "has files that are not a bridge's");
         Assert.Equal(
             files.Order(StringComparer.Ordinal),
             Directory.EnumerateFileSystemEntries(folder.Path).Select(Path.GetFileName).Order(StringComparer.Ordinal));
@@ -93,11 +93,11 @@ public sealed class ServeCommandTests
     [InlineData("--controller", "rails", "'rails'")]
     [InlineData("--weather", "hail", "'hail'")]
     [InlineData("--duration", "0", "greater than 0")]
-    public void Option_that_cannot_be_is_refused(string option, string value, string message) =>
+    public void Impossible_option_value_is_refused(string option, string value, string message) =>
         CliRun.Of("serve", option, value).AssertFailed(ExitCode.Usage, message);
 
     /// <summary>
-    /// Connects, asks for a weather that the game does not have, and waits for the end of the connection; returns its own port.
+    /// Connects, sends a weather that the game does not have, and waits for the end of the connection; returns its own port.
     /// </summary>
     private static async Task<int> HailAsync(int port, Task serve)
     {
@@ -114,11 +114,12 @@ public sealed class ServeCommandTests
                 continue;
             }
 
+            NetworkStream stream = connection.GetStream();
+            await SendAsync(stream, """{"type":"hello","version":1}""");
+
             // Long enough for a tick of the game to see the connection.
             await Task.Delay(300);
-            byte[] header = Encoding.UTF8.GetBytes("""{"type":"environment","weather":"hail"}""");
-            NetworkStream stream = connection.GetStream();
-            await stream.WriteAsync((byte[])[0, 0, 0, (byte)header.Length, 0, 0, 0, 0, .. header]);
+            await SendAsync(stream, """{"type":"environment","weather":"hail"}""");
             byte[] answer = new byte[65_536];
             while (await stream.ReadAsync(answer) > 0)
             {
@@ -126,5 +127,11 @@ public sealed class ServeCommandTests
 
             return ((IPEndPoint)connection.Client.LocalEndPoint!).Port;
         }
+    }
+
+    private static async Task SendAsync(NetworkStream stream, string json)
+    {
+        byte[] header = Encoding.UTF8.GetBytes(json);
+        await stream.WriteAsync((byte[])[0, 0, 0, (byte)header.Length, 0, 0, 0, 0, .. header]);
     }
 }

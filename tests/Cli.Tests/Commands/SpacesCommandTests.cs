@@ -43,13 +43,13 @@ public sealed class SpacesCommandTests : IDisposable
     [InlineData("{\n  \"formatVersion\": 1,\n  \"game\": \"simulation\"\n}\n")]
     [InlineData("\u0089PNG\r\n\u001a\n")]
     [InlineData("# Signs\n\nThis is prose, with commas.\nNot one of its eight words is a number.\n")]
-    public void What_is_no_table_is_refused_in_one_line(string content)
+    public void File_that_is_not_a_table_is_refused_in_one_line(string content)
     {
         string file = _folder.File("something", content);
 
         foreach (string command in (string[])["check", "list", "gallery"])
         {
-            CliRun.Of("spaces", command, file).AssertFailed(ExitCode.BadData, $"'{file}' is no table of faces and heads");
+            CliRun.Of("spaces", command, file).AssertFailed(ExitCode.BadData, $"'{file}' is not a table of faces");
         }
 
         Assert.Equal(ExitCode.BadData, CliRun.Of("harvest", "--out", _folder.PathOf("session"), "--spaces", file).ExitCode);
@@ -62,7 +62,7 @@ public sealed class SpacesCommandTests : IDisposable
         ExitCode.BadData)]
     [InlineData("# none yet\n", ExitCode.Done)]
     [InlineData(InsideOut + "\n", ExitCode.BadData)]
-    public void Check_of_a_table_without_a_valid_row_counts_none(string content, int code)
+    public void Check_of_a_table_without_a_valid_row_reports_zero_rows(string content, int code)
     {
         CliRun run = CliRun.Of("spaces", "check", _folder.File("spaces.csv", content));
 
@@ -217,7 +217,7 @@ public sealed class SpacesCommandTests : IDisposable
         {
             Assert.Equal(ExitCode.Done, run.ExitCode);
             Assert.Contains($"{file}: line 1, fulX", run.Error, StringComparison.Ordinal);
-            Assert.Contains("1 of the rows are refused, the other 1 are used", run.Error, StringComparison.Ordinal);
+            Assert.Contains("1 of 2 rows are invalid and are ignored", run.Error, StringComparison.Ordinal);
         });
         Assert.Contains("BIG STOP", File.ReadAllText(Path.Combine(session, "scenes", "spaces.csv")), StringComparison.Ordinal);
     }

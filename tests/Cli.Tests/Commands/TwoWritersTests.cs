@@ -1,5 +1,7 @@
 using System.Diagnostics;
 using Harvester.Cli.Terminals;
+using Harvester.Driving.Bridge;
+using Harvester.Geometry.Cameras;
 
 namespace Harvester.Cli.Tests.Commands;
 
@@ -43,6 +45,29 @@ public sealed class TwoWritersTests : IDisposable
         Assert.Equal((ExitCode.Done, ""), (third.ExitCode, third.Error));
         Assert.Equal([_folder.PathOf("out")], Directory.GetFileSystemEntries(_folder.Path));
         Assert.Single(File.ReadLines(_folder.PathOf("out/labels.jsonl")));
+    }
+
+    [Fact]
+    public void Second_game_over_a_shared_folder_is_refused()
+    {
+        string folder = _folder.PathOf("shared");
+        using var bridge = new FolderBridge(folder, new ImageSize(80, 60));
+
+        CliRun.Of("serve", "--folder", folder, "--duration", "0.1", "--traffic", "0", "--size", "80x60")
+            .AssertFailed(ExitCode.Usage, $"is being written by another harvester (process {Environment.ProcessId} on ");
+    }
+
+    [Fact]
+    public void Game_over_a_shared_folder_releases_it_at_its_end()
+    {
+        string folder = _folder.PathOf("shared");
+        for (int i = 0; i < 2; i++)
+        {
+            CliRun run = CliRun.Of("serve", "--folder", folder, "--duration", "0.1", "--traffic", "0", "--size", "80x60");
+            Assert.Equal((ExitCode.Done, ""), (run.ExitCode, run.Error));
+        }
+
+        Assert.Equal([folder], Directory.GetFileSystemEntries(_folder.Path));
     }
 
     [Fact]

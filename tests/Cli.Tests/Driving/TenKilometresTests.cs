@@ -29,20 +29,20 @@ public sealed class TenKilometresTests
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public void Stanley_on_synthetic_roads(bool isNoisy) =>
+    public void Stanley_drives_synthetic_roads_without_a_fault(bool isNoisy) =>
         AssertClean(DriveInTowns(new ControllerPlan { Kind = ControllerKind.Stanley }, isNoisy));
 
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public void DeepDriving_with_an_emergency_brake_on_synthetic_roads(bool isNoisy) =>
+    public void DeepDriving_with_emergency_brake_drives_synthetic_roads(bool isNoisy) =>
         AssertClean(DriveInTowns(new ControllerPlan { Kind = ControllerKind.DeepDriving, BrakesInEmergency = true }, isNoisy));
 
     [RealWorldFact("nodes.zip")]
-    public void Stanley_on_the_real_network_by_the_truth() => AssertClean(DriveOnMap(null));
+    public void Stanley_drives_the_real_network_by_true_indicators() => AssertClean(DriveOnMap(null));
 
     [RealWorldFact("nodes.zip")]
-    public void Stanley_on_the_real_network_with_noise() => AssertClean(DriveOnMap(NoiseLevels.Published));
+    public void Stanley_drives_the_real_network_by_noisy_indicators() => AssertClean(DriveOnMap(NoiseLevels.Published));
 
     private static DriveFigures DriveInTowns(ControllerPlan controller, bool isNoisy) => Drive(new DrivePlan
     {

@@ -14,7 +14,7 @@ public sealed class WallPaceTests
         for (int i = 0; i < 10; i++)
         {
             // Work of 0.03 s leaves 0.02 s; the first tick has none before it.
-            Assert.Equal(TimeSpan.FromSeconds(i == 0 ? 0.05 : 0.02), Go(pace, isStanding: false));
+            Assert.Equal(TimeSpan.FromSeconds(i == 0 ? 0.05 : 0.02), Go(pace, isFrozen: false));
             _clock.Now += TimeSpan.FromSeconds(0.03);
         }
     }
@@ -23,27 +23,27 @@ public sealed class WallPaceTests
     public void Paused_world_does_not_catch_up_later()
     {
         WallPace pace = new(Tick.TotalSeconds, _clock);
-        Go(pace, isStanding: false);
+        Go(pace, isFrozen: false);
         for (int i = 0; i < 6000; i++)
         {
-            Assert.Equal(TimeSpan.FromMilliseconds(1), Go(pace, isStanding: true));
+            Assert.Equal(TimeSpan.FromMilliseconds(1), Go(pace, isFrozen: true));
         }
 
         // The first tick after six seconds is overdue; from there on each has its time.
-        Assert.Equal(TimeSpan.Zero, Go(pace, isStanding: false));
-        Assert.Equal(Tick, Go(pace, isStanding: false));
-        Assert.Equal(Tick, Go(pace, isStanding: false));
+        Assert.Equal(TimeSpan.Zero, Go(pace, isFrozen: false));
+        Assert.Equal(Tick, Go(pace, isFrozen: false));
+        Assert.Equal(Tick, Go(pace, isFrozen: false));
     }
 
     [Fact]
     public void Slow_machine_does_not_catch_up_later()
     {
         WallPace pace = new(Tick.TotalSeconds, _clock);
-        Go(pace, isStanding: false);
+        Go(pace, isFrozen: false);
         _clock.Now += TimeSpan.FromSeconds(3);
 
-        Assert.Equal(TimeSpan.Zero, Go(pace, isStanding: false));
-        Assert.Equal(Tick, Go(pace, isStanding: false));
+        Assert.Equal(TimeSpan.Zero, Go(pace, isFrozen: false));
+        Assert.Equal(Tick, Go(pace, isFrozen: false));
     }
 
     [Fact]
@@ -52,16 +52,16 @@ public sealed class WallPaceTests
         WallPace pace = new(Tick.TotalSeconds, _clock);
         for (int i = 0; i < 100; i++)
         {
-            Assert.Equal(TimeSpan.Zero, pace.NextWait(isStanding: false, isHurried: true));
+            Assert.Equal(TimeSpan.Zero, pace.NextWait(isFrozen: false, isHurried: true));
         }
 
-        Assert.Equal(Tick, Go(pace, isStanding: false));
+        Assert.Equal(Tick, Go(pace, isFrozen: false));
     }
 
-    /// <summary>Waits as long as it is told, on the test's clock.</summary>
-    private TimeSpan Go(WallPace pace, bool isStanding)
+    /// <summary>Waits for the given time, on the test's clock.</summary>
+    private TimeSpan Go(WallPace pace, bool isFrozen)
     {
-        TimeSpan wait = pace.NextWait(isStanding, isHurried: false);
+        TimeSpan wait = pace.NextWait(isFrozen, isHurried: false);
         _clock.Now += wait;
         return wait;
     }

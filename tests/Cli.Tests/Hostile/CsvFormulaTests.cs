@@ -3,7 +3,7 @@ using Harvester.Cli.Tests.Commands;
 
 namespace Harvester.Cli.Tests.Hostile;
 
-/// <summary>A table that a spreadsheet opens runs no formula that a session holds.</summary>
+/// <summary>A table opened in a spreadsheet runs no formula from a session.</summary>
 public sealed class CsvFormulaTests(SmallSession session) : IClassFixture<SmallSession>, IDisposable
 {
     private readonly HostileSession _hostile = new(session);

@@ -6,7 +6,7 @@ using Harvester.Cli.Tests.Commands;
 
 namespace Harvester.Cli.Tests.Hostile;
 
-/// <summary>Damage that once ended in an exception or in a loop: every command that meets it says so in one line.</summary>
+/// <summary>Damage that once ended in an exception or an endless loop: every command that reads it reports it in one line.</summary>
 public sealed class DamagedInputTests(SmallSession session) : IClassFixture<SmallSession>, IDisposable
 {
     private readonly HostileSession _hostile = new(session);
@@ -96,11 +96,11 @@ public sealed class DamagedInputTests(SmallSession session) : IClassFixture<Smal
 
     [Theory]
     [MemberData(nameof(Readers))]
-    public void Field_that_is_there_twice_is_refused(string command)
+    public void Duplicate_field_is_refused(string command)
     {
         _hostile.Replace("labels.jsonl", "\"objects\":[", "\"objects\":[],\"objects\":[");
 
-        AssertRefused("twice", command.Split(' '));
+        AssertRefused("duplicate field", command.Split(' '));
     }
 
     [Theory]
@@ -145,6 +145,8 @@ public sealed class DamagedInputTests(SmallSession session) : IClassFixture<Smal
     [InlineData("journal-1-of-2.jsonl", "{}\nend\n")]
     [InlineData("journal-1-of-2.jsonl", "[]\nend\n")]
     [InlineData("journal-1-of-2.jsonl", "{\"frame\":0,\"split\":\"other\",\"labels\":0,\"objects\":0,\"ignored\":0,"
+        + "\"files\":[{\"path\":\"images/00000000.png\",\"bytes\":1,\"sha256\":\"\"}],\"parts\":[]}\nend\n")]
+    [InlineData("journal-1-of-2.jsonl", "{\"frame\":0,\"split\":\"train\",\"labels\":0,\"objects\":0,\"ignored\":0,"
         + "\"files\":[\"images/00000000.png\"],\"parts\":[]}\nend\n")]
     [InlineData("journal-1-of-2.jsonl", "{\"frame\":0,\"split\":\"train\",\"labels\":0,\"objects\":0,\"ignored\":0,\"files\":[],"
         + "\"parts\":[\"train\"]}\nend\n")]

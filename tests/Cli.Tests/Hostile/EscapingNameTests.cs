@@ -1,5 +1,6 @@
 using Harvester.Cli.Terminals;
 using Harvester.Cli.Tests.Commands;
+using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Hostile;
 
@@ -26,7 +27,7 @@ public sealed class EscapingNameTests(SmallSession session) : IClassFixture<Smal
         string named = name.Replace("ABSOLUTE", absolute, StringComparison.Ordinal);
         EditJournal(shards[0], "\"images/00000000.png\"", $"\"{named}\"");
 
-        HostileSession.AssertRefused("points out of", ["merge", .. shards, "--out", _hostile.PathOf("b/out")]);
+        HostileSession.AssertRefused("points outside", ["merge", .. shards, "--out", _hostile.PathOf("b/out")]);
 
         Assert.Equal("mine", File.ReadAllText(_hostile.PathOf("b/.bashrc")));
         Assert.False(File.Exists(absolute));
@@ -40,7 +41,7 @@ public sealed class EscapingNameTests(SmallSession session) : IClassFixture<Smal
         File.WriteAllText(secret, Secret);
         EditJournal(shards[0], "\".export/staged/00000000.tar\"]}", $"\"{secret.Replace('\\', '/')}\"]}}");
 
-        HostileSession.AssertRefused("points out of", ["merge", .. shards, "--out", _hostile.PathOf("out")]);
+        HostileSession.AssertRefused("points outside", ["merge", .. shards, "--out", _hostile.PathOf("out")]);
 
         AssertNothingHolds(_hostile.PathOf("out"), Secret);
     }
@@ -144,7 +145,7 @@ public sealed class EscapingNameTests(SmallSession session) : IClassFixture<Smal
         Directory.CreateDirectory(_hostile.PathOf("maps"));
         File.CreateSymbolicLink(_hostile.PathOf("maps/0.png"), _hostile.In("masks/00000000.png"));
 
-        HostileSession.AssertRefused("is a link that points out of", "masks", "import", _hostile.Folder, _hostile.PathOf("maps"));
+        HostileSession.AssertRefused("is a link that points outside", "masks", "import", _hostile.Folder, _hostile.PathOf("maps"));
     }
 
     [PosixFact]
@@ -153,7 +154,7 @@ public sealed class EscapingNameTests(SmallSession session) : IClassFixture<Smal
         Directory.CreateDirectory(_hostile.PathOf("roads"));
         File.CreateSymbolicLink(_hostile.PathOf("roads/nodes.csv"), _hostile.In("scenes/roads.csv"));
 
-        HostileSession.AssertRefused("is a link that points out of", "roads", "info", _hostile.PathOf("roads"));
+        HostileSession.AssertRefused("is a link that points outside", "roads", "info", _hostile.PathOf("roads"));
     }
 
     private static string Base64(string text) => Convert.ToBase64String(System.Text.Encoding.UTF8.GetBytes(text));
@@ -197,7 +198,7 @@ public sealed class EscapingNameTests(SmallSession session) : IClassFixture<Smal
     private void AssertRefusedAndNotCopied(string command, string secret)
     {
         string output = _hostile.PathOf("out");
-        HostileSession.AssertRefused("points out of", [.. command.Split(' ').Select(
+        HostileSession.AssertRefused("points outside", [.. command.Split(' ').Select(
             word => word.Replace("OUT", output, StringComparison.Ordinal).Replace("SESSION", _hostile.Folder, StringComparison.Ordinal))]);
 
         Assert.False(File.Exists(output + ".png") || File.Exists(output + ".html"));

@@ -5,7 +5,7 @@ using Harvester.Cli.Terminals;
 
 namespace Harvester.Cli.Tests.Hostile;
 
-/// <summary>An exception that nobody thought of.</summary>
+/// <summary>An unforeseen exception.</summary>
 public sealed class FaultReportTests
 {
     [Fact]

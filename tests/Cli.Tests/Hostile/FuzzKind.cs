@@ -8,7 +8,7 @@ internal sealed record FuzzKind(string Name, string File, params string[] Comman
 {
     private const string Relabel = "relabel {0}/session --no-report --out {0}/out";
 
-    /// <summary>Whether lines that are none are passed over by design, so that nothing is ever refused.</summary>
+    /// <summary>Whether invalid lines are ignored by design, so that nothing is ever rejected.</summary>
     public bool IsReadWhatever { get; init; }
 
     /// <summary>All kinds.</summary>

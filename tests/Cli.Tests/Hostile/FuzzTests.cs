@@ -37,8 +37,8 @@ public sealed class FuzzTests(FuzzCorpus corpus, ITestOutputHelper output) : ICl
     public void Damaged_file_is_read_or_refused_in_one_line(string name)
     {
         FuzzKind kind = KindOf(name);
-        int seed = Setting("HARVESTER_FUZZ_SEED", DefaultSeed);
-        int cases = Setting("HARVESTER_FUZZ_CASES", DefaultCases);
+        int seed = TestSetting.Number("HARVESTER_FUZZ_SEED", DefaultSeed);
+        int cases = TestSetting.Number("HARVESTER_FUZZ_CASES", DefaultCases);
         output.WriteLine($"{name}: seed {seed}, {cases} cases");
         var random = new Random(seed);
         int refused = 0;
@@ -107,8 +107,4 @@ public sealed class FuzzTests(FuzzCorpus corpus, ITestOutputHelper output) : ICl
 
         return folder;
     }
-
-    private static int Setting(string name, int usual) =>
-        int.TryParse(Environment.GetEnvironmentVariable(name), NumberStyles.None, CultureInfo.InvariantCulture, out int value) ? value
-            : usual;
 }

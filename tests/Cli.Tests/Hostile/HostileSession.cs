@@ -54,7 +54,7 @@ internal sealed class HostileSession : IDisposable
         return run.Result;
     }
 
-    /// <summary>Runs a command that must refuse what it reads in one line.</summary>
+    /// <summary>Runs a command that must reject its input in one line.</summary>
     public static void AssertRefused(string message, params string[] arguments)
     {
         CliRun run = Run(arguments);

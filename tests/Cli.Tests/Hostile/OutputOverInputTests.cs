@@ -1,9 +1,10 @@
 using Harvester.Cli.Terminals;
 using Harvester.Cli.Tests.Commands;
+using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Hostile;
 
-/// <summary>No command writes its output over what it reads.</summary>
+/// <summary>No command overwrites its input with its output.</summary>
 public sealed class OutputOverInputTests(SmallSession session) : IClassFixture<SmallSession>, IDisposable
 {
     private const string Row = "prop_sign_road_01a,-949234773,sign,STOP,R1-1,0,-0.5,-0.04,3,0.5,-0.06,1.5,-y,measured,a test\n";

@@ -1,4 +1,5 @@
 using Harvester.Cli.Tests.Commands;
+using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Hostile;
 
@@ -58,8 +59,10 @@ public sealed class PipeTests(SmallSession session) : IClassFixture<SmallSession
     public void Device_in_the_place_of_a_picture_is_refused()
     {
         File.Delete(_hostile.In("frames/00000000.png"));
-        _hostile.Replace("labels.jsonl", "frames/00000000.png", "/dev/zero");
+        File.CreateSymbolicLink(_hostile.In("frames/00000000.png"), "/dev/zero");
+        HostileSession.AssertRefused("points outside", "report", _hostile.Folder);
 
-        HostileSession.AssertRefused("points out of", "report", _hostile.Folder);
+        _hostile.Replace("labels.jsonl", "frames/00000000.png", "/dev/zero");
+        HostileSession.AssertRefused("must name a picture", "report", _hostile.Folder);
     }
 }

@@ -54,7 +54,9 @@ public sealed class ServedGameTests
         Assert.InRange(_game.Ports.World.ReadEgo().Velocity.Length, 0, 0.01);
     }
 
-    /// <summary>Serves a client that takes what it is told for what it sees and asks for a tenth of a second with each answer.</summary>
+    /// <summary>
+    /// Serves a client that uses the indicators it is sent as its estimate and requests a step of 0.1 s with each answer.
+    /// </summary>
     private DrivingStatus Serve(int frames, out double metres, Func<BridgeState, IEnumerable<ClientMessage>> answer)
     {
         using CancellationTokenSource done = new();

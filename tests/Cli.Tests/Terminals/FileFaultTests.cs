@@ -20,9 +20,9 @@ public sealed class FileFaultTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Theory]
-    [InlineData("boxes {folder}", "'{folder}' is a folder where a file is expected, or access to it is denied. Name another.")]
+    [InlineData("boxes {folder}", "'{folder}' is a folder where a file is expected, or access to it is denied. Name another path.")]
     [InlineData("boxes {none}", "File not found: '{none}'.")]
-    [InlineData(Point + " {folder}", "'{folder}' is a folder where a file is expected, or access to it is denied. Name another.")]
+    [InlineData(Point + " {folder}", "'{folder}' is a folder where a file is expected, or access to it is denied. Name another path.")]
     [InlineData(Point + " {none}/points.csv", "Folder not found: '{none}'.")]
     [InlineData(Point + " {none}/o'brien/points.csv", "Folder not found: '{none}/o'brien'.")]
     [InlineData("lanes --position 0,0,0 --heading 0 --roads {none}", "File not found: '{none}'.")]
@@ -60,7 +60,7 @@ public sealed class FileFaultTests : IDisposable
 
     [Fact]
     public void File_without_read_permission_is_reported_as_such() => Assert.Equal(
-        $"Permission denied: '{_folder.PathOf("file")}'. Change its permissions, or name another.",
+        $"Permission denied: '{_folder.PathOf("file")}'. Change its permissions, or name another path.",
         FileFault.TextOf(new UnauthorizedAccessException($"Access to the path '{_folder.PathOf("file")}' is denied.") { Source = Runtime },
             output: null));
 

@@ -1,4 +1,5 @@
 using Harvester.Cli.Terminals;
+using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Terminals;
 
@@ -23,7 +24,7 @@ public sealed class ShellWordTests
 
     [PosixTheory]
     [InlineData("it's a \"test\" of $HOME; `x` \\ & * ~")]
-    public void Of_a_posix_shell_comes_out_of_the_shell_as_it_went_in(string word)
+    public void Quoted_argument_is_read_back_by_a_posix_shell(string word)
     {
         var start = new System.Diagnostics.ProcessStartInfo("/bin/sh") { RedirectStandardOutput = true };
         Array.ForEach(["-c", $"printf %s {ShellWord.Of(word, isWindows: false)}"], start.ArgumentList.Add);

@@ -37,8 +37,8 @@ public sealed class DoctorTests : IDisposable
     public static TheoryData<string, string> ModProblems => new()
     {
         { "The harvest ended: 0 frames, discarded: 50 black, in C:\\out.", "black" },
-        { "The harvest ended: 3 frames, discarded: 2 cameraMoved, 40 covered, in C:\\out.", "over the game's window" },
-        { "The harvest ended: 1 frame, discarded: 9 neverStill, in C:\\out.", "went on moving" },
+        { "The harvest ended: 3 frames, discarded: 2 cameraMoved, 40 covered, in C:\\out.", "covered the game's window" },
+        { "The harvest ended: 1 frame, discarded: 9 neverStill, in C:\\out.", "kept moving" },
         { "The harvest ended: 0 frames, discarded: 5 strange, in C:\\out.", "for the reason strange" },
         { "The camera model is off by 3.1 px, more than the 1.0 px allowed. Calibrate the camera first.", "does not fit the camera model" },
         {
@@ -47,17 +47,21 @@ public sealed class DoctorTests : IDisposable
         },
         {
             "The picture is 7 ticks behind the game, and the harvest allows for 4. Raise the limit (MaxPictureLagTicks) and start again.",
-            "later than the harvest allows"
+            "lags behind the game by more than the harvest allows"
+        },
+        {
+            "The harvest failed: The image is 1 tick behind the game; the harvest allows 0.",
+            "lags behind the game by more than the harvest allows"
         },
         { "The harvest failed: The fwScriptGuid pool is full. More in GtaDataHarvester.log.", "script handles is full" },
         { "The drive failed: Address already in use More in GtaDataHarvester.log.", "port of the bridge" },
         { "The harvest stopped: There is not enough space on the disk.", "disk is full" },
-        { "The harvest failed: Access to the path 'C:\\out' is denied. More in GtaDataHarvester.log.", "does not let the game write" },
+        { "The harvest failed: Access to the path 'C:\\out' is denied. More in GtaDataHarvester.log.", "does not allow the game to write" },
         { "GtaDataHarvester.ini: Line 7: Rate = fast is not a number from 0.01 to 60; the default is used.", "A setting" },
         { "The game has no vehicle 'addder'. Change Model under [TestCar] in GtaDataHarvester.ini.", "no vehicle 'addder'" },
         {
             "The world stood still neither while the game was paused nor at a time scale of 0: most frames will be discarded.",
-            "Neither way of freezing"
+            "Neither freeze method"
         },
         {
             "The overlay failed: Object reference not set to an instance of an object. More in GtaDataHarvester.log.",
@@ -73,7 +77,7 @@ public sealed class DoctorTests : IDisposable
 
     public static TheoryData<string, string> LoaderProblems => new()
     {
-        { "[18:03:00] [WARNING] Unable to resolve API version 3.6.0 referenced in GtaDataHarvester.dll.", "older than the mod needs" },
+        { "[18:03:00] [WARNING] Unable to resolve API version 3.6.0 referenced in GtaDataHarvester.dll.", "older than 3.6.0" },
         {
             "[18:03:00] [ERROR] Unable to load GtaDataHarvester.dll: System.IO.FileLoadException: ... (Exception from HRESULT: 0x80131515)",
             "Windows blocks"
@@ -82,7 +86,7 @@ public sealed class DoctorTests : IDisposable
             + "System.TypeInitializationException: The type initializer for 'SHVDN.NativeMemory' threw an exception.",
             "does not know this build" },
         { "[18:03:00] [ERROR] Failed to instantiate script Harvester.Mod.HarvesterScript because constructor threw an exception: "
-            + "System.Exception", "failed when it was started" },
+            + "System.Exception", "failed to start" },
         { "[18:03:00] [ERROR] Blocking script! Script Harvester.Mod.HarvesterScript (file name: GtaDataHarvester.dll) was terminated "
             + "because it caused the game to freeze too long.", "took so long" },
         { "[18:03:00] [ERROR] Script Harvester.Mod.HarvesterScript is not responding! Aborting ...", "took so long" },
@@ -252,7 +256,7 @@ public sealed class DoctorTests : IDisposable
     {
         Write(LogKind.Mod, text);
 
-        Assert.Contains("no line that the mod wrote", Assert.Single(Examine(LogKind.Mod)).Cause, StringComparison.Ordinal);
+        Assert.Contains("no line of the mod", Assert.Single(Examine(LogKind.Mod)).Cause, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -267,7 +271,7 @@ public sealed class DoctorTests : IDisposable
     }
 
     [Fact]
-    public void What_is_no_log_is_refused()
+    public void File_that_is_not_a_log_is_refused()
     {
         string path = Path.Combine(_game, "notes.txt");
         File.WriteAllText(path, "milk\n");

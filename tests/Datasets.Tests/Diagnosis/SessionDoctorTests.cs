@@ -14,7 +14,7 @@ public sealed class SessionDoctorTests : IDisposable
 
     [Theory]
     [InlineData("black", "exclusive full screen", "windowed borderless")]
-    [InlineData("neverStill", "went on moving", "Freeze = Auto")]
+    [InlineData("neverStill", "kept moving", "Freeze = Auto")]
     public void Session_that_lost_most_frames_is_explained(string reason, string cause, string advice)
     {
         _session.Info["options"] = JsonNode.Parse("""{ "freezeBy": "paused" }""");
@@ -30,7 +30,7 @@ public sealed class SessionDoctorTests : IDisposable
     [Theory]
     [InlineData(
         "The camera model is off by 3.1 px, more than the 1.0 px allowed: calibrate the camera first.", "does not fit the camera model")]
-    [InlineData("The sky fell.", "ended by a failure")]
+    [InlineData("The sky fell.", "ended with an error")]
     public void Session_with_a_fault_is_explained(string fault, string cause)
     {
         _session.Info["state"] = "faulted";

@@ -7,7 +7,7 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Tests.Exports;
 
-/// <summary>What holds for every format: the same bytes again and in shards, and what is refused.</summary>
+/// <summary>Behaviour of every format: the same bytes again and in shards, and what is rejected.</summary>
 [Collection(SimulatedSession.Collection)]
 public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTests
 {
@@ -50,7 +50,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     }
 
     [Fact]
-    public void Export_into_a_folder_with_something_else_is_refused()
+    public void Export_into_a_folder_with_other_files_is_refused()
     {
         Directory.CreateDirectory(Folder.PathOf("out"));
         File.WriteAllText(Folder.PathOf("out/thesis.tex"), "mine");
@@ -138,7 +138,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     }
 
     [Fact]
-    public void Export_of_parts_or_wholes_omits_the_others()
+    public void Export_of_parts_or_whole_objects_omits_the_others()
     {
         // The pedestrian of the second frame is a part of the car, whatever that may be.
         Session.Lines[1]["objects"]![1]!["parent"] = 1;
@@ -178,7 +178,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         Session.Lines[1]["image"] = "../secret.png";
 
         Assert.Contains(
-            "points out of the session",
+            "points outside the session",
             Assert.Throws<DatasetFormatException>(() => Folder.Export("csv", Session.Open())).Message, StringComparison.Ordinal);
     }
 
@@ -197,7 +197,8 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     public void Export_of_a_mask_without_pixels_names_it()
     {
         File.WriteAllBytes(
-            Session.PathOf("masks/00000000.png"), TestImages.Png(TestSession.Width, TestSession.Height, bitDepth: 16, colourType: 0));
+            Session.PathOf("masks/00000000.png"),
+            TestImages.PngWithoutPixels(TestSession.Width, TestSession.Height, bitDepth: 16, colourType: 0));
 
         Assert.Contains(
             "masks/00000000.png",

@@ -30,7 +30,7 @@ public sealed class ExportCountTests(SimulatedSession simulated) : ExportTests
     }
 
     [Fact]
-    public void Objects_of_cityscapes_are_those_of_which_a_pixel_is_seen() =>
+    public void Objects_of_cityscapes_are_those_with_a_visible_pixel() =>
         Assert.Equal(
             Folder.Export("yolo-segment", simulated.Open()).Objects, Folder.Export("cityscapes", simulated.Open(), to: "city").Objects);
 

@@ -6,7 +6,7 @@ using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Tests.Exports;
 
-/// <summary>Exports and merges that were killed, at work or at their end: the same one goes on, another does not.</summary>
+/// <summary>Exports and merges that were killed, at work or at their end: the same one resumes, another does not.</summary>
 [Collection(SimulatedSession.Collection)]
 public sealed class InterruptedExportTests(SimulatedSession simulated) : ExportTests
 {

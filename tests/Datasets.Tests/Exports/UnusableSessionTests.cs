@@ -18,7 +18,7 @@ public sealed class UnusableSessionTests : ExportTests
         string message = Refusal("yolo", [Session.Open()], new ExportOptions { Splits = LargeBlocks });
 
         Assert.StartsWith(
-            "The split 'train' would be empty: 3 frames, drawn in blocks of 100. Use --split-block ", message, StringComparison.Ordinal);
+            "The split 'train' would be empty: 3 frames, assigned in blocks of 100. Use --split-block ", message, StringComparison.Ordinal);
         int block = int.Parse(message.Split(' ')[^4], System.Globalization.CultureInfo.InvariantCulture);
         ExportResult result = Folder.Export(
             "yolo", Session.Open(), new ExportOptions { Splits = new SplitPlan(LargeBlocks.Splits, LargeBlocks.Seed, block) });
@@ -27,7 +27,8 @@ public sealed class UnusableSessionTests : ExportTests
 
     [Fact]
     public void Empty_split_of_whole_sessions_is_refused() => Assert.Equal(
-        "The split 'train' would be empty: kitti-tracking keeps sessions whole, and there is 1. Add sessions, or use another --seed.",
+        "The split 'train' would be empty: kitti-tracking keeps sessions whole, and there is only 1 session. "
+            + "Add sessions, or use another --seed.",
         Refusal("kitti-tracking", [Session.Open()], new ExportOptions { Splits = LargeBlocks }));
 
     [Fact]
@@ -51,7 +52,7 @@ public sealed class UnusableSessionTests : ExportTests
         _other.Lines.ForEach(line => line["mask"] = null);
 
         Assert.Equal(
-            $"Labels would mean different things: '{_other.Folder}' has no masks, and '{Session.Folder}' has. Export sessions with and "
+            $"Labels would not be comparable: '{_other.Folder}' has no masks, and '{Session.Folder}' has. Export sessions with and "
                 + $"without masks separately.",
             Refusal(format, [Session.Open(), _other.Open()]));
     }
@@ -62,7 +63,7 @@ public sealed class UnusableSessionTests : ExportTests
         Session.Lines[2]["mask"] = null;
 
         Assert.Contains(
-            $"only 2 of the 3 frames of '{Session.Folder}' have masks", Refusal("coco", [Session.Open()]), StringComparison.Ordinal);
+            $"'{Session.Folder}' has masks for 2 of 3 frames", Refusal("coco", [Session.Open()]), StringComparison.Ordinal);
     }
 
     [Fact]

@@ -60,7 +60,7 @@ public sealed class JpegDecoderTests : IDisposable
     }
 
     [Fact]
-    public void ReadRgb_of_a_picture_that_Adobe_marks_as_RGB_is_refused()
+    public void ReadRgb_of_an_Adobe_RGB_picture_is_refused()
     {
         byte[] file = File.ReadAllBytes(LibjpegPictures.PathOf("quality-95.jpg"));
         byte[] adobe = [0xFF, 0xEE, 0, 14, (byte)'A', (byte)'d', (byte)'o', (byte)'b', (byte)'e', 0, 100, 0, 0, 0, 0, 0];
@@ -84,24 +84,18 @@ public sealed class JpegDecoderTests : IDisposable
     public void ReadRgb_of_damaged_bytes_gives_a_picture_or_an_error()
     {
         byte[] good = File.ReadAllBytes(LibjpegPictures.PathOf("restarts.jpg"));
-        var random = new Random(8);
+        byte[] values = [.. Enumerable.Range(0, 256).Select(value => (byte)value)];
         int refused = 0;
-        for (int attempt = 0; attempt < 400; attempt++)
+        RandomCases.Check(400, ByteChange.Lists(count: 3, maxLength: 20, values), changes =>
         {
-            byte[] bad = [.. good];
-            for (int i = 0; i < 3; i++)
-            {
-                bad[random.Next(bad.Length)] = (byte)random.Next(256);
-            }
-
-            File.WriteAllBytes(_path, bad);
+            File.WriteAllBytes(_path, ByteChange.Apply(changes, good));
             refused += Record.Exception(() => JpegDecoder.ReadRgb(_path)) switch
             {
                 null => 0,
                 DatasetFormatException => 1,
                 Exception other => throw other,
             };
-        }
+        });
 
         Assert.InRange(refused, 1, 400);
     }

@@ -102,7 +102,7 @@ public sealed class PngDecoderTests : IDisposable
 
     private void WritePng(byte[] rows)
     {
-        byte[] empty = TestImages.Png(2, 2);
+        byte[] empty = TestImages.PngWithoutPixels(2, 2);
         const int endChunkLength = 12;
         using var compressed = new MemoryStream();
         using (var zlib = new ZLibStream(compressed, CompressionLevel.Optimal, leaveOpen: true))

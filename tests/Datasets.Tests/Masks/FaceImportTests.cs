@@ -69,7 +69,7 @@ public sealed class FaceImportTests : MapsOfAnotherTool
         Assert.Equal((1, 0, OcclusionMethod.Imported), (part.OccludedFraction, part.VisibleFraction, part.OcclusionMethod));
     }
 
-    /// <summary>A map does not tell the face from the rest of its sign, which may hide it; rays do.</summary>
+    /// <summary>A map does not distinguish the face from the rest of its sign, which may hide it; rays do.</summary>
 
     [Fact]
     public void Import_keeps_ray_occlusion_of_a_face_covered_by_nothing_else()

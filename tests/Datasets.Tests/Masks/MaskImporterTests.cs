@@ -27,7 +27,7 @@ public sealed class MaskImporterTests : MapsOfAnotherTool
         Assert.All(session.ReadLabels(), label => Assert.Equal(Scene(Car, Pedestrian).Ids, MaskOf(label).Ids));
         Assert.Contains("\"somethingNew\":\"keeps ä\"", File.ReadAllText(Session.PathOf("labels.jsonl")), StringComparison.Ordinal);
         Assert.Equal(
-            ["frames", "labels.jsonl", "masks", "session.json"],
+            ["frames", "labels.jsonl", "manifest.jsonl", "masks", "session.json"],
             Directory.GetFileSystemEntries(Session.Folder).Select(Path.GetFileName).Order());
     }
 
@@ -86,7 +86,7 @@ public sealed class MaskImporterTests : MapsOfAnotherTool
     [Theory]
     [InlineData("missing", "no mask for frame 2")]
     [InlineData("size", "is 40 x 60, but the image of frame 2 is 80 x 60")]
-    [InlineData("number", "the number 3, which is no object's id")]
+    [InlineData("number", "the value 3, which is not the id of an object")]
     [InlineData("truncated", "cut off")]
     [InlineData("damaged", "damaged")]
     [InlineData("colour", "16-bit grey")]
@@ -141,7 +141,8 @@ public sealed class MaskImporterTests : MapsOfAnotherTool
         SessionReader session = Session.Open();
         Dictionary<string, byte[]> before = Contents();
 
-        Assert.Throws<OperationCanceledException>(() => MaskImporter.Import(session, Maps, MaskNumbers.Ids, new CancellationToken(true)));
+        Assert.Throws<OperationCanceledException>(
+            () => MaskImporter.Import(session, Maps, MaskNumbers.Ids, cancellation: new CancellationToken(true)));
 
         Assert.Equal(before, Contents());
     }

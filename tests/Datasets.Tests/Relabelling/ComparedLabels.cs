@@ -26,7 +26,7 @@ internal static class ComparedLabels
     public static ObjectLabel WithoutOcclusion(ObjectLabel item) =>
         item with { OccludedFraction = null, OcclusionMethod = OcclusionMethod.None, Box2DVisible = null };
 
-    /// <summary>What is measured of lanes: not what only rays or the game tell, hidden points and paint.</summary>
+    /// <summary>The measured part of the lanes, without what only rays or the game provide: hidden points and paint.</summary>
     public static LanesLabel Measured(LanesLabel lanes) => lanes with
     {
         Markings = null,

@@ -15,7 +15,7 @@ using static Harvester.Datasets.Tests.Relabelling.LabelContent;
 
 namespace Harvester.Datasets.Tests.Relabelling;
 
-/// <summary>The proof of a relabelling is a harvest of the same drive that was asked for the same from the start.</summary>
+/// <summary>A relabelling is compared with a harvest of the same drive with these options.</summary>
 public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<RecordedDrive>
 {
     private static readonly Lens Bent = new(1.03, 0.004, -0.002, -0.04, 0.01);

@@ -1,7 +1,12 @@
 using System.Text.Json;
 using System.Text.RegularExpressions;
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Images;
 using Harvester.Datasets.Reports;
+using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Imaging.Jpeg;
+using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Datasets.Tests.Reports;
 
@@ -19,16 +24,74 @@ public sealed partial class ReportWriterTests : IDisposable
         JsonElement data = Data(page);
         Assert.Equal([0, 1, 2], Frames(data));
         JsonElement car = data.GetProperty("frames")[0].GetProperty("objects")[0];
-        Assert.Equal("car", car.GetProperty("class").GetString());
+        Assert.Equal("car", Object(data, car).GetProperty("class").GetString());
         Assert.Equal([37.0, 27, 43, 33], car.GetProperty("box").EnumerateArray().Select(side => side.GetDouble()));
-        Assert.Equal(12, car.GetProperty("edges").GetArrayLength());
+        Assert.Equal(16, car.GetProperty("corners").GetArrayLength());
         Assert.Equal(3, Images(page).Count);
-        Assert.All(Images(page), image => Assert.Equal(TestImages.Png(TestSession.Width, TestSession.Height), image));
         Assert.Equal("This page shows all 3 frames of the session.", data.GetProperty("note").GetString());
     }
 
     [Fact]
-    public void Page_has_the_statistics_next_to_KITTIs()
+    public void Image_that_cannot_be_decoded_is_embedded_unchanged()
+    {
+        byte[] undecodable = LeaveFramesWithoutPixels();
+
+        Assert.All(Images(Write(new ReportLimits())), image => Assert.Equal(undecodable, image));
+    }
+
+    [Fact]
+    public void Images_are_embedded_as_JPEG_of_full_size()
+    {
+        PaintFrames();
+
+        Assert.All(Images(Write(new ReportLimits())), image => Assert.Equal(
+            (ImageHeader.Jpeg, new ImageSize(TestSession.Width, TestSession.Height)), Header(image)));
+    }
+
+    [Fact]
+    public void JPEG_image_of_full_size_is_embedded_unchanged()
+    {
+        PaintFrames();
+        byte[] jpeg;
+        using (var file = new MemoryStream())
+        {
+            new JpegEncoder().Write(PictureReader.Read(_session.PathOf("frames/00000001.png")), file);
+            jpeg = file.ToArray();
+        }
+
+        File.WriteAllBytes(_session.PathOf("frames/00000001.png"), jpeg);
+
+        Assert.Equal(jpeg, Images(Write(new ReportLimits()))[1]);
+    }
+
+    [Fact]
+    public void Image_bytes_beyond_the_limit_shrink_the_images()
+    {
+        PaintFrames();
+        long whole = Images(Write(new ReportLimits())).Sum(image => (long)image.Length);
+
+        string page = Write(new ReportLimits(ImageBytes: whole / 2));
+
+        Assert.Equal([0, 1, 2], Frames(Data(page)));
+        Assert.InRange(Images(page).Sum(image => (long)image.Length), 1, whole / 2);
+        Assert.All(Images(page), image => Assert.InRange(Header(image).Size.Width, TestSession.Width / 8, TestSession.Width - 1));
+        Assert.Contains(" % so that the page stays small.", Data(page).GetProperty("note").GetString(), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Object_cut_by_the_near_plane_has_edges()
+    {
+        // The camera looks along the y axis; the car's box then reaches from behind it to 12 m ahead.
+        _session.Car(0)["box3d"]!["halfExtents"]![1] = 12;
+
+        JsonElement car = Data(Write(new ReportLimits())).GetProperty("frames")[0].GetProperty("objects")[0];
+
+        Assert.False(car.TryGetProperty("corners", out _));
+        Assert.InRange(car.GetProperty("edges").GetArrayLength(), 4, 12);
+    }
+
+    [Fact]
+    public void Page_has_the_statistics_beside_those_of_KITTI()
     {
         JsonElement data = Data(Write(new ReportLimits()));
 
@@ -79,7 +142,8 @@ public sealed partial class ReportWriterTests : IDisposable
     [Fact]
     public void Image_bytes_beyond_the_limit_leave_fewer_frames()
     {
-        long imageBytes = TestImages.Png(TestSession.Width, TestSession.Height).Length;
+        // What cannot be decoded is not scaled down either.
+        long imageBytes = LeaveFramesWithoutPixels().Length;
 
         Assert.Equal([0, 2], Frames(Data(Write(new ReportLimits(ImageBytes: 2 * imageBytes)))));
         Assert.Equal([0], Frames(Data(Write(new ReportLimits(ImageBytes: 1)))));
@@ -105,7 +169,7 @@ public sealed partial class ReportWriterTests : IDisposable
 
         JsonElement data = Data(Write(new ReportLimits()));
 
-        Assert.Equal("</script><b>", data.GetProperty("frames")[0].GetProperty("objects")[0].GetProperty("name").GetString());
+        Assert.Equal("</script><b>", Object(data, data.GetProperty("frames")[0].GetProperty("objects")[0]).GetProperty("name").GetString());
     }
 
     [Fact]
@@ -139,6 +203,41 @@ public sealed partial class ReportWriterTests : IDisposable
         Assert.Empty(Directory.GetFiles(_session.PathOf(""), "*.partial"));
     }
 
+    private static JsonElement Object(JsonElement data, JsonElement seen) =>
+        data.GetProperty("objects").GetProperty(seen.GetProperty("id").GetRawText());
+
+    private (string MediaType, ImageSize Size) Header(byte[] image)
+    {
+        string path = _session.PathOf("embedded");
+        File.WriteAllBytes(path, image);
+        ImageHeader header = ImageHeader.Read(path);
+        return (header.MediaType, header.Size);
+    }
+
+    /// <summary>Gives the frames pictures that can be decoded: noise, which takes many bytes.</summary>
+    private void PaintFrames()
+    {
+        var random = new Random(1);
+        var picture = new PixelBuffer(new ImageSize(TestSession.Width, TestSession.Height));
+        foreach (string path in Directory.GetFiles(_session.PathOf("frames")))
+        {
+            random.NextBytes(picture.Bytes);
+            using FileStream file = File.Create(path);
+            new PngEncoder().Write(picture, file);
+        }
+    }
+
+    private byte[] LeaveFramesWithoutPixels()
+    {
+        byte[] png = TestImages.PngWithoutPixels(TestSession.Width, TestSession.Height);
+        foreach (string path in Directory.GetFiles(_session.PathOf("frames")))
+        {
+            File.WriteAllBytes(path, png);
+        }
+
+        return png;
+    }
+
     private string Write(ReportLimits limits)
     {
         string path = _session.PathOf("report.html");
@@ -160,7 +259,7 @@ public sealed partial class ReportWriterTests : IDisposable
     [GeneratedRegex("""id="data">\s*(.*?)</script>""", RegexOptions.Singleline)]
     private static partial Regex DataElement();
 
-    [GeneratedRegex("""data-type="image/png">(.*?)</script>""")]
+    [GeneratedRegex("""data-type="image/(?:png|jpeg)">(.*?)</script>""")]
     private static partial Regex ImageElement();
 
     [GeneratedRegex("""https?://[^"' ]*""")]

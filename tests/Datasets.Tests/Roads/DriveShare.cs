@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace Harvester.Datasets.Tests.Roads;
 
-/// <summary>How many of some samples of a drive were told rightly.</summary>
+/// <summary>The fraction of some samples of a drive that were matched correctly.</summary>
 internal readonly record struct DriveShare(int Samples, int Right)
 {
     public double RightFraction => (double)Right / Samples;

@@ -43,7 +43,7 @@ internal static class RandomRoads
         return new RoadNetwork(nodes, [.. links.Values]);
     }
 
-    /// <summary>The network with points told on the edges of some of its links.</summary>
+    /// <summary>The network with reported points on the edges of some of its links.</summary>
     public static RoadNetwork WithEdges(RoadNetwork network, int seed)
     {
         var random = new Random(seed);

@@ -24,7 +24,7 @@ internal static class YndText
                 CultureInfo.InvariantCulture,
                 $"  <Item>\n   <AreaID value=\"{node.Area}\" />\n   <NodeID value=\"{node.Number}\" />\n   "
                     + $"<StreetName>{node.Street}</StreetName>\n");
-            // A stored coordinate is the de-biased one truncated again.
+            // A stored coordinate is the unbiased one, truncated again.
             var stored = PathGrid.Truncate(node.Position);
             text.Append(CultureInfo.InvariantCulture, $"   <Position x=\"{stored.X}\" y=\"{stored.Y}\" z=\"{stored.Z}\" />\n");
             int[] flags = NodeBytes(node);

@@ -22,7 +22,7 @@ public sealed class CameraCheckTests : IDisposable
     [InlineData("verticalFovDegrees", 180, "camera: verticalFovDegrees")]
     [InlineData("nearClip", 0, "camera: nearClip")]
     [InlineData("windowAspect", -1, "camera: windowAspect")]
-    [InlineData("fy", 31, "camera: fx and fy are 30 and 31, but the other fields make them 30 and 30.")]
+    [InlineData("fy", 31, "camera: fx and fy are 30 and 31, but the other fields give 30 and 30.")]
     public void Validate_finds_an_impossible_camera(string field, double value, string message)
     {
         _session.Lines[1]["camera"]![field] = value;

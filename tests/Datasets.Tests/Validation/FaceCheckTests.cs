@@ -13,8 +13,8 @@ public sealed class SpaceCheckTests : IDisposable
     [InlineData(
         "null",
         """{"face":0,"mutcd":null,"facesCamera":true,"facingAngleDegrees":10,"provenance":"derived","light":null}""",
-        "parent and space go together")]
-    [InlineData("77", "null", "parent and space go together")]
+        "parent and space must be given together")]
+    [InlineData("77", "null", "parent and space must be given together")]
     [InlineData(
         "0", """{"face":0,"mutcd":null,"facesCamera":true,"facingAngleDegrees":10,"provenance":"derived","light":null}""", "parent is 0")]
     [InlineData(

@@ -44,7 +44,7 @@ public sealed class FileCheckTests : IDisposable
     {
         File.WriteAllBytes(_session.PathOf("masks/00000000.png"), TestImages.Png(80, 60, 8, 0));
 
-        _session.AssertProblem(1, "has 8 bits a pixel instead of 16");
+        _session.AssertProblem(1, "has 8 bits per pixel instead of 16");
     }
 
     [Fact]
@@ -66,12 +66,12 @@ public sealed class FileCheckTests : IDisposable
     [Theory]
     [InlineData("../frames/00000000.png")]
     [InlineData("frames\\..\\..\\x.png")]
-    [InlineData("/etc/passwd")]
+    [InlineData("/etc/passwd.png")]
     public void Validate_finds_a_path_outside_the_session(string path)
     {
         _session.Lines[0]["image"] = path;
 
-        _session.AssertProblem(1, "points out of the session");
+        _session.AssertProblem(1, "points outside the session");
     }
 
     [Fact]
@@ -79,6 +79,6 @@ public sealed class FileCheckTests : IDisposable
     {
         _session.Lines[1]["image"] = "frames/00000000.png";
 
-        _session.AssertProblem(2, "belongs to an earlier line");
+        _session.AssertProblem(2, "is already used by an earlier line");
     }
 }

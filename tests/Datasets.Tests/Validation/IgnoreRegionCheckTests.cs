@@ -14,7 +14,7 @@ public sealed class IgnoreRegionCheckTests : IDisposable
     public void Dispose() => _session.Dispose();
 
     [Fact]
-    public void Regions_are_read_back()
+    public void Ignore_regions_are_read_back()
     {
         Mark("[60, 20, 70, 25]", 157.5);
 

@@ -13,7 +13,7 @@ public sealed class LanesCheckTests(SimulatedSession session)
         session.Open().ReadLabels().Select(label => label.Lanes!).First(lanes => lanes.Indicators.ToMarkingML.IsValid);
 
     [Fact]
-    public void Harvest_has_no_problems() =>
+    public void Lanes_of_a_harvest_have_no_problems() =>
         Assert.All(session.Open().ReadLabels(), label => Assert.Empty(LanesCheck.Problems(label.Lanes!)));
 
     [Fact]
@@ -32,7 +32,7 @@ public sealed class LanesCheckTests(SimulatedSession session)
     public void Problems_include_an_inactive_indicator_with_a_value() =>
         AssertProblem(
             Good with { TorcsEquivalent = Good.TorcsEquivalent with { DistR = new Indicator(12, false) } },
-            "lanes.torcsEquivalent.distR is 12, but what is not valid has 75.");
+            "lanes.torcsEquivalent.distR is 12, but an invalid indicator must have 75.");
 
     [Fact]
     public void Problems_include_a_lane_that_does_not_exist() =>

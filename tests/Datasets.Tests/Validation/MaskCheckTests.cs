@@ -38,7 +38,8 @@ public sealed class MaskCheckTests : IDisposable
         IReadOnlyList<SessionProblem> problems = SessionValidator.Validate(_session.Open()).Problems;
 
         Assert.Equal(2, problems.Count);
-        Assert.Equal("labels.jsonl, line 1: mask 'masks/00000000.png' has 999, no object's id in this line.", problems[0].ToString());
+        Assert.Equal(
+            "labels.jsonl, line 1: mask 'masks/00000000.png' has ids without an object in this line: 999.", problems[0].ToString());
     }
 
     [Fact]
@@ -69,7 +70,7 @@ public sealed class MaskCheckTests : IDisposable
         _session.Lines[0]["objects"]![3]!["box2dVisible"] = JsonNode.Parse("[15, 15, 25, 25]");
 
         _session.AssertProblem(
-            1, "object 4: the mask has its number, but it is a part, and pixels of parts have the number of the whole, 3.");
+            1, "object 4: the mask has its id, but it is a part; pixels of parts have the id of the whole object, 3.");
     }
 
     [Fact]
@@ -80,7 +81,7 @@ public sealed class MaskCheckTests : IDisposable
         JsonNode sign = _session.Lines[0]["objects"]![2]!;
         (sign["box2dVisible"], sign["occludedFraction"], sign["visibleFraction"]) = (null, 1, 0);
 
-        _session.AssertProblem(1, "object 4: visibleFraction is 1, but its object, 3, has no pixel in the mask.");
+        _session.AssertProblem(1, "object 4: visibleFraction is 1, but its whole object, 3, has no pixel in the mask.");
     }
 
     /// <summary>As earlier versions imported the masks of other tools.</summary>
@@ -91,13 +92,13 @@ public sealed class MaskCheckTests : IDisposable
         JsonNode face = _session.Lines[0]["objects"]![3]!;
         (face["occludedFraction"], face["visibleFraction"], face["occlusionMethod"]) = (1, 0, "imported");
 
-        _session.AssertProblem(1, "object 4: occludedFraction is 1, but the mask shows its object, 3, where it is.");
+        _session.AssertProblem(1, "object 4: occludedFraction is 1, but the mask shows its whole object, 3, in its place.");
     }
 
     [Fact]
     public void Validate_finds_a_mask_of_damaged_pixels()
     {
-        File.WriteAllBytes(_session.PathOf("masks/00000000.png"), TestImages.Png(80, 60, bitDepth: 16, colourType: 0));
+        File.WriteAllBytes(_session.PathOf("masks/00000000.png"), TestImages.PngWithoutPixels(80, 60, bitDepth: 16, colourType: 0));
 
         _session.AssertProblem(1, "mask 'masks/00000000.png' cannot be used: its pixels are damaged.");
     }

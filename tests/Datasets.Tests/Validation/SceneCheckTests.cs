@@ -34,7 +34,7 @@ public sealed class SceneCheckTests : IDisposable
         File.WriteAllBytes(Scene, File.ReadAllBytes(Scene)[..400]);
 
         Assert.StartsWith(
-            "labels.jsonl, line 3: scene 'scenes/00000002.json' cannot be used: not JSON",
+            "labels.jsonl, line 3: scene 'scenes/00000002.json' cannot be used: invalid JSON",
             Assert.Single(Problems()),
             StringComparison.Ordinal);
     }

@@ -37,7 +37,7 @@ public sealed class SequenceCheckTests : IDisposable
 
     [Theory]
     [InlineData(-5, "timeSeconds is -5; it must be 0 or more")]
-    [InlineData(0.25, "timeSeconds is 0.25, but 0.5 came before")]
+    [InlineData(0.25, "timeSeconds is 0.25, but was 0.5 in the previous frame")]
     public void Validate_finds_a_decreasing_time(double seconds, string message)
     {
         _session.Lines[1]["timeSeconds"] = seconds;
@@ -60,6 +60,6 @@ public sealed class SequenceCheckTests : IDisposable
     {
         _session.Lines[1]["frame"] = frame;
 
-        _session.AssertProblem(2, $"frame is {frame}, but the numbers must rise");
+        _session.AssertProblem(2, $"frame is {frame}, but the previous frame is");
     }
 }

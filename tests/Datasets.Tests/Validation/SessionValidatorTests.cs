@@ -4,7 +4,7 @@ using Harvester.Datasets.Validation;
 
 namespace Harvester.Datasets.Tests.Validation;
 
-/// <summary>A good session has no problem; damage of the session as a whole is told with its line.</summary>
+/// <summary>A valid session has no problem; damage of the session as a whole is reported with its line.</summary>
 public sealed class SessionValidatorTests : IDisposable
 {
     private readonly TestSession _session = new();
@@ -65,7 +65,7 @@ public sealed class SessionValidatorTests : IDisposable
 
         SessionProblem problem = Assert.Single(SessionValidator.Validate(_session.Open()).Problems);
 
-        Assert.Equal("session.json: it counts 3 captured frames, but labels.jsonl has 2 good lines.", problem.ToString());
+        Assert.Equal("session.json: it counts 3 captured frames, but labels.jsonl has 2 valid lines.", problem.ToString());
     }
 
     [Fact]
@@ -83,7 +83,7 @@ public sealed class SessionValidatorTests : IDisposable
 
         SessionValidation validation = SessionValidator.Validate(_session.OpenWithLabels(whole + "\n" + whole[..200] + "\n"));
 
-        validation.AssertProblem(2, "not JSON");
+        validation.AssertProblem(2, "invalid JSON at byte");
         Assert.Equal(1, validation.Frames);
     }
 
@@ -100,7 +100,7 @@ public sealed class SessionValidatorTests : IDisposable
 
     [Fact]
     public void Validate_finds_an_empty_line() =>
-        SessionValidator.Validate(_session.OpenWithLabels("\n")).AssertProblem(1, "not JSON");
+        SessionValidator.Validate(_session.OpenWithLabels("\n")).AssertProblem(1, "invalid JSON at byte");
 
     [Fact]
     public void Validate_finds_a_missing_field()

@@ -25,7 +25,7 @@ public sealed class FolderBridgeTests : IDisposable
     }
 
     [Fact]
-    public void Only_the_last_pictures_stay()
+    public void Only_the_last_pictures_are_kept()
     {
         using var bridge = new FolderBridge(_folder, Frames.Size);
         for (int frame = 0; frame < 30; frame++)
@@ -57,7 +57,7 @@ public sealed class FolderBridgeTests : IDisposable
     }
 
     [Fact]
-    public void What_a_killed_game_left_unfinished_is_deleted()
+    public void Unfinished_files_of_a_killed_game_are_deleted()
     {
         string[] left = ["frame_00000004.png.0123456789abcdef.partial", "state.txt.0123456789abcdef.partial"];
         string client = PathOf("controls.txt.0123456789abcdef.partial");
@@ -68,7 +68,8 @@ public sealed class FolderBridgeTests : IDisposable
 
         using var bridge = new FolderBridge(_folder, Frames.Size);
 
-        Assert.Equal([client], Directory.GetFiles(_folder));
+        Frames.Await(() => File.Exists(PathOf("bridge.json")), "the hello, which is written next");
+        Assert.Equal([PathOf("bridge.json"), client], Directory.GetFiles(_folder).Order(StringComparer.Ordinal));
     }
 
     [Fact]
@@ -118,7 +119,7 @@ public sealed class FolderBridgeTests : IDisposable
         Assert.Equal(new ControlsMessage(new DrivingControls(0, 0, 0.75), null), Frames.AwaitMessage(bridge));
     }
 
-    [UnixFact]
+    [PosixFact]
     public void Unreadable_file_is_reported_and_the_next_good_one_is_read()
     {
         using var bridge = new FolderBridge(_folder, Frames.Size);
@@ -130,6 +131,40 @@ public sealed class FolderBridgeTests : IDisposable
         Drop("controls.txt", "0 0 0.75\n");
 
         Assert.Equal(new ControlsMessage(new DrivingControls(0, 0, 0.75), null), Frames.AwaitMessage(bridge));
+    }
+
+    [PosixFact]
+    public void Pipes_in_the_folder_block_nothing()
+    {
+        string[] names = ["controls.txt", "indicators.txt", "command.json", "alive.txt"];
+        using var bridge = new FolderBridge(_folder, Frames.Size);
+        foreach (string name in names)
+        {
+            using var make = System.Diagnostics.Process.Start("mkfifo", PathOf(name));
+            make.WaitForExit();
+        }
+
+        Frames.Await(() => bridge.Problem?.Contains("is a pipe", StringComparison.Ordinal) ?? false, "the pipes to be reported");
+        File.Delete(PathOf("controls.txt"));
+        Drop("controls.txt", "0 0 0.75\n");
+
+        Assert.Equal(new ControlsMessage(new DrivingControls(0, 0, 0.75), null), Frames.AwaitMessage(bridge));
+    }
+
+    [Fact]
+    public void Hellos_name_the_versions_and_another_is_reported()
+    {
+        using var bridge = new FolderBridge(_folder, Frames.Size);
+        Frames.Await(() => File.Exists(PathOf("bridge.json")), "the game's hello");
+        Assert.Equal("{\"type\":\"hello\",\"version\":1}\n", File.ReadAllText(PathOf("bridge.json")));
+        Drop("controls.txt", "0 0 0.75\n");
+        Assert.IsType<ControlsMessage>(Frames.AwaitMessage(bridge));
+
+        Drop("command.json", """{"type":"hello","version":7}""");
+        Frames.Await(() => bridge.Problem is not null, "the version to be reported");
+
+        Assert.Contains("version 7 of the bridge, the game version 1", bridge.Problem, StringComparison.Ordinal);
+        Assert.False(bridge.TryReceive(out _));
     }
 
     [Fact]

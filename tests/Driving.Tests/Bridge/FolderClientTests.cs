@@ -76,7 +76,7 @@ public sealed class FolderClientTests : IDisposable
             AwaitRead();
         }
 
-        // Had it been taken for gone once, that would come first.
+        // If it had ever counted as gone, that message would come first.
         Command("""{"type":"step","seconds":1}""");
         ClientMessage? message;
         do
@@ -146,7 +146,7 @@ public sealed class FolderClientTests : IDisposable
         $"{what}; the bridge says: {_bridge.Problem}");
 
     /// <summary>
-    /// A file that appears whole, of another length than the one before, as the times of files are coarse on some systems.
+    /// Writes a file by renaming, with another length than the version before, because file times are coarse on some systems.
     /// </summary>
     private void Drop(string name, string content)
     {

@@ -28,7 +28,7 @@ internal sealed class FolderVandal(string folder, int seed) : IDisposable
     private readonly List<FileStream> _locks = [];
     private int _strangers;
 
-    /// <summary>Lets everybody write in a folder again.</summary>
+    /// <summary>Makes a folder writable for everybody again.</summary>
     public static void Allow(string folder)
     {
         if (!OperatingSystem.IsWindows() && Directory.Exists(folder))
@@ -150,7 +150,7 @@ internal sealed class FolderVandal(string folder, int seed) : IDisposable
         }
     }
 
-    /// <summary>The whole folder: gone for good, in the place of a file, or shut.</summary>
+    /// <summary>The whole folder: deleted, replaced by a file, or made inaccessible.</summary>
     private void TakeAway()
     {
         switch (_random.Next(3))

@@ -55,7 +55,7 @@ public sealed class FrameOutboxTests
     }
 
     [Fact]
-    public void Cleared_or_closed_box_gives_nothing()
+    public void Cleared_or_closed_outbox_gives_nothing()
     {
         Put(1);
         _outbox.Clear(static () => { });

@@ -8,7 +8,7 @@ using Harvester.TestSupport;
 
 namespace Harvester.Driving.Tests.Bridge;
 
-/// <summary>A whole drive at the end of a real socket, with clients that mean ill or are broken.</summary>
+/// <summary>A complete drive over a real socket, with malicious or broken clients.</summary>
 public sealed class FuzzedDriveTests
 {
     private static readonly string[] Good =
@@ -40,7 +40,7 @@ public sealed class FuzzedDriveTests
         int refused = 0;
         for (int i = 0; i < 10_000; i++)
         {
-            // Each has a connection of its own, or the first bad one of a connection would be the last that is read.
+            // Each uses a connection of its own, since the first bad message of a connection is the last that is read.
             using (var client = new SocketClient(bridge.EndPoint))
             {
                 (byte[] bytes, bool drives) = Mutated(random);
@@ -80,14 +80,15 @@ public sealed class FuzzedDriveTests
     {
         const string token = "open sesame";
         SocketBridgeOptions options =
-            SocketBridgeOptions.Loopback with { Port = 0, Token = token, TokenPatience = TimeSpan.FromSeconds(10) };
+            SocketBridgeOptions.Loopback with { Port = 0, Token = token, HelloPatience = TimeSpan.FromSeconds(10) };
         using var bridge = new SocketBridge(options, Frames.Size);
-        SocketClient[] slow = [.. Enumerable.Range(0, 10).Select(_ => new SocketClient(bridge.EndPoint))];
+        SocketClient[] slow = [.. Enumerable.Range(0, 10).Select(_ => new SocketClient(bridge.EndPoint, hello: null))];
         using SocketClient good = Welcomed(bridge);
 
         // None of the reads waits for long, and at this pace the whole of this hello would take more than an hour.
         byte[] hello = Framed(
-            Encoding.UTF8.GetBytes(string.Concat("{\"type\":\"hello\",", new string(' ', 60_000), "\"token\":\"open sesame\"}")));
+            Encoding.UTF8.GetBytes(
+                string.Concat("{\"type\":\"hello\",\"version\":1,", new string(' ', 60_000), "\"token\":\"open sesame\"}")));
         int sent = 0;
         Frames.Await(
             () =>
@@ -129,9 +130,9 @@ public sealed class FuzzedDriveTests
         Frames.Await(
             () =>
             {
-                if (client.Stream.DataAvailable)
+                if (client.Stream.DataAvailable && client.ReceiveAny().Header.GetProperty("type").GetString() == "error")
                 {
-                    // It is told that it was too late.
+                    // The bridge reports that it was too late.
                     client.Dispose();
                     client = Asking(bridge);
                 }
@@ -144,8 +145,8 @@ public sealed class FuzzedDriveTests
 
     private static SocketClient Asking(SocketBridge bridge)
     {
-        var client = new SocketClient(bridge.EndPoint);
-        client.TryWrite(Framed("{\"type\":\"hello\",\"token\":\"open sesame\"}"u8.ToArray()));
+        var client = new SocketClient(bridge.EndPoint, hello: null);
+        client.TryWrite(Framed("{\"type\":\"hello\",\"version\":1,\"token\":\"open sesame\"}"u8.ToArray()));
         client.TryWrite(Framed("{\"type\":\"requestFrame\"}"u8.ToArray()));
         return client;
     }
@@ -158,7 +159,7 @@ public sealed class FuzzedDriveTests
         },
         "the controls of a client");
 
-    /// <summary>A good message with bytes changed, left out, said again or broken off, or with other lengths; or as it is.</summary>
+    /// <summary>A valid message with bytes changed, removed or repeated, truncated, with other lengths, or unchanged.</summary>
     /// <returns>The bytes, and whether the car is driven by them for sure.</returns>
     private static (byte[] Bytes, bool Drives) Mutated(Random random)
     {

@@ -7,7 +7,7 @@ using Harvester.TestSupport;
 
 namespace Harvester.Driving.Tests.Bridge;
 
-/// <summary>A whole drive over a shared folder in which somebody means ill or is broken.</summary>
+/// <summary>A complete drive over a shared folder in which another process is malicious or broken.</summary>
 public sealed class FuzzedFolderTests : IDisposable
 {
     private readonly string _parent = Directory.CreateTempSubdirectory("harvester-fuzzed").FullName;
@@ -27,14 +27,14 @@ public sealed class FuzzedFolderTests : IDisposable
     [InlineData(3, 2_000)]
     public void Drive_survives_many_random_changes_in_the_folder(int seed, int deeds) => Fuzz(seed, deeds);
 
-    [UnixFact]
+    [PosixFact]
     [Trait("Category", "Heavy")]
     public void Disk_that_never_answers_blocks_neither_the_game_nor_its_end()
     {
         FolderBridge bridge = new(_folder, Frames.Size);
         using DrivingSession session = Session(bridge);
 
-        // Who opens a pipe to read waits until somebody opens it to write: the bridge's thread hangs for good.
+        // Opening a pipe for reading blocks until somebody opens it for writing: the bridge's thread hangs for good.
         using Process pipe = Process.Start("mkfifo", Path.Combine(_folder, "controls.txt"));
         pipe.WaitForExit();
         Assert.Equal(0, pipe.ExitCode);
@@ -45,7 +45,7 @@ public sealed class FuzzedFolderTests : IDisposable
         Frames.Await(() => end.IsCompleted, "the bridge's end");
     }
 
-    [UnixFact]
+    [PosixFact]
     public void Endless_file_is_not_read_for_ever()
     {
         using FolderBridge bridge = new(_folder, Frames.Size);
@@ -96,7 +96,7 @@ public sealed class FuzzedFolderTests : IDisposable
                     return true;
                 }
 
-                // Said again and again, as clients do: a step that somebody has asked for may hold the world's time up.
+                // Repeated, as clients do: a step requested by another process may delay the world's time.
                 string path = Path.Combine(_folder, "controls.txt");
                 File.WriteAllText(path + ".new", FormattableString.Invariant($"{steering} 0 0 {++words}\n"));
                 File.Move(path + ".new", path, overwrite: true);

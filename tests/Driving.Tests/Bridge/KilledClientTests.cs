@@ -14,7 +14,7 @@ public sealed class KilledClientTests : IDisposable
     private const int Lives = 100;
     private readonly string _folder = Directory.CreateTempSubdirectory("harvester-killed").FullName;
 
-    [UnixFact]
+    [PosixFact]
     [Trait("Category", "Heavy")]
     public void Folder_survives_a_client_killed_and_restarted_100_times()
     {
@@ -22,7 +22,7 @@ public sealed class KilledClientTests : IDisposable
         var random = new Random(9);
         for (int life = 1; life <= Lives; life++)
         {
-            // Every other time it does not write its file as a whole.
+            // Every other time it does not rename its file into place.
             using Process client = Start(string.Create(
                 CultureInfo.InvariantCulture,
                 $"echo '0.25 0.5 0 {life}' > part; mv part controls.txt; printf '0.25 ' > controls.txt; echo '0.5 0 {life}' >> "
@@ -36,7 +36,7 @@ public sealed class KilledClientTests : IDisposable
         Frames.Await(() => File.Exists(last), last);
     }
 
-    [UnixFact]
+    [PosixFact]
     [Trait("Category", "Heavy")]
     public void World_resumes_when_a_lock_step_client_is_killed()
     {

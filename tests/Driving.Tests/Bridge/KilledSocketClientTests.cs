@@ -6,7 +6,7 @@ using Harvester.TestSupport;
 
 namespace Harvester.Driving.Tests.Bridge;
 
-/// <summary>A whole drive over a socket whose clients die or are replaced while the world stands or steps for them.</summary>
+/// <summary>A complete drive over a socket whose clients die or are replaced while the world is paused or stepping for them.</summary>
 public sealed class KilledSocketClientTests : IDisposable
 {
     private readonly FakeGame _game = new();

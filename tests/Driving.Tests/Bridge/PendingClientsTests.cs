@@ -29,7 +29,7 @@ public sealed class WaitingRoomTests
     }
 
     [Fact]
-    public void Closed_waiting_list_accepts_nobody()
+    public void Closed_pending_clients_accept_nobody()
     {
         _room.Enter("a");
 

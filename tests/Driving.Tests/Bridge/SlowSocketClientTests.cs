@@ -140,6 +140,7 @@ public sealed class SlowSocketClientTests : IDisposable
     private static SocketClient Connected(SocketBridge bridge)
     {
         var client = new SocketClient(bridge.EndPoint);
+        Assert.Equal("hello", client.ReceiveAny().Header.GetProperty("type").GetString());
         client.Send("""{"type":"requestFrame"}""");
         Assert.IsType<RequestFrameMessage>(Frames.AwaitWord(bridge));
         return client;

@@ -4,22 +4,21 @@ using Harvester.TestSupport;
 
 namespace Harvester.Driving.Tests.Bridge;
 
-/// <summary>Who may drive over a socket that asks for a token, and how long and how many of the others are borne with.</summary>
+/// <summary>Which clients may drive over a socket that requires a token, and how long and how many others may wait.</summary>
 public sealed class SocketTokenTests
 {
+    private const string Sesame = """{"type":"hello","version":1,"token":"open sesame"}""";
     private static readonly SocketBridgeOptions AnyPort = SocketBridgeOptions.Loopback with { Port = 0 };
 
     [Fact]
     public void Client_without_the_token_is_cut_off_and_displaces_nobody()
     {
-        using var bridge = new SocketBridge(AnyPort with { Token = "open sesame", TokenPatience = Timeout.InfiniteTimeSpan }, Frames.Size);
-        using var friend = new SocketClient(bridge.EndPoint);
-        friend.Send("""{"type":"hello","token":"open sesame"}""");
+        using var bridge = new SocketBridge(AnyPort with { Token = "open sesame", HelloPatience = Timeout.InfiniteTimeSpan }, Frames.Size);
+        using var friend = new SocketClient(bridge.EndPoint, Sesame);
         friend.Send("""{"type":"requestFrame"}""");
         Frames.AwaitMessage(bridge);
 
-        using var stranger = new SocketClient(bridge.EndPoint);
-        stranger.Send("""{"type":"hello","token":"open"}""");
+        using var stranger = new SocketClient(bridge.EndPoint, """{"type":"hello","version":1,"token":"open"}""");
 
         Assert.Equal("error", stranger.Receive().Header.GetProperty("type").GetString());
         Assert.True(stranger.IsCutOff());
@@ -30,15 +29,14 @@ public sealed class SocketTokenTests
     [Fact]
     public void Connections_without_the_token_are_limited_and_block_nobody()
     {
-        // Nobody's time runs out here: who is cut off has made room.
-        SocketBridgeOptions options = AnyPort with { Token = "open sesame", MaxPending = 4, TokenPatience = Timeout.InfiniteTimeSpan };
+        // No connection times out here: one that is closed has made room for another.
+        SocketBridgeOptions options = AnyPort with { Token = "open sesame", MaxPending = 4, HelloPatience = Timeout.InfiniteTimeSpan };
         using var bridge = new SocketBridge(options, Frames.Size);
-        SocketClient[] strangers = [.. Enumerable.Range(0, 40).Select(_ => new SocketClient(bridge.EndPoint))];
+        SocketClient[] strangers = [.. Enumerable.Range(0, 40).Select(_ => new SocketClient(bridge.EndPoint, hello: null))];
         Assert.All(strangers.Take(36), stranger => Assert.True(stranger.IsCutOff()));
         Assert.Equal(4, bridge.Pending);
 
-        using var friend = new SocketClient(bridge.EndPoint);
-        friend.Send("""{"type":"hello","token":"open sesame"}""");
+        using var friend = new SocketClient(bridge.EndPoint, Sesame);
         friend.Send("""{"type":"requestFrame"}""");
         Assert.IsType<RequestFrameMessage>(Frames.AwaitMessage(bridge));
 
@@ -54,9 +52,9 @@ public sealed class SocketTokenTests
     public void Connections_without_the_token_in_time_are_cut_off()
     {
         using var bridge = new SocketBridge(
-            AnyPort with { Token = "open sesame", TokenPatience = TimeSpan.FromMilliseconds(50) }, Frames.Size);
-        using var silent = new SocketClient(bridge.EndPoint);
-        using var slow = new SocketClient(bridge.EndPoint);
+            AnyPort with { Token = "open sesame", HelloPatience = TimeSpan.FromMilliseconds(50) }, Frames.Size);
+        using var silent = new SocketClient(bridge.EndPoint, hello: null);
+        using var slow = new SocketClient(bridge.EndPoint, hello: null);
         slow.TryWrite([0, 0]);
 
         Assert.True(silent.IsCutOff());
@@ -77,8 +75,9 @@ public sealed class SocketTokenTests
     [Fact]
     public void Silent_client_is_told_that_a_token_is_required()
     {
-        using var bridge = new SocketBridge(AnyPort with { Token = "open sesame" }, Frames.Size);
-        using var stranger = new SocketClient(bridge.EndPoint);
+        using var bridge = new SocketBridge(
+            AnyPort with { Token = "open sesame", HelloPatience = TimeSpan.FromMilliseconds(50) }, Frames.Size);
+        using var stranger = new SocketClient(bridge.EndPoint, hello: null);
 
         Assert.Contains(
             "a hello with the right token", stranger.Receive().Header.GetProperty("reason").GetString(), StringComparison.Ordinal);

@@ -46,7 +46,7 @@ internal sealed class ClosedLoop(IController controller, LaneSection section, do
             for (int step = 0; step < StepsPerControl; step++)
             {
                 Speed = Math.Max(0, Speed + (((2 * command.Throttle) - (8 * command.Brake)) * Step));
-                // On the outside of a bend the car drives more than the line has: the same turn at a larger radius.
+                // On the outside of a bend the car drives a longer distance than the line: the same turn at a larger radius.
                 double curvature = Along >= Bend.From && Along < Bend.To ? Bend.Curvature : 0;
                 double along = Speed * Math.Cos(Yaw) / (1 + (curvature * Offset)) * Step;
                 Along += along;

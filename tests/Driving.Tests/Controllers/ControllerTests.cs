@@ -85,13 +85,13 @@ public sealed class ControllerTests
         // At 10 m/s the published law brakes by a tenth for each m/s too fast, from 15 m on: at 5 m it still has 8 of them
         // (docs/driving.md).
         const double halvesOfTwoCars = 4.8;
-        double least = LeastGap(new DeepDrivingController());
+        double least = MinGap(new DeepDrivingController());
         Assert.True(least < halvesOfTwoCars, $"It came to a stop {least:0.0} m before.");
 
-        least = LeastGap(new EmergencyBrake(new DeepDrivingController(), new CarTraits()));
+        least = MinGap(new EmergencyBrake(new DeepDrivingController(), new CarTraits()));
         Assert.InRange(least, EmergencyBrake.StandingDistance - 2.5, EmergencyBrake.StandingDistance + 1);
 
-        double LeastGap(IController controller)
+        double MinGap(IController controller)
         {
             // A lane beside does not help: half of the time that it takes to be taken for free is over when it is too late.
             var loop = new ClosedLoop(controller, new LaneSection(1 + lanesBeside, 4), TorcsLock)

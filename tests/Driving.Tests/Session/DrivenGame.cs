@@ -41,7 +41,7 @@ public abstract class DrivenGame : IDisposable
         }
     }
 
-    /// <summary>Answers with the same controls always, and notes what it was asked.</summary>
+    /// <summary>Always answers with the same controls, and records its input.</summary>
     private protected sealed class NotingController(DrivingControls answer) : IController
     {
         public List<DrivingState> States { get; } = [];

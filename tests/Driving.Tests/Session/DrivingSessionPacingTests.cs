@@ -4,7 +4,7 @@ using Harvester.TestSupport;
 
 namespace Harvester.Driving.Tests.Session;
 
-/// <summary>When the world of a drive stands, steps and is seen: lock-step and frames that the client asks for.</summary>
+/// <summary>When the world of a drive pauses, steps and is shown: lock-step and frames requested by the client.</summary>
 public sealed class DrivingSessionPacingTests : DrivenGame
 {
     [Fact]

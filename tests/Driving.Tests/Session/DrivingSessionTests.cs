@@ -65,7 +65,7 @@ public sealed class DrivingSessionTests : DrivenGame
         Assert.Equal(15, state.SpeedMetresPerSecond);
         Assert.Equal(0, state.HeadingRadians);
 
-        // No road is known: lanes are taken to be 5.4 m wide, 1.35 times those of TORCS.
+        // No road is known: lanes are assumed to be 5.4 m wide, 1.35 times those of TORCS.
         Assert.Equal(-1.6 * 1.35, state.Indicators.ToMarkingML.Value, 12);
         Assert.Equal(30, state.Indicators.DistMM.Value);
     }
@@ -78,7 +78,7 @@ public sealed class DrivingSessionTests : DrivenGame
         Run(session, 2);
 
         Assert.Equal([DrivingControls.Stop, DrivingControls.Stop], Car.Driven);
-        Assert.Contains("beyond", session.Problem, StringComparison.Ordinal);
+        Assert.Contains("not in the range", session.Problem, StringComparison.Ordinal);
         Assert.False(session.Status.IsOver);
     }
 

@@ -52,7 +52,7 @@ public sealed class ClientDriverTests
         ClientDriver driver = new(game, static () => new StandingController(), Ample, game);
         driver.Run(0.1, 5, default);
 
-        // It asks after 2, 4 and 6 of the 7 seconds.
+        // It requests a frame after 2, 4 and 6 of the 7 seconds.
         Assert.Equal((51, 51, 3), (driver.Frames, game.Steps, game.Asked));
     }
 
@@ -110,6 +110,7 @@ public sealed class ClientDriverTests
         ClientDriver driver = new(link, static () => new StandingController(), Ample, TimeProvider.System);
         game.Say(FakeGame.Frame(1));
         var driving = Task.Run(() => driver.Run(null, 60, default));
+        game.Hear();
         game.Hear();
         Assert.Contains("\"controls\"", game.Hear(), StringComparison.Ordinal);
         game.Close();
@@ -188,7 +189,7 @@ public sealed class ClientDriverTests
 
         public int LooksOfFirstStep { get; init; } = 1;
 
-        /// <summary>Before it has been asked so often it shows nothing.</summary>
+        /// <summary>Number of requests before it shows a frame.</summary>
         public int AskingsUntilItShows { get; init; }
 
         public Action Answered { get; set; } = static () => { };

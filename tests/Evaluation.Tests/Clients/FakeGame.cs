@@ -15,7 +15,25 @@ internal sealed class FakeGame : IDisposable
 
     public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
 
-    private NetworkStream Stream => (_client ??= _listener.AcceptTcpClient()).GetStream();
+    /// <summary>The game's first message; null for none.</summary>
+    public string? Hello { get; init; } = """{"type":"hello","version":1}""";
+
+    private NetworkStream Stream
+    {
+        get
+        {
+            if (_client is null)
+            {
+                _client = _listener.AcceptTcpClient();
+                if (Hello is not null)
+                {
+                    _client.GetStream().Write(Message(Hello));
+                }
+            }
+
+            return _client.GetStream();
+        }
+    }
 
     public static byte[] Frame(int number, double x = 0) => Message(
         $$"""{"type":"frame","frame":{{number}},"timeSeconds":{{number / 10.0:0.0}},"speedMetresPerSecond":5,"position":[{{x}},0,0]"""

@@ -24,7 +24,7 @@ public sealed class FolderLinkTests : IDisposable
     {
         using FolderLink link = new(_folder);
 
-        Assert.Equal("""{"type":"hello"}""", File.ReadAllText(Path.Combine(_folder, "command.json")).TrimEnd());
+        Assert.Equal("""{"type":"hello","version":1}""", File.ReadAllText(Path.Combine(_folder, "command.json")).TrimEnd());
     }
 
     [Fact]
@@ -35,7 +35,7 @@ public sealed class FolderLinkTests : IDisposable
         link.AskForFrame();
         string again = File.ReadAllText(Path.Combine(_folder, "command.json"));
         Assert.NotEqual(first, again);
-        Assert.Equal("""{"type":"hello"}""", again.TrimEnd());
+        Assert.Equal("""{"type":"hello","version":1}""", again.TrimEnd());
 
         Write(Indicators + "3 0.3 5 1 frame_00000003.png -0.05\n");
         Assert.NotNull(link.Receive(Ample));
@@ -87,6 +87,27 @@ public sealed class FolderLinkTests : IDisposable
 
         Assert.Equal(3, commands.Count);
         Assert.All(commands, command => Assert.Matches(new Regex("""^\{"type":"step","seconds":0.1\} *$"""), command));
+    }
+
+    [Fact]
+    public void Game_of_another_version_is_refused()
+    {
+        File.WriteAllText(Path.Combine(_folder, "bridge.json"), """{"type":"hello","version":2}""");
+
+        Assert.Contains(
+            "the game speaks version 2 of the bridge, this program version 1",
+            Assert.Throws<IOException>(() => new FolderLink(_folder)).Message,
+            StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Game_of_another_version_that_begins_later_is_refused()
+    {
+        using FolderLink link = new(_folder);
+        File.WriteAllText(Path.Combine(_folder, "bridge.json"), """{"type":"hello","version":2}""");
+        Write(Indicators + "3 0.3 5 1 frame_00000003.png -0.05\n");
+
+        Assert.Contains("version 2", Assert.Throws<IOException>(() => link.Receive(Ample)).Message, StringComparison.Ordinal);
     }
 
     [Fact]

@@ -75,7 +75,7 @@ public sealed class ConvexPolygonTests
     }
 
     [Fact]
-    public void Clip_whole_none_and_around()
+    public void Clip_to_boxes_around_beside_and_inside_the_polygon()
     {
         Assert.Equal(Square, ConvexPolygon.Clip(Square, new Box2D(-1, -1, 3, 3)));
         Assert.Empty(ConvexPolygon.Clip(Square, new Box2D(5, 5, 6, 6)));
@@ -86,11 +86,9 @@ public sealed class ConvexPolygonTests
     [Fact]
     public void Clip_area_agrees_with_counted_points()
     {
-        var random = new Random(3);
-        for (int i = 0; i < 20; i++)
+        RandomCases.Check(20, RandomCases.ArrayOf(Draws.Pixels(100, 100), 8), points =>
         {
-            IReadOnlyList<Vector2D> hull = ConvexPolygon.Hull(
-                Enumerable.Range(0, 8).Select(_ => new Vector2D(random.Between(0, 100), random.Between(0, 100))));
+            IReadOnlyList<Vector2D> hull = ConvexPolygon.Hull(points);
             var box = new Box2D(20, 30, 80, 70);
             const int steps = 200;
             int inside = 0;
@@ -102,11 +100,11 @@ public sealed class ConvexPolygonTests
 
             // Only cells along the outline can be miscounted, about one per step and side: 1 % of 2,400.
             Assert.Equal(inside * 2400.0 / (steps * steps), ConvexPolygon.Area(ConvexPolygon.Clip(hull, box)), 24.0);
-        }
+        });
     }
 
     [Fact]
-    public void Contains_sides_corners_and_either_winding()
+    public void Contains_includes_sides_and_accepts_either_winding()
     {
         Assert.True(ConvexPolygon.Contains(Square, new(1, 1)));
         Assert.True(ConvexPolygon.Contains(Square, new(2, 1)));

@@ -1,5 +1,8 @@
+using FsCheck;
+using FsCheck.Fluent;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
+using Harvester.TestSupport;
 
 namespace Harvester.Geometry.Tests.Boxes;
 
@@ -7,7 +10,7 @@ public sealed class CuboidProjectorTests
 {
     private const double Rounding = 1e-9;
 
-    /// <summary>The outline is bent in pieces; between their ends it bulges by less than this, pixels.</summary>
+    /// <summary>Maximum deviation of the distorted outline from its pieces, pixels.</summary>
     private const double BentEdgePixels = 0.05;
 
     /// <summary>At the origin, looking north; fx = fy = 300, the image's middle at (400, 300).</summary>
@@ -104,18 +107,15 @@ public sealed class CuboidProjectorTests
     public void Project_silhouette_contains_every_point_of_the_cuboid(double k1, double k2)
     {
         Camera camera = Looking(new Lens(1, 0, 0, k1, k2));
-        var random = new Random(5);
-        for (int i = 0; i < 300; i++)
+        Arbitrary<Cuboid> cuboids = Cuboids(sideways: 5, nearest: 2, farthest: 30);
+        RandomCases.Check(300, Arb.Zip(cuboids, RandomCases.ArrayOf(Draws.Vectors(1), 30)), drawn =>
         {
-            var cuboid = new Cuboid(
-                new(random.Between(-5, 5), random.Between(2, 30), random.Between(-5, 5)), Half(random), random.Axes());
+            (Cuboid cuboid, Vector3D[] places) = drawn;
             CuboidProjection projection = CuboidProjector.Project(camera, cuboid);
-            for (int k = 0; k < 30; k++)
+            foreach (Vector3D place in places)
             {
                 Vector3D inside = cuboid.Centre + cuboid.Axes.ToWorld(new Vector3D(
-                    random.Between(-1, 1) * cuboid.HalfExtents.X,
-                    random.Between(-1, 1) * cuboid.HalfExtents.Y,
-                    random.Between(-1, 1) * cuboid.HalfExtents.Z));
+                    place.X * cuboid.HalfExtents.X, place.Y * cuboid.HalfExtents.Y, place.Z * cuboid.HalfExtents.Z));
                 Projection point = camera.Project(inside);
                 if (point.Outcome == ProjectionOutcome.InImage)
                 {
@@ -124,27 +124,25 @@ public sealed class CuboidProjectorTests
                     Assert.True(projection.Box!.Value.Contains(new Box2D(point.U, point.V, point.U, point.V), BentEdgePixels));
                 }
             }
-        }
+        });
     }
 
     [Fact]
     public void Project_silhouette_is_where_rays_meet_the_cuboid()
     {
-        var random = new Random(6);
-        for (int i = 0; i < 200; i++)
+        Arbitrary<Cuboid> cuboids = Cuboids(sideways: 5, nearest: -2, farthest: 20);
+        RandomCases.Check(200, Arb.Zip(cuboids, RandomCases.ArrayOf(Draws.Pixels(800, 600), 50)), drawn =>
         {
-            var cuboid = new Cuboid(
-                new(random.Between(-5, 5), random.Between(-2, 20), random.Between(-5, 5)), Half(random), random.Axes());
+            (Cuboid cuboid, Vector2D[] pixels) = drawn;
             CuboidProjection projection = CuboidProjector.Project(Origin, cuboid);
-            for (int k = 0; k < 50; k++)
+            foreach (Vector2D pixel in pixels)
             {
-                var pixel = new Vector2D(random.Between(0, 800), random.Between(0, 600));
                 // The ray counts from the near plane on, as the projection does; from inside the cuboid everything is covered.
                 bool met = IsMet(Origin, cuboid, pixel.X, pixel.Y);
 
                 Assert.Equal(met || cuboid.Contains(Vector3D.Zero), ConvexPolygon.Contains(projection.Silhouette, pixel));
             }
-        }
+        });
     }
 
     [Theory]
@@ -157,22 +155,14 @@ public sealed class CuboidProjectorTests
         const double inside = 0.5;
         const double step = 0.2;
         Camera camera = Looking(new Lens(1, 0, 0, k1, k2));
-        var random = new Random(7);
-        int seen = 0;
-        while (seen < 25)
+        Arbitrary<Cuboid> cuboids = Cuboids(sideways: 6, nearest: -3, farthest: isAcrossNearPlane ? 5 : 20, height: 2);
+        Arbitrary<Cuboid> seen = cuboids.Filter(cuboid =>
+            !cuboid.Contains(Vector3D.Zero)
+            && IsAcrossNearPlane(camera, cuboid) == isAcrossNearPlane
+            && CuboidProjector.Project(camera, cuboid).Box is not null);
+        RandomCases.Check(25, seen, cuboid =>
         {
-            var cuboid = new Cuboid(
-                new(random.Between(-6, 6), random.Between(-3, isAcrossNearPlane ? 5 : 20), random.Between(-2, 2)),
-                Half(random),
-                random.Axes());
-            if (cuboid.Contains(Vector3D.Zero)
-                || IsAcrossNearPlane(camera, cuboid) != isAcrossNearPlane
-                || CuboidProjector.Project(camera, cuboid).Box is not { } box)
-            {
-                continue;
-            }
-
-            seen++;
+            Box2D box = CuboidProjector.Project(camera, cuboid).Box!.Value;
             for (double u = 2; u < 800; u += 20)
             {
                 for (double v = 2; v < 600; v += 20)
@@ -197,7 +187,7 @@ public sealed class CuboidProjectorTests
                 return Enumerable.Range(0, steps + 1)
                     .Any(i => IsMet(camera, cuboid, u + ((toU - u) * i / steps), v + ((toV - v) * i / steps)));
             }
-        }
+        });
     }
 
     private static bool IsAcrossNearPlane(Camera camera, Cuboid cuboid) =>
@@ -209,7 +199,13 @@ public sealed class CuboidProjectorTests
         return cuboid.Intersect(ray) is { } span && span.Exit >= camera.Intrinsics.NearClip / ray.Direction.Y;
     }
 
-    private static Vector3D Half(Random random) => new(random.Between(0.1, 3), random.Between(0.1, 3), random.Between(0.1, 3));
+    private static Arbitrary<Cuboid> Cuboids(double sideways, double nearest, double farthest, double? height = null) =>
+        Draws.Cuboids(Arb.Convert(
+            Arb.Zip(
+                RandomCases.Number(-sideways, sideways),
+                Arb.Zip(RandomCases.Number(nearest, farthest), RandomCases.Number(-(height ?? sideways), height ?? sideways))),
+            drawn => new Vector3D(drawn.Item1, drawn.Item2.Item1, drawn.Item2.Item2),
+            centre => (centre.X, (centre.Y, centre.Z))));
 
     private static Camera Looking(Lens lens) =>
         new(

@@ -1,4 +1,6 @@
+using FsCheck.Fluent;
 using Harvester.Geometry.Boxes;
+using Harvester.TestSupport;
 
 namespace Harvester.Geometry.Tests.Boxes;
 
@@ -36,7 +38,7 @@ public sealed class CuboidTests
     }
 
     [Fact]
-    public void Intersect_hand_cases()
+    public void Intersect_gives_distances_worked_out_by_hand()
     {
         var cuboid = new Cuboid(new(0, 10, 0), new(1, 2, 3), Axes.Identity);
 
@@ -52,13 +54,11 @@ public sealed class CuboidTests
     [Fact]
     public void Intersect_agrees_with_a_walk_along_the_ray()
     {
-        var random = new Random(4);
         int hits = 0;
-        for (int i = 0; i < 300; i++)
+        RandomCases.Check(300, Arb.Zip(Draws.Cuboids(Draws.Vectors(4)), Arb.Zip(Draws.Vectors(6), Draws.Vectors(3))), drawn =>
         {
-            Cuboid cuboid = random.Cuboid(4);
-            Vector3D origin = random.Vector(6);
-            var ray = new Ray(origin, cuboid.Centre + random.Vector(3) - origin);
+            (Cuboid cuboid, (Vector3D origin, Vector3D aim)) = drawn;
+            var ray = new Ray(origin, cuboid.Centre + aim - origin);
             double? first = null;
             double last = 0;
             for (double t = 0; t < 25; t += WalkStep)
@@ -83,7 +83,7 @@ public sealed class CuboidTests
             {
                 Assert.True(grazed.Exit - grazed.Entry < WalkStep, "the walk stepped over a long way through the cuboid");
             }
-        }
+        });
 
         Assert.InRange(hits, 50, 250);
     }

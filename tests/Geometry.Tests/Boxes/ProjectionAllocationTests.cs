@@ -8,8 +8,8 @@ public class ProjectionAllocationTests
 {
     private const int Times = 1000;
 
-    /// <summary>The corners, the points of the image, the hull, and the result.</summary>
-    private const long MaxBytesPerBox = 1400;
+    /// <summary>The result and its silhouette of at most six corners.</summary>
+    private const long MaxBytesPerBox = 300;
 
     private static readonly Camera Camera = new(
         new Pose(Vector3D.Zero, Axes.Identity), new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.15, Lens.Ideal));
@@ -35,6 +35,34 @@ public class ProjectionAllocationTests
     }
 
     [Fact]
+    public void Projecting_by_fours_gives_the_bits_of_each_alone()
+    {
+        var random = new Random(1);
+        var pose = new Pose(new Vector3D(3, -2, 1), Axes.FromEuler(new EulerAngles(3, -2, 75)));
+        var camera = new Camera(pose, new CameraIntrinsics(60, new ImageSize(800, 600), 1.4, 0.15, new Lens(1.01, 0.01, -0.02, 0, 0)));
+        Vector3D[] points = [.. Enumerable.Range(0, 4001).Select(_ => pose.ToWorld(
+            new Vector3D(random.Between(-30, 30), random.Between(-10, 40), random.Between(-20, 20))))];
+        var projections = new Projection[points.Length];
+
+        camera.ProjectAll(points, projections);
+
+        Assert.Equal([.. points.Select(camera.Project)], projections);
+        Assert.All(Enum.GetValues<ProjectionOutcome>(), outcome => Assert.Contains(projections, found => found.Outcome == outcome));
+    }
+
+    [Theory]
+    [InlineData(2, double.NaN)]
+    [InlineData(6, double.PositiveInfinity)]
+    [InlineData(8, double.NegativeInfinity)]
+    public void Projecting_many_points_refuses_one_that_is_not_finite(int place, double coordinate)
+    {
+        Vector3D[] points = [.. Enumerable.Repeat(new Vector3D(1, 10, 2), 9)];
+        points[place] = new Vector3D(0, 10, coordinate);
+
+        Assert.Throws<ArgumentOutOfRangeException>(() => Camera.ProjectAll(points, new Projection[points.Length]));
+    }
+
+    [Fact]
     public void Projecting_into_too_short_an_array_is_refused()
     {
         Assert.Throws<ArgumentException>(() => Camera.ProjectAll(new Vector3D[2], new Projection[1]));
@@ -52,5 +80,24 @@ public class ProjectionAllocationTests
         }
 
         Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, Times * MaxBytesPerBox);
+    }
+
+    [Theory]
+    [InlineData(12, 0)]
+    [InlineData(12, -0.2)]
+    [InlineData(1, 0)]
+    [InlineData(0, -0.2)]
+    [InlineData(-20, 0)]
+    public void Boxes_without_a_silhouette_allocate_nothing(double ahead, double k1)
+    {
+        var cuboid = new Cuboid(new Vector3D(1, ahead, 0), new Vector3D(1, 2, 0.7), Axes.FromHeading(30));
+        Camera camera = new(Camera.Pose, new CameraIntrinsics(90, new ImageSize(800, 600), 4.0 / 3, 0.15, new Lens(1, 0, 0, k1, 0)));
+        CuboidProjector.BoxesOf(camera, cuboid);
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        BoxProjection boxes = CuboidProjector.BoxesOf(camera, cuboid);
+        Assert.Equal(0, GC.GetAllocatedBytesForCurrentThread() - before);
+
+        CuboidProjection whole = CuboidProjector.Project(camera, cuboid);
+        Assert.Equal(new BoxProjection(whole.Outcome, whole.Box, whole.AmodalBox, whole.TruncatedFraction), boxes);
     }
 }

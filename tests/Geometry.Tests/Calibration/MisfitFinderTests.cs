@@ -3,7 +3,7 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Geometry.Tests.Calibration;
 
-/// <summary>Sightings that a camera with a defect of its own takes, fitted by a lens that does not know of it.</summary>
+/// <summary>Sightings of a camera with a defect, fitted by a lens that cannot represent it.</summary>
 public sealed class MisfitFinderTests
 {
     private const double NoisePixels = 0.1;

@@ -1,4 +1,7 @@
+using FsCheck;
+using FsCheck.Fluent;
 using Harvester.Geometry.Cameras;
+using Harvester.TestSupport;
 
 namespace Harvester.Geometry.Tests.Cameras;
 
@@ -45,31 +48,25 @@ public sealed class CameraTests
     [InlineData(3)]
     public void Project_of_Unproject_is_the_pixel(int lens)
     {
-        var random = new Random(10 + lens);
-        for (int i = 0; i < 2_000; i++)
+        RandomCases.Check(2_000, Arb.Zip(Draws.Cameras(Lenses[lens]), Sights(maxDepth: 100)), drawn =>
         {
-            Camera camera = random.Camera(Lenses[lens]);
-            double u = random.Between(0, 800);
-            double v = random.Between(0, 600);
-            double depth = random.Between(1, 100);
+            (Camera camera, (Vector2D pixel, double depth)) = drawn;
 
-            Projection back = camera.Project(camera.Unproject(u, v, depth));
+            Projection back = camera.Project(camera.Unproject(pixel.X, pixel.Y, depth));
 
-            Assert.Equal(u, back.U, RoundTripPixels);
-            Assert.Equal(v, back.V, RoundTripPixels);
+            Assert.Equal(pixel.X, back.U, RoundTripPixels);
+            Assert.Equal(pixel.Y, back.V, RoundTripPixels);
             Assert.Equal(depth, back.Depth, 1e-9);
-        }
+        });
     }
 
     [Fact]
     public void Project_moving_world_and_camera_together_changes_nothing()
     {
-        var random = new Random(20);
-        for (int i = 0; i < 500; i++)
+        RandomCases.Check(500, Arb.Zip(Draws.Cameras(Lenses[1]), Arb.Zip(Sights(maxDepth: 50), Draws.Poses(50))), drawn =>
         {
-            Camera camera = random.Camera(Lenses[1]);
-            Vector3D point = camera.Unproject(random.Between(0, 800), random.Between(0, 600), random.Between(1, 50));
-            var motion = new Pose(random.Vector(50), random.Axes());
+            (Camera camera, ((Vector2D pixel, double depth), Pose motion)) = drawn;
+            Vector3D point = camera.Unproject(pixel.X, pixel.Y, depth);
             var moved = new Camera(motion.Compose(camera.Pose), camera.Intrinsics);
 
             Projection before = camera.Project(point);
@@ -77,7 +74,7 @@ public sealed class CameraTests
 
             Assert.Equal(before.U, after.U, 1e-8);
             Assert.Equal(before.V, after.V, 1e-8);
-        }
+        });
     }
 
     [Fact]
@@ -114,4 +111,7 @@ public sealed class CameraTests
         Assert.Throws<ArgumentException>(() => new Camera(default, camera.Intrinsics));
         Assert.Throws<ArgumentNullException>(() => new Camera(camera.Pose, null!));
     }
+
+    private static Arbitrary<(Vector2D Pixel, double Depth)> Sights(double maxDepth) =>
+        Arb.Zip(Draws.Pixels(800, 600), RandomCases.Number(1, maxDepth));
 }

@@ -5,10 +5,10 @@ namespace Harvester.Geometry.Tests.Lanes;
 
 public sealed class LaneObserverTests
 {
-    /// <summary>What is asked of the indicators on roads in closed form, metres.</summary>
+    /// <summary>The required accuracy of the indicators on roads in closed form, metres.</summary>
     private const double ExactMetres = 1e-3;
 
-    /// <summary>What is asked of the angle, radians.</summary>
+    /// <summary>The required accuracy of the angle, radians.</summary>
     private const double ExactRadians = 1e-4;
 
     private static readonly AnalyticRoad Straight = new((0, 200));

@@ -9,7 +9,7 @@ public sealed class PaintTracerTests
     private static readonly MarkingPaint White = new(MarkingStyle.Dashed, MarkingColour.White, 0.15);
 
     [Fact]
-    public void Paint_takes_the_nearest_boundary_number_and_keeps_its_place()
+    public void Paint_gets_the_number_of_the_nearest_boundary_and_stays_put()
     {
         // Two lanes from 0 to 10.8 m right of the line; an edge is painted 0.25 m inside.
         IReadOnlyList<LaneLine> lines = Trace(Line(10.55, 20, 90), Line(5.4, 20, 90), Line(0.1, 20, 90));
@@ -21,7 +21,7 @@ public sealed class PaintTracerTests
     }
 
     [Fact]
-    public void Paint_ends_where_it_ends_and_begins_at_the_car()
+    public void Line_begins_at_the_car_and_ends_where_the_paint_ends()
     {
         LaneLine line = Assert.Single(Trace(Line(5.4, 10, 70)));
 
@@ -39,7 +39,7 @@ public sealed class PaintTracerTests
     }
 
     [Fact]
-    public void Gaps_stay_gaps()
+    public void Gaps_of_a_dashed_line_are_not_painted()
     {
         var dashed = new PaintedLine(
             White, [.. Enumerable.Range(0, 100).Select(i => new LinePoint(new Vector3D(5.4, 50.25 + (i * 0.5), 0), i / 6 % 3 == 0))]);

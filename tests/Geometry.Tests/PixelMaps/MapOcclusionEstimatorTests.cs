@@ -50,7 +50,7 @@ public sealed class MapOcclusionEstimatorTests
     }
 
     [Fact]
-    public void Estimate_of_a_hidden_object_takes_only_the_rays_that_find_it()
+    public void Estimate_of_a_hidden_object_takes_one_ray()
     {
         OcclusionEstimate estimate = Estimate(
             [(Car, Target), (RayHit.World, new(new(0, 10, 0), new(50, 0.1, 50), Axes.Identity))], Sight.Unseen);

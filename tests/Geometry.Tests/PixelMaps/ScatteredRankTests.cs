@@ -32,7 +32,7 @@ public sealed class ScatteredRankTests
     [Fact]
     public void Slanted_lines_are_hit_at_least_as_often_as_by_chance()
     {
-        // 1 in 16 pixels: a line of 64 pixels is met 4 times on average, and missed by chance in exp(-4) = 2 % of cases.
+        // 1 in 16 pixels: a line of 64 pixels is hit 4 times on average, and missed by chance in exp(-4) = 2 % of cases.
         const int length = 64;
         var rank = new ScatteredRank(new ImageSize(1024, 1024));
         foreach ((double right, double down)

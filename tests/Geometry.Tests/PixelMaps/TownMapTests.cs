@@ -39,7 +39,7 @@ public sealed class TownMapTests
     [InlineData(800, 600, OtherSeeds, 0.01)]
     [InlineData(1920, 1080, TownScene.FirstSeed, 0.005)]
     [InlineData(1920, 1080, HeldOutSeeds, 0.005)]
-    public void Run_fifty_town_scenes_agree_with_the_exhaustive_maps(int width, int height, int firstSeed, double greatestRayFraction)
+    public void Run_fifty_town_scenes_agree_with_the_exhaustive_maps(int width, int height, int firstSeed, double maxRayFraction)
     {
         var scores = new MapScores();
         for (int number = 0; number < 50; number++)
@@ -51,7 +51,7 @@ public sealed class TownMapTests
             scores.Add(scene.ExhaustiveMap(), map.Map, map.RaysCast);
         }
 
-        AssertAsDemanded(scores, greatestRayFraction);
+        AssertAsDemanded(scores, maxRayFraction);
     }
 
     [Fact]
@@ -66,13 +66,13 @@ public sealed class TownMapTests
         Assert.Equal(whole.Ids, scene.ExhaustiveMap().Ids);
     }
 
-    private static void AssertAsDemanded(MapScores scores, double greatestRayFraction)
+    private static void AssertAsDemanded(MapScores scores, double maxRayFraction)
     {
         Assert.InRange(scores.Large.Average(), 0.99, 1);
         Assert.InRange(scores.Large.Min(), 0.95, 1);
         Assert.InRange(scores.Medium.Average(), 0.97, 1);
         Assert.InRange(scores.SmallFound.Average(found => found ? 1.0 : 0), 0.99, 1);
-        Assert.InRange(scores.MeanRayFraction, 0, greatestRayFraction);
-        Assert.InRange(scores.GreatestShareOfAllowedRays, 0, 1);
+        Assert.InRange(scores.MeanRayFraction, 0, maxRayFraction);
+        Assert.InRange(scores.MaxFractionOfAllowedRays, 0, 1);
     }
 }

@@ -5,7 +5,7 @@ using Harvester.Geometry.Visibility;
 
 namespace Harvester.Geometry.Tests.PixelMaps;
 
-/// <summary>Objects that rays do not meet, or do not show.</summary>
+/// <summary>Objects that rays do not hit, or that are hidden.</summary>
 public sealed class UnseenTargetTests
 {
     [Fact]
@@ -78,7 +78,7 @@ public sealed class UnseenTargetTests
     }
 
     [Fact]
-    public void Run_without_rays_queries_nothing()
+    public void Run_without_rays_leaves_targets_not_asked()
     {
         var car = new Cuboid(new(0, 20, 0), new(2, 1, 1), Axes.Identity);
         var mapper = new AdaptivePixelMapper(

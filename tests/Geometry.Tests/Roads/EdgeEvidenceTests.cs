@@ -60,7 +60,7 @@ public sealed class EdgeEvidenceTests
 
     [Theory]
     [MemberData(nameof(Doubtful))]
-    public void Width_is_the_constant_where_the_points_are(string what, RoadEdge[] edges)
+    public void Width_is_the_constant_if_the_points_are_inconsistent(string what, RoadEdge[] edges)
     {
         Assert.True(Width(TwoAndOne, edges) == (RoadGeometry.LaneWidth, LaneWidthSource.Constant), what);
     }
@@ -84,7 +84,7 @@ public sealed class EdgeEvidenceTests
     }
 
     [Fact]
-    public void Network_with_an_edge_of_no_link_is_refused() =>
+    public void Network_refuses_an_edge_of_a_missing_link() =>
         Assert.Throws<ArgumentException>(
             () => new RoadNetwork([Node(0, 0), Node(1, 20)], [TwoAndOne], [new RoadEdge(1, true, Vector3D.Zero)]));
 

@@ -48,7 +48,7 @@ public sealed class JunctionExtentsTests
     [Fact]
     public void Road_that_others_merge_with_keeps_its_lanes()
     {
-        // A slip road joins a motorway at 15 degrees: the motorway goes on, the slip road's lane ends before.
+        // A slip road joins a motorway at 15 degrees: the motorway continues, the slip road's lane ends before.
         JunctionExtents extents = Of(
             [(0, 0), (0, -60), (0, 60), (-16, -60)],
             [new(1, 0, 2, 0, null, RoadLinkFlags.None), new(0, 2, 2, 0, null, RoadLinkFlags.None), new(

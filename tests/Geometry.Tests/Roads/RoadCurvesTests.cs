@@ -1,11 +1,14 @@
+using FsCheck;
+using FsCheck.Fluent;
 using Harvester.Geometry.Roads;
+using Harvester.TestSupport;
 
 namespace Harvester.Geometry.Tests.Roads;
 
 public sealed class RoadCurvesTests
 {
-    /// <summary>What the issue asks of the markings, metres RMS.</summary>
-    private const double LargestMarkingError = 0.1;
+    /// <summary>The required accuracy of the markings, metres RMS.</summary>
+    private const double MaxMarkingError = 0.1;
 
     private static readonly Vector3D Middle = new(1200, -900, 30);
 
@@ -34,7 +37,7 @@ public sealed class RoadCurvesTests
             }
         }
 
-        Assert.InRange(Math.Sqrt(sum / count), 0, LargestMarkingError);
+        Assert.InRange(Math.Sqrt(sum / count), 0, MaxMarkingError);
     }
 
     [Fact]
@@ -67,7 +70,7 @@ public sealed class RoadCurvesTests
             }
         }
 
-        Assert.InRange(Math.Sqrt(sum / count), 0, LargestMarkingError);
+        Assert.InRange(Math.Sqrt(sum / count), 0, MaxMarkingError);
     }
 
     [Fact]
@@ -118,13 +121,14 @@ public sealed class RoadCurvesTests
     [Fact]
     public void ClosestParameter_is_as_near_as_a_dense_search()
     {
-        var random = new Random(4);
-        var curves = new RoadCurves(Road(ArcPoints(20, random, angle: 3)));
-        for (int i = 0; i < 500; i++)
+        var curves = new RoadCurves(Road(ArcPoints(20, new Random(4), angle: 3)));
+        Arbitrary<int> links = RandomCases.Integer(0, curves.Network.Links.Count - 1);
+        RandomCases.Check(500, Arb.Zip(links, Arb.Zip(RandomCases.Number(-10, 10), RandomCases.Number(-10, 10))), drawn =>
         {
-            RoadCurve curve = curves.Of(random.Next(curves.Network.Links.Count));
+            (int link, (double x, double y)) = drawn;
+            RoadCurve curve = curves.Of(link);
             Vector3D start = curve.PointAt(0.5);
-            var place = new Vector2D(start.X + (random.NextDouble() * 20) - 10, start.Y + (random.NextDouble() * 20) - 10);
+            var place = new Vector2D(start.X + x, start.Y + y);
             double found = Apart(curve.ClosestParameter(place));
             double dense = Enumerable.Range(0, 1001).Min(step => Apart(step / 1000.0));
             Assert.InRange(found, 0, dense + 0.001);
@@ -134,7 +138,7 @@ public sealed class RoadCurvesTests
                 Vector3D point = curve.PointAt(parameter);
                 return (new Vector2D(point.X, point.Y) - place).Length;
             }
-        }
+        });
     }
 
     [Fact]

@@ -1,4 +1,6 @@
+using FsCheck.Fluent;
 using Harvester.Geometry.Roads;
+using Harvester.TestSupport;
 
 namespace Harvester.Geometry.Tests.Roads;
 
@@ -16,9 +18,9 @@ public sealed class RoadIndexTests
         var curves = new RoadCurves(new RoadNetwork(nodes, links));
         var index = new RoadIndex(curves, _ => Reach);
         int found = 0;
-        for (int i = 0; i < 500; i++)
+        RandomCases.Check(500, Arb.Zip(RandomCases.Number(-50, 950), RandomCases.Number(-50, 950)), at =>
         {
-            var place = new Vector3D((random.NextDouble() * 1000) - 50, (random.NextDouble() * 1000) - 50, 0);
+            var place = new Vector3D(at.Item1, at.Item2, 0);
             HashSet<int> near = [.. index.Near(place)];
             for (int link = 0; link < links.Length; link++)
             {
@@ -30,7 +32,7 @@ public sealed class RoadIndexTests
                     found++;
                 }
             }
-        }
+        });
 
         Assert.True(found > 500);
     }

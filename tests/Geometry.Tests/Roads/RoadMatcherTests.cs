@@ -149,7 +149,7 @@ public sealed class RoadMatcherTests
     }
 
     [Fact]
-    public void Match_never_uses_a_short_cut_or_a_footpath()
+    public void Match_never_uses_links_that_cars_do_not_drive()
     {
         foreach ((RoadLinkFlags link, RoadNodeFlags node) in new[]
         {
@@ -163,7 +163,7 @@ public sealed class RoadMatcherTests
     }
 
     [Fact]
-    public void Match_place_that_is_no_number_is_refused() =>
+    public void Match_of_a_position_that_is_not_finite_is_refused() =>
         Assert.Throws<ArgumentOutOfRangeException>(
             () => Matcher(Road(1, 1, null, (0, 0), (0, 100))).Match(new Vector3D(double.NaN, 0, 0), North));
 

@@ -3,7 +3,7 @@ using Harvester.Geometry.Visibility;
 
 namespace Harvester.Geometry.Tests.Scenes;
 
-/// <summary>A world of cuboids, several of which may belong to one entity, and what rays meet in it.</summary>
+/// <summary>A world of cuboids, several of which may belong to one entity, and a ray caster for it.</summary>
 internal sealed class CuboidWorld(IReadOnlyList<(int Entity, Cuboid Solid)> solids) : IRayCaster
 {
     public int RaysCast { get; private set; }
@@ -14,7 +14,7 @@ internal sealed class CuboidWorld(IReadOnlyList<(int Entity, Cuboid Solid)> soli
         RayHit? nearest = null;
         foreach ((int entity, Cuboid solid) in solids)
         {
-            // A ray that starts in a solid does not meet it, as in the game.
+            // A ray that starts in a solid does not hit it, as in the game.
             if ((entity != ignoredEntity || entity == RayHit.World)
                 && solid.Intersect(ray) is { Entry: > 0 } span
                 && span.Entry <= maxDistance

@@ -19,13 +19,13 @@ internal sealed class MapScores
 
     public double MeanRayFraction => _rayFractions.Average();
 
-    /// <summary>The greatest share of the rays allowed in a scene, 1.5 times its boundary pixels plus 1,000, that was used.</summary>
-    public double GreatestShareOfAllowedRays { get; private set; }
+    /// <summary>The maximum fraction of the rays allowed in a scene, 1.5 times its boundary pixels plus 1,000, that was used.</summary>
+    public double MaxFractionOfAllowedRays { get; private set; }
 
     public void Add(InstanceMap exact, InstanceMap map, int raysCast)
     {
         _rayFractions.Add((double)raysCast / exact.Image.PixelCount);
-        GreatestShareOfAllowedRays = Math.Max(GreatestShareOfAllowedRays, raysCast / ((1.5 * BoundaryPixels(exact)) + 1000));
+        MaxFractionOfAllowedRays = Math.Max(MaxFractionOfAllowedRays, raysCast / ((1.5 * BoundaryPixels(exact)) + 1000));
         int[] truth = new int[ushort.MaxValue + 1];
         int[] shown = new int[ushort.MaxValue + 1];
         int[] shared = new int[ushort.MaxValue + 1];

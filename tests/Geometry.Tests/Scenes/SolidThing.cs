@@ -3,7 +3,7 @@ using Harvester.Geometry.Boxes;
 namespace Harvester.Geometry.Tests.Scenes;
 
 /// <summary>Something solid of convex parts, with the cuboid around it in its own frame.</summary>
-/// <param name="Entity">Handle; 0 for what is no entity.</param>
+/// <param name="Entity">Handle; 0 if it is not an entity.</param>
 /// <param name="Bounds">The cuboid around all parts.</param>
 /// <param name="Parts">The parts.</param>
 internal sealed record SolidThing(int Entity, Cuboid Bounds, IReadOnlyList<ConvexSolid> Parts)

@@ -87,7 +87,7 @@ public sealed class OcclusionEstimatorTests
     [Fact]
     public void Estimate_thin_object_is_found_by_more_rays()
     {
-        // A mast 2 cm wide in a cuboid of 4 m: one ray in 200 meets it.
+        // A mast 2 cm wide in a cuboid of 4 m: one ray in 200 hits it.
         OcclusionEstimate estimate = Estimate([(Car, new(new(0.37, 20, 0), new(0.01, 2, 2), Axes.Identity))]);
 
         Assert.Equal((0, OcclusionMethod.Rays, Sight.Seen), (estimate.OccludedFraction, estimate.Method, estimate.Sight));

@@ -7,7 +7,7 @@ internal sealed class GameCamera
 {
     public required float VerticalFovDegrees { get; init; }
 
-    /// <summary>Where it stands as long as it is attached to nothing.</summary>
+    /// <summary>Its pose while it is not attached.</summary>
     public required Pose Pose { get; init; }
 
     public bool IsActive { get; set; }

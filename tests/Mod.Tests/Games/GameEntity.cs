@@ -10,7 +10,7 @@ internal sealed class GameEntity
 {
     public required PoolKind Pool { get; init; }
 
-    /// <summary>The model's name in small letters.</summary>
+    /// <summary>The model's name in lower case.</summary>
     public required string Name { get; init; }
 
     /// <summary>The model's hash where the name does not give it.</summary>
@@ -53,12 +53,12 @@ internal sealed class GameEntity
     /// <summary>Metres from its origin down to the ground.</summary>
     public double HeightAboveGround { get; init; }
 
-    /// <summary>Handle of the vehicle that a person sits in; 0 for none.</summary>
+    /// <summary>Handle of the vehicle in which a person sits; 0 if there is none.</summary>
     public int Vehicle { get; init; }
 
     public bool IsFrozen { get; set; }
 
-    /// <summary>What rays meet; null for its box.</summary>
+    /// <summary>The shape that rays hit; null for its box.</summary>
     public Mesh? Shape { get; init; }
 
     /// <summary>Bones by number, in the model's frame: traffic_light_0 and on.</summary>

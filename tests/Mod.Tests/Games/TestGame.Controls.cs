@@ -10,13 +10,13 @@ internal sealed partial class TestGame
     private const float PressedFrom = 0.5f;
     private Dictionary<int, float> _coming = [];
 
-    /// <summary>Controls that the player holds, by the game's numbers.</summary>
+    /// <summary>Controls that the player uses, by the game's numbers.</summary>
     public HashSet<int> PlayersControls { get; } = [];
 
     /// <summary>Controls that a script has set for this frame.</summary>
     public Dictionary<int, float> Controls { get; private set; } = [];
 
-    /// <summary>A weather that a script makes stay; null for none.</summary>
+    /// <summary>The weather fixed by a script; null if there is none.</summary>
     public string? KeptWeather { get; private set; }
 
     private void PassControls()
@@ -27,7 +27,7 @@ internal sealed partial class TestGame
 
     private void AddControlNatives()
     {
-        // The game cannot tell whether the player holds a control or a script has set it.
+        // The game cannot distinguish a control used by the player from one set by a script.
         _natives[Hash.IS_CONTROL_PRESSED] = a =>
             PlayersControls.Contains((int)a[1]) || Math.Abs(Controls.GetValueOrDefault((int)a[1])) >= PressedFrom;
         _natives[Hash.SET_CONTROL_VALUE_NEXT_FRAME] = a =>

@@ -25,7 +25,7 @@ internal sealed partial class TestGame
             a => (float)(Entities.TryGetValue((int)a[0], out GameEntity? entity) ? entity.HeightAboveGround : 0);
         Do(Hash.GET_ENTITY_MATRIX, a =>
         {
-            // Of what is gone nothing is written.
+            // Nothing is written for an entity that no longer exists.
             if (Entities.TryGetValue((int)a[0], out GameEntity? entity))
             {
                 Axes axes = entity.Pose.Axes;

@@ -10,19 +10,19 @@ internal sealed partial class TestGame
 
     public float TimeScale { get; private set; } = 1;
 
-    /// <summary>Whether the world stands still, in one way or the other.</summary>
+    /// <summary>Whether the world is frozen by either method.</summary>
     public bool IsFrozen => IsPaused || TimeScale == 0;
 
-    /// <summary>The way of freezing in which a camera stays where it is, however it is attached; null for none.</summary>
+    /// <summary>The freeze method in which a camera keeps its position, however it is attached; null if there is none.</summary>
     public FreezeMethod? HoldsCamera { get; set; }
 
-    /// <summary>The way of freezing in which traffic goes on; null for none.</summary>
+    /// <summary>The freeze method in which traffic continues; null if there is none.</summary>
     public FreezeMethod? LetsTrafficGoOn { get; set; }
 
     /// <summary>Whether this frame moves what drives.</summary>
     public bool DoesTrafficMove => !IsFrozen || FrozenBy == LetsTrafficGoOn;
 
-    /// <summary>Told when the world is stopped or goes on, and in which way.</summary>
+    /// <summary>Called when the world is frozen or resumed, with the method.</summary>
     public Action<FreezeMethod, bool> FreezeChanged { get; set; } = (_, _) => { };
 
     private FreezeMethod? FrozenBy => IsPaused ? FreezeMethod.Paused : TimeScale == 0 ? FreezeMethod.TimeScale : null;

@@ -7,10 +7,10 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Mod.Tests.Games;
 
-/// <summary>The natives about what is drawn, about time and about the weather.</summary>
+/// <summary>The natives for drawing, time and weather.</summary>
 internal sealed partial class TestGame
 {
-    private const int LongestText = 99;
+    private const int MaxTextLength = 99;
 
     /// <summary>What this frame draws, as fractions of the window: left, top, width, height.</summary>
     public List<Box2D> Rectangles { get; } = [];
@@ -21,7 +21,7 @@ internal sealed partial class TestGame
 
     public bool IsFeedHidden { get; private set; }
 
-    /// <summary>The roads; null for none.</summary>
+    /// <summary>The roads; null if there are none.</summary>
     public IRoadSource? Roads { get; set; }
 
     /// <summary>Balls that this frame draws.</summary>
@@ -70,9 +70,9 @@ internal sealed partial class TestGame
         Do(Hash.ADD_TEXT_COMPONENT_SUBSTRING_PLAYER_NAME, a =>
         {
             string text = (string)a[0];
-            if (Encoding.UTF8.GetByteCount(text) > LongestText)
+            if (Encoding.UTF8.GetByteCount(text) > MaxTextLength)
             {
-                Report($"The text is longer than {LongestText} bytes: {text}");
+                Report($"The text is longer than {MaxTextLength} bytes: {text}");
             }
 
             Texts.Add(text);

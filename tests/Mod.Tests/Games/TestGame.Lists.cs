@@ -5,10 +5,10 @@ using Harvester.Mod.Tests.Games.Natives;
 
 namespace Harvester.Mod.Tests.Games;
 
-/// <summary>The natives that name what is near. People know of few and only of what is close to them.</summary>
+/// <summary>The natives that list nearby entities. People know few entities, and only close ones.</summary>
 internal sealed partial class TestGame
 {
-    private const int MostThatOneKnows = 16;
+    private const int MaxKnown = 16;
     private const double MetresThatOneSees = 60;
 
     private void AddListNatives()
@@ -23,7 +23,7 @@ internal sealed partial class TestGame
     }
 
     private IEnumerable<int> KnownTo(int ped, PoolKind pool) =>
-        NearestTo(PositionOf(ped), MetresThatOneSees, entity => entity.Pool == pool).Where(handle => handle != ped).Take(MostThatOneKnows);
+        NearestTo(PositionOf(ped), MetresThatOneSees, entity => entity.Pool == pool).Where(handle => handle != ped).Take(MaxKnown);
 
     private IEnumerable<int> NearestTo(Vector3D place, double radius, Func<GameEntity, bool> isWanted) => Entities
         .Where(entity => isWanted(entity.Value))

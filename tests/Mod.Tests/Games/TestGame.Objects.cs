@@ -17,16 +17,16 @@ internal sealed partial class TestGame
 
     public IEnumerable<GameEntity> Objects => Entities.Values.Where(entity => entity.Pool == PoolKind.Props);
 
-    /// <summary>Models that scripts have asked for and not given back.</summary>
+    /// <summary>Models that scripts have requested and not released.</summary>
     public int RequestedModels => _ticksUntilLoaded.Count;
 
-    /// <summary>What the traffic lights that scripts drive were told last, by their handles.</summary>
+    /// <summary>The last states that scripts set for traffic lights, by handle.</summary>
     public Dictionary<int, int> LightOverrides { get; } = [];
 
     /// <summary>Told of each light that a script drives, and of the number that it is to show.</summary>
     public Action<int, int> LightDriven { get; set; } = (_, _) => { };
 
-    /// <summary>A prop in the shape of its model: rays and the survey meet the same.</summary>
+    /// <summary>A prop with the shape of its model: rays and the survey hit the same.</summary>
     public static GameEntity Standing(string name, Prop model, Pose pose) => new()
     {
         Pool = PoolKind.Props,

@@ -14,7 +14,7 @@ internal sealed partial class TestGame
     private (int Handle, SceneRayCaster? Rays) _shown;
     private int _lastBuildingHandle = Building;
 
-    /// <summary>What rays meet in a scene; null for the entities of this game and its ground.</summary>
+    /// <summary>The ray caster of a scene; null for the entities of this game and its ground.</summary>
     public IRayCaster? SceneRays { get; set; }
 
     public HashSet<int> LeakedScriptHandles { get; } = [];

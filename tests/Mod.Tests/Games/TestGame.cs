@@ -57,7 +57,7 @@ internal sealed partial class TestGame : IGameHost
 
     public List<Hash> Calls { get; } = [];
 
-    /// <summary>What the script did that the real API or the real game would not bear.</summary>
+    /// <summary>Misuses by the script that the real API or the real game would not tolerate.</summary>
     public HashSet<string> Misuses { get; } = [];
 
     /// <summary>How many bytes natives write for a BOOL: 1, 4 or 8.</summary>
@@ -72,7 +72,7 @@ internal sealed partial class TestGame : IGameHost
     /// <summary>What the natives give that answer with random bits; null where all answer rightly. They do nothing else.</summary>
     public Func<NativeSignature, Random?> Lies { get; set; } = _ => null;
 
-    /// <summary>What happens after the handles of what is near were listed, before they are read.</summary>
+    /// <summary>Called after the handles of nearby entities were listed, before they are read.</summary>
     public Action AfterListing { get; set; } = () => { };
 
     /// <summary>

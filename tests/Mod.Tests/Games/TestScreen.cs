@@ -4,7 +4,7 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Mod.Tests.Games;
 
-/// <summary>A screen that shows the number of the frame, and tells what else was to be seen when it was grabbed.</summary>
+/// <summary>A screen that shows the number of the frame, and records what else was visible when it was grabbed.</summary>
 internal sealed class TestScreen(TestGame game) : IScreen, IGameWindow
 {
     public string? Refusal { get; set; }

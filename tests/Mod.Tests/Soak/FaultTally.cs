@@ -3,7 +3,7 @@ namespace Harvester.Mod.Tests.Soak;
 /// <summary>How often each kind of fault has happened: a soak without faults proves nothing.</summary>
 internal sealed class FaultTally
 {
-    private const int LeastOfEach = 50;
+    private const int MinOfEach = 50;
     private readonly SortedDictionary<string, long> _counts = new(StringComparer.Ordinal);
 
     public void Add(string kind) => _counts[kind] = _counts.GetValueOrDefault(kind) + 1;
@@ -19,7 +19,7 @@ internal sealed class FaultTally
             "game stood still",
             "thread of another was refused",
         ];
-        Assert.Empty(kinds.Where(kind => _counts.GetValueOrDefault(kind) < LeastOfEach)
+        Assert.Empty(kinds.Where(kind => _counts.GetValueOrDefault(kind) < MinOfEach)
             .Select(kind => $"{kind}: {_counts.GetValueOrDefault(kind)}"));
     }
 

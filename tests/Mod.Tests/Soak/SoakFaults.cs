@@ -10,7 +10,7 @@ namespace Harvester.Mod.Tests.Soak;
 /// </summary>
 internal sealed class SoakFaults
 {
-    private const int MostTicksOfAFault = 40;
+    private const int MaxTicksOfFault = 40;
 
     /// <summary>Natives that report whether something exists. If the game denies that something exists, no script can remove it.</summary>
     private static readonly HashSet<string> Existence = ["DOES_ENTITY_EXIST", "DOES_CAM_EXIST", "GET_RENDERING_CAM"];
@@ -43,7 +43,7 @@ internal sealed class SoakFaults
         }
         else if (_ticksLeft == 0 && _random.Next(30) == 0)
         {
-            _ticksLeft = 1 + _random.Next(MostTicksOfAFault);
+            _ticksLeft = 1 + _random.Next(MaxTicksOfFault);
             Begin();
         }
     }

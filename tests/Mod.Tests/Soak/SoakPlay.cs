@@ -90,7 +90,7 @@ internal sealed class SoakPlay
         }
     }
 
-    /// <summary>Ends the script for good and looks what it has left.</summary>
+    /// <summary>Ends the script for good and checks what it has left.</summary>
     public void End() => AssertNothingIsLeft();
 
     private void AssertNothingIsLeft()

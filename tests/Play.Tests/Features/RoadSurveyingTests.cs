@@ -47,7 +47,7 @@ public sealed class RoadSurveyingTests : IDisposable
     [Fact]
     public void Tick_saves_twice_a_minute_even_if_only_edges_are_new()
     {
-        // The edges of a link are asked for in the two ticks after the one that finds it.
+        // The edges of a link are queried in the two ticks after the one that finds it.
         RoadSurveying surveying = Surveying(new FakeRoadSource(Road()));
         surveying.Start();
         Until(surveying, () => surveying.Line!.Contains("1 links", StringComparison.Ordinal));

@@ -162,7 +162,7 @@ public sealed class SightTests
         return ticks;
     }
 
-    /// <summary>Entities around a camera that looks north from the origin, and how often each fact was asked for.</summary>
+    /// <summary>Entities around a camera that looks north from the origin, and counts of how often each value was read.</summary>
     private sealed class ScriptedReader : ISightReader
     {
         public const double HalfLength = 2;

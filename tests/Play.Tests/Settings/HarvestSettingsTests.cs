@@ -2,6 +2,7 @@ using Harvester.Capture.Harvesting;
 using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Play.Settings;
+using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
 
@@ -38,6 +39,7 @@ public sealed class HarvestSettingsTests
             MaxPictureLagTicks = 7
             TickBudget = 1.5
             Queue = 3
+            Sync = Always
             [Lens]
             MaxError = 0.4
             FocalScale = 1.008
@@ -68,6 +70,7 @@ public sealed class HarvestSettingsTests
             ProbeLag = false,
             MaxPictureLagTicks = 7,
             TickBudgetMilliseconds = 1.5,
+            Sync = SyncMode.Always,
             QueueCapacity = 3,
             MaxCalibrationErrorPixels = 0.4,
             Lens = new Lens(1.008, 0.01, -0.02, -0.1, 0.03),

@@ -84,7 +84,7 @@ public sealed class SpaceTableReaderTests
     [InlineData("model,hash,class,name,mutcd,face,fulX,fulY,fulZ,blrX,blrY,blrZ,provenance,facing,source\n", 1)]
     [InlineData("\"model\",hash,CLASS, name,mutcd,face,fulX,fulY,fulZ,blrX,blrY,blrZ,facing,provenance,source\n", 0)]
     [InlineData("", 0)]
-    public void Read_header_that_is_another_is_refused_and_the_rows_are_used(string header, int problems)
+    public void Read_reports_an_unknown_header_and_uses_the_rows(string header, int problems)
     {
         FaceTableContent content = Read(header + Stop + "\n" + Yield + "\n");
 

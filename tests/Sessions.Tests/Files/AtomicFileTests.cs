@@ -12,7 +12,7 @@ public sealed class AtomicFileTests : IDisposable
     [Theory]
     [InlineData(false)]
     [InlineData(true)]
-    public void Written_file_replaces_the_older_one_and_nothing_else_stays(bool isDurable)
+    public void Write_replaces_the_older_file_and_leaves_no_other(bool isDurable)
     {
         File.WriteAllText(Target, "an older and longer text");
 
@@ -31,7 +31,7 @@ public sealed class AtomicFileTests : IDisposable
     }
 
     [Fact]
-    public void File_has_its_old_content_until_the_new_one_is_whole()
+    public void File_has_its_old_content_until_the_new_one_is_complete()
     {
         File.WriteAllText(Target, "old");
 
@@ -60,7 +60,7 @@ public sealed class AtomicFileTests : IDisposable
     }
 
     [Fact]
-    public void Folder_in_the_place_of_the_file_stays_and_nothing_else()
+    public void Write_over_a_folder_fails_and_leaves_only_the_folder()
     {
         Directory.CreateDirectory(Target);
 
@@ -71,7 +71,7 @@ public sealed class AtomicFileTests : IDisposable
     }
 
     [Fact]
-    public void Link_in_the_place_of_the_file_is_replaced_and_not_followed()
+    public void Write_replaces_a_link_without_following_it()
     {
         string secret = PathOf("secret");
         File.WriteAllText(secret, "mine");
@@ -96,7 +96,7 @@ public sealed class AtomicFileTests : IDisposable
     }
 
     [Fact]
-    public void Temporary_names_differ_each_time_and_tell_their_target()
+    public void Temporary_names_are_unique_and_give_their_target()
     {
         string[] names = [.. Enumerable.Range(0, 1000).Select(_ => AtomicFile.TemporaryFor("a/spaces.csv"))];
 
@@ -108,7 +108,7 @@ public sealed class AtomicFileTests : IDisposable
     }
 
     [Fact]
-    public void Of_two_that_write_a_new_file_the_first_succeeds()
+    public void First_of_two_writers_of_a_new_file_succeeds()
     {
         Assert.True(AtomicFile.TryWriteNew(Target, "first"));
         Assert.False(AtomicFile.TryWriteNew(Target, "second"));
@@ -118,7 +118,7 @@ public sealed class AtomicFileTests : IDisposable
     }
 
     [Fact]
-    public void Only_ones_own_leftovers_are_deleted()
+    public void Leftovers_of_other_targets_are_kept()
     {
         string[] others = ["notes.partial", "theirs.txt.0123456789abcdef.partial", "mine.txt"];
         foreach (string name in others.Append("mine.txt.0123456789abcdef.partial"))
@@ -134,7 +134,7 @@ public sealed class AtomicFileTests : IDisposable
     }
 
     [Fact]
-    public void Error_at_close_is_an_error()
+    public void CheckClose_throws_the_error_of_closing()
     {
         if (OperatingSystem.IsWindows())
         {

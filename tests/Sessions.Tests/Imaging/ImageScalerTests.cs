@@ -60,12 +60,11 @@ public sealed class ImageScalerTests
     [InlineData(1, 1, 64, 48)]
     public void Scale_of_a_uniform_picture_leaves_its_colour(int width, int height, int toWidth, int toHeight)
     {
-        PixelBuffer source = Picture(
-            width, height, [.. Enumerable.Repeat(new byte[] { 255, 128, 1 }, width * height).SelectMany(pixel => pixel)]);
+        PixelBuffer source = Picture(width, height, Uniform(width * height));
 
         PixelBuffer target = Scale(source, toWidth, toHeight);
 
-        Assert.All(target.Bytes.Chunk(3), pixel => Assert.Equal([255, 128, 1], pixel));
+        Assert.Equal(Uniform(target.Size.PixelCount), target.Bytes);
     }
 
     [Theory]
@@ -111,6 +110,12 @@ public sealed class ImageScalerTests
 
         Assert.Throws<ArgumentException>(() => scaler.Scale(Noise(4, 5, 1), Noise(2, 2, 1)));
         Assert.Throws<ArgumentException>(() => scaler.Scale(Noise(4, 4, 1), Noise(2, 3, 1)));
+    }
+
+    private static byte[] Uniform(int pixels)
+    {
+        byte[] colour = [255, 128, 1];
+        return [.. Enumerable.Range(0, 3 * pixels).Select(i => colour[i % 3])];
     }
 
     private static double Integral(PixelBuffer source, int x, int y, int channel, double stepX, double stepY)

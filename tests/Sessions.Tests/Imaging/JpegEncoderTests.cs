@@ -63,7 +63,7 @@ public sealed class JpegEncoderTests
     [Theory]
     [InlineData(0)]
     [InlineData(101)]
-    public void A_quality_out_of_range_is_refused(int quality) =>
+    public void Quality_out_of_range_is_refused(int quality) =>
         Assert.Throws<ArgumentOutOfRangeException>(() => new JpegEncoder(quality));
 
     private static PixelBuffer Noise(int width, int height, int seed)

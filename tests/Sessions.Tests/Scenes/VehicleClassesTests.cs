@@ -24,4 +24,21 @@ public sealed class VehicleClassesTests
     {
         Assert.Equal(expected, VehicleClasses.Of(ModelHash.Of(model), gameClass));
     }
+
+    [Fact]
+    public void Every_class_that_has_riders_is_a_vehicle()
+    {
+        ObjectClass[] ridden = [.. Enum.GetValues<ObjectClass>().Where(VehicleClasses.HaveRiders)];
+
+        Assert.Equal([ObjectClass.Motorcycle, ObjectClass.Bicycle], ridden);
+        Assert.All(ridden, kind => Assert.True(VehicleClasses.AreVehicles(kind)));
+    }
+
+    [Theory]
+    [InlineData(ObjectClass.Trailer, true)]
+    [InlineData(ObjectClass.Pedestrian, false)]
+    [InlineData(ObjectClass.Sign, false)]
+    [InlineData(ObjectClass.Other, false)]
+    public void Vehicles_are_what_drives_on_the_road(ObjectClass kind, bool expected) =>
+        Assert.Equal(expected, VehicleClasses.AreVehicles(kind));
 }

@@ -3,7 +3,7 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Sessions.Tests.Text;
 
-/// <summary>Numbers of scenes, which labels are made from again, are the very same doubles when they are read.</summary>
+/// <summary>Numbers of scenes read back as the same doubles, so that labels can be recomputed from them.</summary>
 public sealed class ExactNumberTests
 {
     [Theory]

@@ -46,12 +46,12 @@ public sealed class InvariantNumberTests
     [InlineData(double.NaN)]
     [InlineData(double.PositiveInfinity)]
     [InlineData(1e13)]
-    public void Format_what_cannot_be_written_is_refused(double value) =>
+    public void Format_refuses_numbers_that_cannot_be_written(double value) =>
         Assert.Throws<ArgumentOutOfRangeException>(() => InvariantNumber.Format(value, 4));
 
     [Theory]
     [InlineData(-1)]
     [InlineData(13)]
-    public void Format_impossible_decimals_are_refused(int decimals) =>
+    public void Format_refuses_impossible_numbers_of_decimals(int decimals) =>
         Assert.Throws<ArgumentOutOfRangeException>(() => InvariantNumber.Format(1, decimals));
 }

@@ -4,7 +4,7 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Tests.Calibration;
 
-/// <summary>A harvest holds its camera model against markers before it records anything.</summary>
+/// <summary>A harvest checks its camera model by markers before it records anything.</summary>
 public sealed class CalibrationCheckTests
 {
     private static readonly HarvestOptions Options = new() { Image = new ImageSize(800, 600), MaxFrames = 1, ProbeLag = false };
@@ -52,14 +52,14 @@ public sealed class CalibrationCheckTests
         AssertRecorded(Harvest(Game(), Options with { Image = new ImageSize(width, height), Lens = Right }, []), isChecked: true);
 
     [Fact]
-    public void Step_with_hidden_markers_fails_and_names_the_setting_to_skip()
+    public void Step_with_hidden_markers_fails_with_their_number()
     {
         var game = new RenderedGame { HiddenMarkers = 15 };
 
         HarvestOutcome outcome = Harvest(game, Options, []);
 
         Assert.False(outcome.IsOpened);
-        Assert.Matches("only 5 of 20 markers are visible", outcome.Fault);
+        Assert.Matches("too few markers are visible, 5 of 20", outcome.Fault);
     }
 
     [Theory]
@@ -74,7 +74,7 @@ public sealed class CalibrationCheckTests
         HarvestOutcome outcome = Harvest(game, Options with { Image = new ImageSize(160, 120) }, []);
 
         Assert.Equal(
-            $"The picture is {lag} ticks behind the game; the harvest allows 4.", outcome.Fault);
+            $"The image is {lag} ticks behind the game; the harvest allows 4.", outcome.Fault);
         Assert.False(outcome.IsOpened);
         Assert.False(game.IsFrozen);
         Assert.False(game.ShowsMarkers);

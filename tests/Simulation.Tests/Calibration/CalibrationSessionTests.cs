@@ -10,23 +10,23 @@ namespace Harvester.Simulation.Tests.Calibration;
 /// <summary>Calibration by pictures of the renderer, which knows nothing of Geometry's projection.</summary>
 public sealed class CalibrationSessionTests(ITestOutputHelper output)
 {
-    // What a calibrated camera must hold, pixels over the whole image.
-    private const double LargestRms = 0.3;
-    private const double LargestError = 1;
+    // The required accuracy of a calibrated camera, pixels over the whole image.
+    private const double MaxRms = 0.3;
+    private const double MaxError = 1;
     private static readonly RenderLens Injected = new(1.008, 0, 0, -0.02, 0);
 
     [Theory]
     [InlineData(50, 2)]
     [InlineData(90, 10)]
-    public void Step_until_done_finds_an_injected_lens(double fov, double leastErrorBefore) =>
-        FindInjected(800, 600, fov, leastErrorBefore);
+    public void Step_until_done_finds_an_injected_lens(double fov, double minErrorBefore) =>
+        FindInjected(800, 600, fov, minErrorBefore);
 
     [Theory]
     [InlineData(50, 10)]
     [InlineData(90, 10)]
     [Trait("Category", "Heavy")]
-    public void Step_until_done_finds_an_injected_lens_in_full_hd(double fov, double leastErrorBefore) =>
-        FindInjected(1920, 1080, fov, leastErrorBefore);
+    public void Step_until_done_finds_an_injected_lens_in_full_hd(double fov, double minErrorBefore) =>
+        FindInjected(1920, 1080, fov, minErrorBefore);
 
     [Theory]
     [InlineData(0)]
@@ -48,7 +48,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
         CalibrationResult result = Calibrate(game, image);
 
         (double rms, double max) = ErrorOverImage(game, image, Injected, result.Lens);
-        Assert.True(rms <= LargestRms && max <= LargestError, $"{rms:F3} px RMS, {max:F3} px at most after");
+        Assert.True(rms <= MaxRms && max <= MaxError, $"{rms:F3} px RMS, {max:F3} px at most after");
     }
 
     [Fact]
@@ -66,7 +66,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
         CalibrationResult result = Calibrate(game, image);
 
         (double rms, double max) = ErrorOverImage(game, image, Injected, result.Lens);
-        Assert.True(rms <= LargestRms && max <= LargestError, $"{rms:F3} px RMS, {max:F3} px at most after");
+        Assert.True(rms <= MaxRms && max <= MaxError, $"{rms:F3} px RMS, {max:F3} px at most after");
     }
 
     [Fact]
@@ -81,7 +81,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Step_gives_the_game_back_at_the_end()
+    public void Step_leaves_the_game_running_without_markers_at_the_end()
     {
         var game = new RenderedGame();
 
@@ -110,7 +110,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     }
 
     [Fact]
-    public void Dispose_in_the_middle_gives_the_game_back()
+    public void Dispose_in_the_middle_resumes_the_game()
     {
         var game = new RenderedGame();
         var session = new CalibrationSession(new CalibrationOptions { Image = new ImageSize(400, 300) }, game.Ports);
@@ -141,10 +141,10 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
         CalibrationResult result = Calibrate(game, image);
 
         (double rms, double max) = ErrorOverImage(game, image, lens, result.Lens);
-        Assert.True(rms <= LargestRms && max <= LargestError, $"{rms:F3} px RMS, {max:F3} px at most after");
+        Assert.True(rms <= MaxRms && max <= MaxError, $"{rms:F3} px RMS, {max:F3} px at most after");
     }
 
-    private void FindInjected(int width, int height, double fov, double leastErrorBefore)
+    private void FindInjected(int width, int height, double fov, double minErrorBefore)
     {
         var image = new ImageSize(width, height);
         var game = new RenderedGame { Lens = Injected, VerticalFovDegrees = fov, WindowAspect = image.Aspect };
@@ -155,11 +155,11 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
         (double rms, double max) = ErrorOverImage(game, image, Injected, result.Lens);
         output.WriteLine(
             $"{width}x{height}, {fov} degrees: {rmsBefore:F2} px RMS and {maxBefore:F2} px at most before, {rms:F3} and {max:F3} after; "
-                + $"told {result}");
-        Assert.True(maxBefore >= leastErrorBefore, $"{maxBefore:F2} px at most before");
-        Assert.True(rms <= LargestRms && max <= LargestError, $"{rms:F3} px RMS, {max:F3} px at most after");
-        Assert.True(result.After.RmsPixels <= LargestRms && result.After.MaxPixels <= LargestError, $"{result.After} told");
-        Assert.True(result.Before.MaxPixels > maxBefore / 2, $"{result.Before.MaxPixels:F2} px told before");
+                + $"reported {result}");
+        Assert.True(maxBefore >= minErrorBefore, $"{maxBefore:F2} px at most before");
+        Assert.True(rms <= MaxRms && max <= MaxError, $"{rms:F3} px RMS, {max:F3} px at most after");
+        Assert.True(result.After.RmsPixels <= MaxRms && result.After.MaxPixels <= MaxError, $"{result.After} reported");
+        Assert.True(result.Before.MaxPixels > maxBefore / 2, $"{result.Before.MaxPixels:F2} px reported before");
     }
 
     private static CalibrationResult Calibrate(RenderedGame game, ImageSize image)
@@ -178,9 +178,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
         }
     }
 
-    /// <summary>
-    /// How far apart the injected and the found camera show one and the same points, over a grid up to the image's corners.
-    /// </summary>
+    /// <summary>Maximum distance between the pixels of the injected and the found camera, over a grid up to the image's corners.</summary>
     private static (double Rms, double Max) ErrorOverImage(RenderedGame game, ImageSize image, RenderLens injected, Lens found)
     {
         const int steps = 40;

@@ -76,8 +76,7 @@ public sealed class CalibrationTrustTests(ITestOutputHelper output)
 
         Assert.Null(session.Result);
         Assert.Matches(
-            "^Of [0-9]+ markers that the lens was not fitted to [0-9]+ are not where it puts them.*is not where "
-                + "the game reports it",
+            "^The lens misplaces [0-9]+ of [0-9]+ markers that were not used for the fit.*is not where the game reports it",
             session.Fault);
     }
 

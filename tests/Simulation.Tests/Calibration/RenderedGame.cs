@@ -54,7 +54,7 @@ internal sealed class RenderedGame : IWorld, IRayCaster, IScreen, IPause, IClock
     /// <summary>The aspect ratio that the picture is rendered with; null for the one that is reported.</summary>
     public double? RenderedAspect { get; init; }
 
-    /// <summary>How far the markers stand from where they are asked for, metres, world, from a call on.</summary>
+    /// <summary>Offset of the markers from their requested positions, metres, world, from a call on.</summary>
     public Vector3D MarkerShift { get; init; }
 
     /// <summary>The call from which on markers are shifted, from 1.</summary>

@@ -78,7 +78,7 @@ public sealed class CarStateTests
     }
 
     [Fact]
-    public void After_the_wheel_turns_no_faster_than_it_can()
+    public void After_limits_the_turning_rate_of_the_wheels()
     {
         CarState car = Run(CarState.At(default, 0, 5, Limits), new DrivingControls(-1, 0, 0), slope: 0, seconds: 0.2);
 

@@ -76,7 +76,7 @@ public sealed class DrivenEgoTests
             }
         });
 
-        // A driver who aims several metres ahead cuts the bends a little.
+        // A driver who aims several metres ahead cuts bends a little.
         const double cutOfBends = 0.6;
         Assert.InRange(furthest, 0.001, cutOfBends);
         Assert.True(roads.Count >= 4, $"The car drove on {roads.Count} roads only.");

@@ -11,7 +11,7 @@ namespace Harvester.Simulation.Tests.Faces;
 /// <summary>Boxes of signs' faces by the table against the faces that the renderer draws.</summary>
 public sealed class FaceBoxTests
 {
-    /// <summary>What the project asks of each side of a face's box.</summary>
+    /// <summary>The required accuracy of each side of a face's box.</summary>
     private const double PixelTolerance = 1;
 
     /// <summary>The oracle draws so many times finer, as it knows a face only by the pixels whose centres it covers.</summary>
@@ -44,7 +44,7 @@ public sealed class FaceBoxTests
                 Box2D box = CuboidProjector.Project(
                     CuboidBoxTests.Analytic(camera), face.CuboidAt(pose), FaceOutline.EdgesOf(face, pose)).Box!.Value;
 
-                double error = LargestDifference(box, rendered!.Value);
+                double error = MaxDifference(box, rendered!.Value);
                 Assert.True(
                     error <= PixelTolerance,
                     FormattableString.Invariant($"{model.Name} at {distance:0.0} m turned {turn:0} degrees: {error:0.00} px"));
@@ -61,7 +61,7 @@ public sealed class FaceBoxTests
             new Pose(new Vector3D(0, 0, height), Axes.FromEuler(new EulerAngles(pitch, 0, 0))), fov, 1, 0.15, Side, Side);
     }
 
-    private static double LargestDifference(Box2D box, Box2D fine) => new[]
+    private static double MaxDifference(Box2D box, Box2D fine) => new[]
     {
         box.XMin - (fine.XMin / Finer), box.YMin - (fine.YMin / Finer), box.XMax - (fine.XMax / Finer), box.YMax - (fine.YMax / Finer),
     }.Max(Math.Abs);

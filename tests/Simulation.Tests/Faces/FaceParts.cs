@@ -5,7 +5,7 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Tests.Faces;
 
-/// <summary>Takes the shapes of signs and traffic lights apart, so that the renderer can draw a face under a number of its own.</summary>
+/// <summary>Splits the shapes of signs and traffic lights, so that the renderer can draw a face under a number of its own.</summary>
 internal static class FaceParts
 {
     /// <summary>The plane of the sheets of all signs: sheet and paint lie on it and before it, metres.</summary>
@@ -26,7 +26,7 @@ internal static class FaceParts
 
     public static Mesh FaceOf(Model sign) => Part(sign.Mesh, IsOnSheet);
 
-    /// <summary>The faces of a model in the order of their numbers, and last what is left.</summary>
+    /// <summary>The faces of a model in the order of their numbers, followed by the rest.</summary>
     public static IReadOnlyList<Mesh> Split(Model model, int variant)
     {
         Mesh mesh = model.Variant(variant);

@@ -6,11 +6,11 @@ namespace Harvester.Simulation.Tests.Faces;
 /// <summary>Faces of labels against the faces that the pictures truly show.</summary>
 public sealed class LabelledFacesTests
 {
-    /// <summary>What the project asks of precision and of recall.</summary>
-    private const double LeastShare = 0.98;
+    /// <summary>The required precision and recall.</summary>
+    private const double MinFraction = 0.98;
 
-    /// <summary>What the project asks of the states of lights.</summary>
-    private const double LeastRight = 0.99;
+    /// <summary>The required accuracy of the states of lights.</summary>
+    private const double MinCorrect = 0.99;
 
     /// <summary>Faces of less than the smallest box that is labelled are slivers: neither wanted nor wrong.</summary>
     private const int SliverPixels = 16;
@@ -18,25 +18,25 @@ public sealed class LabelledFacesTests
     /// <summary>A label is of the face at its place; a session's numbers are rounded nowhere before the file.</summary>
     private const double SamePlaceMetres = 1e-9;
     private const double MinHeadPixels = 12;
-    private const double MostHidden = 0.05;
+    private const double MaxHidden = 0.05;
 
     /// <summary>The turn up to which the project wants lights read.</summary>
     private const double ReadUpToDegrees = 60;
 
     /// <summary>The truth is that of a head's front: another thing may hide a side of its housing and nothing of that.</summary>
-    private const double MostBeside = 0.02;
+    private const double MaxBeside = 0.02;
 
     /// <summary>Of a head at the border of what can be read the lens is so small that its lamp may not stand out.</summary>
-    private const double MostUnread = 0.02;
+    private const double MaxUnread = 0.02;
 
     [Fact]
     public void Labelled_faces_are_the_visible_ones_and_lights_are_read() =>
-        Judge(StreetOfFaces.Harvest(60, firstSeed: 1), fewestFaces: 300, fewestHeads: 30);
+        Judge(StreetOfFaces.Harvest(60, firstSeed: 1), minFaces: 300, minHeads: 30);
 
     [Fact]
     [Trait("Category", "Heavy")]
     public void Labelled_faces_are_the_visible_ones_with_their_light_states() =>
-        Judge(StreetOfFaces.Harvest(1_000, firstSeed: 1_000), fewestFaces: 5_000, fewestHeads: 500);
+        Judge(StreetOfFaces.Harvest(1_000, firstSeed: 1_000), minFaces: 5_000, minHeads: 500);
 
     [Fact]
     public void Lights_that_the_harvester_drives_are_labelled_as_set()
@@ -69,7 +69,7 @@ public sealed class LabelledFacesTests
                 if (truth.VisiblePixels == truth.PixelsAlone.Value)
                 {
                     heads++;
-                    hidden += head.OccludedFraction > MostHidden ? 1 : 0;
+                    hidden += head.OccludedFraction > MaxHidden ? 1 : 0;
                     unknown += head.Face!.Light!.State == LightState.Unknown ? 1 : 0;
                 }
             }
@@ -77,10 +77,10 @@ public sealed class LabelledFacesTests
 
         string figures = $"{heads} heads, {hidden} of them hidden, {unknown} unknown";
         Assert.True(heads > 100, figures);
-        Assert.True(hidden <= MostBeside * heads && unknown <= MostUnread * heads, figures);
+        Assert.True(hidden <= MaxBeside * heads && unknown <= MaxUnread * heads, figures);
     }
 
-    private static void Judge(IEnumerable<(FrameLabel Label, IReadOnlyList<TrueFace> Faces)> frames, int fewestFaces, int fewestHeads)
+    private static void Judge(IEnumerable<(FrameLabel Label, IReadOnlyList<TrueFace> Faces)> frames, int minFaces, int minHeads)
     {
         int right = 0, wrong = 0, missed = 0, fromBehind = 0, statesRight = 0, statesWrong = 0;
         foreach ((FrameLabel label, IReadOnlyList<TrueFace> faces) in frames)
@@ -111,11 +111,11 @@ public sealed class LabelledFacesTests
         string figures =
             $"right {right}, wrong {wrong}, missed {missed}, signs from behind {fromBehind}; states right {statesRight}, wrong "
                 + $"{statesWrong}";
-        Assert.True(right >= fewestFaces && statesRight >= fewestHeads, figures);
+        Assert.True(right >= minFaces && statesRight >= minHeads, figures);
         Assert.True(fromBehind == 0, figures);
-        Assert.True(right >= LeastShare * (right + wrong), figures);
-        Assert.True(right >= LeastShare * (right + missed), figures);
-        Assert.True(statesRight >= LeastRight * (statesRight + statesWrong), figures);
+        Assert.True(right >= MinFraction * (right + wrong), figures);
+        Assert.True(right >= MinFraction * (right + missed), figures);
+        Assert.True(statesRight >= MinCorrect * (statesRight + statesWrong), figures);
     }
 
     private static TrueFace TruthOf(ObjectLabel label, IReadOnlyList<TrueFace> faces) =>
@@ -124,7 +124,7 @@ public sealed class LabelledFacesTests
     // Heads of at least 12 pixels that hardly anything hides, up to the 60 degrees of turn of the project's other figures.
     private static bool IsClear(ObjectLabel head) =>
         head.Box2D.Height >= MinHeadPixels
-            && head.OccludedFraction <= MostHidden
-            && head.TruncatedFraction <= MostHidden
+            && head.OccludedFraction <= MaxHidden
+            && head.TruncatedFraction <= MaxHidden
             && head.Face!.FacingAngleDegrees <= ReadUpToDegrees;
 }

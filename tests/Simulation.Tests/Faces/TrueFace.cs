@@ -4,7 +4,7 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Simulation.Tests.Faces;
 
 /// <summary>What a picture truly shows of a face.</summary>
-/// <param name="Centre">The middle of its cuboid, by which a label is known to be of it.</param>
+/// <param name="Centre">The centre of its cuboid, by which a label is assigned to it.</param>
 /// <param name="FacesCamera">Whether the camera is before its plane.</param>
 /// <param name="VisiblePixels">Pixels of the picture that show it.</param>
 /// <param name="State">The lamp that burns; null for a sign.</param>

@@ -9,7 +9,7 @@ using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Tests.Labelling;
 
-/// <summary>The rays that labels report against those that the game was asked for.</summary>
+/// <summary>The rays that labels report, compared with those cast in the game.</summary>
 public sealed class FrameRaysTests
 {
     private const int PlentyOfRays = 100_000;

@@ -17,12 +17,12 @@ public sealed class IgnoreRegionTests(ITestOutputHelper output)
     private const int ClearlyVisiblePixels = 60;
 
     /// <summary>Objects hardly reach out of their cuboids.</summary>
-    private const double LeastShareWithin = 0.95;
+    private const double MinFractionWithin = 0.95;
 
     /// <summary>
-    /// Rays and the renderer may differ along an outline: an object of a few pixels may be met by a ray and have no pixel.
+    /// Rays and the renderer may differ along an outline: an object of a few pixels may be hit by a ray and have no pixel.
     /// </summary>
-    private const double MostEmptyRegions = 0.02;
+    private const double MaxEmptyRegions = 0.02;
 
     [Fact]
     public void Every_visible_object_out_of_range_is_an_ignore_region() => Judge(15, "snow");
@@ -56,7 +56,7 @@ public sealed class IgnoreRegionTests(ITestOutputHelper output)
             {
                 expected++;
                 if (!seen.Any(region => region.Class == entity.Class
-                    && truth.PixelsWithin(entity.Handle, region.Box2D) >= LeastShareWithin * truth.PixelsOf(entity.Handle).Count))
+                    && truth.PixelsWithin(entity.Handle, region.Box2D) >= MinFractionWithin * truth.PixelsOf(entity.Handle).Count))
                 {
                     missed.Add(
                         $"frame {frame.Label.Frame}: {entity.Class} {entity.Model}, {truth.PixelsOf(entity.Handle).Count} pixels, at "
@@ -72,6 +72,6 @@ public sealed class IgnoreRegionTests(ITestOutputHelper output)
         output.WriteLine($"{expected} objects of {ClearlyVisiblePixels} pixels or more, {regions} regions, {empty} of them empty");
         Assert.True(expected > 10, $"Only {expected} objects.");
         Assert.Empty(missed);
-        Assert.True(empty <= MostEmptyRegions * regions, $"{empty} of {regions} regions show nothing.");
+        Assert.True(empty <= MaxEmptyRegions * regions, $"{empty} of {regions} regions show nothing.");
     }
 }

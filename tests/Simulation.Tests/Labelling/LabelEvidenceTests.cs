@@ -14,20 +14,21 @@ namespace Harvester.Simulation.Tests.Labelling;
 /// </summary>
 public sealed class LabelEvidenceTests(ITestOutputHelper output)
 {
-    /// <summary>Rays and the renderer may differ along an outline: an object that a ray met at its very edge may have no pixel.</summary>
-    private const double MostUnseen = 0.005;
+    /// <summary>Rays and the renderer may differ along an outline: an object that a ray hit at its very edge may have no pixel.</summary>
+    private const double MaxUnseen = 0.005;
 
     /// <summary>An object of so many pixels is plainly there.</summary>
     private const int PlainPixels = 64;
 
     [Fact]
-    public void Every_label_far_beyond_what_the_game_draws_has_a_pixel() => Judge(15, "snow", masks: true);
+    public void Every_label_beyond_the_drawing_range_has_a_pixel() => Judge(15, "snow", masks: true);
 
     [Theory]
     [Trait("Category", "Heavy")]
     [InlineData(15, "snow", false)]
     [InlineData(21, "rain", true)]
-    public void Labels_far_out_have_pixels_in_other_worlds_too(int seed, string weather, bool masks) => Judge(seed, weather, masks);
+    public void Labels_beyond_the_drawing_range_have_pixels_elsewhere_too(int seed, string weather, bool masks) =>
+        Judge(seed, weather, masks);
 
     private void Judge(int seed, string weather, bool masks)
     {
@@ -68,7 +69,7 @@ public sealed class LabelEvidenceTests(ITestOutputHelper output)
         unseen.ForEach(output.WriteLine);
         missed.ForEach(output.WriteLine);
         Assert.True(labels > 50, $"Only {labels} labels.");
-        Assert.InRange(unseen.Count, 0, MostUnseen * labels);
+        Assert.InRange(unseen.Count, 0, MaxUnseen * labels);
         Assert.Empty(missed);
     }
 

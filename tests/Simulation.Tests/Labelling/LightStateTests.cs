@@ -9,7 +9,7 @@ using Xunit.Abstractions;
 
 namespace Harvester.Simulation.Tests.Labelling;
 
-/// <summary>The states of traffic lights that the simulation tells, against those read from its pictures.</summary>
+/// <summary>The states of traffic lights that the simulation reports, compared with those read from its pictures.</summary>
 public sealed class LightStateTests(ITestOutputHelper output)
 {
     [Theory]
@@ -19,22 +19,22 @@ public sealed class LightStateTests(ITestOutputHelper output)
     [Trait("Category", "Heavy")]
     public void State_of_every_head_is_the_one_in_the_picture(int seed, bool freeze)
     {
-        (Dictionary<(int Frame, int Id), LightLabel> told, _) = Harvest(seed, freeze, ports => ports);
+        (Dictionary<(int Frame, int Id), LightLabel> set, _) = Harvest(seed, freeze, ports => ports);
         (Dictionary<(int Frame, int Id), LightLabel> read, int fromOtherSides) = Harvest(
             seed, freeze, ports => ports with { Lights = null });
-        (LightState Told, LightState Read)[] both =
-            [.. read.Where(head => head.Value.Method == LightMethod.Observed).Select(head => (told[head.Key].State, head.Value.State))];
+        (LightState Set, LightState Read)[] both =
+            [.. read.Where(head => head.Value.Method == LightMethod.Observed).Select(head => (set[head.Key].State, head.Value.State))];
 
         output.WriteLine(
-            $"{told.Count} heads, {told.Values.Count(head => head.State == LightState.Unknown)} unknown, {fromOtherSides} not from the "
+            $"{set.Count} heads, {set.Values.Count(head => head.State == LightState.Unknown)} unknown, {fromOtherSides} not from the "
                 + $"front; {both.Length} read");
         Assert.True(both.Length > 15, $"Only {both.Length} heads could be read.");
         Assert.True(both.Select(head => head.Read).Distinct().Count() > 1, "All lights show the same.");
-        Assert.All(both, head => Assert.Equal(head.Read, head.Told));
-        Assert.Equal(told.Keys.Order(), read.Keys.Order());
+        Assert.All(both, head => Assert.Equal(head.Read, head.Set));
+        Assert.Equal(set.Keys.Order(), read.Keys.Order());
         if (freeze)
         {
-            Assert.All(told.Values, head => Assert.Equal(LightMethod.Set, head.Method));
+            Assert.All(set.Values, head => Assert.Equal(LightMethod.Set, head.Method));
         }
     }
 

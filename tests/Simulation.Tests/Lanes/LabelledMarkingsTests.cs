@@ -16,13 +16,13 @@ namespace Harvester.Simulation.Tests.Lanes;
 /// </summary>
 public sealed class LabelledMarkingsTests(ITestOutputHelper output)
 {
-    /// <summary>What the project asks of markings from 5 to 50 m, pixels of the labels' image.</summary>
-    private const double LargestErrorPixels = 1.5;
+    /// <summary>The required accuracy of markings from 5 to 50 m, pixels of the labels' image.</summary>
+    private const double MaxErrorPixels = 1.5;
 
     /// <summary>
     /// Of the other points the paint is too thin to be measured, as that of the far lanes of wide roads, or something stands before it.
     /// </summary>
-    private const double LeastJudged = 1.0 / 3;
+    private const double MinJudged = 1.0 / 3;
 
     [Theory]
     [InlineData(1)]
@@ -94,8 +94,8 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
         Assert.Null(session.Fault);
         Assert.Empty(judge.Faults);
         Assert.NotEqual(0, judge.Points);
-        Assert.True(judge.Judged >= LeastJudged * judge.Points, judge.ToString());
-        Assert.InRange(judge.LargestError, 0, LargestErrorPixels);
+        Assert.True(judge.Judged >= MinJudged * judge.Points, judge.ToString());
+        Assert.InRange(judge.MaxError, 0, MaxErrorPixels);
         return judge.Judged;
     }
 }

@@ -7,7 +7,7 @@ using Harvester.Simulation.Game;
 
 namespace Harvester.Simulation.Tests.Lanes;
 
-/// <summary>Reads the text of each label that a harvest writes, and holds every point of its markings against the picture.</summary>
+/// <summary>Reads each label line that a harvest writes, and compares every point of its markings with the picture.</summary>
 internal sealed class MarkingJudge(SimulatedGame game) : IFrameSink
 {
     private const double Nearest = 5;
@@ -40,7 +40,7 @@ internal sealed class MarkingJudge(SimulatedGame game) : IFrameSink
     public List<string> Faults { get; } = [];
 
     /// <summary>Pixels of the labels' image.</summary>
-    public double LargestError => _errors.Max();
+    public double MaxError => _errors.Max();
 
     public void Open(SessionStart start)
     {
@@ -82,7 +82,7 @@ internal sealed class MarkingJudge(SimulatedGame game) : IFrameSink
     {
         var line = new WrittenMarking(marking);
 
-        // At its ends a marking's paint begins and ends: there is none to one side of a cut.
+        // At its ends a marking's paint begins and ends: on one side of a cut there is none.
         for (int i = 1; i + 1 < line.Count; i++)
         {
             if (line.Depth(i) is < Nearest or > Furthest || line.IsHidden(i))

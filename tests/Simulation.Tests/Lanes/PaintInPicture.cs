@@ -18,7 +18,7 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
     private const double Thinnest = 2;
 
     /// <summary>A line that is seen at a smaller angle to the cut is cut at a slant: its sine, of 6 degrees.</summary>
-    private const double LeastSine = 0.1;
+    private const double MinSine = 0.1;
 
     /// <summary>
     /// At noon asphalt is darker than this, of 255; what is brighter all along a cut is paint that runs along the cut, as a stop line's.
@@ -31,7 +31,7 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
     private const double EndPixels = 1;
 
     /// <summary>Paint differs from the asphalt around by at least this, of 255.</summary>
-    private const double LeastContrast = 25;
+    private const double MinContrast = 25;
 
     /// <summary>
     /// Stripes are this near to their width, as a fraction of it and pixels for their edges; others are cut, or run into other paint.
@@ -44,7 +44,7 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
     private const double RisePerMetre = 0.1;
 
     /// <summary>Paint further beside the labelled line is another line's, metres: lines of a road are four metres apart and more.</summary>
-    private const double FurthestBeside = 1;
+    private const double MaxLateralDistance = 1;
 
     private readonly double _focalY = picture.Height / (2 * Math.Tan(camera.VerticalFovDegrees * Math.PI / 360));
 
@@ -59,7 +59,7 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
         double expected = width.Length;
         double squareToLine = Math.Abs(width.Cross(direction)) / (width.Length * direction.Length);
         double thickness = expected * squareToLine;
-        if ((line.IsDouble ? thickness / 3 : thickness) < Thinnest || squareToLine < LeastSine)
+        if ((line.IsDouble ? thickness / 3 : thickness) < Thinnest || squareToLine < MinSine)
         {
             return new PaintFinding(PaintFindingKind.NotMeasurable);
         }
@@ -101,7 +101,7 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
                 (byte red, byte green, byte blue) = (picture.Colour[index], picture.Colour[index + 1], picture.Colour[index + 2]);
                 cut[t + reach] = isYellow ? Math.Min(red, green) - blue : Math.Min(red, Math.Min(green, blue));
                 grounds.Add(cut[t + reach]);
-                isBeside[t + reach] = Math.Abs(((there.X - ground.X) * along.Y) - ((there.Y - ground.Y) * along.X)) <= FurthestBeside;
+                isBeside[t + reach] = Math.Abs(((there.X - ground.X) * along.Y) - ((there.Y - ground.Y) * along.X)) <= MaxLateralDistance;
             }
             else if (Math.Abs(t) <= middle)
             {
@@ -142,7 +142,7 @@ internal sealed class PaintInPicture(RenderTarget picture, CameraState camera)
         for (int i = 0; i < cut.Length; i++)
         {
             int from = i;
-            while (i < cut.Length && cut[i] >= LeastContrast)
+            while (i < cut.Length && cut[i] >= MinContrast)
             {
                 i++;
             }

@@ -15,7 +15,7 @@ namespace Harvester.Simulation.Tests.Lanes;
 /// </summary>
 public sealed class VehicleDistanceTests
 {
-    /// <summary>What is asked of distances along the road, metres.</summary>
+    /// <summary>The required accuracy of distances along the road, metres.</summary>
     private const double ExactMetres = 0.05;
 
     [Fact]
@@ -75,7 +75,7 @@ public sealed class VehicleDistanceTests
         {
             Vector3D place = around + new Vector3D((random.NextDouble() - 0.5) * 140, (random.NextDouble() - 0.5) * 140, 0);
 
-            // Somewhere near the road: which way the road runs there is asked of the truth, trying all directions.
+            // Somewhere near the road: the direction of the road there is taken from the ground truth, trying all directions.
             double heading = random.NextDouble() * 360;
             Vector3D forward = Axes.FromHeading(heading).Forward;
             LanePosition? found = truth.Locate(place, forward);

@@ -65,7 +65,7 @@ public sealed class ModelCatalogueTests
     }
 
     [Fact]
-    public void Traffic_lights_have_a_look_for_each_state()
+    public void Traffic_lights_have_a_variant_for_each_state()
     {
         Assert.All(Catalogue.TrafficLights, model => Assert.Equal(Enum.GetValues<SignalState>().Length, model.Variants.Count));
         Model light = Catalogue["prop_traffic_03a"];
@@ -75,7 +75,7 @@ public sealed class ModelCatalogueTests
     }
 
     [Fact]
-    public void Variant_goes_round_for_any_number()
+    public void Variant_wraps_around_for_any_number()
     {
         Model car = Catalogue["asea"];
         Assert.Same(car.Variant(0), car.Variant(car.Variants.Count));

@@ -10,14 +10,14 @@ namespace Harvester.Simulation.Tests.Models;
 /// <summary>How well the projected cuboid of a vehicle's model fits the vehicle's own silhouette.</summary>
 public sealed class VehicleBoxTests
 {
-    /// <summary>What the project asks of boxes of vehicles from 5 to 60 m.</summary>
-    private const double LeastOverlap = 0.85;
+    /// <summary>The required overlap of boxes of vehicles from 5 to 60 m.</summary>
+    private const double MinOverlap = 0.85;
 
     /// <summary>
     /// A two-wheeler's box is as wide as its handlebar and as long as both wheels: seen askew, its corners stand far out of the
     /// machine. This is a known limit of boxes made from cuboids, and the figure is what it costs here; masks give tight boxes.
     /// </summary>
-    private const double LeastOverlapOfTwoWheelers = 0.6;
+    private const double MinOverlapOfTwoWheelers = 0.6;
 
     /// <summary>Height of the camera over the road, as mounted in a car.</summary>
     private const double EyeHeight = 1.5;
@@ -41,7 +41,7 @@ public sealed class VehicleBoxTests
             }
 
             bool isTwoWheeler = model.Class is ObjectClass.Motorcycle or ObjectClass.Bicycle;
-            if (sum / Headings < (isTwoWheeler ? LeastOverlapOfTwoWheelers : LeastOverlap))
+            if (sum / Headings < (isTwoWheeler ? MinOverlapOfTwoWheelers : MinOverlap))
             {
                 poor.Add(FormattableString.Invariant($"{model.Name}: {sum / Headings:F3}"));
             }
@@ -51,20 +51,20 @@ public sealed class VehicleBoxTests
     }
 
     /// <summary>
-    /// Where a motorcycle's cuboid shows no empty corners, its box fits: what is lost elsewhere is the cuboid's, not the projection's.
+    /// Where a motorcycle's cuboid shows no empty corners, its box fits: elsewhere the loss comes from the cuboid, not from the projection.
     /// </summary>
     [Theory]
     [InlineData(25)]
     [InlineData(60)]
     public void Box_of_a_motorcycle_seen_along_its_axes_from_afar_fits(double distance)
     {
-        const double leastOverlapAlongAxes = 0.9;
+        const double minOverlapAlongAxes = 0.9;
         Model[] motorcycles = [.. ModelCatalogueTests.Catalogue.Vehicles.Where(model => model.Class == ObjectClass.Motorcycle)];
 
         Assert.NotEmpty(motorcycles);
         Assert.All(
             motorcycles,
-            model => Assert.All([0, 90, 180, 270], heading => Assert.InRange(Overlap(model, distance, heading), leastOverlapAlongAxes, 1)));
+            model => Assert.All([0, 90, 180, 270], heading => Assert.InRange(Overlap(model, distance, heading), minOverlapAlongAxes, 1)));
     }
 
     /// <summary>The distance is from the camera to the nearest side of the model's box along the road.</summary>

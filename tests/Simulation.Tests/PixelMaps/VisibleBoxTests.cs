@@ -13,28 +13,28 @@ namespace Harvester.Simulation.Tests.PixelMaps;
 public sealed class VisibleBoxTests(ITestOutputHelper output)
 {
     /// <summary>Objects of fewer pixels are found, not outlined.</summary>
-    private const int SmallestPixels = 64;
+    private const int MinPixels = 64;
 
     /// <summary>From so many pixels on an object is outlined exactly.</summary>
     private const int LargePixels = 256;
 
     private const double TolerancePixels = 2;
-    private const double LeastIou = 0.95;
+    private const double MinIou = 0.95;
 
-    /// <summary>What an object shows through a slit in what hides it, a few pixels of one column or row, is met by chance only.</summary>
-    private const double MostOff = 0.01;
+    /// <summary>What an object shows through a slit in what hides it, a few pixels of one column or row, is hit by chance only.</summary>
+    private const double MaxOffset = 0.01;
 
     [Fact]
-    public void Box_is_around_the_visible_pixels() => Judge(800, 600, [17], greatestRayShare: 0.0125);
+    public void Box_is_around_the_visible_pixels() => Judge(800, 600, [17], maxRayFraction: 0.0125);
 
     [Theory]
     [Trait("Category", "Heavy")]
     [InlineData(800, 600, 0.0105)]
     [InlineData(1920, 1080, 0.005)]
-    public void Box_is_around_the_visible_pixels_in_20_frames(int width, int height, double greatestRayShare) =>
-        Judge(width, height, [15, 17, 3, 5], greatestRayShare);
+    public void Box_is_around_the_visible_pixels_in_20_frames(int width, int height, double maxRayFraction) =>
+        Judge(width, height, [15, 17, 3, 5], maxRayFraction);
 
-    private void Judge(int width, int height, int[] seeds, double greatestRayShare)
+    private void Judge(int width, int height, int[] seeds, double maxRayFraction)
     {
         List<double> errors = [], ious = [], rays = [];
         var options = new HarvestOptions { Image = new ImageSize(width, height), MaxFrames = 5, RateHz = 0.25, Masks = true };
@@ -49,7 +49,7 @@ public sealed class VisibleBoxTests(ITestOutputHelper output)
                 foreach (ObjectLabel item in frame.Label.Objects.Where(item => item.Parent is null))
                 {
                     IReadOnlyList<int> pixels = truth.PixelsOf(handles[(item.Model, item.Box3D.Centre)]);
-                    if (pixels.Count < SmallestPixels)
+                    if (pixels.Count < MinPixels)
                     {
                         continue;
                     }
@@ -62,7 +62,7 @@ public sealed class VisibleBoxTests(ITestOutputHelper output)
                         ious.Add(iou);
                     }
 
-                    if (error > TolerancePixels || iou < LeastIou)
+                    if (error > TolerancePixels || iou < MinIou)
                     {
                         output.WriteLine(
                             $"seed {seed}, frame {frame.Label.Frame}: {item.Model}, {pixels.Count} pixels, box off by {error} px, IoU "
@@ -77,9 +77,9 @@ public sealed class VisibleBoxTests(ITestOutputHelper output)
             $"{errors.Count} objects, {off} of them off by more than {TolerancePixels} px; {ious.Count} large ones, IoU "
                 + $"{ious.Average():F4}, {ious.Min():F3} at least; rays {rays.Average():P3}, {rays.Max():P3} at most";
         output.WriteLine(figures);
-        Assert.True(errors.Count > 50 && off <= MostOff * errors.Count, figures);
-        Assert.True(ious.Min() >= LeastIou, figures);
-        Assert.True(rays.Average() <= greatestRayShare, figures);
+        Assert.True(errors.Count > 50 && off <= MaxOffset * errors.Count, figures);
+        Assert.True(ious.Min() >= MinIou, figures);
+        Assert.True(rays.Average() <= maxRayFraction, figures);
     }
 
     private static Box2D BoxAround(IReadOnlyList<int> pixels, int width) => new(

@@ -21,7 +21,7 @@ internal static class FrameJudge
     private const double AxisTolerance = 2e-4;
 
     /// <summary>
-    /// Rays meet every entity up to here, metres (GameQuirks.RayMissFraction), less what the camera moves while the game is read.
+    /// Rays hit every entity up to this distance, metres (GameQuirks.RayMissFraction), minus the camera's movement while the game is read.
     /// </summary>
     private const double MetUpTo = 29;
 

@@ -8,7 +8,7 @@ using Harvester.Simulation.Settings;
 
 namespace Harvester.Simulation.Tests.Quirks;
 
-/// <summary>Harvests a game that misbehaves in every way, and holds each frame kept against what its picture truly shows.</summary>
+/// <summary>Harvests a game with all quirks, and compares each kept frame with what its picture truly shows.</summary>
 public sealed class HarvestWithQuirksTests
 {
     private const double Range = 60;

@@ -14,7 +14,7 @@ public sealed class PictureLagTests(ITestOutputHelper output)
     private const double TickSeconds = 1 / 60.0;
     private const int MaxTicks = 6_000;
 
-    // As after a check of the camera, which has told already that the picture is not later than the limit.
+    // As after a check of the camera, which has shown already that the picture lag is within the limit.
     private static readonly HarvestOptions Options = new()
     {
         Image = new ImageSize(80, 60),

@@ -8,7 +8,7 @@ namespace Harvester.Simulation.Tests.Rendering;
 /// <summary>Algorithm 1 against the oracle: boxes of cuboids and the silhouettes that the renderer draws of them.</summary>
 public sealed class CuboidBoxTests
 {
-    /// <summary>What the project asks of each side of a box.</summary>
+    /// <summary>The required accuracy of each side of a box.</summary>
     private const double PixelTolerance = 1;
 
     /// <summary>
@@ -74,7 +74,7 @@ public sealed class CuboidBoxTests
     [Fact]
     public void Project_of_a_cuboid_around_the_camera_is_the_whole_image()
     {
-        // The near plane cuts the box open, yet every ray that leaves the camera meets its far sides.
+        // The near plane cuts the box open, yet every ray that leaves the camera hits its far sides.
         Mesh box = new MeshBuilder().AddBox(new(-3, -3, -3), new(3, 3, 3), TestScene.White).Build();
         RenderTarget target = TestScene.Render(TestScene.Camera, TestScene.AtOrigin(box, 1));
         var cuboid = Cuboid.FromModel(new(-3, -3, -3), new(3, 3, 3), new Pose(Vector3D.Zero, Axes.Identity));

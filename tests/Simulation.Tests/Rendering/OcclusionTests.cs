@@ -8,13 +8,13 @@ using Harvester.Simulation.Tests.Models;
 
 namespace Harvester.Simulation.Tests.Rendering;
 
-/// <summary>Occlusion by rays against the share of an object's pixels that vanish when the others are drawn too.</summary>
+/// <summary>Occlusion by rays, compared with the fraction of an object's pixels that vanish when the others are drawn too.</summary>
 public sealed class OcclusionTests
 {
-    /// <summary>What the project asks for, on average.</summary>
-    private const double LargestMeanError = 0.1;
+    /// <summary>The required accuracy, on average.</summary>
+    private const double MaxMeanError = 0.1;
 
-    /// <summary>Fewer pixels than these make the rendered share itself too coarse.</summary>
+    /// <summary>With fewer pixels, the rendered fraction itself is too coarse.</summary>
     private const int MinPixels = 200;
 
     private static readonly RenderCamera Eye = TestScene.Camera with { Width = 640, Height = 480, VerticalFovDegrees = 50 };
@@ -50,7 +50,7 @@ public sealed class OcclusionTests
         }
 
         Assert.True(errors.Count > 30 && hidden > 8, $"Only {errors.Count} cars, {hidden} of them partly hidden.");
-        Assert.InRange(errors.Average(), 0, LargestMeanError);
+        Assert.InRange(errors.Average(), 0, MaxMeanError);
     }
 
     private static MeshInstance[] Cars(int seed, out Model[] models)

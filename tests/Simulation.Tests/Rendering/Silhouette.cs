@@ -8,7 +8,7 @@ internal static class Silhouette
 {
     public static int Count(RenderTarget target, int handle) => target.Handles.Count(own => own == handle);
 
-    /// <summary>The box around the whole pixels that show the entity; null when none does.</summary>
+    /// <summary>The box around the pixels that show the entity; null if none does.</summary>
     public static Box2D? BoxOf(RenderTarget target, int handle)
     {
         Box2D? box = null;

@@ -7,7 +7,7 @@ namespace Harvester.Simulation.Tests.Rendering;
 
 public class WeatherTests
 {
-    /// <summary>The least mean difference of two weathers' pictures, of 255: what is seen when one is laid on the other.</summary>
+    /// <summary>Minimum mean difference of the pictures of two weathers, of 255.</summary>
     private const double Visible = 0.5;
 
     [Fact]

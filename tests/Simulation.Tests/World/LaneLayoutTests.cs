@@ -5,6 +5,14 @@ namespace Harvester.Simulation.Tests.World;
 
 public class LaneLayoutTests
 {
+    [Fact]
+    public void ToString_lists_lanes_and_widths()
+    {
+        string text = new LaneLayout(2, 1, 5.4, 3).ToString();
+
+        Assert.Contains("Forward = 2, Backward = 1", text, StringComparison.Ordinal);
+    }
+
     [Theory]
     [InlineData(1, 1, 0.0, RoadLinkFlags.None)]
     [InlineData(2, 2, 4.0, RoadLinkFlags.None)]

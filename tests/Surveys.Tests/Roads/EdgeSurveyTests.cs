@@ -5,7 +5,7 @@ using Harvester.TestSupport;
 
 namespace Harvester.Surveys.Tests.Roads;
 
-/// <summary>What the survey learns of the lanes' width from games that tell edges truly, otherwise, falsely or not at all.</summary>
+/// <summary>The lane widths that the survey finds in games that report edges correctly, differently, wrongly or not at all.</summary>
 public sealed class EdgeSurveyTests : IDisposable
 {
     private const double LaneWidth = 4.6;
@@ -26,23 +26,23 @@ public sealed class EdgeSurveyTests : IDisposable
 
     [Fact]
     public void Step_with_edges_swapped_by_the_game_finds_the_same_width() =>
-        AssertCalibrated(Surveyed(new FakeRoadSource(Street()) { LaneWidth = LaneWidth, EdgeTold = sides => sides.OnTheLeft }));
+        AssertCalibrated(Surveyed(new FakeRoadSource(Street()) { LaneWidth = LaneWidth, ReportedEdge = sides => sides.OnTheLeft }));
 
     [Fact]
     public void Step_with_mirrored_edges_keeps_the_constant_if_sides_differ()
     {
-        LaneModel lanes = new(Surveyed(new FakeRoadSource(Street()) { LaneWidth = LaneWidth, EdgeTold = sides => sides.Mirrored }));
+        LaneModel lanes = new(Surveyed(new FakeRoadSource(Street()) { LaneWidth = LaneWidth, ReportedEdge = sides => sides.Mirrored }));
 
         // 2 lanes there and 1 back, with 2 m between: 1 + 2 · 4.6 on the side of one lane would be a lane of 9.2 m.
         Assert.Equal((RoadGeometry.LaneWidth, LaneWidthSource.Constant), lanes.WidthOf(0));
-        // A one-way road has the same on both sides, whatever is mirrored.
+        // A one-way road has the same on both sides, whether mirrored or not.
         Assert.Equal(LaneWidthSource.Calibrated, lanes.WidthOf(1).Source);
     }
 
     [Fact]
     public void Step_without_edges_from_the_game_keeps_the_constant()
     {
-        RoadNetwork found = Surveyed(new FakeRoadSource(Street()) { EdgeTold = _ => null });
+        RoadNetwork found = Surveyed(new FakeRoadSource(Street()) { ReportedEdge = _ => null });
 
         Assert.Empty(found.Edges);
         AssertConstant(found);
@@ -50,14 +50,17 @@ public sealed class EdgeSurveyTests : IDisposable
 
     [Fact]
     public void Step_with_edges_always_on_one_side_keeps_the_constant() =>
-        AssertConstant(Surveyed(new FakeRoadSource(Street()) { EdgeTold = sides => sides.Node + new Vector3D(LaneWidth, 0, 0) }));
+        AssertConstant(Surveyed(new FakeRoadSource(Street()) { ReportedEdge = sides => sides.Node + new Vector3D(LaneWidth, 0, 0) }));
 
     [Fact]
     public void Step_with_inconsistent_edges_keeps_the_constant()
     {
         int asked = 0;
         AssertConstant(Surveyed(
-            new FakeRoadSource(Street()) { EdgeTold = sides => sides.Node + (sides.Right * (sides.ToTheRight + (asked++ / 6 * 0.5))) }));
+            new FakeRoadSource(Street())
+            {
+                ReportedEdge = sides => sides.Node + (sides.Right * (sides.ToTheRight + (asked++ / 6 * 0.5))),
+            }));
     }
 
     [Fact]
@@ -79,7 +82,7 @@ public sealed class EdgeSurveyTests : IDisposable
                 (random.NextDouble() - 0.5) * scale, (random.NextDouble() - 0.5) * scale, (random.NextDouble() - 0.5) * scale);
         }
 
-        RoadNetwork found = Surveyed(new FakeRoadSource(Street()) { EdgeTold = sides => Any(sides) });
+        RoadNetwork found = Surveyed(new FakeRoadSource(Street()) { ReportedEdge = sides => Any(sides) });
         RoadSurveyFile.Save(_file, found);
 
         AssertConstant(RoadSurveyFile.Load(_file)!);
@@ -92,7 +95,7 @@ public sealed class EdgeSurveyTests : IDisposable
         FakeRoadSource Game() => new(Street())
         {
             LaneWidth = LaneWidth,
-            EdgeTold = sides =>
+            ReportedEdge = sides =>
             {
                 asked++;
                 return sides.OnTheRight;
@@ -119,7 +122,7 @@ public sealed class EdgeSurveyTests : IDisposable
         var survey = new RoadSurvey(
             new FakeRoadSource(Street())
             {
-                EdgeTold = sides =>
+                ReportedEdge = sides =>
                 {
                     ticks.Add((sides.OnTheRight, tick));
                     return sides.OnTheRight;

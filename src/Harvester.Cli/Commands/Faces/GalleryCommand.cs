@@ -5,21 +5,29 @@ using System.Linq;
 using Harvester.Cli.Faces;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
-using Harvester.Sessions.Files;
+using Harvester.Sessions.Text;
 using Harvester.Surveys.Faces;
 
 namespace Harvester.Cli.Commands.Faces;
 
-/// <summary>harvester spaces gallery: one page that shows the faces of a table.</summary>
+/// <summary>harvester spaces gallery: writes a page that shows the faces of a table.</summary>
 internal static class GalleryCommand
 {
+    /// <summary>The example in the help.</summary>
+    public const string Example = "  harvester spaces gallery data/spaces_of_interest.csv --out gallery.html";
+
     private const string FileName = "gallery.html";
 
     public static Command Create(Terminal terminal)
     {
-        var source = new Argument<string>("DIR|FILE") { Description = "The folder of a survey, or a table" };
-        var output = new Option<string?>("--out") { Description = $"File to write [default: {FileName} in the folder of the survey; for a table, in the current folder]", HelpName = "FILE" };
+        Argument<string> source = SpacesCommand.TableArgument();
+        var output = new Option<string?>("--out")
+        {
+            Description = $"File to write [default: {FileName} in the folder of the survey; for a table, in the current folder]",
+            HelpName = "FILE",
+        };
         var command = new Command("gallery", "Show the faces of a survey or table as one self-contained HTML page.") { source, output };
+        HelpWithNotes.AddTo(command, SpacesCommand.NotesWith(Example));
         command.SetAction(parsed =>
         {
             string given = parsed.GetRequiredValue(source);
@@ -28,18 +36,18 @@ internal static class GalleryCommand
             string page = parsed.GetValue(output) ?? (Directory.Exists(given) ? Path.Combine(folder, FileName) : FileName);
             if (IsInput(page, table))
             {
-                throw new UsageException($"--out '{page}' is the table or one of its pictures, and would be replaced. Name another file.");
+                throw new UsageException($"--out '{page}' would replace the table or one of its pictures. Name another file.");
             }
 
-            var gallery = new FaceGallery(FaceFile.ReadGood(table, terminal.WriteError), folder);
-            AtomicFile.Write(page, gallery.Write);
+            var gallery = new FaceGallery(FaceFile.ReadValid(table, terminal.WriteError), folder);
+            OutputFile.Write(page, gallery.Write);
             terminal.Out.WriteLine($"{page}: {Counted.Of(gallery.Models, "model")} shown");
             return ExitCode.Done;
         });
         return command;
     }
 
-    /// <summary>Whether a file is the table, or lies where its photographs do.</summary>
+    /// <summary>Whether a file is the table, or lies in a folder of its photographs.</summary>
     private static bool IsInput(string page, string table)
     {
         string folder = InnerPath.Resolve(Path.GetDirectoryName(Path.GetFullPath(table))!);

@@ -12,12 +12,8 @@ namespace Harvester.Cli.Commands.Faces;
 /// <summary>harvester spaces: works with tables of sign faces and traffic light heads.</summary>
 internal static class SpacesCommand
 {
-    private const string Notes =
-        "data/README.md describes the columns, docs/spaces.md how the mod measures a table in the game.\n\n"
-        + "Examples:\n"
-        + "  harvester spaces check data/spaces_of_interest.csv\n"
-        + "  harvester spaces list data/spaces_of_interest.csv\n"
-        + "  harvester spaces gallery data/spaces_of_interest.csv --out gallery.html";
+    private const string CheckExample = "  harvester spaces check data/spaces_of_interest.csv";
+    private const string ListExample = "  harvester spaces list data/spaces_of_interest.csv";
 
     public static Command Create(Terminal terminal)
     {
@@ -25,19 +21,24 @@ internal static class SpacesCommand
         {
             CreateCheck(terminal), CreateList(terminal), GalleryCommand.Create(terminal),
         };
-        HelpWithNotes.AddTo(command, Notes);
-        foreach (Command each in command.Subcommands)
-        {
-            HelpWithNotes.AddTo(each, Notes);
-        }
-
+        HelpWithNotes.AddTo(command, NotesWith(CheckExample, ListExample, GalleryCommand.Example));
         return command;
     }
 
+    /// <summary>The notes in the help of a command that reads a table.</summary>
+    public static string NotesWith(params string[] examples) =>
+        "data/README.md describes the columns of a table; docs/spaces.md describes how the mod measures one in the game.\n\n"
+        + $"{(examples.Length > 1 ? "Examples" : "Example")}:\n"
+        + string.Join('\n', examples);
+
+    /// <summary>The argument that names a table.</summary>
+    public static Argument<string> TableArgument() => new("FILE|DIR") { Description = "A table, or the folder of a survey" };
+
     private static Command CreateCheck(Terminal terminal)
     {
-        Argument<string> file = FileArgument();
+        Argument<string> file = TableArgument();
         var command = new Command("check", "List the invalid rows of a table, with reasons.") { file };
+        HelpWithNotes.AddTo(command, NotesWith(CheckExample));
         command.SetAction(parsed =>
         {
             string path = FaceFile.TableOf(parsed.GetRequiredValue(file));
@@ -47,8 +48,8 @@ internal static class SpacesCommand
                 terminal.Out.WriteLine($"{path}: {problem}");
             }
 
-            int good = content.Table.Faces.Count();
-            terminal.Out.WriteLine($"{path}: {Counted.Of(good, "valid row")}, {content.Problems.Count} invalid");
+            int valid = content.Table.Faces.Count();
+            terminal.Out.WriteLine($"{path}: {Counted.Of(valid, "valid row")}, {content.Problems.Count} invalid");
             return content.Problems.Count > 0 ? ExitCode.BadData : ExitCode.Done;
         });
         return command;
@@ -56,8 +57,9 @@ internal static class SpacesCommand
 
     private static Command CreateList(Terminal terminal)
     {
-        Argument<string> file = FileArgument();
+        Argument<string> file = TableArgument();
         var command = new Command("list", "List the faces of a table: model, number, name, size and provenance.") { file };
+        HelpWithNotes.AddTo(command, NotesWith(ListExample));
         command.SetAction(parsed =>
         {
             Table rows = new Table().Border(TableBorder.None)
@@ -74,7 +76,8 @@ internal static class SpacesCommand
                 return ExitCode.Done;
             }
 
-            terminal.WriteError($"{Counted.Of(content.Problems.Count, "invalid row")} not listed. For the reasons, run 'harvester spaces check'.");
+            string invalid = Counted.Of(content.Problems.Count, "invalid row");
+            terminal.WriteError($"{invalid} not listed. For the reasons, run 'harvester spaces check'.");
             return ExitCode.BadData;
         });
         return command;
@@ -92,6 +95,4 @@ internal static class SpacesCommand
         JsonName.Of(face.Facing),
         JsonName.Of(face.Provenance),
     ];
-
-    private static Argument<string> FileArgument() => new("FILE|DIR") { Description = "A table, or the folder of a survey" };
 }

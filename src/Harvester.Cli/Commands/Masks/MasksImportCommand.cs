@@ -7,28 +7,38 @@ using Harvester.Datasets.Files;
 using Harvester.Datasets.Masks;
 using Harvester.Datasets.Reports;
 using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands.Masks;
 
-/// <summary>harvester masks import: instance maps of another tool become the masks of a session.</summary>
+/// <summary>harvester masks import: replaces the masks of a session by those of another tool.</summary>
 internal static class MasksImportCommand
 {
-    private const string Notes =
-        "DIR has one mask per frame: a 16-bit greyscale PNG of the image's size, named after the frame number (12.png or 00000012.png). A\n"
-        + "pixel's value is the id of its label, or 0. With --match, the values may be any numbers that are unique within a frame; each is matched\n"
-        + "with the object whose cuboid it overlaps most.\n"
-        + "box2dVisible, occludedFraction and visibleFraction are recomputed from the masks, occlusionMethod becomes imported, and an existing\n"
-        + "report is rewritten. If any mask is invalid, the session is not changed. docs/pixel-maps.md has details and limits.\n\n"
-        + "Examples:\n"
+    /// <summary>The examples in the help.</summary>
+    public const string Examples =
+        "Examples:\n"
         + "  harvester masks import out stencil-maps\n"
         + "  harvester masks import out stencil-maps --match";
+
+    private const string Notes =
+        "DIR has one mask per frame: a 16-bit greyscale PNG of the image's size, named after the frame number (12.png or 00000012.png).\n"
+        + "The value of a pixel is the id of its label, or 0. With --match, the values may be any numbers that are unique within a frame;\n"
+        + "each is matched with the object whose cuboid it overlaps most.\n\n"
+        + "box2dVisible, occludedFraction and visibleFraction are recomputed from the masks, occlusionMethod becomes imported, and an\n"
+        + "existing report is rewritten. If any mask is invalid, the session is not changed. docs/pixel-maps.md has details and limits.\n\n"
+        + Examples;
 
     public static Command Create(Terminal terminal)
     {
         Argument<string> folder = SessionArgument.Create();
         var maps = new Argument<string>("DIR") { Description = "Folder with a mask for every frame" };
-        var match = new Option<bool>("--match") { Description = "Match the values of the masks with objects by overlap, if they are not the ids of the labels" };
-        var command = new Command("import", "Replace the masks of a session by those of another tool.") { folder, maps, match };
+        var match = new Option<bool>("--match")
+        {
+            Description = "Match the values of the masks with objects by overlap, if they are not the ids of the labels",
+        };
+        Option<SyncMode> sync = SyncOption.Create();
+        var command = new Command("import", "Replace the masks of a session with those of another tool.") { folder, maps, match, sync };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
         {
@@ -36,16 +46,32 @@ internal static class MasksImportCommand
             using FolderLock held = FolderLock.Take(session);
             MaskNumbers numbers = parsed.GetValue(match) ? MaskNumbers.Overlap : MaskNumbers.Ids;
             MaskImport done = MaskImporter.Import(
-                RecordedSessions.Open(terminal, session), parsed.GetRequiredValue(maps), numbers, cancellation);
-            string report = Path.Combine(session, ReportWriter.FileName);
-            if (File.Exists(report))
+                RecordedSessions.Open(terminal, session),
+                parsed.GetRequiredValue(maps),
+                numbers,
+                RewriteReport,
+                parsed.GetValue(sync),
+                cancellation);
+            if (done.Leftover is { } leftover)
             {
-                new ReportWriter(new SessionReader(session)).Write(report);
+                terminal.WriteError(
+                    $"The masks are imported, but files of the session before cannot be deleted: '{leftover}'. Delete them yourself.");
             }
 
-            terminal.Out.WriteLine($"{session}: {Counted.Of(done.Frames, "mask")} imported; {done.Seen} of {done.Objects} labelled objects have visible pixels");
+            string masks = Counted.Of(done.Frames, "mask");
+            terminal.Out.WriteLine(
+                $"{session}: {masks} imported; {done.Seen} of {done.Objects} labelled objects have visible pixels");
             return Task.FromResult(ExitCode.Done);
         });
         return command;
+    }
+
+    private static void RewriteReport(SessionReader session)
+    {
+        string report = Path.Combine(session.Folder, ReportWriter.FileName);
+        if (File.Exists(report))
+        {
+            new ReportWriter(session).Write(report);
+        }
     }
 }

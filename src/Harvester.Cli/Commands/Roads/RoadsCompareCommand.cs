@@ -1,5 +1,5 @@
+using System;
 using System.CommandLine;
-using System.Globalization;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Roads;
 using Harvester.Datasets.Roads.Sources;
@@ -7,9 +7,12 @@ using Harvester.Geometry.Roads;
 
 namespace Harvester.Cli.Commands.Roads;
 
-/// <summary>harvester roads compare: whether two sources of roads agree on the direction of traffic.</summary>
+/// <summary>harvester roads compare: counts the links on whose direction of traffic two sources agree.</summary>
 internal static class RoadsCompareCommand
 {
+    /// <summary>The example in the help.</summary>
+    public const string Example = "  harvester roads compare paths.xml exported-ynd/";
+
     private const int NameColumn = 40;
 
     public static Command Create(Terminal terminal)
@@ -19,6 +22,7 @@ internal static class RoadsCompareCommand
         Option<LanesIn> lanesIn = RoadSourceArgument.LanesIn();
         var command = new Command("compare", "Match two networks by position and count the one-way links that agree.") { first, second,
             lanesIn };
+        HelpWithNotes.AddTo(command, RoadSourceArgument.NotesWith("A and B are each", Example));
         command.SetAction(parsed =>
         {
             RoadNetwork a = RoadSourceArgument.Import(parsed, first, lanesIn, terminal).Network;
@@ -35,7 +39,10 @@ internal static class RoadsCompareCommand
         });
         return command;
 
-        void Write(string name, int count, int? of = null) => terminal.Out.WriteLine(string.Create(
-            CultureInfo.InvariantCulture, $"{name.PadRight(NameColumn)}{count}{(of is > 0 ? $" ({100.0 * count / of:0.0} %)" : string.Empty)}"));
+        void Write(string name, int count, int? of = null)
+        {
+            string percentage = of is > 0 ? FormattableString.Invariant($" ({100.0 * count / of:0.0} %)") : string.Empty;
+            terminal.Out.WriteLine(FormattableString.Invariant($"{name.PadRight(NameColumn)}{count}{percentage}"));
+        }
     }
 }

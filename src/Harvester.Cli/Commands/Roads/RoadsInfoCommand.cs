@@ -5,16 +5,20 @@ using Harvester.Datasets.Roads.Sources;
 
 namespace Harvester.Cli.Commands.Roads;
 
-/// <summary>harvester roads info: what road data has, in numbers.</summary>
+/// <summary>harvester roads info: counts what road data contains.</summary>
 internal static class RoadsInfoCommand
 {
+    /// <summary>The example in the help.</summary>
+    public const string Example = "  harvester roads info roads.csv.gz";
+
     private const int NameColumn = 40;
 
     public static Command Create(Terminal terminal)
     {
         Argument<string> from = RoadSourceArgument.Create();
         Option<LanesIn> lanesIn = RoadSourceArgument.LanesIn();
-        var command = new Command("info", "Count nodes, links, flags and lanes.") { from, lanesIn };
+        var command = new Command("info", "Count the nodes, links, flags and lanes of road data.") { from, lanesIn };
+        HelpWithNotes.AddTo(command, RoadSourceArgument.NotesWith("FROM is", Example));
         command.SetAction(parsed =>
         {
             RoadImport import = RoadSourceArgument.Import(parsed, from, lanesIn, terminal);

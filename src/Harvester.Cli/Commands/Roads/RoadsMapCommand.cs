@@ -1,27 +1,34 @@
 using System;
 using System.CommandLine;
+using System.Globalization;
 using System.IO;
 using System.IO.Compression;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
 using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry;
 using Harvester.Geometry.Roads;
-using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging.Pictures;
 
 namespace Harvester.Cli.Commands.Roads;
 
-/// <summary>harvester roads map: a picture of road data.</summary>
+/// <summary>harvester roads map: draws road data.</summary>
 internal static class RoadsMapCommand
 {
-    private const string Legend = "highways orange, one-way roads blue, streets grey, unpaved roads brown, roads that are not drivable light grey, water light blue";
+    /// <summary>The example in the help.</summary>
+    public const string Example = "  harvester roads map roads.csv.gz --out map.png --size 4000";
+
+    private const string Legend =
+        "highways orange, one-way roads blue, streets grey, unpaved roads brown, roads that are not drivable light grey, "
+        + "water light blue";
+
     private const string NoRoads = "The road data has no roads to draw.";
     private const int DefaultSize = 2000;
     private const int MaxSize = 20_000;
 
-    // Math.Round knows no more.
+    // The limit of Math.Round.
     private const int MaxDecimals = 15;
 
     public static Command Create(Terminal terminal)
@@ -34,7 +41,8 @@ internal static class RoadsMapCommand
         Option<Box2D?> area = ValueParsers.Optional<Box2D>(
             "--area", "XMIN,YMIN,XMAX,YMAX", "Part of the world to draw, metres [default: all]",
                 ParseArea, "the west, south, east and north edges, e.g. -500,-1500,1000,0");
-        var command = new Command("map", $"Draw road data as a map: {Legend}.") { from, lanesIn, output, size, area };
+        var command = new Command("map", "Draw road data as a map.") { from, lanesIn, output, size, area };
+        HelpWithNotes.AddTo(command, $"Colours: {Legend}.\n\n" + RoadSourceArgument.NotesWith("FROM is", Example));
         command.SetAction(parsed =>
         {
             string file = parsed.GetRequiredValue(output);
@@ -54,11 +62,13 @@ internal static class RoadsMapCommand
             var map = new RoadMap(network, part, parsed.GetValue(size));
             if (!map.HasRoads)
             {
-                throw new UsageException(part is null ? NoRoads : "--area has no roads. Name another, or leave it out to draw all roads.");
+                throw new UsageException(part is null ? NoRoads
+                    : "There are no roads in --area. Choose another area, or omit the option to draw all roads.");
             }
 
-            AtomicFile.Write(file, stream => Write(map, extension, stream));
-            terminal.Out.WriteLine(FormattableString.Invariant($"{file}: {map.Size.Width} x {map.Size.Height} pixels of {ThreeDigits(map.MetresPerPixel):0.###############} m; {Legend}"));
+            OutputFile.Write(file, stream => Write(map, extension, stream));
+            string metres = ThreeDigits(map.MetresPerPixel).ToString("0.###############", CultureInfo.InvariantCulture);
+            terminal.Out.WriteLine($"{file}: {map.Size.Width} x {map.Size.Height} pixels of {metres} m; {Legend}");
             return ExitCode.Done;
         });
         return command;
@@ -75,7 +85,7 @@ internal static class RoadsMapCommand
         map.WriteSvg(stream);
     }
 
-    /// <summary>A length of any order with its first three digits, those before the point apart.</summary>
+    /// <summary>A length rounded to three significant digits, or to whole metres if it has more digits before the point.</summary>
     private static double ThreeDigits(double metres) =>
         Math.Round(metres, Math.Clamp(2 - (int)Math.Floor(Math.Log10(metres)), 0, MaxDecimals));
 

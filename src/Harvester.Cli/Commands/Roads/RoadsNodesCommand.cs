@@ -2,16 +2,20 @@ using System.CommandLine;
 using System.IO;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Roads;
 using Harvester.Datasets.Roads.Sources;
 using Harvester.Geometry.Roads;
-using Harvester.Sessions.Files;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands.Roads;
 
-/// <summary>harvester roads nodes: the node database of the thesis's Figure 22.</summary>
+/// <summary>harvester roads nodes: writes the node database of Figure 22 of the thesis.</summary>
 internal static class RoadsNodesCommand
 {
+    /// <summary>The example in the help.</summary>
+    public const string Example = "  harvester roads nodes roads.csv.gz --out nodes.csv";
+
     public static Command Create(Terminal terminal)
     {
         Argument<string> from = RoadSourceArgument.Create();
@@ -21,6 +25,7 @@ internal static class RoadsNodesCommand
         Option<double> narrow = LaneOptions.NarrowLaneWidth();
         var command = new Command("nodes", "Write the node database: the position of the road at every node, for each direction.") { from,
             lanesIn, output, laneWidth, narrow };
+        HelpWithNotes.AddTo(command, RoadSourceArgument.NotesWith("FROM is", Example));
         command.SetAction(parsed =>
         {
             RoadNetwork network = RoadSourceArgument.Import(parsed, from, lanesIn, terminal).Network;
@@ -28,7 +33,7 @@ internal static class RoadsNodesCommand
                 new RoadCurves(network), new LaneModel(network, parsed.GetValue(laneWidth), parsed.GetValue(narrow)));
             string file = parsed.GetRequiredValue(output);
             int count = 0;
-            AtomicFile.Write(file, stream =>
+            OutputFile.Write(file, stream =>
             {
                 using var text = new StreamWriter(stream, leaveOpen: true);
                 count = NodeDatabaseWriter.Write(database, text);

@@ -6,18 +6,83 @@ using System.Text;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Exports.Assembly;
 
 /// <summary>
-/// Makes a finished dataset of the journals of all its shards: writes the aggregate files and export.json, and takes the working folder
-/// away.
+/// Assembles a finished dataset from the journals of all its shards: writes the aggregate files, the manifest and export.json, and deletes
+/// the working folder.
 /// </summary>
 internal static class DatasetAssembly
 {
+    private static readonly UTF8Encoding Utf8 = new(encoderShouldEmitUTF8Identifier: false);
+
     public static ExportResult Finish(DatasetFolder folder, IReadOnlyList<string> journals)
     {
         string plan = folder.ReadPlan();
+        string header = "";
+        ExportResult? result = null;
+
+        // Everything else is on the disk before the manifest, and the manifest before the file that says that the dataset is there.
+        folder.Write(Manifest.FileName, stream =>
+        {
+            using var lines = new StreamWriter(stream, Utf8, leaveOpen: true) { NewLine = "\n" };
+            var manifest = new DatasetManifest(lines);
+            result = Assemble(folder, plan, journals, manifest);
+            header = HeaderText(plan, result, manifest.Files + 1);
+            manifest.Add(DatasetFolder.Header, FileDigest.Of(header));
+            folder.Flush();
+        });
+        folder.Flush();
+        folder.Write(DatasetFolder.Header, stream => stream.Write(Utf8.GetBytes(header)));
+        folder.Flush();
+        folder.Finish();
+        return result!;
+    }
+
+    /// <summary>The plan of a finished dataset.</summary>
+    public static string PlanOf(DatasetFolder folder) => ReadHeader(folder, PlanIn);
+
+    /// <summary>What a finished dataset says of itself.</summary>
+    public static ExportResult ResultOf(DatasetFolder folder) => ReadHeader(folder, static header =>
+    {
+        (DatasetFormat format, _) = ExportPlan.Parse(PlanIn(header));
+        JsonFields splits = header.Fields("framesOfSplits");
+        return new ExportResult(format, header.Integer("frames"), IsFinished: true)
+        {
+            FramesLeftOut = header.Integer("framesLeftOut"),
+            Labels = header.Integer("labels"),
+            Objects = header.Integer("objects"),
+            Ignored = header.Integer("ignored"),
+            FramesOfSplits = splits.Names.ToDictionary(split => split, splits.Integer),
+        };
+    });
+
+    /// <summary>The plan in an export.json.</summary>
+    /// <exception cref="DatasetFormatException">It has none.</exception>
+    public static string PlanIn(JsonFields header) => header.RawText("plan");
+
+    private static T ReadHeader<T>(DatasetFolder folder, Func<JsonFields, T> read)
+    {
+        try
+        {
+            using JsonDocument header = JsonInput.Read(folder.PathOf(DatasetFolder.Header));
+            return read(new JsonFields(header.RootElement));
+        }
+        catch (JsonException e)
+        {
+            throw new DatasetFormatException($"'{folder.Path}': {DatasetFolder.Header} is invalid JSON in line {e.LineNumber + 1}.", e);
+        }
+        catch (DatasetFormatException e)
+        {
+            throw new DatasetFormatException($"'{folder.Path}': {DatasetFolder.Header} is malformed: {e.Message}", e);
+        }
+    }
+
+    /// <summary>Writes the files about the whole dataset, and all files but export.json to the manifest.</summary>
+    private static ExportResult Assemble(DatasetFolder folder, string plan, IReadOnlyList<string> journals, DatasetManifest manifest)
+    {
         (DatasetFormat format, ExportOptions options) = ExportPlan.Parse(plan);
         var parts = new PartStore(folder.PathOf(DatasetFolder.Working + "/parts"));
         SortedDictionary<string, int> splits = new(options.Splits.Splits.ToDictionary(split => split.Name, _ => 0), StringComparer.Ordinal);
@@ -35,12 +100,15 @@ internal static class DatasetAssembly
             {
                 splits[entry.Split] = splits.TryGetValue(entry.Split, out int frames)
                     ? frames + 1
-                    : throw new DatasetFormatException($"'{folder.Path}': frame {entry.Frame} is in the split '{entry.Split}', which the export does not have. Begin the export anew.");
+                    : throw new DatasetFormatException(
+                        $"'{folder.Path}': frame {entry.Frame} is in the split '{entry.Split}', which the export does not have. Delete "
+                        + "the folder and export again.");
             }
 
             labels += entry.Labels;
             objects += entry.Written.Objects;
             ignored += entry.Written.Ignored;
+            manifest.AddFrame(entry.Files);
             foreach ((string name, string line) in entry.Parts)
             {
                 parts.Add(name, line);
@@ -48,12 +116,9 @@ internal static class DatasetAssembly
         }
 
         parts.Flush();
-        foreach (AggregateFile file in format.CreateWriter(options).Aggregates(parts.Counts))
-        {
-            folder.Write(file.Path, stream => Write(stream, file, parts, folder));
-        }
-
-        var result = new ExportResult(format, splits.Values.Sum(), IsFinished: true)
+        manifest.AddOthers(format.CreateWriter(options).Aggregates(parts.Counts).Select(file =>
+            KeyValuePair.Create(file.Path, folder.Write(file.Path, stream => Write(stream, file, parts, folder)))));
+        return new ExportResult(format, splits.Values.Sum(), IsFinished: true)
         {
             FramesLeftOut = leftOut,
             Labels = labels,
@@ -61,51 +126,7 @@ internal static class DatasetAssembly
             Ignored = ignored,
             FramesOfSplits = splits
         };
-        folder.Write(DatasetFolder.Manifest, stream => stream.Write(Encoding.UTF8.GetBytes(ManifestText(plan, result))));
-        folder.Finish();
-        return result;
     }
-
-    /// <summary>The plan of a finished dataset.</summary>
-    public static string PlanOf(DatasetFolder folder)
-    {
-        using JsonDocument manifest = ReadManifest(folder);
-        return PlanIn(manifest);
-    }
-
-    /// <summary>What a finished dataset says of itself.</summary>
-    public static ExportResult ResultOf(DatasetFolder folder)
-    {
-        using JsonDocument manifest = ReadManifest(folder);
-        var fields = new JsonFields(manifest.RootElement);
-        (DatasetFormat format, _) = ExportPlan.Parse(PlanIn(manifest));
-        JsonFields splits = fields.Fields("framesOfSplits");
-        return new ExportResult(format, fields.Integer("frames"), IsFinished: true)
-        {
-            FramesLeftOut = fields.Integer("framesLeftOut"),
-            Labels = fields.Integer("labels"),
-            Objects = fields.Integer("objects"),
-            Ignored = fields.Integer("ignored"),
-            FramesOfSplits = splits.Names.ToDictionary(split => split, splits.Integer),
-        };
-    }
-
-    private static JsonDocument ReadManifest(DatasetFolder folder)
-    {
-        try
-        {
-            return JsonInput.Read(folder.PathOf(DatasetFolder.Manifest));
-        }
-        catch (JsonException e)
-        {
-            throw new DatasetFormatException($"'{folder.Path}': {DatasetFolder.Manifest} is not JSON, line {e.LineNumber + 1}.", e);
-        }
-    }
-
-    internal static string PlanIn(JsonDocument manifest) =>
-        manifest.RootElement.ValueKind == JsonValueKind.Object && manifest.RootElement.TryGetProperty("plan", out JsonElement plan)
-            ? plan.GetRawText()
-            : throw new DatasetFormatException($"{DatasetFolder.Manifest} has no plan.");
 
     /// <summary>The entries of all journals by rising number; each journal is in order already.</summary>
     private static IEnumerable<JournalEntry> InOrder(IReadOnlyList<string> journals)
@@ -138,7 +159,7 @@ internal static class DatasetAssembly
 
     private static void Write(Stream stream, AggregateFile file, PartStore parts, DatasetFolder folder)
     {
-        using var writer = new StreamWriter(stream, new UTF8Encoding(false), leaveOpen: true);
+        using var writer = new StreamWriter(stream, Utf8, leaveOpen: true);
         foreach (AggregateSection section in file.Sections)
         {
             writer.Write(section.Text);
@@ -163,7 +184,7 @@ internal static class DatasetAssembly
         }
     }
 
-    private static string ManifestText(string plan, ExportResult result) => JsonLine.Of(json =>
+    private static string HeaderText(string plan, ExportResult result, int files) => JsonLine.Of(json =>
     {
         json.WriteStartObject();
         json.WriteNumber("formatVersion", 1);
@@ -172,6 +193,7 @@ internal static class DatasetAssembly
         json.WriteNumber("labels", result.Labels);
         json.WriteNumber("objects", result.Objects);
         json.WriteNumber("ignored", result.Ignored);
+        json.WriteNumber("files", files);
         json.WriteStartObject("framesOfSplits");
         foreach ((string name, int count) in result.FramesOfSplits)
         {

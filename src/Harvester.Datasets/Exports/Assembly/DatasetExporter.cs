@@ -9,8 +9,8 @@ using Harvester.Sessions.Imaging.Pictures;
 namespace Harvester.Datasets.Exports.Assembly;
 
 /// <summary>
-/// Turns sessions into a dataset, frame by frame. An export that was stopped goes on where it was when it is run again with the same
-/// plan; shards are exports of every n-th frame that <see cref="DatasetMerger"/> puts together.
+/// Exports sessions to a dataset, frame by frame. A stopped export resumes when it is run again with the same plan. Shards are exports of
+/// every n-th frame, which <see cref="DatasetMerger"/> merges.
 /// </summary>
 public sealed class DatasetExporter
 {
@@ -18,11 +18,12 @@ public sealed class DatasetExporter
     private readonly DatasetFolder _folder;
     private readonly Shard _shard;
 
-    /// <summary>Plans an export.</summary>
-    /// <param name="plan">What to do.</param>
-    /// <param name="folder">Where the dataset goes: a new or empty folder, or one with an export of the same plan that was stopped.</param>
-    /// <param name="shard">Which frames.</param>
-    public DatasetExporter(ExportPlan plan, string folder, Shard shard)
+    /// <summary>Prepares an export.</summary>
+    /// <param name="plan">The plan of the export.</param>
+    /// <param name="folder">Folder to write to: new, empty, or with a stopped export of the same plan.</param>
+    /// <param name="shard">The shard to export.</param>
+    /// <param name="sync">When to wait for the disk.</param>
+    public DatasetExporter(ExportPlan plan, string folder, Shard shard, SyncMode sync = SyncMode.Batch)
     {
         _asked = plan.Format.KeepsSessions
             ? plan with
@@ -31,20 +32,21 @@ public sealed class DatasetExporter
                 plan.Options with { Splits = new SplitPlan(plan.Options.Splits.Splits, plan.Options.Splits.Seed, int.MaxValue) }
             }
             : plan;
-        _folder = new DatasetFolder(folder);
+        _folder = new DatasetFolder(folder, sync);
         _shard = shard;
     }
 
-    /// <summary>Exports.</summary>
-    /// <param name="report">Is told the number of frames done after each.</param>
+    /// <summary>Runs the export.</summary>
+    /// <param name="report">Receives the number of frames after each frame.</param>
     /// <param name="cancellation">Stops between two frames.</param>
-    /// <exception cref="DatasetFormatException">A session is malformed, or has what the format cannot say.</exception>
-    /// <exception cref="OccupiedFolderException">The folder holds something else.</exception>
-    /// <exception cref="IOException">Something cannot be read or written.</exception>
+    /// <exception cref="DatasetFormatException">A session is invalid, or the format cannot represent it.</exception>
+    /// <exception cref="OccupiedFolderException">The folder has other files.</exception>
+    /// <exception cref="IOException">A file cannot be read or written.</exception>
     public ExportResult Run(Action<int> report, CancellationToken cancellation = default)
     {
-        // Reading all labels takes long: a folder that can never be written to is refused before.
+        // Reading all labels takes long, so a folder that cannot be used is refused before.
         _folder.CheckUsable();
+        Journal.CheckDivision(_folder, _shard);
         SessionSurvey survey = SessionSurvey.Of(_asked, cancellation);
         ExportPlan plan = survey.Decide();
         string identity = plan.Identity;
@@ -56,7 +58,7 @@ public sealed class DatasetExporter
 
         _folder.CheckUnfinished();
 
-        // Whatever the sessions lack is refused before there is anything to go on with.
+        // Problems of the sessions are reported before anything is written.
         survey.Check();
         _folder.Begin(identity);
         int frames;
@@ -71,22 +73,39 @@ public sealed class DatasetExporter
             frames = journal.Frames;
         }
 
-        return _shard.Count > 1
-            ? new ExportResult(plan.Format, frames, IsFinished: false)
-            : DatasetAssembly.Finish(_folder, [Journal.PathOf(_folder, _shard)]);
+        string path = Journal.PathOf(_folder, _shard);
+        if (_shard.Count == 1)
+        {
+            return DatasetAssembly.Finish(_folder, [path]);
+        }
+
+        _folder.DeleteLeftoversOf(Journal.Read(path).SelectMany(entry => entry.Files).Select(file => file.Key));
+        return new ExportResult(plan.Format, frames, IsFinished: false);
     }
 
     private void WriteFrames(ExportPlan plan, Journal journal, Action<int> report, CancellationToken cancellation)
     {
         PictureEncoder? encoder = plan.Options.ImageFormat is { } format ? new PictureEncoder(format, plan.Options.JpegQuality) : null;
         IDatasetWriter writer = plan.Format.CreateWriter(plan.Options);
-        foreach (ExportFrame frame in PlannedFrames.Of(plan).Where(frame => _shard.Takes(frame.Index) && frame.Index > journal.LastFrame))
+        using var digests = new ImageDigests();
+        try
         {
-            cancellation.ThrowIfCancellationRequested();
-            var output = new FrameOutput(_folder, plan.Options.Images, encoder);
-            WrittenObjects written = writer.Write(frame, output);
-            journal.Append(new JournalEntry(frame.Index, frame.Split, frame.Label.Objects.Count, written, output.Files, output.Parts));
-            report(journal.Frames);
+            int last = journal.LastFrame;
+            foreach (ExportFrame frame in PlannedFrames.Of(plan).Where(frame => _shard.Takes(frame.Index) && frame.Index > last))
+            {
+                cancellation.ThrowIfCancellationRequested();
+                var output = new FrameOutput(_folder, plan.Options.Images, encoder, digests.Of);
+                WrittenObjects written = writer.Write(frame, output);
+                journal.Append(new JournalEntry(
+                    frame.Index, frame.Split, frame.Label.Objects.Count, written, output.Files, output.Parts));
+                report(journal.Frames);
+            }
+        }
+        catch (Exception e) when (e is OperationCanceledException or DatasetFormatException)
+        {
+            // The disk is well: the frames whose lines are held back need not be written again.
+            journal.Commit();
+            throw;
         }
     }
 }

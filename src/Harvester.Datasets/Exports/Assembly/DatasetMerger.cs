@@ -7,20 +7,21 @@ using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Exports.Assembly;
 
-/// <summary>Puts the shards of an export together: the same bytes as one run without shards gives.</summary>
+/// <summary>Merges the shards of an export; the result is byte-identical to that of a single run.</summary>
 public static class DatasetMerger
 {
-    /// <summary>Merges.</summary>
-    /// <param name="shards">Folders that hold shards; several shards may share one.</param>
-    /// <param name="folder">Where the dataset goes: one of the shards' folders, or a new or empty one; a merge that was stopped can be run
-    /// again.</param>
-    /// <param name="transfer">How files get from the shards into the dataset.</param>
-    /// <exception cref="DatasetFormatException">A shard is missing, unfinished, twice there, or of another export.</exception>
-    /// <exception cref="OccupiedFolderException">The folder holds something else.</exception>
-    /// <exception cref="IOException">Something cannot be read or written.</exception>
-    public static ExportResult Merge(IReadOnlyList<string> shards, string folder, ImageTransfer transfer)
+    /// <summary>Merges shards.</summary>
+    /// <param name="shards">Folders with shards; several shards may share a folder.</param>
+    /// <param name="folder">Folder to write to: new, empty, or that of a shard; a stopped merge can be repeated.</param>
+    /// <param name="transfer">Whether files are linked or copied.</param>
+    /// <param name="sync">When to wait for the disk.</param>
+    /// <exception cref="DatasetFormatException">A shard is missing, unfinished, given twice, or of another export.</exception>
+    /// <exception cref="OccupiedFolderException">The folder has other files.</exception>
+    /// <exception cref="IOException">A file cannot be read or written.</exception>
+    public static ExportResult Merge(
+        IReadOnlyList<string> shards, string folder, ImageTransfer transfer, SyncMode sync = SyncMode.Batch)
     {
-        var target = new DatasetFolder(folder);
+        var target = new DatasetFolder(folder, sync);
         DatasetFolder[] sources = [.. shards.Select(shard => new DatasetFolder(shard))];
         if (target.HasLeftovers && IsMergeOf(sources, target))
         {
@@ -38,21 +39,39 @@ public static class DatasetMerger
 
         IReadOnlyList<string> journals = CompleteJournals(sources);
         target.Begin(plan);
-        foreach (DatasetFolder source in sources.Where(source => !IsSame(source, target)))
+        foreach (DatasetFolder source in sources)
         {
-            IEnumerable<string> files = Journal.ShardsIn(source).SelectMany(shard => Journal.Read(Journal.PathOf(source, shard)))
-                .SelectMany(entry => entry.Files);
-            foreach (string file in files)
-            {
-                target.Transfer(file, source.PathOf(file), transfer);
-            }
+            Place(source, target, transfer);
         }
 
         return DatasetAssembly.Finish(target, journals);
     }
 
+    /// <summary>Gives the target the files of a shard; those in place may have been written without waiting for the disk.</summary>
+    private static void Place(DatasetFolder source, DatasetFolder target, ImageTransfer transfer)
+    {
+        bool isInPlace = IsSame(source, target);
+        IEnumerable<JournalEntry> entries = Journal.ShardsIn(source).SelectMany(shard => Journal.Read(Journal.PathOf(source, shard)));
+        foreach (JournalEntry[] batch in entries.Chunk(target.Sync == SyncMode.Always ? 1 : SyncBatch.MaxFrames))
+        {
+            foreach ((string file, _) in batch.SelectMany(entry => entry.Files))
+            {
+                if (isInPlace)
+                {
+                    target.Keep(file);
+                }
+                else
+                {
+                    target.Transfer(file, source.PathOf(file), transfer);
+                }
+            }
+
+            target.Flush();
+        }
+    }
+
     /// <summary>
-    /// Whether a finished dataset is of the plan of its shards; of one that was made in a shard's folder, that shard's plan is gone.
+    /// Whether a finished dataset has the plan of the shards. If it was assembled in the folder of a shard, that shard's plan is gone.
     /// </summary>
     private static bool IsMergeOf(IEnumerable<DatasetFolder> sources, DatasetFolder target)
     {

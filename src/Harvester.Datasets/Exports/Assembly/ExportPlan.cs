@@ -16,15 +16,14 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Exports.Assembly;
 
-/// <summary>What an export does: which sessions become which dataset. Shards of one export have the same plan.</summary>
+/// <summary>The plan of an export: format, sessions and options. Shards of one export have the same plan.</summary>
 /// <param name="Format">The format.</param>
 /// <param name="Sessions">The sessions, in order.</param>
 /// <param name="Options">The options.</param>
 public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReader> Sessions, ExportOptions Options)
 {
     /// <summary>
-    /// The plan as a text that is the same for the same export on any machine: sessions of one name differ by the digest of their
-    /// session.json.
+    /// The plan as text, equal for equal exports on any machine. Sessions of the same name differ by the hash of their session.json.
     /// </summary>
     internal string Identity => JsonLine.Of(json =>
     {
@@ -82,8 +81,8 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
         json.WriteEndObject();
     });
 
-    /// <summary>Reads from a plan's identity what assembling needs: format, splits and classes.</summary>
-    /// <exception cref="DatasetFormatException">It is damaged, or of another version.</exception>
+    /// <summary>Reads the parts of a plan that assembly needs: format, splits and classes.</summary>
+    /// <exception cref="DatasetFormatException">The plan is damaged, or of another version.</exception>
     internal static (DatasetFormat Format, ExportOptions Options) Parse(string identity)
     {
         try
@@ -93,7 +92,8 @@ public sealed record ExportPlan(DatasetFormat Format, IReadOnlyList<SessionReade
         }
         catch (JsonException e)
         {
-            throw new DatasetFormatException($"The plan of the export is not JSON, from character {e.BytePositionInLine + 1} on. Begin the export anew.", e);
+            throw new DatasetFormatException(
+                $"The plan of the export is invalid JSON at byte {e.BytePositionInLine + 1}. Delete the folder and export again.", e);
         }
     }
 

@@ -4,18 +4,20 @@ using System.Linq;
 using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
+using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Exports.Assembly;
 
-/// <summary>A line of a journal: a frame that is done.</summary>
+/// <summary>A line of a journal: a finished frame.</summary>
 /// <param name="Frame">Number of the frame in the dataset.</param>
-/// <param name="Split">Its split.</param>
-/// <param name="Labels">How many labels it has.</param>
-/// <param name="Written">How many of them were written.</param>
-/// <param name="Files">The files that are its own.</param>
-/// <param name="Parts">Its parts of aggregate files, in the order in which they were handed over.</param>
+/// <param name="Split">The split of the frame.</param>
+/// <param name="Labels">Number of labels.</param>
+/// <param name="Written">Number of labels written.</param>
+/// <param name="Files">The files of the frame, with their digests.</param>
+/// <param name="Parts">Its parts of aggregate files, in the order of writing.</param>
 internal sealed record JournalEntry(
-    int Frame, string Split, int Labels, WrittenObjects Written, IReadOnlyList<string> Files,
+    int Frame, string Split, int Labels, WrittenObjects Written, IReadOnlyList<KeyValuePair<string, FileDigest>> Files,
         IReadOnlyList<KeyValuePair<string, string>> Parts)
 {
     public string ToLine() => JsonLine.Of(json =>
@@ -27,9 +29,13 @@ internal sealed record JournalEntry(
         json.WriteNumber("objects", Written.Objects);
         json.WriteNumber("ignored", Written.Ignored);
         json.WriteStartArray("files");
-        foreach (string file in Files)
+        foreach ((string file, FileDigest digest) in Files)
         {
-            json.WriteStringValue(file);
+            json.WriteStartObject();
+            json.WriteString("path", file);
+            json.WriteNumber("bytes", digest.Bytes);
+            json.WriteString("sha256", digest.Sha256);
+            json.WriteEndObject();
         }
 
         json.WriteEndArray();
@@ -47,7 +53,7 @@ internal sealed record JournalEntry(
     /// <summary>Reads a line.</summary>
     /// <param name="line">The line.</param>
     /// <param name="path">The journal.</param>
-    /// <exception cref="DatasetFormatException">It is damaged, or of another version.</exception>
+    /// <exception cref="DatasetFormatException">The line is damaged, or of another version.</exception>
     public static JournalEntry Parse(string line, string path)
     {
         try
@@ -56,7 +62,9 @@ internal sealed record JournalEntry(
         }
         catch (Exception e) when (e is JsonException or DatasetFormatException)
         {
-            throw new DatasetFormatException($"'{path}' has a damaged line or one of another version. Delete the folder of the dataset, or name another, and export again.", e);
+            throw new DatasetFormatException(
+                $"'{path}' has a damaged line or one of another version. Delete the folder of the dataset, or name another, and export "
+                + "again.", e);
         }
     }
 
@@ -70,7 +78,7 @@ internal sealed record JournalEntry(
             entry.Text("split"),
             entry.Integer("labels"),
             new WrittenObjects(entry.Integer("objects"), entry.Integer("ignored")),
-            entry.Texts("files"),
+            [.. entry.List("files").Select(file => KeyValuePair.Create(file.Text("path"), ManifestParser.DigestOf(file)))],
             parts.Length % 2 == 0
                 ? [.. parts.Chunk(2).Select(pair => KeyValuePair.Create(pair[0], pair[1]))]
                 : throw new DatasetFormatException("parts must be pairs of a name and a line."));

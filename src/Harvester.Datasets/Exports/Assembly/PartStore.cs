@@ -4,10 +4,11 @@ using System.Globalization;
 using System.IO;
 using System.Text;
 using Harvester.Datasets.Files;
+using Harvester.Sessions.Files;
 
 namespace Harvester.Datasets.Exports.Assembly;
 
-/// <summary>Sorts the parts of all frames by name into files of their own, so that a dataset of any length needs little memory.</summary>
+/// <summary>Sorts the parts of all frames by name into files, so that datasets of any length need little memory.</summary>
 internal sealed class PartStore
 {
     private const int MaxBufferedCharacters = 4 * 1024 * 1024;
@@ -23,14 +24,14 @@ internal sealed class PartStore
         _folder = folder;
         if (Directory.Exists(folder))
         {
-            // What a killed assembly left.
+            // Left by a killed assembly.
             Directory.Delete(folder, recursive: true);
         }
 
         Directory.CreateDirectory(folder);
     }
 
-    /// <summary>How many parts there are of each name, in ordinal order.</summary>
+    /// <summary>Number of parts of each name, in ordinal order.</summary>
     public IReadOnlyDictionary<string, int> Counts => _counts;
 
     public void Add(string name, string line)
@@ -55,7 +56,7 @@ internal sealed class PartStore
     {
         foreach ((string name, StringBuilder buffer) in _buffers)
         {
-            using var file = new StreamWriter(_files[name], append: true);
+            using var file = new StreamWriter(AppendedFile.Open(_files[name]));
             foreach (ReadOnlyMemory<char> chunk in buffer.GetChunks())
             {
                 file.Write(chunk.Span);
@@ -66,6 +67,6 @@ internal sealed class PartStore
         _buffered = 0;
     }
 
-    /// <summary>The parts of a name, in the order in which they came; none for a name without parts.</summary>
+    /// <summary>The parts of a name, in the order of adding; empty if there are none.</summary>
     public IEnumerable<string> Read(string name) => _files.TryGetValue(name, out string? file) ? InputFile.ReadLines(file) : [];
 }

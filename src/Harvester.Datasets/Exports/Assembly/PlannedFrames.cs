@@ -5,11 +5,11 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Assembly;
 
-/// <summary>The frames of all sessions of an export, one session after the other, each with its place and its split.</summary>
+/// <summary>The frames of all sessions of an export, session by session, with place and split.</summary>
 internal static class PlannedFrames
 {
     /// <summary>Reads the frames.</summary>
-    /// <exception cref="DatasetFormatException">A label line is malformed.</exception>
+    /// <exception cref="DatasetFormatException">A label line is invalid.</exception>
     public static IEnumerable<ExportFrame> Of(ExportPlan plan)
     {
         var selector = new ObjectSelector(plan.Format, plan.Options);

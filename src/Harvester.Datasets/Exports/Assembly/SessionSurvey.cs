@@ -6,12 +6,19 @@ using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Exports.Assembly;
 
-/// <summary>What the sessions of an export hold, and whether the export can be made of it: known before anything is written.</summary>
+/// <summary>Reads the sessions of an export once, to check before anything is written that the export is possible.</summary>
 internal sealed class SessionSurvey
 {
+    /// <summary>Four months of driving at one frame a second; each is held.</summary>
+    private const int MaxFrames = 10_000_000;
+
+    /// <summary>The manual has about 1,000.</summary>
+    private const int MaxMutcdCodes = 10_000;
+
     private readonly ExportPlan _plan;
     private readonly List<FramePlace> _written = [];
     private readonly int[] _frames;
@@ -29,19 +36,20 @@ internal sealed class SessionSurvey
 
     private bool HasMasks => _masks.Sum() > 0;
 
-    /// <summary>Whether labels depend on whether there are masks: boxes that follow no mask do not.</summary>
+    /// <summary>Whether labels depend on masks, as they do unless the boxes ignore masks.</summary>
     private bool DependsOnMasks =>
         Format.UsesMasks && !(Format.HasBoxes && !Format.HasSegmentations && _plan.Options.Boxes is BoxKind.Amodal or BoxKind.Cuboid);
 
     /// <summary>Reads all labels of all sessions.</summary>
-    /// <exception cref="DatasetFormatException">A session is malformed, or the format cannot represent one of its frames.</exception>
+    /// <exception cref="DatasetFormatException">A session is invalid, or the format cannot represent one of its frames.</exception>
     public static SessionSurvey Of(ExportPlan plan, CancellationToken cancellation)
     {
         foreach (SessionReader session in plan.Sessions)
         {
             if (SessionHeader.Read(session).Shard is { } shard)
             {
-                throw new DatasetFormatException($"'{session.Folder}' is shard {shard} of a session. Merge the shards first: harvester merge.");
+                throw new DatasetFormatException(
+                    $"'{session.Folder}' is shard {shard} of a session. Merge the shards first: harvester merge.");
             }
         }
 
@@ -55,7 +63,7 @@ internal sealed class SessionSurvey
         return survey;
     }
 
-    /// <summary>The plan with everything decided that depends on what the sessions hold.</summary>
+    /// <summary>The plan, completed with the options that depend on the sessions.</summary>
     public ExportPlan Decide()
     {
         ExportOptions options = _plan.Options;
@@ -72,8 +80,8 @@ internal sealed class SessionSurvey
         };
     }
 
-    /// <summary>Refuses sessions of which the dataset cannot be made.</summary>
-    /// <exception cref="DatasetFormatException">A session or a split has no frame, or only a part of the frames has masks.</exception>
+    /// <summary>Throws if the dataset cannot be made from the sessions.</summary>
+    /// <exception cref="DatasetFormatException">A session or split has no frames, or only some of the frames have masks.</exception>
     public void Check()
     {
         int empty = Array.IndexOf(_frames, 0);
@@ -85,7 +93,8 @@ internal sealed class SessionSurvey
         CheckMasks();
         if (_written.Count == 0)
         {
-            throw new DatasetFormatException($"None of the {_frames.Sum()} frames has lanes, which {Format.Name} needs. Harvest with roads, or choose another format.");
+            throw new DatasetFormatException(
+                $"No frame has lanes, which {Format.Name} needs. Harvest with roads, or choose another format.");
         }
 
         SplitPlan splits = _plan.Options.Splits;
@@ -105,6 +114,12 @@ internal sealed class SessionSurvey
         {
             _written.Add(new FramePlace(frame.SessionIndex, frame.FrameInSession));
         }
+
+        if (_written.Count > MaxFrames || _mutcdCodes.Count > MaxMutcdCodes)
+        {
+            throw new DatasetFormatException(
+                $"An export takes at most {MaxFrames} frames and {MaxMutcdCodes} MUTCD codes. Export the sessions separately.");
+        }
     }
 
     private void CheckMasks()
@@ -113,7 +128,8 @@ internal sealed class SessionSurvey
         {
             if (_plan.Options.Boxes == BoxKind.Visible)
             {
-                throw new DatasetFormatException("Boxes of visible pixels need masks, and the sessions have none. Harvest with masks, or choose other boxes.");
+                throw new DatasetFormatException(
+                    "Boxes of visible pixels need masks, and the sessions have none. Harvest with masks, or choose other boxes.");
             }
 
             return;
@@ -126,19 +142,21 @@ internal sealed class SessionSurvey
         }
 
         string reason = _masks[without[0]] > 0
-            ? $"only {_masks[without[0]]} of the {_frames[without[0]]} frames of '{FolderOf(without[0])}' have masks"
+            ? $"'{FolderOf(without[0])}' has masks for {_masks[without[0]]} of {Counted.Of(_frames[without[0]], "frame")}"
             : $"'{FolderOf(without[0])}' has no masks, and '{FolderOf(Array.FindIndex(_masks, masks => masks > 0))}' has";
-        throw new DatasetFormatException($"Labels would mean different things: {reason}. Export sessions with and without masks separately.");
+        throw new DatasetFormatException($"Labels would not be comparable: {reason}. Export sessions with and without masks separately.");
     }
 
     private string AdviceFor(SplitPlan splits)
     {
         if (Format.KeepsSessions)
         {
-            return $"{Format.Name} keeps sessions whole, and there {(_frames.Length == 1 ? "is 1" : $"are {_frames.Length}")}. Add sessions, or use another --seed.";
+            return $"{Format.Name} keeps sessions whole, and there {(_frames.Length == 1 ? "is" : "are")} only "
+                + $"{Counted.Of(_frames.Length, "session")}. "
+                + "Add sessions, or use another --seed.";
         }
 
-        string frames = $"{_written.Count} frames, drawn in blocks of {splits.BlockFrames}. ";
+        string frames = $"{Counted.Of(_written.Count, "frame")}, assigned in blocks of {splits.BlockFrames}. ";
         return frames + (splits.LargestFullBlock(_written) is { } block ? $"Use --split-block {block} or another --seed."
             : "Use another --seed, or fewer splits.");
     }

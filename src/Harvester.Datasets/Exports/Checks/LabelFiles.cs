@@ -6,18 +6,18 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Checks;
 
-/// <summary>Text files of labels: one for each image, a line an object, words with blanks between them.</summary>
+/// <summary>Label files as text: one file per image, one line per object, words separated by blanks.</summary>
 internal static class LabelFiles
 {
-    /// <summary>Looks at every line of a label file.</summary>
+    /// <summary>Checks every line of a label file.</summary>
     /// <param name="dataset">The dataset.</param>
     /// <param name="name">The file.</param>
-    /// <param name="problemOf">What is wrong with the words of a line, given with its number from 1; null for nothing.</param>
+    /// <param name="problemOf">The problem of a line, given its words and its number from 1; null for none.</param>
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset, string name, Func<int, string[], string?> problemOf)
     {
         if (!dataset.Has(name))
         {
-            yield return new SessionProblem(name, null, "it is missing, but its image is there.");
+            yield return new SessionProblem(name, null, "it is missing, but its image exists.");
         }
 
         foreach ((int number, string text) in dataset.Lines(name))
@@ -32,7 +32,7 @@ internal static class LabelFiles
     /// <summary>Files of a folder that belong to no image.</summary>
     /// <param name="dataset">The dataset.</param>
     /// <param name="folder">The folder.</param>
-    /// <param name="stems">Names of the images without their ends.</param>
+    /// <param name="stems">Names of the images without their extensions.</param>
     public static IEnumerable<SessionProblem> Strays(DatasetContent dataset, string folder, IEnumerable<string> stems)
     {
         HashSet<string> known = [.. stems];

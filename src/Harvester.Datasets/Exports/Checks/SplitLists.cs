@@ -5,13 +5,13 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Checks;
 
-/// <summary>Text files that list what each split has, a name a line: every name is there, in one list only, and none is left out.</summary>
+/// <summary>Text files that list the content of each split, one name per line. Every name must exist and be in exactly one list.</summary>
 internal static class SplitLists
 {
-    /// <summary>Looks at the lists of all splits and counts their frames.</summary>
+    /// <summary>Checks the lists of all splits and counts their frames.</summary>
     /// <param name="dataset">The dataset.</param>
-    /// <param name="listOf">Name of a split's list; a split without frames need not have one.</param>
-    /// <param name="framesOf">How many frames each name that must be in a list stands for.</param>
+    /// <param name="listOf">Name of the list of a split; a split without frames need not have one.</param>
+    /// <param name="framesOf">The number of frames for each name that must be in a list.</param>
     public static IEnumerable<SessionProblem> Problems(
         DatasetContent dataset, Func<string, string> listOf, IReadOnlyDictionary<string, int> framesOf)
     {

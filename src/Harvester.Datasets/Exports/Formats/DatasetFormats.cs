@@ -16,7 +16,7 @@ namespace Harvester.Datasets.Exports.Formats;
 /// <summary>The formats that can be exported; each has a page in docs/exports.</summary>
 public static class DatasetFormats
 {
-    /// <summary>All of them, in the order in which help lists them.</summary>
+    /// <summary>All formats, in the order of the help.</summary>
     public static IReadOnlyList<DatasetFormat> All { get; } =
     [
         new("kitti", "KITTI object detection: image_2, label_2, calib", options => new KittiWriter(options))
@@ -74,7 +74,7 @@ public static class DatasetFormats
         },
     ];
 
-    /// <summary>A format by its name, or null.</summary>
+    /// <summary>The format of a name; null if there is none.</summary>
     public static DatasetFormat? Find(string name) =>
         All.FirstOrDefault(format => string.Equals(format.Name, name, StringComparison.Ordinal));
 }

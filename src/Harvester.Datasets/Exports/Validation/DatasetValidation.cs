@@ -3,8 +3,15 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Validation;
 
-/// <summary>What a validation of an exported dataset found.</summary>
-/// <param name="Format">Its format.</param>
-/// <param name="Frames">How many frames it has.</param>
-/// <param name="Problems">All that is wrong; empty for a good dataset.</param>
-public sealed record DatasetValidation(string Format, int Frames, IReadOnlyList<SessionProblem> Problems);
+/// <summary>The result of validating an exported dataset.</summary>
+/// <param name="Format">Name of the format.</param>
+/// <param name="Frames">Number of frames.</param>
+/// <param name="Problems">All problems; empty for a valid dataset.</param>
+public sealed record DatasetValidation(string Format, int Frames, IReadOnlyList<SessionProblem> Problems)
+{
+    /// <summary>Whether the dataset has a manifest.</summary>
+    public bool HasManifest { get; init; }
+
+    /// <summary>Files in the folder that are no part of the dataset and that its readers pass over, such as caches.</summary>
+    public IReadOnlyList<string> OtherFiles { get; init; } = [];
+}

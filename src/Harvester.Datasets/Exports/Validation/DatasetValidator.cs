@@ -2,52 +2,59 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using System.Text.Json;
 using System.Threading;
-using Harvester.Datasets.Exports.Assembly;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
-using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Exports.Validation;
 
-/// <summary>Looks whether an exported dataset is whole, and whether its labels are what its format asks for.</summary>
+/// <summary>Checks that an exported dataset is complete and that its labels follow their format.</summary>
 public static class DatasetValidator
 {
     /// <summary>Whether a folder is a finished dataset.</summary>
     public static bool IsDataset(string folder) => new DatasetFolder(folder).IsFinished;
 
-    /// <summary>Whether a folder holds an export that was begun and not finished.</summary>
+    /// <summary>Whether a folder has an unfinished export.</summary>
     public static bool IsUnfinished(string folder) => new DatasetFolder(folder).IsBegun;
 
     /// <summary>Validates a dataset.</summary>
-    /// <param name="folder">Its folder.</param>
+    /// <param name="folder">The folder of the dataset.</param>
     /// <param name="cancellation">Stops between two images.</param>
-    /// <exception cref="DatasetFormatException">export.json is malformed.</exception>
+    /// <exception cref="DatasetFormatException">export.json is invalid.</exception>
     public static DatasetValidation Validate(string folder, CancellationToken cancellation = default)
     {
-        (DatasetFormat format, ExportOptions options, IReadOnlyDictionary<string, int> framesOfSplits) = ReadManifest(
-            Path.Combine(folder, DatasetFolder.Manifest));
-        var dataset = new DatasetContent(folder, options);
-        var problems = new List<SessionProblem>();
-        foreach (SessionProblem problem in ImageProblems(folder).Concat(format.Check(dataset)))
+        DatasetHeader header = DatasetHeader.Read(folder);
+        var dataset = new DatasetContent(folder, header.Options);
+        var problems = new ProblemList();
+        foreach (SessionProblem problem in ImageProblems(folder).Concat(header.Format.Check(dataset)))
         {
             cancellation.ThrowIfCancellationRequested();
             problems.Add(problem);
+            if (problems.IsFull)
+            {
+                break;
+            }
         }
 
-        foreach ((string split, int counted) in framesOfSplits)
+        foreach ((string split, int counted) in header.FramesOfSplits)
         {
             int found = dataset.FramesOfSplits.GetValueOrDefault(split);
             if (found != counted)
             {
                 problems.Add(new SessionProblem(
-                    DatasetFolder.Manifest, null, $"it counts {counted} frames in {split}, but there are {found}."));
+                    DatasetFolder.Header, null, $"it counts {Counted.Of(counted, "frame")} in {split}, but the dataset has {found}."));
             }
         }
 
-        return new DatasetValidation(format.Name, dataset.FramesOfSplits.Values.Sum(), problems);
+        var manifest = new DatasetManifestCheck(folder, header.Files);
+        manifest.AddProblems(problems, cancellation);
+        return new DatasetValidation(header.Format.Name, dataset.FramesOfSplits.Values.Sum(), problems)
+        {
+            HasManifest = manifest.IsThere,
+            OtherFiles = manifest.OtherFiles,
+        };
     }
 
     private static IEnumerable<SessionProblem> ImageProblems(string folder)
@@ -73,22 +80,6 @@ public static class DatasetValidator
         catch (DatasetFormatException e)
         {
             return e.Message;
-        }
-    }
-
-    private static (DatasetFormat Format, ExportOptions Options, IReadOnlyDictionary<string, int> FramesOfSplits) ReadManifest(string path)
-    {
-        try
-        {
-            using JsonDocument manifest = JsonInput.Read(path);
-            (DatasetFormat format, ExportOptions options) = ExportPlan.Parse(DatasetAssembly.PlanIn(manifest));
-            JsonFields frames = new JsonFields(manifest.RootElement).Fields("framesOfSplits");
-            return (format, options,
-                options.Splits.Splits.ToDictionary(split => split.Name, split => frames.Integer(split.Name), StringComparer.Ordinal));
-        }
-        catch (Exception e) when (e is JsonException or DatasetFormatException)
-        {
-            throw new DatasetFormatException($"{DatasetFolder.Manifest} is malformed: {e.Message}", e);
         }
     }
 }

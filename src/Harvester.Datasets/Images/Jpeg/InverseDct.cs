@@ -3,8 +3,8 @@ using System;
 namespace Harvester.Datasets.Images.Jpeg;
 
 /// <summary>
-/// The inverse discrete cosine transform of a block after Loeffler, Ligtenberg and Moschytz (1989), with 13 bits of fraction, as libjpeg's
-/// "islow": the same samples as libjpeg gives.
+/// The inverse discrete cosine transform of a block after Loeffler, Ligtenberg and Moschytz (1989), with 13 fractional bits, as in
+/// libjpeg's "islow"; the samples equal libjpeg's.
 /// </summary>
 internal static class InverseDct
 {
@@ -12,7 +12,7 @@ internal static class InverseDct
     private const int FractionBits = 13;
     private const int KeptBits = 2;
 
-    /// <summary>The transform's scale of 8.</summary>
+    /// <summary>The factor of 8 in the transform.</summary>
     private const int ScaleBits = 3;
 
     // Round(c * 2^13); the names are libjpeg's.
@@ -30,10 +30,10 @@ internal static class InverseDct
     private const int Fix3072711026 = 25172;
 
     /// <summary>Transforms a block.</summary>
-    /// <param name="block">Its 64 coefficients, rows from the top; used up.</param>
-    /// <param name="samples">Where its samples go.</param>
-    /// <param name="start">Place of the first of them.</param>
-    /// <param name="stride">From one row to the next.</param>
+    /// <param name="block">Its 64 coefficients, by rows; overwritten.</param>
+    /// <param name="samples">Receives the samples.</param>
+    /// <param name="start">Index of the first sample.</param>
+    /// <param name="stride">Distance of rows in the samples.</param>
     public static void Transform(Span<int> block, byte[] samples, int start, int stride)
     {
         for (int column = 0; column < Side; column++)
@@ -75,7 +75,7 @@ internal static class InverseDct
         Place(values, step, 3, sum - evenHigh, (a * Fix0298631336) - ad + ac, bits);
     }
 
-    /// <summary>A value and the one that mirrors it, rounded.</summary>
+    /// <summary>A value and its mirror image, rounded.</summary>
     private static void Place(Span<int> values, int step, int index, int even, int odd, int bits)
     {
         int half = 1 << (bits - 1);

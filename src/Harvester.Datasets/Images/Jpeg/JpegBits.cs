@@ -3,9 +3,7 @@ using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Images.Jpeg;
 
-/// <summary>
-/// The bits of a scan, the highest of each byte first, without the bytes of zeros that follow bytes of ones: T.81, annex F.2.2.5.
-/// </summary>
+/// <summary>The bits of a scan, most significant first, without the zero byte stuffed after each 0xFF: T.81, annex F.2.2.5.</summary>
 internal sealed class JpegBits
 {
     private const byte Ones = 0xFF;
@@ -14,7 +12,7 @@ internal sealed class JpegBits
     private uint _bits;
     private int _count;
 
-    /// <summary>Bits of 0 that stand in for those beyond the end.</summary>
+    /// <summary>Number of zero bits that replace bits beyond the end.</summary>
     private int _invented;
 
     public JpegBits(ReadOnlyMemory<byte> scan)
@@ -25,18 +23,18 @@ internal sealed class JpegBits
     /// <summary>Whether bits beyond the end were read.</summary>
     public bool IsOverrun => _invented > _count;
 
-    /// <summary>The next bits as a number; beyond the end they are 0.</summary>
-    /// <param name="count">How many, 16 at most.</param>
+    /// <summary>The next bits as a number, without consuming them; beyond the end they are 0.</summary>
+    /// <param name="count">Number of bits, at most 16.</param>
     public int Peek(int count)
     {
         Fill(count);
         return (int)((_bits >> (_count - count)) & ((1u << count) - 1));
     }
 
-    /// <summary>Passes over bits that were looked at.</summary>
+    /// <summary>Consumes bits.</summary>
     public void Skip(int count) => _count -= count;
 
-    /// <summary>A value of so many bits after the sign rule of T.81, figure F.12: those that begin with 0 are negative.</summary>
+    /// <summary>Reads a value of a number of bits by the sign rule of T.81, figure F.12: values that begin with 0 are negative.</summary>
     public int ReadValue(int count)
     {
         if (count == 0)
@@ -49,8 +47,8 @@ internal sealed class JpegBits
         return value >> (count - 1) == 0 ? value - (1 << count) + 1 : value;
     }
 
-    /// <summary>Goes on after the restart marker that must come next.</summary>
-    /// <exception cref="DatasetFormatException">There is none.</exception>
+    /// <summary>Skips the restart marker that must come next.</summary>
+    /// <exception cref="DatasetFormatException">There is no restart marker.</exception>
     public void PassRestart()
     {
         ReadOnlySpan<byte> scan = _scan.Span;

@@ -9,15 +9,15 @@ internal sealed class JpegCode
     private const int MaxCodeLength = 16;
     private readonly byte[] _symbols;
 
-    /// <summary>Of each length: what a code, filled up with ones to the longest, is at most; -1 where no code has it.</summary>
+    /// <summary>For each length, the largest code, padded with ones to the maximum length; -1 if there is none.</summary>
     private readonly int[] _greatest = new int[MaxCodeLength + 1];
 
-    /// <summary>Of each length: the place of its first symbol less its first code.</summary>
+    /// <summary>For each length, the index of its first symbol minus its first code.</summary>
     private readonly int[] _offsets = new int[MaxCodeLength + 1];
 
-    /// <summary>Makes a table.</summary>
-    /// <param name="counts">How many codes have 1 to 16 bits.</param>
-    /// <param name="symbols">The symbols by rising code.</param>
+    /// <summary>Creates a table.</summary>
+    /// <param name="counts">Number of codes with 1 to 16 bits.</param>
+    /// <param name="symbols">The symbols by ascending code.</param>
     public JpegCode(ReadOnlySpan<byte> counts, ReadOnlySpan<byte> symbols)
     {
         _symbols = symbols.ToArray();
@@ -34,7 +34,7 @@ internal sealed class JpegCode
     }
 
     /// <summary>Reads a symbol.</summary>
-    /// <exception cref="DatasetFormatException">The bits are no code of the table.</exception>
+    /// <exception cref="DatasetFormatException">The bits are not a code of the table.</exception>
     public int Read(JpegBits bits)
     {
         int ahead = bits.Peek(MaxCodeLength);

@@ -1,14 +1,14 @@
 namespace Harvester.Datasets.Images.Jpeg;
 
-/// <summary>One of a picture's components, brightness or a colour difference.</summary>
+/// <summary>A component of an image: luminance or a colour difference.</summary>
 internal sealed class JpegComponent
 {
-    /// <summary>Samples of a block's side.</summary>
+    /// <summary>Width and height of a block, samples.</summary>
     public const int BlockSide = 8;
 
-    /// <summary>Makes a component whose samples are not decoded yet.</summary>
-    /// <param name="factors">Its blocks in a unit of the scan, across and down.</param>
-    /// <param name="units">Units of the picture, across and down.</param>
+    /// <summary>Creates a component whose samples are not decoded yet.</summary>
+    /// <param name="factors">Its blocks per MCU (minimum coded unit), horizontally and vertically.</param>
+    /// <param name="units">MCUs of the image, horizontally and vertically.</param>
     public JpegComponent((int Across, int Down) factors, (int Across, int Down) units)
     {
         (Across, Down) = factors;
@@ -16,24 +16,24 @@ internal sealed class JpegComponent
         Samples = new byte[Stride * units.Down * Down * BlockSide];
     }
 
-    /// <summary>Its blocks in a unit of the scan from left to right.</summary>
+    /// <summary>Horizontal number of blocks per MCU.</summary>
     public int Across { get; }
 
-    /// <summary>The same from top to bottom.</summary>
+    /// <summary>Vertical number of blocks per MCU.</summary>
     public int Down { get; }
 
-    /// <summary>Samples of a row.</summary>
+    /// <summary>Samples per row.</summary>
     public int Stride { get; }
 
-    /// <summary>The samples, row by row from the top.</summary>
+    /// <summary>The samples, by rows from the top.</summary>
     public byte[] Samples { get; }
 
-    /// <summary>The divisors of its coefficients, in the file's order.</summary>
+    /// <summary>The quantisation table, in zigzag order.</summary>
     public required int[] Quantisation { get; init; }
 
-    /// <summary>The codes of its first coefficients.</summary>
+    /// <summary>The Huffman table of DC coefficients.</summary>
     public required JpegCode Dc { get; init; }
 
-    /// <summary>The codes of its other coefficients.</summary>
+    /// <summary>The Huffman table of AC coefficients.</summary>
     public required JpegCode Ac { get; init; }
 }

@@ -7,16 +7,17 @@ using Harvester.Sessions.Imaging;
 namespace Harvester.Datasets.Images.Jpeg;
 
 /// <summary>
-/// Reads baseline JPEG pictures (ITU-T T.81, 8 bits, Huffman codes) in grey or YCbCr. Pictures without chroma subsampling, as sessions have
-/// them, have the pixels that libjpeg gives; with subsampling each colour stands for its whole area, without interpolation.
+/// Reads baseline JPEG images (ITU-T T.81, 8 bits, Huffman codes), greyscale or YCbCr. Images without chroma subsampling, as in sessions,
+/// have the same pixels as with libjpeg; subsampled chroma is replicated without interpolation.
 /// </summary>
 public static class JpegDecoder
 {
     private const int Colours = 3;
 
-    /// <summary>Reads a picture.</summary>
-    /// <exception cref="DatasetFormatException">It is not such a picture, or damaged; the message speaks of the file as "it".</exception>
-    /// <exception cref="IOException">It cannot be read.</exception>
+    /// <summary>Reads an image.</summary>
+    /// <exception cref="DatasetFormatException">The file is not such an image, or is damaged; the message refers to the file as
+    /// "it".</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
     public static PixelBuffer ReadRgb(string path)
     {
         byte[] file = InputFile.ReadAllBytes(path, InputFile.MaxPictureBytes);
@@ -46,18 +47,19 @@ public static class JpegDecoder
             JpegSegment.ProgressiveFrame => "a progressive JPEG",
             _ => "a lossless or arithmetic-coded JPEG",
         };
-        kind ??= frame.BitsPerSample != 8 ? $"a JPEG of {frame.BitsPerSample} bits a sample"
+        kind ??= frame.BitsPerSample != 8 ? $"a JPEG of {frame.BitsPerSample} bits per sample"
             : frame.Components is not (1 or Colours) ? $"a JPEG of {frame.Components} components"
             : frame.Components == Colours && header.Exists(IsOfOtherColours) ? "a JPEG that is not in YCbCr"
             : header[^1].Content is [var scanned, ..] && scanned != frame.Components ? "a JPEG of several scans"
             : null;
         if (kind is not null)
         {
-            throw new DatasetFormatException($"it is {kind}. Only baseline JPEG pictures of 8 bits in one scan, grey or in YCbCr, can be read; convert it.");
+            throw new DatasetFormatException(
+                $"it is {kind}. Only baseline JPEG pictures of 8 bits in one scan, grey or in YCbCr, can be read; convert it.");
         }
     }
 
-    /// <summary>Whether a segment is Adobe's and names another colour transform than that to YCbCr.</summary>
+    /// <summary>Whether a segment is Adobe's and specifies another colour transform than YCbCr.</summary>
     private static bool IsOfOtherColours(JpegSegment segment)
     {
         const int transformAt = 11;
@@ -81,7 +83,7 @@ public static class JpegDecoder
                 int cb = isGrey ? 0 : frame.Sample(1, x, y) - neutral;
                 int cr = isGrey ? 0 : frame.Sample(2, x, y) - neutral;
 
-                // JFIF 1.02: 1.402 in red, 0.34414 and 0.71414 in green, 1.772 in blue, as libjpeg rounds them.
+                // JFIF 1.02: 1.402 in red, 0.34414 and 0.71414 in green, 1.772 in blue, rounded as in libjpeg.
                 picture.Bytes[at] = Clamped(brightness + (((91_881 * cr) + half) >> fractionBits));
                 picture.Bytes[at + 1] = Clamped(brightness + (((-22_554 * cb) - (46_802 * cr) + half) >> fractionBits));
                 picture.Bytes[at + 2] = Clamped(brightness + (((116_130 * cb) + half) >> fractionBits));

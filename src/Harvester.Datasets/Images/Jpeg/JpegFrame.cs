@@ -6,7 +6,7 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Images.Jpeg;
 
-/// <summary>A picture's size and components, with their samples once they are decoded: T.81, annexes B.2.2 and B.2.3.</summary>
+/// <summary>Size and components of an image, with their samples after decoding: T.81, annexes B.2.2 and B.2.3.</summary>
 internal sealed class JpegFrame
 {
     private const int ComponentsAt = 6;
@@ -22,17 +22,17 @@ internal sealed class JpegFrame
     /// <summary>Width and height, pixels.</summary>
     public ImageSize Size { get; }
 
-    /// <summary>Blocks of the finest component in a unit of the scan.</summary>
+    /// <summary>Blocks per MCU (minimum coded unit) of the component with the highest resolution, horizontally and vertically.</summary>
     public (int Across, int Down) Unit { get; }
 
-    /// <summary>Units of the picture.</summary>
+    /// <summary>MCUs of the image, horizontally and vertically.</summary>
     public (int Across, int Down) Units { get; }
 
     /// <summary>One component, or Y, Cb and Cr.</summary>
     public IReadOnlyList<JpegComponent> Components { get; private init; } = [];
 
-    /// <summary>Reads the segments of frame and scan.</summary>
-    /// <exception cref="InvalidDataException">They contradict one another or the tables.</exception>
+    /// <summary>Reads the frame and scan segments.</summary>
+    /// <exception cref="InvalidDataException">The segments contradict each other or the tables.</exception>
     public static JpegFrame Read(JpegSegment frame, JpegSegment scan, JpegTables tables)
     {
         (int Across, int Down)[] sampling = [.. Enumerable.Range(0, frame.Components).Select(i => SamplingOf(frame, i))];
@@ -43,7 +43,7 @@ internal sealed class JpegFrame
         };
     }
 
-    /// <summary>What a component has at a pixel of the picture.</summary>
+    /// <summary>The sample of a component at a pixel of the image.</summary>
     public int Sample(int component, int x, int y)
     {
         JpegComponent samples = Components[component];
@@ -52,15 +52,15 @@ internal sealed class JpegFrame
 
     private static (int Across, int Down) SamplingOf(JpegSegment frame, int component)
     {
-        const int greatest = 4;
+        const int maxFactor = 4;
         byte factors = frame.Content[ComponentsAt + (ComponentLength * component) + 1];
         (int across, int down) = (factors >> 4, factors & 0xF);
-        if (across is < 1 or > greatest || down is < 1 or > greatest)
+        if (across is < 1 or > maxFactor || down is < 1 or > maxFactor)
         {
             throw new InvalidDataException("Sampling factors are 1 to 4.");
         }
 
-        // The only component of a picture has one block in a unit whatever its factors say.
+        // If an image has a single component, its MCU is one block, whatever the sampling factors.
         return frame.Components == 1 ? (1, 1) : (across, down);
     }
 

@@ -4,14 +4,14 @@ using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Images.Jpeg;
 
-/// <summary>Decodes the scan of a baseline picture into the samples of its components: T.81, annex F.2.</summary>
+/// <summary>Decodes the scan of a baseline image into the samples of its components: T.81, annex F.2.</summary>
 internal sealed class JpegScan
 {
     private const int Side = JpegComponent.BlockSide;
     private const int SixteenZeros = 0xF0;
     private const int MaxBitsOfValue = 15;
 
-    /// <summary>Where the coefficient of each place in the file's order lies in the block, rows from the top: T.81, figure A.6.</summary>
+    /// <summary>Position in the block, by rows, of each coefficient in zigzag order: T.81, figure A.6.</summary>
     private static readonly int[] Places = AlongDiagonals();
 
     private readonly JpegFrame _frame;
@@ -20,9 +20,9 @@ internal sealed class JpegScan
     private readonly int[] _previousDc;
     private readonly int[] _block = new int[Side * Side];
 
-    /// <summary>Makes a decoder.</summary>
-    /// <param name="frame">The picture.</param>
-    /// <param name="restartInterval">Units between two restart markers; 0 for none.</param>
+    /// <summary>Creates a decoder.</summary>
+    /// <param name="frame">The image.</param>
+    /// <param name="restartInterval">Number of MCUs between restart markers; 0 for none.</param>
     /// <param name="bytes">The bytes of the scan.</param>
     public JpegScan(JpegFrame frame, int restartInterval, ReadOnlyMemory<byte> bytes)
     {
@@ -32,8 +32,8 @@ internal sealed class JpegScan
         _previousDc = new int[frame.Components.Count];
     }
 
-    /// <summary>Decodes all of it.</summary>
-    /// <exception cref="DatasetFormatException">It is damaged; the message speaks of the file as "it".</exception>
+    /// <summary>Decodes the scan.</summary>
+    /// <exception cref="DatasetFormatException">The scan is damaged; the message refers to the file as "it".</exception>
     public void Decode()
     {
         int count = _frame.Units.Across * _frame.Units.Down;
@@ -57,7 +57,7 @@ internal sealed class JpegScan
         }
     }
 
-    /// <summary>Diagonal by diagonal, every second one upwards.</summary>
+    /// <summary>Diagonals in turn, every second one upwards.</summary>
     private static int[] AlongDiagonals() =>
     [
         .. from place in Enumerable.Range(0, Side * Side)

@@ -7,7 +7,7 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Images.Jpeg;
 
-/// <summary>A marker of a JPEG file with what belongs to it: ITU-T T.81, annex B.</summary>
+/// <summary>A marker segment of a JPEG file: ITU-T T.81, annex B.</summary>
 /// <param name="Marker">The marker's second byte.</param>
 /// <param name="Content">The bytes after the length.</param>
 internal sealed record JpegSegment(byte Marker, byte[] Content)
@@ -31,21 +31,21 @@ internal sealed record JpegSegment(byte Marker, byte[] Content)
     private const byte DefineArithmetic = 0xCC;
     private const int MinFrameLength = 6;
 
-    /// <summary>Whether it describes the picture: size and components.</summary>
+    /// <summary>Whether the segment is a frame header: size and components.</summary>
     public bool IsFrame => Marker is >= BaselineFrame and <= LastFrame and not (DefineHuffman or ReservedForExtensions or DefineArithmetic);
 
-    /// <summary>Width and height that a frame's segment gives, pixels.</summary>
+    /// <summary>Width and height in a frame header, pixels.</summary>
     public ImageSize Size =>
         DeclaredSize.Of(BinaryPrimitives.ReadUInt16BigEndian(Content.AsSpan(3)), BinaryPrimitives.ReadUInt16BigEndian(Content.AsSpan(1)));
 
-    /// <summary>Bits of each sample, from a frame's segment.</summary>
+    /// <summary>Bits per sample in a frame header.</summary>
     public int BitsPerSample => Content[0];
 
-    /// <summary>How many components a frame's segment describes.</summary>
+    /// <summary>Number of components in a frame header.</summary>
     public int Components => Content[5];
 
-    /// <summary>The segments from the start of a file to the scan, which is the last.</summary>
-    /// <exception cref="DatasetFormatException">They are damaged or cut off; the message speaks of the file as "it".</exception>
+    /// <summary>The segments from the start of a file to the scan header, which is the last.</summary>
+    /// <exception cref="DatasetFormatException">The segments are damaged or truncated; the message refers to the file as "it".</exception>
     public static IEnumerable<JpegSegment> ReadHeader(Stream file)
     {
         if (file.ReadByte() != FillByte || file.ReadByte() != StartOfImage)

@@ -3,26 +3,26 @@ using System.Buffers.Binary;
 
 namespace Harvester.Datasets.Images.Jpeg;
 
-/// <summary>The tables that a file's header defines: divisors and codes. T.81, annexes B.2.4.1, B.2.4.2 and B.2.4.4.</summary>
+/// <summary>The quantisation and Huffman tables in a file's header: T.81, annexes B.2.4.1, B.2.4.2 and B.2.4.4.</summary>
 internal sealed class JpegTables
 {
     private const int Places = 4;
     private const int Coefficients = 64;
     private const int CodeLengths = 16;
 
-    /// <summary>The divisors of each table, in the file's order of coefficients; null where it is not defined.</summary>
+    /// <summary>The quantisation tables, in zigzag order; null where undefined.</summary>
     public int[]?[] Quantisation { get; } = new int[]?[Places];
 
-    /// <summary>The codes of first coefficients.</summary>
+    /// <summary>The Huffman tables of DC coefficients.</summary>
     public JpegCode?[] Dc { get; } = new JpegCode?[Places];
 
-    /// <summary>The codes of other coefficients.</summary>
+    /// <summary>The Huffman tables of AC coefficients.</summary>
     public JpegCode?[] Ac { get; } = new JpegCode?[Places];
 
-    /// <summary>Units between two restart markers; 0 for none.</summary>
+    /// <summary>Number of MCUs between restart markers; 0 for none.</summary>
     public int RestartInterval { get; private set; }
 
-    /// <summary>Takes in what a segment defines; a segment of another kind defines nothing.</summary>
+    /// <summary>Adds the definitions of a segment; segments of other kinds define nothing.</summary>
     public void Apply(JpegSegment segment)
     {
         switch (segment.Marker)

@@ -5,13 +5,14 @@ using Harvester.Geometry;
 namespace Harvester.Datasets.Masks.Pixels;
 
 /// <summary>
-/// Makes one closed polygon of several, for formats that have one for each object: pieces and holes are joined by the shortest ways between
-/// their corners, gone there and back, which have no area. Filled by the even-odd rule, the polygon covers what the outlines together do.
+/// Joins several polygons into one, for formats with one polygon per object: regions and holes are connected by the shortest segments
+/// between their corners, traversed in both directions, which enclose no area. By the even-odd rule, the polygon covers the same pixels as
+/// the outlines.
 /// </summary>
 internal static class JoinedOutline
 {
     /// <summary>Joins outlines.</summary>
-    /// <param name="outlines">At least one; the polygon begins with the first.</param>
+    /// <param name="outlines">At least one outline; the polygon begins with the first.</param>
     public static IReadOnlyList<Vector2D> Of(IReadOnlyList<IReadOnlyList<Vector2D>> outlines)
     {
         List<Vector2D> joined = [.. outlines[0]];
@@ -33,7 +34,7 @@ internal static class JoinedOutline
         return joined;
     }
 
-    /// <summary>An outline that is not joined yet, and the shortest way to it.</summary>
+    /// <summary>An outline that is not joined yet, and the shortest segment to it.</summary>
     private sealed class Loose
     {
         public Loose(IReadOnlyList<Vector2D> outline, IReadOnlyList<Vector2D> joined)
@@ -44,16 +45,16 @@ internal static class JoinedOutline
 
         public IReadOnlyList<Vector2D> Outline { get; }
 
-        /// <summary>Square of the length of the way, pixels.</summary>
+        /// <summary>Square of the segment's length, pixels.</summary>
         public double Distance { get; private set; } = double.PositiveInfinity;
 
-        /// <summary>Where the way leaves the joined polygon.</summary>
+        /// <summary>Start of the segment on the joined polygon.</summary>
         public Vector2D Anchor { get; private set; }
 
-        /// <summary>Number of the corner at which it arrives.</summary>
+        /// <summary>Index of the corner at its end.</summary>
         public int Corner { get; private set; }
 
-        /// <summary>Looks whether it is nearer to further corners of the joined polygon.</summary>
+        /// <summary>Updates the segment for new corners of the joined polygon.</summary>
         public void Approach(IReadOnlyList<Vector2D> corners)
         {
             foreach (Vector2D anchor in corners)

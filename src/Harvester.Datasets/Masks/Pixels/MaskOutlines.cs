@@ -5,20 +5,19 @@ using Harvester.Geometry.PixelMaps;
 namespace Harvester.Datasets.Masks.Pixels;
 
 /// <summary>
-/// The outlines of a mask as polygons along the edges of its pixels, in continuous pixels. Pixels that touch only at a corner are apart.
+/// The outlines of a mask as polygons along pixel borders, in continuous pixel coordinates. Pixels that touch only at a corner are not
+/// connected.
 /// </summary>
 internal static class MaskOutlines
 {
-    // Clockwise on the screen with the object on the right hand: right along its upper side, down its right side, and so on.
+    // Clockwise on the screen with the object on the right: right along its upper side, down its right side, and so on.
     private static readonly (int X, int Y)[] Steps = [(1, 0), (0, 1), (-1, 0), (0, -1)];
 
-    /// <summary>Follows the outlines of one object.</summary>
+    /// <summary>Traces the outlines of one object.</summary>
     /// <param name="map">The map.</param>
-    /// <param name="number">The object's number; 1 or more.</param>
-    /// <returns>
-    /// Closed polygons without a repeated last corner: those around the object clockwise on the screen, those around its
-    /// holes counter-clockwise. The areas, holes negative, add up to the number of pixels. Empty when there are none.
-    /// </returns>
+    /// <param name="number">Value of the object; 1 or more.</param>
+    /// <returns>Closed polygons without a repeated last corner: outer outlines clockwise on the screen, outlines of holes
+    /// counter-clockwise. The areas, negative for holes, add up to the number of pixels. Empty if there are none.</returns>
     public static IReadOnlyList<IReadOnlyList<Vector2D>> Of(InstanceMap map, ushort number)
     {
         var outlines = new List<IReadOnlyList<Vector2D>>();
@@ -27,7 +26,7 @@ internal static class MaskOutlines
         {
             for (int column = 0; column < map.Image.Width; column++)
             {
-                // Every outline has an upper side somewhere, around a hole the upper side of the pixel below it.
+                // Every outline has an upper side; for a hole, it is the upper side of the pixel below.
                 if (Shows(map, number, column, row) && !Shows(map, number, column, row - 1) && !followed.Contains((column, row, 0)))
                 {
                     outlines.Add(Follow(map, number, column, row, followed));
@@ -68,7 +67,7 @@ internal static class MaskOutlines
         return corners;
     }
 
-    // Where the side of a pixel ends when walked clockwise.
+    // The end of a pixel's side when traversed clockwise.
     private static Vector2D EndOf(int column, int row, int side) =>
         new(column + (side is 0 or 1 ? 1 : 0), row + (side is 1 or 2 ? 1 : 0));
 

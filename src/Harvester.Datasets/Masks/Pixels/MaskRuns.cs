@@ -5,43 +5,55 @@ using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Masks.Pixels;
 
-/// <summary>
-/// Run lengths of a mask in COCO's layout: down the first column, then the next; the first count is of pixels outside, and may be 0.
-/// </summary>
+/// <summary>Run lengths of a mask in COCO's layout: by columns, beginning with the pixels outside, whose count may be 0.</summary>
 internal static class MaskRuns
 {
-    /// <summary>Counts the runs of one object's pixels.</summary>
-    /// <param name="map">The map.</param>
-    /// <param name="number">The object's number; 1 or more.</param>
-    /// <returns>Lengths of runs outside and inside in turn; their sum is the number of pixels of the image.</returns>
-    public static IReadOnlyList<int> Encode(InstanceMap map, ushort number)
+    /// <summary>Encodes the pixels of one object, without reading a pixel outside the box around them.</summary>
+    /// <returns>Lengths of alternating runs outside and inside; they add up to the number of pixels of the image.</returns>
+    public static IReadOnlyList<int> Encode(InstancePixels pixels)
     {
+        ushort[] ids = pixels.Map.Ids;
+        int width = pixels.Map.Image.Width;
+        int height = pixels.Map.Image.Height;
         var counts = new List<int>();
         bool inside = false;
-        int run = 0;
-        for (int column = 0; column < map.Image.Width; column++)
+        int start = 0;
+        for (int column = pixels.Left; column < pixels.Right; column++)
         {
-            for (int row = 0; row < map.Image.Height; row++)
+            for (int row = pixels.Top, at = (row * width) + column; row < pixels.Bottom; row++, at += width)
             {
-                if ((map[column, row] == number) != inside)
+                if ((ids[at] == pixels.Id) != inside)
                 {
-                    counts.Add(run);
-                    run = 0;
-                    inside = !inside;
+                    Turn((column * height) + row);
                 }
+            }
 
-                run++;
+            if (inside && pixels.Bottom < height)
+            {
+                Turn((column * height) + pixels.Bottom);
+            }
+
+            if (inside && column + 1 < width && (pixels.Top > 0 || column + 1 == pixels.Right))
+            {
+                Turn((column + 1) * height);
             }
         }
 
-        counts.Add(run);
+        counts.Add((width * height) - start);
         return counts;
+
+        void Turn(int place)
+        {
+            counts.Add(place - start);
+            start = place;
+            inside = !inside;
+        }
     }
 
-    /// <summary>The pixel map of run lengths.</summary>
-    /// <param name="counts">As <see cref="Encode"/> gives them.</param>
-    /// <param name="image">The image's size.</param>
-    /// <exception cref="ArgumentException">A count is negative, or they do not add up to the image's pixels.</exception>
+    /// <summary>Decodes run lengths to a map.</summary>
+    /// <param name="counts">The run lengths, as <see cref="Encode"/> returns them.</param>
+    /// <param name="image">Size of the image.</param>
+    /// <exception cref="ArgumentException">A count is negative, or they do not add up to the number of pixels.</exception>
     public static PixelMap Decode(IReadOnlyList<int> counts, ImageSize image)
     {
         var map = new PixelMap(image);

@@ -11,12 +11,12 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Datasets.Masks.Pixels;
 
 /// <summary>
-/// The pixels of faces and heads, which masks give to the objects that they are parts of: a pixel of the whole that lies within the
-/// silhouette of a part's cuboid is the part's, the nearest one's where several overlap.
+/// Gives faces and heads their own pixels, which masks assign to their whole objects: a pixel of the whole object inside the silhouette of
+/// a part's cuboid belongs to the part; of overlapping parts, to the nearest.
 /// </summary>
 internal static class PartPixels
 {
-    /// <summary>A mask in which parts have pixels of their own.</summary>
+    /// <summary>The mask with separate pixels for parts.</summary>
     /// <param name="mask">The mask of the session.</param>
     /// <param name="frame">The label of its frame.</param>
     public static InstanceMap Divide(InstanceMap mask, FrameLabel frame)

@@ -1,6 +1,8 @@
 "use strict";
 
 const data = JSON.parse(document.getElementById("data").textContent);
+for (const frame of data.frames) frame.objects = frame.objects.map(seen => ({ amodal: seen.box, ...data.objects[seen.id], ...seen }));
+const corners = [[0, 1], [0, 2], [0, 4], [1, 3], [1, 5], [2, 3], [2, 6], [3, 7], [4, 5], [4, 6], [5, 7], [6, 7]]; // at the ends of each edge
 const byId = id => document.getElementById(id);
 const svgNamespace = "http://www.w3.org/2000/svg";
 const framesPerSecond = 8;
@@ -80,7 +82,8 @@ function drawObject(object) {
     shape("rect", { x: box[0], y: box[1], width: box[2] - box[0], height: box[3] - box[1], stroke: colour(object), "stroke-opacity": 1 - hiddenFading * (object.occluded ?? 0), ...attributes });
   if (state.shown.has("amodal")) drawn.push(rectangle(object.amodal, { class: "amodal" }));
   if (state.shown.has("edges")) {
-    const path = object.edges.map(edge => `M${edge[0]} ${edge[1]}L${edge[2]} ${edge[3]}`).join("");
+    const edges = object.edges ?? corners.map(ends => ends.flatMap(end => object.corners.slice(2 * end, 2 * end + 2)));
+    const path = edges.map(edge => `M${edge[0]} ${edge[1]}L${edge[2]} ${edge[3]}`).join("");
     drawn.push(shape("path", { d: path, class: "edges", stroke: colour(object) }));
   }
   const chosen = object.id === state.chosen;

@@ -3,7 +3,8 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Datasets.Reports.Colours;
 
 /// <summary>
-/// One colour for each class, the same in every report and picture; told apart on light and dark ground, and by most colour-blind eyes.
+/// One colour for each class, the same in every report and image; distinguishable on light and dark backgrounds, and with most forms of
+/// colour blindness.
 /// </summary>
 public static class ClassColours
 {

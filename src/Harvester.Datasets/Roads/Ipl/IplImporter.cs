@@ -10,9 +10,8 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Datasets.Roads.Ipl;
 
 /// <summary>
-/// Reads paths.ipl: a section "vnod" with 22 values a node and a section "link" with 6 values a link, each closed by "end". The
-/// positions are not truncated. The lanes "out" are taken as those from a link's first node to its second, which no public source
-/// confirms.
+/// Reads paths.ipl: a section "vnod" with 22 values per node and a section "link" with 6 values per link, each closed by "end". The
+/// positions are not truncated. The lanes "out" are assumed to run from a link's first node to its second; no public source confirms this.
 /// </summary>
 internal static class IplImporter
 {
@@ -33,7 +32,7 @@ internal static class IplImporter
             RoadLinkFlags.DontUseForNavigation,
     ];
 
-    /// <summary>Whether one of the first lines opens one of the sections.</summary>
+    /// <summary>Whether one of the first lines opens a section.</summary>
     public static bool Understands(string head)
     {
         foreach (string line in head.Split('\n'))
@@ -101,7 +100,9 @@ internal static class IplImporter
         {
             if (Math.Max(link.From, link.To) >= assembly.NodeCount)
             {
-                throw new DatasetFormatException($"{source.Name}, line {line}: the link runs from node {link.From} to node {link.To}; there are {assembly.NodeCount} nodes.");
+                throw new DatasetFormatException(
+                    $"{source.Name}, line {line}: the link runs from node {link.From} to node {link.To}; there are {assembly.NodeCount} "
+                    + "nodes.");
             }
 
             assembly.Add(link);

@@ -4,7 +4,7 @@ using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Roads.Ipl;
 
-/// <summary>A line of values between commas. Whole numbers may be written with decimals, as the game's exporter does for some.</summary>
+/// <summary>A line of comma-separated values. Integers may be written with decimals, as the game's exporter writes some.</summary>
 internal readonly struct IplRow
 {
     private readonly string _file;
@@ -18,7 +18,7 @@ internal readonly struct IplRow
         _values = text.Split(',', count + 1, StringSplitOptions.TrimEntries);
         if (_values.Length != count)
         {
-            throw Wrong($"{count} values between commas were expected.");
+            throw Wrong($"expected {count} values between commas.");
         }
     }
 
@@ -27,14 +27,14 @@ internal readonly struct IplRow
             ? value
             : throw Wrong($"value {column} must be a finite number.");
 
-    public int Whole(int column, int least, int most) => (int)Large(column, least, most);
+    public int Whole(int column, int min, int max) => (int)Large(column, min, max);
 
-    public long Large(int column, long least, long most)
+    public long Large(int column, long min, long max)
     {
         double value = Number(column);
-        return value >= least && value <= most && value == Math.Floor(value)
+        return value >= min && value <= max && value == Math.Floor(value)
             ? (long)value
-            : throw Wrong($"value {column} must be a whole number from {least} to {most}.");
+            : throw Wrong($"value {column} must be a whole number from {min} to {max}.");
     }
 
     private DatasetFormatException Wrong(string what) => new($"{_file}, line {_line}: {what}");

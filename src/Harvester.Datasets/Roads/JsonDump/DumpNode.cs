@@ -3,7 +3,7 @@ using Harvester.Geometry.Roads;
 
 namespace Harvester.Datasets.Roads.JsonDump;
 
-/// <summary>A node of the JSON dump; as a neighbour it has no connections of its own.</summary>
+/// <summary>A node of the JSON dump. Nodes listed as neighbours have no connections.</summary>
 internal sealed class DumpNode
 {
     public required int Id { get; init; }
@@ -35,8 +35,8 @@ internal sealed class DumpNode
     public IReadOnlyList<DumpConnection>? ConnectedNodes { get; init; }
 
     /// <summary>
-    /// The flags by the game's names. The dump calls nodes without traffic back roads (every node on water is one), and it gives
-    /// both a light and a crossing where the node's kind is the stop line of a light, whose number has the bits of both.
+    /// The flags, by the names that the game uses. The dump calls nodes without traffic back roads, as it does all nodes on water. It sets
+    /// both a light and a crossing for a stop line at a light, because the number of that kind has the bits of both.
     /// </summary>
     public RoadNodeFlags Flags() =>
         When(!IsValidForGps, RoadNodeFlags.NoGps)

@@ -1,4 +1,4 @@
 namespace Harvester.Datasets.Roads.JsonDump;
 
-/// <summary>A position of the JSON dump, metres, truncated as the game stores it.</summary>
+/// <summary>A position of the JSON dump, metres, truncated as in the game's files.</summary>
 internal readonly record struct DumpPosition(double X, double Y, double Z);

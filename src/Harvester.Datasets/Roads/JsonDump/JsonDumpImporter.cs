@@ -12,24 +12,24 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Datasets.Roads.JsonDump;
 
 /// <summary>
-/// Reads the public JSON dump of the game's nodes: a list of cells, each with its nodes and their neighbours. A neighbour is given
-/// by its number and position without its cell, so both together name it. The dump has no median, narrow or short-cut bits.
+/// Reads the public JSON dump of the game's nodes: a list of cells, each with its nodes and their neighbours. A neighbour is identified by
+/// its number and position, because its cell is not given. The dump has no medians, narrow roads or shortcuts.
 /// </summary>
 internal static class JsonDumpImporter
 {
     private const string Format = "JSON dump of nodes";
 
-    /// <summary>The dump nests 8 levels deep.</summary>
+    /// <summary>The dump has 8 levels of nesting.</summary>
     private const int MaxNesting = 16;
 
     private const int MaxLanes = 7;
 
-    /// <summary>The largest cell, bytes; those of the game have about 150,000 on average.</summary>
+    /// <summary>Largest size of a cell, bytes; those of the game have about 150,000 on average.</summary>
     private const int MaxAreaBytes = 16 << 20;
 
     private static readonly JsonSerializerOptions Options = new() { MaxDepth = MaxNesting, RespectNullableAnnotations = true };
 
-    /// <summary>Whether the beginning of a file is a list of cells, and not one of the other lists that are made of the game.</summary>
+    /// <summary>Whether the beginning of a file is that of a list of cells, not of another list of the game's data.</summary>
     public static bool Understands(string head) => head.StartsWith('[') && head.Contains("\"AreaId\"", StringComparison.Ordinal);
 
     public static RoadImport Import(RoadSource source)
@@ -64,7 +64,9 @@ internal static class JsonDumpImporter
             }
             else if (areas.Contains(PathGrid.CellOf(Vector(connection.Node.Position))))
             {
-                throw new DatasetFormatException($"{source.Name}: {Name(assembly.Nodes[from])} has a neighbour, node {connection.Node.Id} at {connection.Node.Position}, that is not in the file.");
+                throw new DatasetFormatException(
+                    $"{source.Name}: {Name(assembly.Nodes[from])} has a neighbour, node {connection.Node.Id} at "
+                    + $"{connection.Node.Position}, that is not in the file.");
             }
             else
             {
@@ -96,7 +98,8 @@ internal static class JsonDumpImporter
         {
             if (connection is null || connection.LaneCountForward is < 0 or > MaxLanes || connection.LaneCountBackward is < 0 or > MaxLanes)
             {
-                throw new DatasetFormatException($"{file}: {Name(roadNode)} has a link without a number of lanes from 0 to {MaxLanes} each way.");
+                throw new DatasetFormatException(
+                    $"{file}: {Name(roadNode)} has a link without a number of lanes from 0 to {MaxLanes} each way.");
             }
 
             RoadAssembly.RequireRoom(neighbours.Count / 2);

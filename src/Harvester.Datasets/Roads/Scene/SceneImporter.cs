@@ -10,12 +10,12 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Datasets.Roads.Scene;
 
 /// <summary>
-/// Reads paths.xml, the scene from which the game's paths were made: objects of the classes vehiclenode and vehiclelink; a link
-/// names its two nodes by their guids. The positions are not truncated. What an object does not say has the default of the scene.
+/// Reads paths.xml, the scene from which the game's paths were made, with objects of the classes vehiclenode and vehiclelink. A link refers
+/// to its two nodes by their guids. The positions are not truncated. Missing attributes have the defaults of the scene.
 /// </summary>
 internal static class SceneImporter
 {
-    /// <summary>Of names and values; those of the whole game have about 40 million.</summary>
+    /// <summary>Largest total length of names and values; those of the whole game have about 40 million characters.</summary>
     private const long MaxHeldCharacters = 64 << 20;
 
     private const int DefaultLanes = 1;
@@ -53,7 +53,7 @@ internal static class SceneImporter
                     string guid = element.Attribute("guid")?.Value ?? throw RoadXml.Wrong(source, element, "a vehiclenode has no guid.");
                     if (!indices.TryAdd(guid, assembly.NodeCount))
                     {
-                        throw RoadXml.Wrong(source, element, $"the guid {guid} is there twice.");
+                        throw RoadXml.Wrong(source, element, $"the guid {guid} occurs twice.");
                     }
 
                     assembly.Add(Node(source, element, assembly.NodeCount));
@@ -61,7 +61,8 @@ internal static class SceneImporter
                 case "vehiclelink":
                     held += CharactersOf(element);
                     links.Add(held <= MaxHeldCharacters ? new SceneObject(source, element)
-                        : throw RoadXml.Wrong(source, element, FormattableString.Invariant($"the links up to here have more than {MaxHeldCharacters} characters; those of no road network have.")));
+                        : throw RoadXml.Wrong(source, element, FormattableString.Invariant(
+                            $"the links up to here have more than {MaxHeldCharacters} characters, the limit.")));
                     break;
             }
         }
@@ -71,7 +72,7 @@ internal static class SceneImporter
             IReadOnlyList<string> ends = link.References;
             if (ends.Count != 2)
             {
-                throw link.Wrong($"a vehiclelink refers to two nodes, not {ends.Count}.");
+                throw link.Wrong($"a vehiclelink must refer to two nodes, not {ends.Count}.");
             }
 
             assembly.Add(Link(link, Index(link, indices, ends[0]), Index(link, indices, ends[1]), lanesIn));
@@ -79,7 +80,8 @@ internal static class SceneImporter
 
         return assembly.NodeCount > 0
             ? assembly.Finish("paths.xml")
-            : throw new DatasetFormatException($"{source.Name}: the XML is neither a NodeDictionary nor a scene with objects of the class vehiclenode.");
+            : throw new DatasetFormatException(
+                $"{source.Name}: the XML is neither a NodeDictionary nor a scene with objects of the class vehiclenode.");
     }
 
     private static long CharactersOf(XElement element) =>
@@ -87,7 +89,7 @@ internal static class SceneImporter
             + part.Attributes().Sum(attribute => (long)attribute.Name.LocalName.Length + attribute.Value.Length));
 
     private static int Index(SceneObject link, Dictionary<string, int> indices, string guid) =>
-        indices.TryGetValue(guid, out int index) ? index : throw link.Wrong($"the link refers to {guid}, which is no node of the file.");
+        indices.TryGetValue(guid, out int index) ? index : throw link.Wrong($"the link refers to {guid}, which is not a node of the file.");
 
     private static RoadNode Node(RoadSource source, XElement element, int index)
     {

@@ -7,7 +7,7 @@ using Harvester.Datasets.Roads.Sources;
 
 namespace Harvester.Datasets.Roads.Scene;
 
-/// <summary>An object of a scene: what its list of attributes says, and what it refers to.</summary>
+/// <summary>An object of a scene, with its attributes and references.</summary>
 internal sealed class SceneObject
 {
     private readonly RoadSource _source;
@@ -26,7 +26,7 @@ internal sealed class SceneObject
         }
     }
 
-    /// <summary>The guids of what it refers to.</summary>
+    /// <summary>The guids of the objects that it refers to.</summary>
     public IReadOnlyList<string> References =>
         [.. (_element.Element("references")?.Elements("ref") ?? []).Select(reference => reference.Attribute("guid")?.Value ?? "")];
 
@@ -44,11 +44,11 @@ internal sealed class SceneObject
         : double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double value) && double.IsFinite(value) ? value
         : throw Wrong($"the attribute {name} must be a finite number.");
 
-    public int Whole(string name, int fallback, int least, int most) =>
+    public int Whole(string name, int fallback, int min, int max) =>
         Text(name) is not { } text ? fallback
-        : int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= least && value <= most
+        : int.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value) && value >= min && value <= max
             ? value
-        : throw Wrong($"the attribute {name} must be a whole number from {least} to {most}.");
+        : throw Wrong($"the attribute {name} must be a whole number from {min} to {max}.");
 
     public DatasetFormatException Wrong(string what) => RoadXml.Wrong(_source, _element, what);
 }

@@ -6,12 +6,14 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Datasets.Roads.Sources;
 
 /// <summary>
-/// Puts a network together from what importers find. Sources that store a link at both of its ends give it twice, with the lanes
-/// exchanged; it is held once.
+/// Builds a network from the nodes and links that an importer finds. Sources that store a link at both of its ends give it twice, with the
+/// lanes exchanged; it is added once.
 /// </summary>
 internal sealed class RoadAssembly
 {
-    /// <summary>Far more nodes or links than the game's format can number, so that a hostile file ends early.</summary>
+    /// <summary>
+    /// Limit of nodes and of links, far above what the game's format can number, so that reading a hostile file ends early.
+    /// </summary>
     private const int MaxCount = 1_000_000;
 
     private readonly List<RoadNode> _nodes = [];
@@ -22,7 +24,7 @@ internal sealed class RoadAssembly
     private int _loops;
     private int _leadOutside;
 
-    /// <summary>How many nodes there are; the next one gets this index.</summary>
+    /// <summary>Number of nodes; also the index of the next node.</summary>
     public int NodeCount => _nodes.Count;
 
     /// <summary>The nodes so far.</summary>
@@ -44,7 +46,7 @@ internal sealed class RoadAssembly
         _nodes.Add(node);
     }
 
-    /// <summary>Adds a link as its source has it. A second one between the same nodes is the first one seen from its other end.</summary>
+    /// <summary>Adds a link as in its source. A second link between the same nodes is the first one seen from its other end.</summary>
     public void Add(RoadLink link)
     {
         if (link.From == link.To)
@@ -65,8 +67,8 @@ internal sealed class RoadAssembly
         _links.Add(link);
     }
 
-    /// <summary>Refuses one more link than a network can have.</summary>
-    /// <param name="count">How many there are.</param>
+    /// <summary>Throws if the network already has the largest number of links.</summary>
+    /// <param name="count">Number of links so far.</param>
     public static void RequireRoom(int count)
     {
         if (count >= MaxCount)
@@ -75,10 +77,10 @@ internal sealed class RoadAssembly
         }
     }
 
-    /// <summary>Counts a link that leads to a cell that is not among the files.</summary>
+    /// <summary>Counts a link to a cell that is not among the files.</summary>
     public void LeadsOutside() => _leadOutside++;
 
-    /// <summary>Ends the import.</summary>
+    /// <summary>Completes the import.</summary>
     public RoadImport Finish(string format, params IEnumerable<string> furtherNotes)
     {
         var notes = new List<string>(furtherNotes);

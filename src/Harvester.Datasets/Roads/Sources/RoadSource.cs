@@ -5,13 +5,13 @@ using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Roads.Sources;
 
-/// <summary>One file of road data, plain, packed by gzip, or within a zip archive.</summary>
-/// <param name="name">What messages call it.</param>
-/// <param name="allowance">What all files of the import may have together.</param>
-/// <param name="open">Opens its bytes as they are stored.</param>
+/// <summary>One file of road data: plain, gzip-compressed, or in a zip archive.</summary>
+/// <param name="name">Name in messages.</param>
+/// <param name="allowance">Limit of the total size of all files of the import.</param>
+/// <param name="open">Opens the stored bytes.</param>
 internal sealed class RoadSource(string name, ByteAllowance allowance, Func<Stream> open)
 {
-    /// <summary>The largest file that is read, bytes unpacked; the dump of the whole game has 147 million.</summary>
+    /// <summary>Largest size of a file, bytes unpacked; the dump of the whole game has 147 million.</summary>
     public const long MaxFileBytes = 1L << 30;
 
     private const int HeadLength = 4096;
@@ -20,10 +20,8 @@ internal sealed class RoadSource(string name, ByteAllowance allowance, Func<Stre
 
     public string Name => name;
 
-    /// <summary>
-    /// Opens the unpacked bytes, which end in an error beyond <see cref="MaxFileBytes"/> and where the allowance is used up.
-    /// </summary>
-    /// <param name="limit">Looks at the bytes; null for nobody.</param>
+    /// <summary>Opens the unpacked bytes. Reading throws beyond <see cref="MaxFileBytes"/> and when the allowance is used up.</summary>
+    /// <param name="limit">Checks the bytes; null for no check.</param>
     public Stream Open(IByteLimit? limit = null)
     {
         byte[] magic = new byte[2];
@@ -37,10 +35,10 @@ internal sealed class RoadSource(string name, ByteAllowance allowance, Func<Stre
         return new CountedStream(unpacked, Passed, limit);
     }
 
-    /// <summary>Opens the unpacked bytes as a text whose lines are not too long.</summary>
+    /// <summary>Opens the unpacked bytes as text with limited line length.</summary>
     public TextReader OpenText() => new LimitedTextReader(new StreamReader(Open(), System.Text.Encoding.UTF8), name);
 
-    /// <summary>A file is read more than once, and counts once.</summary>
+    /// <summary>A file is read more than once, but counts only once.</summary>
     private void Passed(long position)
     {
         if (position > MaxFileBytes)

@@ -9,21 +9,21 @@ using Harvester.Datasets.Files;
 namespace Harvester.Datasets.Roads.Sources;
 
 /// <summary>
-/// Reads XML from strangers: no document type, so no entities; no outside references; limited in size. Errors name file and line.
+/// Reads untrusted XML: no document type (and so no entities), no external references, limited size. Errors name file and line.
 /// </summary>
 internal static class RoadXml
 {
-    /// <summary>Far above the size of a cell of the game's, which has about 1.5 million characters at most.</summary>
+    /// <summary>Far above the size of a cell of the game, which has at most about 1.5 million characters.</summary>
     private const long MaxWholeFile = XmlPartLimit.MaxElementBytes;
 
-    /// <summary>The formats nest 6 deep.</summary>
+    /// <summary>The formats have 6 levels of nesting.</summary>
     private const int MaxNesting = 32;
 
     private static readonly XmlReaderSettings Settings = Limited(RoadSource.MaxFileBytes);
 
     private static readonly XmlReaderSettings WholeSettings = Limited(MaxWholeFile);
 
-    /// <summary>The outermost element of a file that is small enough to be held whole.</summary>
+    /// <summary>The root element of a file that is small enough to be held in memory.</summary>
     public static XElement Root(RoadSource source)
     {
         RequireShallow(source, WholeSettings);
@@ -32,7 +32,7 @@ internal static class RoadXml
         return Guarded(source, () => XElement.Load(reader, LoadOptions.SetLineInfo));
     }
 
-    /// <summary>The outermost elements of a name, one after the other, each whole.</summary>
+    /// <summary>The outermost elements of a name, one by one, each held in memory.</summary>
     public static IEnumerable<XElement> Elements(RoadSource source, string name)
     {
         RequireShallow(source, Settings);
@@ -48,18 +48,18 @@ internal static class RoadXml
         }
     }
 
-    /// <summary>An element of the name, which must be there.</summary>
+    /// <summary>A required child element.</summary>
     public static XElement Child(this XElement element, RoadSource source, string name) =>
         element.Element(name) ?? throw Wrong(source, element, $"{element.Name} has no {name}.");
 
-    /// <summary>A whole number in an attribute.</summary>
-    public static int Whole(this XElement element, RoadSource source, string attribute, int least, int most) =>
+    /// <summary>An integer attribute.</summary>
+    public static int Whole(this XElement element, RoadSource source, string attribute, int min, int max) =>
         int.TryParse(element.Attribute(attribute)?.Value, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out int value)
-            && value >= least && value <= most
+            && value >= min && value <= max
             ? value
-            : throw Wrong(source, element, $"{element.Name} must have {attribute}, a whole number from {least} to {most}.");
+            : throw Wrong(source, element, $"{element.Name} must have {attribute}, a whole number from {min} to {max}.");
 
-    /// <summary>A finite number in an attribute.</summary>
+    /// <summary>A finite number attribute.</summary>
     public static double Number(this XElement element, RoadSource source, string attribute) =>
         double.TryParse(element.Attribute(attribute)?.Value, NumberStyles.Float, CultureInfo.InvariantCulture, out double value)
             && double.IsFinite(value)
@@ -87,7 +87,7 @@ internal static class RoadXml
     }
 
     /// <summary>
-    /// The reader itself has no limit of depth, and takes a time quadratic in it to word its error about elements left open.
+    /// Limits the depth of nesting, which the reader itself does not. Its error for unclosed elements takes quadratic time in the depth.
     /// </summary>
     private static void RequireShallow(RoadSource source, XmlReaderSettings settings)
     {
@@ -97,7 +97,8 @@ internal static class RoadXml
         {
             if (reader.Depth > MaxNesting)
             {
-                throw new DatasetFormatException($"{source.Name}, line {((IXmlLineInfo)reader).LineNumber}: elements are nested more than {MaxNesting} levels deep.");
+                throw new DatasetFormatException(
+                    $"{source.Name}, line {((IXmlLineInfo)reader).LineNumber}: elements are nested more than {MaxNesting} levels deep.");
             }
         }
     }
@@ -110,10 +111,10 @@ internal static class RoadXml
         }
         catch (XmlException e)
         {
-            // A forbidden document type is refused without a line.
+            // The error for a document type has no line number.
             string place = e.LineNumber > 0 ? $"line {e.LineNumber}" : "before the outermost element";
             string what = e.Message.Contains("DTD", StringComparison.Ordinal)
-                ? "a document type (DTD) is refused: no file of roads has one." : e.Message;
+                ? "document types (DTDs) are not allowed." : e.Message;
             throw new DatasetFormatException($"{source.Name}, {place}: {what}", e);
         }
     }

@@ -3,22 +3,20 @@ using Harvester.Datasets.Files;
 
 namespace Harvester.Datasets.Roads.Sources;
 
-/// <summary>
-/// Refuses a text or an attribute of an XML file that is too long to be held whole, and an element that is taken whole and is.
-/// </summary>
-/// <param name="name">What messages call the file.</param>
+/// <summary>Rejects texts, attributes and elements of an XML file that are too long to be held in memory.</summary>
+/// <param name="name">Name of the file in messages.</param>
 internal sealed class XmlPartLimit(string name) : IByteLimit
 {
-    /// <summary>The longest element that is held whole, bytes; a cell of the game's has about 1.5 million.</summary>
+    /// <summary>Largest size of an element that is held in memory, bytes; a cell of the game has about 1.5 million.</summary>
     public const int MaxElementBytes = 8 << 20;
 
-    /// <summary>The longest text or attribute, bytes; the longest name has less than a hundred.</summary>
+    /// <summary>Largest size of a text or attribute, bytes; the longest name has less than a hundred.</summary>
     private const int MaxTextBytes = 1 << 20;
 
     private long _text;
     private long _element;
 
-    /// <summary>Whether an element is being taken whole.</summary>
+    /// <summary>Whether an element is being held in memory.</summary>
     public bool IsTaking
     {
         get => field;
@@ -37,13 +35,13 @@ internal sealed class XmlPartLimit(string name) : IByteLimit
         if (_text > MaxTextBytes)
         {
             throw new DatasetFormatException(
-                FormattableString.Invariant($"{name}: a text or an attribute has more than {MaxTextBytes} bytes; none has."));
+                FormattableString.Invariant($"{name}: a text or an attribute has more than {MaxTextBytes} bytes, the limit."));
         }
 
         if (IsTaking && _element > MaxElementBytes)
         {
             throw new DatasetFormatException(
-                FormattableString.Invariant($"{name}: an element has more than {MaxElementBytes} bytes; none has."));
+                FormattableString.Invariant($"{name}: an element has more than {MaxElementBytes} bytes, the limit."));
         }
     }
 }

@@ -10,15 +10,15 @@ using Harvester.Geometry.Roads;
 namespace Harvester.Datasets.Roads.Ynd;
 
 /// <summary>
-/// Reads cells of path nodes as CodeWalker exports them (*.ynd.xml). A link that leads to a cell that is not among the files is
-/// left out and counted; one that leads to a node that its cell does not have is an error.
+/// Reads cells of path nodes as CodeWalker exports them (*.ynd.xml). Links to cells that are not among the files are skipped and counted; a
+/// link to a node that is missing in its cell is an error.
 /// </summary>
 internal static class YndImporter
 {
     private const string RootName = "NodeDictionary";
     private const int MaxId = ushort.MaxValue;
 
-    /// <summary>Whether a file begins as such a cell does.</summary>
+    /// <summary>Whether a file begins like such a cell.</summary>
     public static bool Understands(string head) =>
         head.StartsWith('<') && head.Contains("<" + RootName, StringComparison.Ordinal);
 
@@ -44,7 +44,7 @@ internal static class YndImporter
                 areas.Add(node.Area);
                 if (!indices.TryAdd((node.Area, node.Number), assembly.NodeCount))
                 {
-                    throw RoadXml.Wrong(cell, item, $"node {node.Number} of cell {node.Area} is there twice.");
+                    throw RoadXml.Wrong(cell, item, $"node {node.Number} of cell {node.Area} occurs twice.");
                 }
 
                 links.AddRange((item.Element("Links")?.Elements("Item") ?? []).Select(link => Link(cell, link, assembly.NodeCount)));
@@ -61,7 +61,8 @@ internal static class YndImporter
             }
             else if (areas.Contains(link.ToArea))
             {
-                throw new DatasetFormatException($"{link.Place}: the link leads to node {link.ToNumber} of cell {link.ToArea}, which that cell does not have.");
+                throw new DatasetFormatException(
+                    $"{link.Place}: the link leads to node {link.ToNumber} of cell {link.ToArea}, which that cell does not have.");
             }
             else
             {
@@ -102,6 +103,6 @@ internal static class YndImporter
             bits, $"{cell.Name}, line {line}");
     }
 
-    private static int Value(RoadSource cell, XElement item, string name, int most) =>
-        item.Child(cell, name).Whole(cell, "value", 0, most);
+    private static int Value(RoadSource cell, XElement item, string name, int max) =>
+        item.Child(cell, name).Whole(cell, "value", 0, max);
 }

@@ -7,11 +7,11 @@ using Harvester.Sessions.Imaging;
 namespace Harvester.Play.Screen.Windows;
 
 /// <summary>
-/// Grabs the client area of a process's main window from the Windows desktop, in physical pixels whatever the scaling of text,
-/// on any monitor, and scales it to the size of the buffer. The window is found by its process and need not be in the foreground.
-/// The picture is stretched to the buffer's size as it is: the camera model keeps the aspect, by the window's aspect ratio in
-/// <see cref="CameraIntrinsics.WindowAspect"/>. A picture that does not show the whole window, as it stood from before the copy
-/// until after it, is refused with one of <see cref="GrabRefusals"/>. One thread at a time.
+/// Grabs the client area of a process's main window from the Windows desktop, in physical pixels whatever the display scaling, on any
+/// monitor, and scales it to the size of the buffer. The window is found by its process and need not be in the foreground. The picture is
+/// stretched to the buffer's size: the camera model accounts for this by the window's aspect ratio in <see
+/// cref="CameraIntrinsics.WindowAspect"/>. A picture that does not show the whole window, unchanged from before the copy until after it, is
+/// refused with one of <see cref="GrabRefusals"/>. For one thread at a time.
 /// </summary>
 public sealed class GameWindowScreen : IScreen, IGameWindow, IDisposable
 {
@@ -35,7 +35,7 @@ public sealed class GameWindowScreen : IScreen, IGameWindow, IDisposable
         _processId = processId;
     }
 
-    /// <summary>Grabs the main window of the process that this code runs in, as a mod does.</summary>
+    /// <summary>Grabs the main window of the current process, as a mod does.</summary>
     public static GameWindowScreen OfThisProcess()
     {
         using var process = Process.GetCurrentProcess();
@@ -59,7 +59,7 @@ public sealed class GameWindowScreen : IScreen, IGameWindow, IDisposable
             : "no window";
     }
 
-    /// <summary>Gives the bitmap back that pixels are copied into.</summary>
+    /// <summary>Frees the bitmap into which pixels are copied.</summary>
     public void Dispose() => (_desktop as IDisposable)?.Dispose();
 
     private GrabResult GrabClient(PixelRectangle client, PixelBuffer target)

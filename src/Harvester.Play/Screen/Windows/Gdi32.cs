@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 
 namespace Harvester.Play.Screen.Windows;
 
-/// <summary>Copies of the screen; every function as wingdi.h has it.</summary>
+/// <summary>Functions for copies of the screen, declared as in wingdi.h.</summary>
 internal static class Gdi32
 {
     public const int CopySource = 0x00CC0020;

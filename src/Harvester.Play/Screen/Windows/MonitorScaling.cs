@@ -3,13 +3,13 @@ using System.Runtime.InteropServices;
 
 namespace Harvester.Play.Screen.Windows;
 
-/// <summary>The scaling of monitors. Windows 8.1 and later tell it.</summary>
+/// <summary>The scaling of monitors, available from Windows 8.1 on.</summary>
 internal static class MonitorScaling
 {
     private const uint Nearest = 2;
     private const int EffectiveDpi = 0;
 
-    /// <summary>Dots per inch of the monitor that shows most of a window; null where Windows does not tell.</summary>
+    /// <summary>Dots per inch of the monitor that shows most of a window; null if Windows does not report it.</summary>
     public static int? DpiOf(IntPtr window)
     {
         try

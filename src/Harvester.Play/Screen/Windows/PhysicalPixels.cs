@@ -3,9 +3,9 @@ using System;
 namespace Harvester.Play.Screen.Windows;
 
 /// <summary>
-/// While one of these lives, the calling thread sees the desktop in physical pixels, whatever awareness of scaling its process has
-/// declared; disposing of it restores the thread's own. Before Windows 10 1607 there is no such switch: there the process's own
-/// awareness decides, and GTA V declares it.
+/// While an instance exists, the calling thread sees the desktop in physical pixels, whatever awareness of scaling its process has
+/// declared; disposing restores the thread's own. Before Windows 10 1607 this switch does not exist: the process's own awareness decides,
+/// and GTA V declares it.
 /// </summary>
 internal readonly struct PhysicalPixels : IDisposable
 {

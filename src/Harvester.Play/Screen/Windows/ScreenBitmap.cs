@@ -7,7 +7,7 @@ using Harvester.Sessions.Imaging;
 namespace Harvester.Play.Screen.Windows;
 
 /// <summary>
-/// A bitmap in memory that GDI copies the screen into, again and again: 4 bytes a pixel, blue, green, red, none, rows from the top.
+/// A reused bitmap in memory into which GDI copies the screen: 4 bytes per pixel, blue, green, red, unused, rows from the top.
 /// </summary>
 internal sealed class ScreenBitmap : IDisposable
 {
@@ -58,7 +58,7 @@ internal sealed class ScreenBitmap : IDisposable
         return isCopied;
     }
 
-    /// <summary>Gives the pixels in the order of a <see cref="PixelBuffer"/> of the same size.</summary>
+    /// <summary>Copies the pixels into a <see cref="PixelBuffer"/> of the same size.</summary>
     public void ReadInto(PixelBuffer target)
     {
         byte[] bytes = target.Bytes;

@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace Harvester.Play.Screen.Windows;
 
-/// <summary>The state of the user's display; as shellapi.h has it.</summary>
+/// <summary>The state of the user's display, declared as in shellapi.h.</summary>
 internal static class Shell32
 {
     /// <summary>A Direct3D program runs in exclusive full screen.</summary>

@@ -1,12 +1,12 @@
 using System;
 using System.Runtime.InteropServices;
 
-// Only the system's own libraries are meant, never a namesake beside the game.
+// Load only the system's own libraries, never one of the same name beside the game.
 [assembly: DefaultDllImportSearchPaths(DllImportSearchPath.System32)]
 
 namespace Harvester.Play.Screen.Windows;
 
-/// <summary>Windows and monitors; every function as winuser.h has it.</summary>
+/// <summary>Functions for windows and monitors, declared as in winuser.h.</summary>
 internal static class User32
 {
     public const int ExtendedStyle = -20;

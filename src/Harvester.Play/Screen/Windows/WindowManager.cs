@@ -3,21 +3,17 @@ using System.Runtime.InteropServices;
 
 namespace Harvester.Play.Screen.Windows;
 
-/// <summary>
-/// What the desktop window manager (dwmapi.h) says of a window. Where it does not run or knows nothing, nothing is cloaked.
-/// </summary>
+/// <summary>Properties of a window from the desktop window manager (dwmapi.h). If it does not run, no window is cloaked.</summary>
 internal static class WindowManager
 {
     private const int ExtendedFrameBounds = 9;
     private const int Cloaked = 14;
 
-    /// <summary>
-    /// Whether the window is kept from the screen though it counts as visible: on another virtual desktop, or a suspended app's.
-    /// </summary>
+    /// <summary>Whether the window is not shown although it counts as visible: on another virtual desktop, or of a suspended app.</summary>
     public static bool IsCloaked(IntPtr window) =>
         GetWindowAttribute(window, Cloaked, out int cloaked, sizeof(int)) == 0 && cloaked != 0;
 
-    /// <summary>What the window shows of itself, without the invisible border for resizing; null where that is unknown.</summary>
+    /// <summary>The window's visible bounds, without the invisible border for resizing; null if unknown.</summary>
     public static PixelRectangle? VisibleBounds(IntPtr window) =>
         GetWindowAttribute(window, ExtendedFrameBounds, out NativeRectangle bounds, Marshal.SizeOf<NativeRectangle>()) == 0
             ? bounds.ToPixels()

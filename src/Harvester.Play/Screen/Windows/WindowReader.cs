@@ -3,13 +3,13 @@ using System.Runtime.InteropServices;
 
 namespace Harvester.Play.Screen.Windows;
 
-/// <summary>Reads the facts of one window.</summary>
+/// <summary>Reads the properties of one window.</summary>
 internal sealed class WindowReader
 {
     private const string ConsoleClass = "ConsoleWindowClass";
     private readonly char[] _className = new char[256];
 
-    /// <summary>The facts of a window; null if it is not visible or has just gone.</summary>
+    /// <summary>The properties of a window; null if it is not visible or has just been closed.</summary>
     public TopLevelWindow? Read(IntPtr window)
     {
         if (!User32.IsWindowVisible(window) || !User32.GetWindowRect(window, out NativeRectangle frame))

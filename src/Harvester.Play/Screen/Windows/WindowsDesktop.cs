@@ -4,7 +4,7 @@ using Harvester.Sessions.Imaging;
 
 namespace Harvester.Play.Screen.Windows;
 
-/// <summary>The desktop of Windows, by user32, gdi32 and dwmapi alone.</summary>
+/// <summary>The desktop of Windows, by user32, gdi32 and dwmapi only.</summary>
 internal sealed class WindowsDesktop : IDesktop, IDisposable
 {
     private readonly WindowReader _reader = new();

@@ -5,8 +5,8 @@ using System.Runtime.CompilerServices;
 namespace Harvester.Sessions.Imaging.Jpeg;
 
 /// <summary>
-/// Bits of a scan, the highest first. Copied into a local variable while a block is written, so that its fields stay in registers; of two
-/// copies only one goes on being used.
+/// Bits of a scan, the highest first. It is copied into a local variable while a block is written, so that its fields stay in registers;
+/// only one of two copies may be used afterwards.
 /// </summary>
 internal struct BitSink
 {
@@ -15,12 +15,12 @@ internal struct BitSink
     private byte[] _bytes;
     private int _count;
 
-    /// <summary>Bits that do not make a byte yet, from the highest.</summary>
+    /// <summary>Bits that do not fill a byte yet, from the highest.</summary>
     private ulong _pending;
     private int _room;
 
-    /// <summary>Makes an empty sink.</summary>
-    /// <param name="bytes">Where it writes at first.</param>
+    /// <summary>Creates an empty sink.</summary>
+    /// <param name="bytes">The initial buffer.</param>
     public BitSink(byte[] bytes)
     {
         _bytes = bytes;
@@ -29,10 +29,10 @@ internal struct BitSink
         _room = 64;
     }
 
-    /// <summary>Where it writes now.</summary>
+    /// <summary>The current buffer.</summary>
     public readonly byte[] Storage => _bytes;
 
-    /// <summary>Makes room for so many bytes.</summary>
+    /// <summary>Ensures room for a number of bytes.</summary>
     public void Reserve(int count)
     {
         if (_bytes.Length - _count < count + BytesAtOnce)
@@ -41,11 +41,11 @@ internal struct BitSink
         }
     }
 
-    /// <summary>Appends the lowest bits, at most 32; those above are 0. There must be room.</summary>
+    /// <summary>Appends the lowest bits, at most 32; the higher ones must be 0. There must be room.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Append(uint bits, int count)
     {
-        // All that is pending is written each time and only whole bytes are counted: a branch that nothing predicts would cost more.
+        // All pending bits are written each time and only whole bytes are counted: an unpredictable branch would cost more.
         _room -= count;
         _pending |= (ulong)bits << _room;
         Store(_bytes, _count, _pending);
@@ -56,7 +56,8 @@ internal struct BitSink
     }
 
     /// <summary>
-    /// Fills the last byte with ones and writes all bytes; one of ones is followed by one of zeros, as it would otherwise begin a marker.
+    /// Fills the last byte with ones and writes all bytes; a byte of ones is followed by one of zeros, since it would otherwise begin a
+    /// marker.
     /// </summary>
     public void Finish(Stream target)
     {

@@ -3,13 +3,13 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Sessions.Imaging.Jpeg;
 
-/// <summary>Turns blocks of pixels into quantised coefficients: colours to YCbCr, cosine transform, division.</summary>
+/// <summary>Transforms blocks of pixels into quantised coefficients: conversion to YCbCr, cosine transform, division.</summary>
 internal abstract class BlockTransform
 {
     private const int RowBytes = JpegBlock.Side * PixelBuffer.BytesPerPixel;
     private readonly byte[] _border = new byte[JpegBlock.Side * RowBytes];
 
-    /// <summary>The fastest transform of this machine; all give the same coefficients.</summary>
+    /// <summary>The fastest transform on this machine; all give the same coefficients.</summary>
     public static BlockTransform Fastest(QuantisationTable luma, QuantisationTable chroma)
     {
 #if NET
@@ -21,11 +21,11 @@ internal abstract class BlockTransform
         return new PortableBlockTransform(luma, chroma);
     }
 
-    /// <summary>Transforms a block. Pixels beyond the picture are those at its border.</summary>
-    /// <param name="picture">The picture.</param>
+    /// <summary>Transforms a block. Pixels beyond the image repeat those at its border.</summary>
+    /// <param name="picture">The image.</param>
     /// <param name="column">Column of the block's first pixel.</param>
     /// <param name="row">Row of the block's first pixel.</param>
-    /// <param name="blocks">Where the result goes.</param>
+    /// <param name="blocks">Receives the result.</param>
     public void Transform(PixelBuffer picture, int column, int row, QuantisedBlocks blocks)
     {
         ImageSize size = picture.Size;
@@ -40,11 +40,11 @@ internal abstract class BlockTransform
         Transform(_border, 0, RowBytes, blocks);
     }
 
-    /// <summary>Transforms a block all of whose pixels are there.</summary>
+    /// <summary>Transforms a block that lies completely in the image.</summary>
     /// <param name="pixels">Red, green and blue of each pixel.</param>
-    /// <param name="start">Where the block's first pixel is.</param>
+    /// <param name="start">Index of the block's first byte.</param>
     /// <param name="stride">Bytes from one row to the next.</param>
-    /// <param name="blocks">Where the result goes.</param>
+    /// <param name="blocks">Receives the result.</param>
     protected abstract void Transform(byte[] pixels, int start, int stride, QuantisedBlocks blocks);
 
     private void CopyWithBorder(PixelBuffer picture, int column, int row)

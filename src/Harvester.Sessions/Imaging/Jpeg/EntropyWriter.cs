@@ -4,15 +4,17 @@ using System.IO;
 namespace Harvester.Sessions.Imaging.Jpeg;
 
 /// <summary>
-/// Codes quantised blocks as a scan: differences of DC coefficients, runs of zeros before AC coefficients, both in Huffman codes. T.81,
-/// annex F.1.2.
+/// Encodes quantised blocks as a scan: differences of DC coefficients, and runs of zeros before AC coefficients, both in Huffman codes.
+/// T.81, annex F.1.2.
 /// </summary>
 internal sealed class EntropyWriter
 {
     private const int SixteenZeros = 0xF0;
     private const int EndOfBlock = 0x00;
 
-    /// <summary>More than a block takes: 64 codes of 16 bits with 11 bits of value, each byte followed by a stuffed one.</summary>
+    /// <summary>
+    /// Upper bound of the bytes of a block: 64 codes of 16 bits with 11 bits of value, each byte followed by a stuffed one.
+    /// </summary>
     private const int MaxBytesOfBlock = 512;
 
     private static readonly byte[] BitsOfMagnitude = MakeBitsOfMagnitude();
@@ -21,7 +23,7 @@ internal sealed class EntropyWriter
     private readonly int[] _ordered = new int[JpegBlock.Length];
     private BitSink _sink = new(new byte[1 << 16]);
 
-    /// <summary>Begins a picture.</summary>
+    /// <summary>Begins an image.</summary>
     public void Begin()
     {
         Array.Clear(_previousDc, 0, _previousDc.Length);
@@ -41,7 +43,7 @@ internal sealed class EntropyWriter
         _previousDc[component] = dc;
     }
 
-    /// <summary>Ends the picture and writes its scan.</summary>
+    /// <summary>Ends the image and writes its scan.</summary>
     public void End(Stream target)
     {
         _sink.Reserve(MaxBytesOfBlock);
@@ -59,7 +61,7 @@ internal sealed class EntropyWriter
         return bits;
     }
 
-    /// <summary>The place in the file's order of each coefficient of a block.</summary>
+    /// <summary>The position in the file's order of each coefficient of a block.</summary>
     private static byte[] MakePlaces()
     {
         byte[] places = new byte[JpegBlock.Length];
@@ -71,8 +73,8 @@ internal sealed class EntropyWriter
         return places;
     }
 
-    /// <summary>Puts the AC coefficients that are not 0 into the file's order.</summary>
-    /// <returns>A bit for each of them, the first place in the lowest.</returns>
+    /// <summary>Sorts the nonzero AC coefficients into the file's order.</summary>
+    /// <returns>A bit for each of them, the first position in the lowest.</returns>
     private ulong Order(QuantisedBlocks blocks, int component)
     {
         int[] coefficients = blocks.Coefficients;
@@ -129,9 +131,9 @@ internal sealed class EntropyWriter
         _sink = sink;
     }
 
-    /// <summary>As Math.Abs, without its branch: signs are even, so that it would be mispredicted half the time.</summary>
+    /// <summary>Like Math.Abs, without its branch: signs are random, so that it would be mispredicted half the time.</summary>
     private static int Magnitude(int value) => (value ^ (value >> 31)) - (value >> 31);
 
-    /// <summary>A positive value as it is, a negative one less 1, in so many bits: T.81, figure F.4.</summary>
+    /// <summary>A positive value unchanged, a negative one minus 1, in a number of bits: T.81, figure F.4.</summary>
     private static uint ValueBits(int value, int bits) => (uint)((value + (value >> 31)) & ((1 << bits) - 1));
 }

@@ -1,8 +1,8 @@
 namespace Harvester.Sessions.Imaging.Jpeg;
 
 /// <summary>
-/// The discrete cosine transform of eight values after Loeffler, Ligtenberg and Moschytz (1989), with 13 bits of fraction, as libjpeg's
-/// "islow": once along the rows of a block, once along its columns. The results are 8 times the coefficients of T.81.
+/// The discrete cosine transform of eight values according to Loeffler, Ligtenberg and Moschytz (1989), with 13 fractional bits, as in
+/// libjpeg's "islow": once along the rows of a block, once along its columns. The results are 8 times the coefficients of T.81.
 /// </summary>
 /// <typeparam name="T">An integer, or a vector of integers that are transformed side by side.</typeparam>
 /// <typeparam name="TLanes">Its arithmetic.</typeparam>
@@ -11,7 +11,7 @@ internal static class ForwardDct<T, TLanes>
 {
     private const int FractionBits = 13;
 
-    /// <summary>Bits of fraction that the values keep between the two passes.</summary>
+    /// <summary>Fractional bits that the values keep between the two passes.</summary>
     private const int KeptBits = 2;
 
     // Round(c * 2^13); the names are libjpeg's.
@@ -28,10 +28,10 @@ internal static class ForwardDct<T, TLanes>
     private const int Fix2562915447 = 20995;
     private const int Fix3072711026 = 25172;
 
-    /// <summary>Transforms eight values in place, the first time.</summary>
-    /// <param name="values">Where they are.</param>
-    /// <param name="start">Place of the first.</param>
-    /// <param name="step">From one to the next.</param>
+    /// <summary>Transforms eight values in place: the first pass.</summary>
+    /// <param name="values">The array of the values.</param>
+    /// <param name="start">Index of the first.</param>
+    /// <param name="step">Distance from one to the next.</param>
     public static void FirstPass(T[] values, int start, int step)
     {
         TLanes lanes = default;
@@ -41,9 +41,9 @@ internal static class ForwardDct<T, TLanes>
     }
 
     /// <summary>Transforms eight results of the first pass in place, across its direction.</summary>
-    /// <param name="values">Where they are.</param>
-    /// <param name="start">Place of the first.</param>
-    /// <param name="step">From one to the next.</param>
+    /// <param name="values">The array of the values.</param>
+    /// <param name="start">Index of the first.</param>
+    /// <param name="step">Distance from one to the next.</param>
     public static void SecondPass(T[] values, int start, int step)
     {
         TLanes lanes = default;
@@ -52,7 +52,7 @@ internal static class ForwardDct<T, TLanes>
         values[start + (4 * step)] = lanes.Rounded(difference, KeptBits);
     }
 
-    /// <summary>All but the values 0 and 4, which are returned as they come: they have no fraction.</summary>
+    /// <summary>Transforms all but the values 0 and 4, which are returned unscaled: they have no fractional bits.</summary>
     private static (T Sum, T Difference) Transform(T[] values, int start, int step, int bits)
     {
         TLanes lanes = default;

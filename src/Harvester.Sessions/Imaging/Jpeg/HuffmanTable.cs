@@ -68,12 +68,12 @@ internal sealed class HuffmanTable
         }
     }
 
-    /// <summary>The table as the file gives it: how many codes have 1 to 16 bits, then the symbols by rising code.</summary>
+    /// <summary>The table as stored in the file: the number of codes with 1 to 16 bits, then the symbols by ascending code.</summary>
     public byte[] Definition { get; }
 
     /// <summary>The code of each symbol, in the lowest bits.</summary>
     public uint[] Codes { get; } = new uint[256];
 
-    /// <summary>Bits of each code; 0 for a symbol that has none.</summary>
+    /// <summary>Number of bits of each code; 0 for a symbol without one.</summary>
     public byte[] Lengths { get; } = new byte[256];
 }

@@ -1,6 +1,6 @@
 namespace Harvester.Sessions.Imaging.Jpeg;
 
-/// <summary>One integer.</summary>
+/// <summary>Arithmetic on one integer.</summary>
 internal readonly struct IntegerLane : ILanes<int>
 {
     public int Sum(int left, int right) => left + right;

@@ -7,7 +7,7 @@ internal static class JpegBlock
     public const int Length = Side * Side;
     public const int Components = 3;
 
-    /// <summary>Where the coefficient of each place in the file's order lies in the block, rows from the top: T.81, figure A.6.</summary>
+    /// <summary>The position in the block, rows from the top, of each coefficient in the file's order: T.81, figure A.6.</summary>
     public static readonly byte[] ZigZag =
     [
         0, 1, 8, 16, 9, 2, 3, 10,

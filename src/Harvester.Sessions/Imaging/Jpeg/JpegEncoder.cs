@@ -5,20 +5,20 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Sessions.Imaging.Jpeg;
 
 /// <summary>
-/// Writes baseline JPEG pictures (ITU-T T.81) in a JFIF file: YCbCr without chroma subsampling, so that small lights keep their colours,
-/// and the Huffman tables of the standard's annex K. All arithmetic is in integers and follows the accurate ("islow") method of libjpeg:
-/// every runtime writes the same bytes, and they are those of libjpeg at the same quality. One encoder serves one thread; its buffers are
+/// Writes baseline JPEG images (ITU-T T.81) in a JFIF file: YCbCr without chroma subsampling, so that small lights keep their colours, and
+/// the Huffman tables of the standard's annex K. All arithmetic is in integers and follows the accurate ("islow") method of libjpeg: every
+/// runtime writes the same bytes, and they equal those of libjpeg at the same quality. One encoder serves one thread; its buffers are
 /// reused.
 /// </summary>
 public sealed class JpegEncoder
 {
-    /// <summary>The lowest quality.</summary>
+    /// <summary>The minimum quality.</summary>
     public const int MinQuality = 1;
 
-    /// <summary>The highest quality.</summary>
+    /// <summary>The maximum quality.</summary>
     public const int MaxQuality = 100;
 
-    /// <summary>The quality where none is given: errors are hardly visible, at about a third of the size of a PNG.</summary>
+    /// <summary>The default quality: errors are hardly visible, at about a third of the size of a PNG.</summary>
     public const int DefaultQuality = 95;
 
     private readonly JpegHeader _header;
@@ -26,7 +26,7 @@ public sealed class JpegEncoder
     private readonly EntropyWriter _scan = new();
     private readonly QuantisedBlocks _blocks = new();
 
-    /// <summary>Makes an encoder.</summary>
+    /// <summary>Creates an encoder.</summary>
     /// <param name="quality">1 to 100, on the scale of libjpeg.</param>
     /// <exception cref="ArgumentOutOfRangeException">The quality is out of its range.</exception>
     public JpegEncoder(int quality = DefaultQuality)
@@ -48,7 +48,7 @@ public sealed class JpegEncoder
         _transform = transform(luma, chroma);
     }
 
-    /// <summary>Writes a picture.</summary>
+    /// <summary>Writes an image.</summary>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     public void Write(PixelBuffer picture, Stream target)
     {

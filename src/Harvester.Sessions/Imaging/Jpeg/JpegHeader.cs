@@ -4,7 +4,7 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Sessions.Imaging.Jpeg;
 
-/// <summary>What stands before and after the coded pixels of a file: T.81, annex B, and the JFIF marker.</summary>
+/// <summary>The parts of a file before and after the coded pixels: T.81, annex B, and the JFIF marker.</summary>
 internal sealed class JpegHeader
 {
     private const byte StartOfImage = 0xD8;
@@ -23,7 +23,7 @@ internal sealed class JpegHeader
     private static readonly byte[] Jfif = [(byte)'J', (byte)'F', (byte)'I', (byte)'F', 0, 1, 1, 0, 0, 1, 0, 1, 0, 0];
 
     /// <summary>
-    /// Three components; the first with the tables of brightness, the others with those of colour; all coefficients at full precision.
+    /// Three components; the first with the luma tables, the others with the chroma tables; all coefficients at full precision.
     /// </summary>
     private static readonly byte[] Scan = [JpegBlock.Components, 1, 0x00, 2, 0x11, 3, 0x11, 0, 63, 0];
 

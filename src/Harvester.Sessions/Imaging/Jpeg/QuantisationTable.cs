@@ -2,12 +2,10 @@ using System;
 
 namespace Harvester.Sessions.Imaging.Jpeg;
 
-/// <summary>
-/// The divisors of a block's coefficients, rows from the top: T.81, annex K.1, scaled to a quality as libjpeg scales them.
-/// </summary>
+/// <summary>The divisors of a block's coefficients, rows from the top: T.81, annex K.1, scaled to a quality as in libjpeg.</summary>
 internal sealed class QuantisationTable
 {
-    /// <summary>The transform's results are so many times the coefficients.</summary>
+    /// <summary>Factor between the transform's results and the coefficients.</summary>
     private const int TransformScale = 8;
 
     /// <summary>Results of the transform and half a divisor stay below 2 to this power.</summary>
@@ -50,28 +48,28 @@ internal sealed class QuantisationTable
                 bits++;
             }
 
-            // With n < 2^14 and 2^s >= 2^14 * divisor, n * ceil(2^s / divisor) >> s is the whole part of n / divisor.
+            // With n < 2^14 and 2^s >= 2^14 * divisor, n * ceil(2^s / divisor) >> s is the integer part of n / divisor.
             Shifts[i] = DividendBits + bits;
             Multipliers[i] = ((1 << Shifts[i]) + divisor - 1) / divisor;
             Halves[i] = divisor / 2;
         }
     }
 
-    /// <summary>The divisors as the file gives them, 1 to 255.</summary>
+    /// <summary>The divisors as stored in the file, 1 to 255.</summary>
     public byte[] Divisors { get; } = new byte[JpegBlock.Length];
 
-    /// <summary>What is added to a magnitude so that the quotient is rounded.</summary>
+    /// <summary>Added to a magnitude to round the quotient.</summary>
     public int[] Halves { get; } = new int[JpegBlock.Length];
 
-    /// <summary>What a magnitude is multiplied by before it is shifted.</summary>
+    /// <summary>Factor on a magnitude before it is shifted.</summary>
     public int[] Multipliers { get; } = new int[JpegBlock.Length];
 
-    /// <summary>By how many bits the product is shifted to the right.</summary>
+    /// <summary>Number of bits by which the product is shifted to the right.</summary>
     public int[] Shifts { get; } = new int[JpegBlock.Length];
 
-    /// <summary>The table of brightness.</summary>
+    /// <summary>The luma table.</summary>
     public static QuantisationTable Luma(int quality) => new(LumaAt50, quality);
 
-    /// <summary>The table of colour.</summary>
+    /// <summary>The chroma table.</summary>
     public static QuantisationTable Chroma(int quality) => new(ChromaAt50, quality);
 }

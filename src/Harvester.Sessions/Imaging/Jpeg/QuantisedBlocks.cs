@@ -1,6 +1,6 @@
 namespace Harvester.Sessions.Imaging.Jpeg;
 
-/// <summary>A block in its three components as the file keeps it: rounded quotients of coefficients and divisors.</summary>
+/// <summary>A block in its three components as stored in the file: rounded quotients of coefficients and divisors.</summary>
 internal sealed class QuantisedBlocks
 {
     /// <summary>

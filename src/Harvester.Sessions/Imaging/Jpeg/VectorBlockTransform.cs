@@ -8,7 +8,7 @@ namespace Harvester.Sessions.Imaging.Jpeg;
 /// <summary>The transform in vectors of eight integers: a row of a block at a time. Needs AVX2.</summary>
 internal sealed class VectorBlockTransform : BlockTransform
 {
-    /// <summary>A row is 24 bytes: its upper 16 begin here.</summary>
+    /// <summary>A row is 24 bytes: its upper 16 begin at this index.</summary>
     private const int UpperStart = 8;
     private const byte Zero = 0x80;
 
@@ -72,7 +72,7 @@ internal sealed class VectorBlockTransform : BlockTransform
         }
     }
 
-    /// <summary>Every third byte from a place of each half, each as an integer of 32 bits.</summary>
+    /// <summary>Every third byte from a position of each half, each as an integer of 32 bits.</summary>
     private static Vector256<byte> Spread(byte lower, byte upper) => Vector256.Create(Spread(lower), Spread(upper));
 
     private static Vector128<byte> Spread(byte from) => Vector128.Create(
@@ -85,7 +85,7 @@ internal sealed class VectorBlockTransform : BlockTransform
             throw new ArgumentException("A block has eight rows.", nameof(rows));
         }
 
-        // Pairs of rows interleaved, then pairs of pairs, then the halves exchanged.
+        // Interleave pairs of rows, then pairs of pairs, then exchange the halves.
         (Vector256<long> a, Vector256<long> b) = Interleaved(rows[0], rows[1]);
         (Vector256<long> c, Vector256<long> d) = Interleaved(rows[2], rows[3]);
         (Vector256<long> e, Vector256<long> f) = Interleaved(rows[4], rows[5]);

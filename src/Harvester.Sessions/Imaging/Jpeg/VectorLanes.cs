@@ -3,7 +3,7 @@ using System.Runtime.Intrinsics;
 
 namespace Harvester.Sessions.Imaging.Jpeg;
 
-/// <summary>Eight integers side by side.</summary>
+/// <summary>Arithmetic on eight integers side by side.</summary>
 internal readonly struct VectorLanes : ILanes<Vector256<int>>
 {
     public Vector256<int> Sum(Vector256<int> left, Vector256<int> right) => left + right;

@@ -8,7 +8,7 @@ internal sealed class Adler32
 {
     private const uint Modulus = 65_521;
 
-    /// <summary>The most bytes whose sums stay within 32 bits before they are reduced (zlib's NMAX).</summary>
+    /// <summary>Maximum number of bytes whose sums stay within 32 bits before they are reduced (zlib's NMAX).</summary>
     private const int MaxRunLength = 5_552;
 
     private uint _a = 1;

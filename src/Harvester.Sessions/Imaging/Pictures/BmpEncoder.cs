@@ -4,7 +4,7 @@ using System.IO;
 namespace Harvester.Sessions.Imaging.Pictures;
 
 /// <summary>
-/// Writes Windows bitmaps: 24 bits a pixel, blue first, rows from the bottom, each padded to a multiple of four bytes. One encoder serves
+/// Writes Windows bitmaps: 24 bits per pixel, blue first, rows from the bottom, each padded to a multiple of four bytes. One encoder serves
 /// one thread.
 /// </summary>
 public sealed class BmpEncoder
@@ -36,7 +36,7 @@ public sealed class BmpEncoder
         int length = checked(HeaderBytes + (stride * height));
         if (_file.Length != length || _width != width)
         {
-            // A new one also where only the width differs: the padding lies elsewhere.
+            // A new one if only the width differs, too: the padding is at other positions.
             _file = new byte[length];
             _width = width;
         }

@@ -1,15 +1,15 @@
 namespace Harvester.Sessions.Imaging.Pictures;
 
-/// <summary>The checksum of a PNG chunk: ISO 3309, polynomial 0xEDB88320 reflected, eight tables for eight bytes a step.</summary>
-internal static class Crc32
+/// <summary>The checksum of a PNG chunk: ISO 3309, polynomial 0xEDB88320 reflected, with eight tables for eight bytes per step.</summary>
+public static class Crc32
 {
     private const int Slices = 8;
     private static readonly uint[][] Tables = MakeTables();
 
     /// <summary>The checksum of bytes that follow others.</summary>
     /// <param name="previous">Checksum of the bytes before; 0 at the start.</param>
-    /// <param name="bytes">Where the bytes are.</param>
-    /// <param name="count">How many of them, from the first.</param>
+    /// <param name="bytes">The array of the bytes.</param>
+    /// <param name="count">Number of bytes, from the first.</param>
     public static uint Append(uint previous, byte[] bytes, int count)
     {
         uint crc = ~previous;

@@ -4,15 +4,15 @@ using Harvester.Sessions.Imaging.Jpeg;
 
 namespace Harvester.Sessions.Imaging.Pictures;
 
-/// <summary>Writes screenshots in the format that is asked for. One encoder serves one thread; its buffers are reused.</summary>
+/// <summary>Writes images in a chosen format. One encoder serves one thread; its buffers are reused.</summary>
 public sealed class PictureEncoder
 {
     private readonly Action<PixelBuffer, Stream> _write;
 
     /// <summary>Creates an encoder for one format.</summary>
     /// <param name="format">The format of the files.</param>
-    /// <param name="jpegQuality">The quality of JPEG files, 1 to 100; the other formats have none.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The quality is out of its range, or there is no such format.</exception>
+    /// <param name="jpegQuality">The quality of JPEG files, 1 to 100; ignored for other formats.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The quality is out of its range, or the format does not exist.</exception>
     public PictureEncoder(ImageFormat format, int jpegQuality = JpegEncoder.DefaultQuality)
     {
         _write = format switch

@@ -8,8 +8,8 @@ using Harvester.Geometry.PixelMaps;
 namespace Harvester.Sessions.Imaging.Pictures;
 
 /// <summary>
-/// Writes PNG pictures (ISO/IEC 15948): 8-bit red, green, blue, and grey of 16 or 8 bits. Rows of colours are filtered with Sub and those
-/// of maps with Up, which cost least of the filters that help. One encoder serves one thread; its buffers are used again.
+/// Writes PNG images (ISO/IEC 15948): 8-bit red, green, blue, and grey of 16 or 8 bits. Rows of colours are filtered with Sub and those of
+/// maps with Up, the cheapest of the filters that help. One encoder serves one thread; its buffers are reused.
 /// </summary>
 #pragma warning disable CA1001 // A memory stream holds nothing to dispose.
 public sealed class PngEncoder
@@ -28,13 +28,13 @@ public sealed class PngEncoder
     private byte[] _filtered = [];
 
     /// <summary>Creates an encoder with buffers of its own.</summary>
-    /// <param name="level">How hard to compress; fastest if not given, as a harvest is bound by the encoder's time.</param>
+    /// <param name="level">The compression level; fastest by default, as the encoder's time limits a harvest.</param>
     public PngEncoder(CompressionLevel level = CompressionLevel.Fastest)
     {
         _level = level;
     }
 
-    /// <summary>Writes a picture in colour.</summary>
+    /// <summary>Writes a colour image.</summary>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     public void Write(PixelBuffer picture, Stream target)
     {
@@ -48,7 +48,7 @@ public sealed class PngEncoder
             Buffer.BlockCopy(picture.Bytes, row * stride, line, 0, stride));
     }
 
-    /// <summary>Writes an instance map: grey, 16 bits a pixel, the value is the object's number.</summary>
+    /// <summary>Writes an instance map: grey, 16 bits per pixel, the value is the object's number.</summary>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     public void Write(InstanceMap map, Stream target)
     {
@@ -70,7 +70,7 @@ public sealed class PngEncoder
         });
     }
 
-    /// <summary>Writes a map of small numbers: grey, 8 bits a pixel.</summary>
+    /// <summary>Writes a map of small numbers: grey, 8 bits per pixel.</summary>
     /// <exception cref="ArgumentException">A number is greater than 255.</exception>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     public void WriteGrey8(InstanceMap map, Stream target)

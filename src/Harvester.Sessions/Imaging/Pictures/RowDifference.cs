@@ -4,10 +4,10 @@ using System.Numerics;
 
 namespace Harvester.Sessions.Imaging.Pictures;
 
-/// <summary>What filters of PNG that predict a byte by another write: the differences, modulo 256.</summary>
+/// <summary>Differences modulo 256, for the PNG filters that predict a byte by another one.</summary>
 internal static class RowDifference
 {
-    /// <summary>Writes the differences of bytes, to the end of their array, from those that predict them.</summary>
+    /// <summary>Writes the differences between bytes, to the end of their array, and their predictions.</summary>
     public static void Write(byte[] bytes, int first, byte[] predictions, int firstPrediction, byte[] target, int firstTarget)
     {
         int count = bytes.Length - first;

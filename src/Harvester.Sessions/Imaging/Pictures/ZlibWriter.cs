@@ -5,8 +5,8 @@ using System.IO.Compression;
 namespace Harvester.Sessions.Imaging.Pictures;
 
 /// <summary>
-/// Writes one zlib stream (RFC 1950). At the fastest level it looks for runs only, where the runtime lets it choose: filtered pictures have
-/// little else to find, and fewer bytes come of it in less time.
+/// Writes one zlib stream (RFC 1950). At the fastest level it looks for runs only, if the runtime supports that: filtered images have
+/// little else to find, and this gives fewer bytes in less time.
 /// </summary>
 internal sealed class ZlibWriter : IDisposable
 {
@@ -24,7 +24,7 @@ internal sealed class ZlibWriter : IDisposable
 
     public void Dispose() => _zlib.Dispose();
 #else
-    /// <summary>Deflate, window of 32 KiB, fastest level: 0x7801 is a multiple of 31, as RFC 1950 asks.</summary>
+    /// <summary>Deflate, window of 32 KiB, fastest level: 0x7801 is a multiple of 31, as RFC 1950 requires.</summary>
     private static readonly byte[] Header = [0x78, 0x01];
 
     private readonly Adler32 _checksum = new();

@@ -13,10 +13,10 @@ public sealed class CityscapesCheckTests(SimulatedSession simulated) : CheckTest
     private const string Image = "leftImg8bit/" + City + "leftImg8bit.png";
 
     [Theory]
-    [InlineData(Instances, Instances + ": it is missing, but its image is there.")]
-    [InlineData(Labels, Labels + ": it is missing, but its image is there.")]
+    [InlineData(Instances, Instances + ": it is missing, but its image exists.")]
+    [InlineData(Labels, Labels + ": it is missing, but its image exists.")]
     [InlineData(Image, Instances + ": its image is missing.")]
-    [InlineData(Image, "export.json: it counts 7 frames in train, but there are 6.")]
+    [InlineData(Image, "export.json: it counts 7 frames in train, but the dataset has 6.")]
     public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 
     [Fact]
@@ -31,7 +31,7 @@ public sealed class CityscapesCheckTests(SimulatedSession simulated) : CheckTest
     }
 
     [Theory]
-    // Pedestrians, 24, are told apart; signs, 20, are not; 27 and 34 thousand stand for trucks and for no label.
+    // Pedestrians, 24, have instances; signs, 20, do not; 27 and 34 thousand are trucks and no label.
     [InlineData(24)]
     [InlineData(20_001)]
     [InlineData(34_000)]
@@ -44,7 +44,7 @@ public sealed class CityscapesCheckTests(SimulatedSession simulated) : CheckTest
         labels.Ids[0] = (ushort)(number < 1000 ? number : number / 1000);
         Write(Instances, (png, file) => png.Write(map, file));
         Write(Labels, (png, file) => png.WriteGrey8(labels, file));
-        AssertFound($"{Instances}: {number} is no instance of a label that is exported.");
+        AssertFound($"{Instances}: {number} is not an instance of an exported label.");
     }
 
     [Fact]

@@ -22,7 +22,7 @@ public sealed class CocoCheckTests(SimulatedSession simulated) : CheckTests(simu
     [InlineData("\"iscrowd\":0", "\"iscrowd\":2", "iscrowd is not 0 or 1.")]
     [InlineData("\"bbox\":\\[\\d+,(\\d+),", "\"bbox\":[199,$1,", "its box does not lie in the image of 200 x 150")]
     [InlineData("\"bbox\":\\[(\\d+),(\\d+),\\d+", "\"bbox\":[$1,$2,0", "its box does not lie in the image of 200 x 150")]
-    [InlineData("\"area\":\\d+", "\"area\":0", "its area is not that of something in its box.")]
+    [InlineData("\"area\":\\d+", "\"area\":0", "its area is not positive, or larger than its box.")]
     [InlineData("\"area\":\\d+", "\"area\":1", "its run lengths do not add up to its area.")]
     [InlineData("\"counts\":\\[(\\d+),", "\"counts\":[${1}0,", "its run lengths are not those of an image of 200 x 150.")]
     [InlineData("\"size\":\\[150,200\\]", "\"size\":[200,150]", "its run lengths are not those of an image of 200 x 150.")]
@@ -41,7 +41,7 @@ public sealed class CocoCheckTests(SimulatedSession simulated) : CheckTests(simu
         Export();
         int id = FirstId();
         Damage(File, "(^\\{\"id\":\\d+,\"image_id\".*\n)", "$1$1");
-        AssertFound($"{File}, line {FirstAnnotationLine + 1}: annotation {id}: its id is there twice");
+        AssertFound($"{File}, line {FirstAnnotationLine + 1}: annotation {id}: its id occurs twice");
     }
 
     [Fact]
@@ -57,7 +57,7 @@ public sealed class CocoCheckTests(SimulatedSession simulated) : CheckTests(simu
     {
         Export();
         Damage(File, "\"categories\":[\\s\\S]*", "");
-        Assert.Contains(Problems(), problem => problem.EndsWith("it is not JSON from here on.", StringComparison.Ordinal));
+        Assert.Contains(Problems(), problem => problem.EndsWith("it is not valid JSON from here on.", StringComparison.Ordinal));
     }
 
     [Fact]
@@ -85,7 +85,7 @@ public sealed class CocoCheckTests(SimulatedSession simulated) : CheckTests(simu
         Copy($"images/train/{image}", $"images/val/{image}");
         AssertFound($"images/val/{image}: it is not listed in annotations/instances_val.json.");
         Damage("annotations/instances_val.json", "\"file_name\":\"[^\"]*", $"\"file_name\":\"{image}");
-        AssertFound($"annotations/instances_val.json, line 2: image '{image}' is there twice, here or in another split.");
+        AssertFound($"annotations/instances_val.json, line 2: image '{image}' occurs twice, here or in another split.");
     }
 
     [Theory]

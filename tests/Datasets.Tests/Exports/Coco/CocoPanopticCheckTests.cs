@@ -12,11 +12,11 @@ public sealed class CocoPanopticCheckTests(SimulatedSession simulated) : CheckTe
 
     [Theory]
     [InlineData(
-        "\"segments_info\":\\[\\{\"id\":\\d+", "\"segments_info\":[{\"id\":60000", "segment 60000 is not in its picture, or there twice.")]
-    [InlineData("\"area\":(\\d+)", "\"area\":1$1", "segment 1 has another area or box than in its picture.")]
-    [InlineData("\"bbox\":\\[(\\d+)", "\"bbox\":[1$1", "segment 1 has another area or box than in its picture.")]
+        "\"segments_info\":\\[\\{\"id\":\\d+", "\"segments_info\":[{\"id\":60000", "segment 60000 is not in its map, or occurs twice.")]
+    [InlineData("\"area\":(\\d+)", "\"area\":1$1", "area or bbox of segment 1 differs from its map.")]
+    [InlineData("\"bbox\":\\[(\\d+)", "\"bbox\":[1$1", "area or bbox of segment 1 differs from its map.")]
     [InlineData("\"category_id\":\\d+", "\"category_id\":77", "segment 1 has a category that is not listed")]
-    [InlineData("\"segments_info\":\\[\\{[^}]*\\},", "\"segments_info\":[", "segment 1 of its picture is not listed.")]
+    [InlineData("\"segments_info\":\\[\\{[^}]*\\},", "\"segments_info\":[", "segment 1 of its map is not listed.")]
     public void A_damaged_segment_is_found_with_its_line(string pattern, string replacement, string expected) =>
         AssertDamageIsFound(Labels, pattern, replacement, $"{Labels}, line 10: annotation of image 0: {expected}");
 
@@ -25,7 +25,7 @@ public sealed class CocoPanopticCheckTests(SimulatedSession simulated) : CheckTe
     {
         Export();
         Damage(Labels, "\"image_id\":1,", "\"image_id\":0,");
-        AssertFound($"{Labels}, line 11: annotation of image 0: its image has an annotation already.");
+        AssertFound($"{Labels}, line 11: annotation of image 0: its image already has an annotation.");
         AssertFound($"{Labels}: image 1 has no annotation.");
     }
 
@@ -37,7 +37,7 @@ public sealed class CocoPanopticCheckTests(SimulatedSession simulated) : CheckTe
         int at = Array.IndexOf(picture.Bytes, (byte)1);
         picture.Bytes[at] = 0;
         Write(picture);
-        AssertFound($"{Labels}, line 10: annotation of image 0: segment 1 has another area or box than in its picture.");
+        AssertFound($"{Labels}, line 10: annotation of image 0: area or bbox of segment 1 differs from its map.");
     }
 
     [Fact]
@@ -45,7 +45,7 @@ public sealed class CocoPanopticCheckTests(SimulatedSession simulated) : CheckTe
     {
         Export();
         Write(new PixelBuffer(new ImageSize(20, 15)));
-        AssertFound($"{Labels}, line 10: annotation of image 0: its picture is not of 200 x 150.");
+        AssertFound($"{Labels}, line 10: annotation of image 0: its map is 20 x 15, not 200 x 150.");
     }
 
     [Theory]

@@ -6,11 +6,11 @@ public sealed class CsvDatasetCheckTests(SimulatedSession simulated) : CheckTest
     [InlineData("^frame,", "number,", 1, "its columns are not those of the format.")]
     [InlineData("^0,train,", "0,", 2, " fields instead of ")]
     [InlineData("^0,train,", "0,test,", 2, "'test' is not a split of the export.")]
-    [InlineData("^1,train,", "0,train,", 3, "frame 0 is there twice.")]
+    [InlineData("^1,train,", "0,train,", 3, "frame 0 occurs twice.")]
     [InlineData("images/00000000", "images/99999999", 2, "its image 'images/99999999.png' is missing.")]
     [InlineData(",200,150,", ",300,150,", 2, "its image is 200 x 150, not 300 x 150.")]
     [InlineData(",200,150,", ",200,many,", 2, "height is not a number.")]
-    [InlineData(",(\\d\\d):\\d\\d:\\d\\d,", ",$1h,", 2, "time_of_day is not a time as 13:05:00.")]
+    [InlineData(",(\\d\\d):\\d\\d:\\d\\d,", ",$1h,", 2, "time_of_day is not a time such as 13:05:00.")]
     public void A_damaged_frame_is_found_with_its_line(string pattern, string replacement, int line, string expected)
     {
         Export();
@@ -34,7 +34,7 @@ public sealed class CsvDatasetCheckTests(SimulatedSession simulated) : CheckTest
     {
         Export();
         Damage("objects.csv", "^(0,1,.*\n)", "$1$1");
-        AssertFound("objects.csv, line 3: object 1 is there twice in frame 0.");
+        AssertFound("objects.csv, line 3: object 1 occurs twice in frame 0.");
     }
 
     [Theory]

@@ -18,7 +18,7 @@ public sealed class CsvDatasetWriterTests : ExportTests
     }
 
     [Fact]
-    public void Visible_fraction_is_the_session_s_own()
+    public void Visible_fraction_is_that_of_the_session()
     {
         // (1 - 0)(1 - 0.25) would be 0.75.
         Session.Car(0)["visibleFraction"] = 0.7501;

@@ -12,7 +12,7 @@ public sealed class KittiCheckTests(SimulatedSession simulated) : CheckTests(sim
     [InlineData("^(\\S+) \\S+", "$1 1.5", "truncated is not 0 to 1.")]
     [InlineData("^((\\S+ ){2})\\S+", "${1}4", "occluded is not 0, 1, 2 or 3.")]
     [InlineData("^((\\S+ ){3})\\S+", "${1}3.5", "alpha or rotation_y is not an angle")]
-    [InlineData("^((\\S+ ){3})\\S+", "${1}0.123", "alpha is not rotation_y less the direction of x and z.")]
+    [InlineData("^((\\S+ ){3})\\S+", "${1}0.123", "alpha is not rotation_y minus the direction of x and z.")]
     [InlineData("^((\\S+ ){6})\\S+", "${1}200", "its box does not lie in the image, or has no area.")]
     [InlineData("^((\\S+ ){8})\\S+", "${1}-1", "its height, width or length is below 0.")]
     [InlineData("^((\\S+ ){12})\\S+", "${1}90", "its 3D box, projected with P2, does not fall onto its 2D box.")]
@@ -23,7 +23,7 @@ public sealed class KittiCheckTests(SimulatedSession simulated) : CheckTests(sim
     [InlineData("^P1: .*\n", "", ": P1 is missing.")]
     [InlineData("^P0: \\S+", "P0:", ", line 1: P0 does not have 12 numbers.")]
     [InlineData("^P2: \\S+", "P2: -1", ", line 3: P2 is not the projection of a camera.")]
-    [InlineData("^P3:", "P4:", ", line 4: 'P4:' is not a matrix of the format, or there twice.")]
+    [InlineData("^P3:", "P4:", ", line 4: 'P4:' is not a matrix of the format, or occurs twice.")]
     public void A_damaged_calibration_is_found(string pattern, string replacement, string expected) =>
         AssertDamageIsFound(Calibration, pattern, replacement, Calibration + expected);
 
@@ -36,11 +36,11 @@ public sealed class KittiCheckTests(SimulatedSession simulated) : CheckTests(sim
     }
 
     [Theory]
-    [InlineData(Label, Label + ": it is missing, but its image is there.")]
+    [InlineData(Label, Label + ": it is missing, but its image exists.")]
     [InlineData(Calibration, Calibration + ": P2 is missing.")]
     [InlineData("training/image_2/000003.png", "training/label_2/000003.txt: its image is missing.")]
     [InlineData("training/image_2/000003.png", "ImageSets/train.txt, line 4: '000003' is not in the dataset.")]
-    [InlineData("training/image_2/000003.png", "export.json: it counts 7 frames in train, but there are 6.")]
+    [InlineData("training/image_2/000003.png", "export.json: it counts 7 frames in train, but the dataset has 6.")]
     [InlineData("ImageSets/train.txt", "ImageSets/*.txt: '000000' is in no list.")]
     public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 

@@ -58,7 +58,8 @@ public sealed class KittiLeaningTests : ExportTests
 
         Assert.Equal(
             "training/label_2/000000.txt, line 1: its 3D box, projected with P2, does not fall onto its 2D box.",
-            Assert.Single(DatasetValidator.Validate(Folder.PathOf("out")).Problems).ToString());
+            Assert.Single(
+                DatasetValidator.Validate(Folder.PathOf("out")).Problems, problem => problem.File != "training/leaning.csv").ToString());
     }
 
     /// <summary>

@@ -45,11 +45,11 @@ public sealed class KittiTrackingCheckTests(SimulatedSession simulated) : CheckT
 
     [Theory]
     [InlineData("training/calib/0000.txt", "training/calib/0000.txt: P2 is missing.")]
-    [InlineData("training/label_02/0000.txt", "training/label_02/0000.txt: it is missing, but its image is there.")]
+    [InlineData("training/label_02/0000.txt", "training/label_02/0000.txt: it is missing, but its image exists.")]
     [InlineData(
         "training/evaluate_tracking.seqmap.training",
         "training/evaluate_tracking.seqmap.training: it has no line '0000 empty 000000 000007'.")]
     [InlineData("ImageSets/train.txt", "ImageSets/*.txt: '0000' is in no list.")]
-    [InlineData("training/image_02/0000/000006.png", "export.json: it counts 7 frames in train, but there are 6.")]
+    [InlineData("training/image_02/0000/000006.png", "export.json: it counts 7 frames in train, but the dataset has 6.")]
     public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 }

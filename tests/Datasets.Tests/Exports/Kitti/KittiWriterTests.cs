@@ -40,7 +40,7 @@ public sealed class KittiWriterTests(SimulatedSession simulated) : ExportTests
     }
 
     [Fact]
-    public void Calibration_is_the_label_s_camera()
+    public void Calibration_is_that_of_the_label()
     {
         Folder.Export("kitti", Session.Open());
 

@@ -8,7 +8,7 @@ public sealed class OpenLaneCheckTests(SimulatedSession simulated) : CheckTests(
     private const string Labels = "lane3d/" + Frame + ".json";
 
     [Theory]
-    [InlineData("^\\{", "", "it is not JSON.")]
+    [InlineData("^\\{", "", "it is not valid JSON.")]
     [InlineData("\"file_path\":\"train", "\"file_path\":\"test", "file_path is not '" + Frame + ".png'.")]
     [InlineData("\"intrinsic\":\\[\\[", "\"intrinsic\":[[-", "intrinsic is not the matrix of a camera.")]
     [InlineData("\"extrinsic\":\\[\\[[^,]*", "\"extrinsic\":[[0.5", "extrinsic is not a rotation and a displacement.")]
@@ -41,7 +41,7 @@ public sealed class OpenLaneCheckTests(SimulatedSession simulated) : CheckTests(
     }
 
     [Theory]
-    [InlineData(Labels, Labels + ": it is missing, but its image is there.")]
+    [InlineData(Labels, Labels + ": it is missing, but its image exists.")]
     [InlineData("images/" + Frame + ".png", Labels + ": its image is missing.")]
     [InlineData("train.txt", "*.txt: '" + Frame + ".png' is in no list.")]
     public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);

@@ -5,12 +5,12 @@ public sealed class TuSimpleCheckTests(SimulatedSession simulated) : CheckTests(
     private const string Labels = "label_data_train.json";
 
     [Theory]
-    [InlineData("^\\{", "", "it is not JSON.")]
+    [InlineData("^\\{", "", "it is not valid JSON.")]
     [InlineData("\"lanes\"", "\"lines\"", "lanes is missing.")]
     [InlineData("\"lanes\":\\[\\[[^,]*,", "\"lanes\":[[", "a lane does not have 10 columns")]
     [InlineData("\"lanes\":\\[\\[[^,]*,", "\"lanes\":[[200,", "a lane has a column that is neither -2 nor one of the image of 200 x 150.")]
     [InlineData("\"lanes\":\\[\\[[^,]*,", "\"lanes\":[[-1,", "a lane has a column that is neither -2 nor one of the image of 200 x 150.")]
-    [InlineData("\"lanes\":\\[\\[[^\\]]*", "\"lanes\":[[-2,-2,-2,-2,-2,-2,-2,-2,-2,-2", "a lane is nowhere.")]
+    [InlineData("\"lanes\":\\[\\[[^\\]]*", "\"lanes\":[[-2,-2,-2,-2,-2,-2,-2,-2,-2,-2", "a lane has no points.")]
     [InlineData("\"h_samples\":\\[\\d+", "\"h_samples\":[90", "h_samples are not rising rows of the image of 200 x 150.")]
     [InlineData("140\\],\"raw_file\"", "150],\"raw_file\"", "h_samples are not rising rows of the image of 200 x 150.")]
     [InlineData("clips/0000/", "clips/0007/", "raw_file 'clips/0007/")]

@@ -13,12 +13,12 @@ public sealed class VocCheckTests(SimulatedSession simulated) : CheckTests(simul
     [InlineData("<xmin>.*<", "<xmin>0<", 19, "its box does not lie in the image.")]
     [InlineData("<ymax>.*<", "<ymax>151<", 19, "its box does not lie in the image.")]
     [InlineData("<ymin>.*<", "<ymin>150<", 19, "its box does not lie in the image.")]
-    [InlineData("</bndbox>", "</box>", 24, "it is not XML from here on.")]
+    [InlineData("</bndbox>", "</box>", 24, "it is not valid XML from here on.")]
     public void A_damaged_annotation_is_found_with_its_line(string pattern, string replacement, int line, string expected) =>
         AssertDamageIsFound(Annotation, pattern, replacement, $"{Annotation}, line {line}: {expected}");
 
     [Theory]
-    [InlineData(Annotation, Annotation + ": it is missing, but its image is there.")]
+    [InlineData(Annotation, Annotation + ": it is missing, but its image exists.")]
     [InlineData("JPEGImages/00000001.png", Annotation + ": its image is missing.")]
     [InlineData("JPEGImages/00000001.png", "ImageSets/Main/train.txt, line 2: '00000001' is not in the dataset.")]
     [InlineData("ImageSets/Main/train.txt", "ImageSets/Main/*.txt: '00000000' is in no list.")]

@@ -27,7 +27,7 @@ public sealed class WebDatasetCheckTests(SimulatedSession simulated) : CheckTest
     {
         Export();
         byte[] archive = Bytes();
-        // The second digit of the size: the checksum is not that of the header any more.
+        // The second digit of the size: the checksum no longer matches the header.
         archive[126]++;
         File.WriteAllBytes(Folder.PathOf("out/" + Archive), archive);
         AssertFound($"{Archive}: it is damaged: an entry cannot be read.");
@@ -60,7 +60,7 @@ public sealed class WebDatasetCheckTests(SimulatedSession simulated) : CheckTest
         });
         AssertFound($"{Archive}: sample 00000001: image: it is 20 x 15, but its label says 200 x 150.");
         AssertFound($"{Archive}: sample 00000002: image: it is cut off");
-        AssertFound($"{Archive}: sample 00000003: mask.png: it has 24 bits a pixel instead of 16.");
+        AssertFound($"{Archive}: sample 00000003: mask.png: it has 24 bits per pixel instead of 16.");
         AssertFound($"{Archive}: sample 00000004: depth.png: it is not a part of a sample.");
     }
 
@@ -69,7 +69,7 @@ public sealed class WebDatasetCheckTests(SimulatedSession simulated) : CheckTest
     {
         Rewrite(
             entry => entry.Name.StartsWith("00000003", StringComparison.Ordinal) ? (entry.Name.Replace('3', '1'), entry.Content) : entry);
-        AssertFound($"{Archive}: sample 00000001: it is there twice, here or in another archive.");
+        AssertFound($"{Archive}: sample 00000001: it occurs twice, here or in another archive.");
     }
 
     [Fact]
@@ -78,12 +78,12 @@ public sealed class WebDatasetCheckTests(SimulatedSession simulated) : CheckTest
         Export();
         File.Move(Folder.PathOf("out/" + Archive), Folder.PathOf("out/test-000000.tar"));
         AssertFound("test-000000.tar: its name is not that of a split of the export with a number.");
-        AssertFound("export.json: it counts 7 frames in train, but there are 0.");
+        AssertFound("export.json: it counts 7 frames in train, but the dataset has 0.");
     }
 
     private byte[] Bytes() => File.ReadAllBytes(Folder.PathOf("out/" + Archive));
 
-    /// <summary>Writes the archive again with other entries.</summary>
+    /// <summary>Rewrites the archive with other entries.</summary>
     private void Rewrite(Func<(string Name, byte[] Content), (string Name, byte[] Content)?> change)
     {
         Export();

@@ -13,7 +13,7 @@ namespace Harvester.Datasets.Tests.Exports.Yolo;
 public sealed class YoloWriterTests(SimulatedSession simulated) : ExportTests
 {
     [Fact]
-    public void Boxes_are_centre_and_size_in_shares_of_the_image()
+    public void Boxes_are_centre_and_size_in_fractions_of_the_image()
     {
         Session.DeterminePedestrians();
         Folder.Export("yolo", Session.Open(), new ExportOptions { Boxes = BoxKind.Cuboid });
@@ -33,6 +33,25 @@ public sealed class YoloWriterTests(SimulatedSession simulated) : ExportTests
             ["# Paths are relative to this file.", "train: images/train", "val: images/train", "names:", "  0: bus", "  1: pedestrian"],
             Folder.Lines("out/data.yaml"));
         Assert.StartsWith("1 ", Assert.Single(Folder.Lines("out/labels/train/00000000.txt")), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Data_file_quotes_names_that_yaml_would_not_read_as_strings()
+    {
+        Session.DeterminePedestrians();
+        Folder.Export("yolo", Session.Open(), new ExportOptions
+        {
+            Classes = [ObjectClass.Pedestrian, ObjectClass.Bus],
+            Names = new Dictionary<ObjectClass, string> { [ObjectClass.Pedestrian] = "no", [ObjectClass.Bus] = "12" },
+            Splits = new SplitPlan([new DatasetSplit("on", 1)], 0, 1),
+        });
+
+        Assert.Equal(
+            [
+                "# Paths are relative to this file.", "'on': images/on", "train: images/on", "val: images/on",
+                "names:", "  0: '12'", "  1: 'no'",
+            ],
+            Folder.Lines("out/data.yaml"));
     }
 
     [Fact]

@@ -14,10 +14,10 @@ public sealed class MaskRunsTests
         var map = new InstanceMap(new ImageSize(3, 2));
         map[0, 1] = map[1, 0] = map[1, 1] = 5;
 
-        Assert.Equal([1, 3, 2], MaskRuns.Encode(map, 5));
-        Assert.Equal([6], MaskRuns.Encode(map, 4));
+        Assert.Equal([1, 3, 2], Encode(map, 5));
+        Assert.Equal([6], Encode(map, 4));
         map[0, 0] = 5;
-        Assert.Equal([0, 4, 2], MaskRuns.Encode(map, 5));
+        Assert.Equal([0, 4, 2], Encode(map, 5));
     }
 
     [Fact]
@@ -26,7 +26,7 @@ public sealed class MaskRunsTests
         {
             InstanceMap map = MaskOutlinesTests.MapOf(pixels);
 
-            PixelMap back = MaskRuns.Decode(MaskRuns.Encode(map, 1), map.Image);
+            PixelMap back = MaskRuns.Decode(Encode(map, 1), map.Image);
 
             for (int pixel = 0; pixel < map.Image.PixelCount; pixel++)
             {
@@ -42,4 +42,7 @@ public sealed class MaskRunsTests
         Assert.Throws<ArgumentException>(() => MaskRuns.Decode([1, 6], size));
         Assert.Throws<ArgumentException>(() => MaskRuns.Decode([7, -1], size));
     }
+
+    private static IReadOnlyList<int> Encode(InstanceMap map, ushort number) =>
+        InstancePixels.AllOf(map).TryGetValue(number, out InstancePixels? pixels) ? MaskRuns.Encode(pixels) : [map.Image.PixelCount];
 }

@@ -8,7 +8,7 @@ namespace Harvester.Simulation.Tests.Faces.Survey;
 
 public sealed class SpaceSurveyTests : IDisposable
 {
-    /// <summary>What the project asks of a face's place.</summary>
+    /// <summary>The required accuracy of a face's position.</summary>
     private const double ToleranceMetres = 0.02;
 
     /// <summary>Rays for a sign or for a head; with one in every cell of the grid they would be some 16,000.</summary>
@@ -155,7 +155,7 @@ public sealed class SpaceSurveyTests : IDisposable
     }
 
     [Fact]
-    public void Folder_with_a_row_that_is_refused_is_not_written_over()
+    public void Folder_with_an_invalid_row_is_not_overwritten()
     {
         File.WriteAllText(Path.Combine(_path, SurveyFolder.TableName), "prop_sign_road_01a,5,sign\n");
 

@@ -47,7 +47,7 @@ internal static class KnownProps
         return new Prop(builder.Build(), [], faces);
     }
 
-    /// <summary>Rays meet boxes around post and plate where an octagon on a pipe is seen.</summary>
+    /// <summary>Rays hit boxes around post and plate where an octagon on a pipe is visible.</summary>
     private static Prop Coarse() => new(
         new MeshBuilder()
             .AddBox(new(-0.05, -0.05, 0), new(0.05, 0.05, 2.3), Grey)

@@ -23,7 +23,7 @@ internal sealed class PropStage(IReadOnlyDictionary<string, Prop> props, Pose po
 
     public int RaysCast { get; private set; }
 
-    /// <summary>Models that the game was asked for and may not unload.</summary>
+    /// <summary>Models that were requested from the game and may not be unloaded.</summary>
     public IEnumerable<string> Asked => _ticksToLoad.Keys;
 
     /// <summary>Rays until the game fails; null for never.</summary>

@@ -11,7 +11,7 @@ namespace Harvester.Simulation.Tests.Faces.Survey;
 /// <summary>The survey of signs over all shapes, sides and posts, with the one face that each of them has.</summary>
 public sealed class SignShapeTests(ITestOutputHelper output) : IDisposable
 {
-    /// <summary>What the project asks of a face's place.</summary>
+    /// <summary>The required accuracy of a face's position.</summary>
     private const double ToleranceMetres = 0.02;
 
     /// <summary>What a sign may cost, as in the test of known props.</summary>

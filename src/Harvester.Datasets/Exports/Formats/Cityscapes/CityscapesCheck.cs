@@ -12,9 +12,7 @@ using Harvester.Geometry.PixelMaps;
 
 namespace Harvester.Datasets.Exports.Formats.Cityscapes;
 
-/// <summary>
-/// What must hold for maps in the style of Cityscapes: every image has its three maps, of its size, which say the same, and its polygons.
-/// </summary>
+/// <summary>Checks Cityscapes maps: every image has three consistent maps of its size, and polygons.</summary>
 internal static class CityscapesCheck
 {
     private const string ImageEnd = "_leftImg8bit";
@@ -65,7 +63,7 @@ internal static class CityscapesCheck
                 name = map + kind;
                 if (!dataset.Has(name))
                 {
-                    return new SessionProblem(name, null, "it is missing, but its image is there.");
+                    return new SessionProblem(name, null, "it is missing, but its image exists.");
                 }
 
                 if (dataset.Header(image) is { } header && dataset.Header(name) is { } own && own.Size != header.Size)
@@ -99,7 +97,7 @@ internal static class CityscapesCheck
             ushort instance = instances.Ids[i];
             if (labelOf[instance] is not { } label)
             {
-                return $"{instance} is no instance of a label that is exported.";
+                return $"{instance} is not an instance of an exported label.";
             }
 
             string place = FormattableString.Invariant($"at column {i % width}, row {i / width}");
@@ -121,7 +119,7 @@ internal static class CityscapesCheck
     {
         if (!dataset.Has(name))
         {
-            return "it is missing, but its image is there.";
+            return "it is missing, but its image exists.";
         }
 
         try
@@ -135,7 +133,7 @@ internal static class CityscapesCheck
         }
         catch (JsonException)
         {
-            return "it is not JSON.";
+            return "it is not valid JSON.";
         }
         catch (DatasetFormatException e)
         {
@@ -144,7 +142,7 @@ internal static class CityscapesCheck
     }
 
     private static string? ObjectProblem(JsonFields item, Box2D image) =>
-        !CityscapesLabels.Names.Contains(item.Text("label")) ? $"'{item.Text("label")}' is no label that is exported."
+        !CityscapesLabels.Names.Contains(item.Text("label")) ? $"'{item.Text("label")}' is not an exported label."
             : item.Rows("polygon")
                 .All(corner => corner.Length == 2 && image.Contains(new Box2D(corner[0], corner[1], corner[0], corner[1]), 0)) ? null
             : "its polygon does not lie in the image.";

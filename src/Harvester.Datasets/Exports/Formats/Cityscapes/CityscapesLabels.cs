@@ -6,7 +6,7 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Datasets.Exports.Formats.Cityscapes;
 
 /// <summary>
-/// The rows of the benchmark's table that are exported, and how instances are numbered: label · 1000 + number for labels with instances.
+/// The exported rows of the benchmark's label table, and the instance ids: label id · 1000 + number, for labels with instances.
 /// </summary>
 internal static class CityscapesLabels
 {
@@ -34,18 +34,18 @@ internal static class CityscapesLabels
         new("bicycle", 33, 18, true),
     ];
 
-    /// <summary>Everything that is not an object.</summary>
+    /// <summary>All pixels that show no object.</summary>
     public static CityscapesLabel Unlabeled { get; } = Named("unlabeled");
 
     /// <summary>Posts of signs and traffic lights.</summary>
     public static CityscapesLabel Pole { get; } = Named("pole");
 
-    /// <summary>Names that classes can be given.</summary>
+    /// <summary>Label names that classes can be given.</summary>
     public static IReadOnlyCollection<string> Names { get; } = [.. Labels.Select(label => label.Name)];
 
     /// <summary>The label of a class.</summary>
     /// <param name="kind">The class.</param>
-    /// <param name="names">Names of labels of classes, where they are not the usual ones.</param>
+    /// <param name="names">Label names of classes that do not have the default.</param>
     public static CityscapesLabel Of(ObjectClass kind, IReadOnlyDictionary<ObjectClass, string> names) => Named(
         names.TryGetValue(kind, out string? name) ? name : kind switch
         {

@@ -9,16 +9,16 @@ using Harvester.Geometry.PixelMaps;
 namespace Harvester.Datasets.Exports.Formats.Cityscapes;
 
 /// <summary>
-/// A map of instances as polygons to be drawn one over the other, the largest first. Their corners are pixels that belong to them, as the
-/// benchmark's scripts draw polygons with their edges. Every piece that hangs together has a polygon of its own, without its holes; what is
-/// unlabeled has polygons where it may lie in such a hole.
+/// An instance map as polygons, to be drawn in order, the largest first. Their corners are pixels of the region, because the benchmark's
+/// scripts draw polygons including their edges. Every connected region has its own polygon, without holes; unlabeled pixels have polygons
+/// where they may lie in such a hole.
 /// </summary>
 internal static class CityscapesPolygons
 {
-    /// <summary>Stands for what is unlabeled, as outlines are of numbers from 1; no instance has it.</summary>
+    /// <summary>The value of unlabeled pixels in the map to outline, where 0 is not possible; no instance has it.</summary>
     private const ushort UnlabeledNumber = ushort.MaxValue;
 
-    /// <summary>The file's text.</summary>
+    /// <summary>The text of the file.</summary>
     public static string Text(InstanceMap instances) => JsonLine.Of(json =>
     {
         json.WriteStartObject();
@@ -71,8 +71,8 @@ internal static class CityscapesPolygons
         corner.X == image.XMin || corner.X == image.XMax || corner.Y == image.YMin || corner.Y == image.YMax;
 
     /// <summary>
-    /// The pixel in a corner of an outline, which runs along the borders of pixels with the piece on its right: half a pixel inward from
-    /// both sides.
+    /// The pixel at a corner of an outline. The outline runs along pixel borders with the region on its right, so the pixel's centre is
+    /// half a pixel inside along both axes.
     /// </summary>
     private static Vector2D PixelAt(Vector2D before, Vector2D corner, Vector2D after) =>
         corner + ((Inward(before, corner) + Inward(corner, after)) * 0.5) + new Vector2D(-0.5, -0.5);
@@ -83,7 +83,7 @@ internal static class CityscapesPolygons
         return new Vector2D(-along.Y, along.X) * (1 / along.Length);
     }
 
-    /// <summary>Positive for an outline around a piece, negative for one around a hole.</summary>
+    /// <summary>Positive for the outline of a region, negative for that of a hole.</summary>
     private static double Area(IReadOnlyList<Vector2D> outline) => outline
         .Select((corner, i) => corner.Cross(outline[(i + 1) % outline.Count])).Sum() / 2;
 }

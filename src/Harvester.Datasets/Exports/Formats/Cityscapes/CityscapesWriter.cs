@@ -6,7 +6,7 @@ using Harvester.Sessions.Imaging.Pictures;
 namespace Harvester.Datasets.Exports.Formats.Cityscapes;
 
 /// <summary>
-/// Maps in the style of Cityscapes' gtFine: instance ids, label ids and training ids as grey PNGs, and polygons. See
+/// Writes maps in the style of Cityscapes' gtFine: instance ids, label ids and training ids as greyscale PNGs, and polygons. See
 /// docs/exports/cityscapes.md.
 /// </summary>
 internal sealed class CityscapesWriter(ExportOptions options) : IDatasetWriter
@@ -35,7 +35,8 @@ internal sealed class CityscapesWriter(ExportOptions options) : IDatasetWriter
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => [];
 
     /// <summary>
-    /// Instances count from 0 within their label, in the order of the objects' ids. What is not exported has no entry and is unlabeled.
+    /// Instances are numbered from 0 within their label, in the order of object ids. Objects that are not exported have no entry and become
+    /// unlabeled.
     /// </summary>
     private Dictionary<int, ushort> InstanceIds(ExportFrame frame)
     {

@@ -8,9 +8,7 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;
 
-/// <summary>
-/// What must hold for COCO instances: ids are unique and known, boxes lie in their images, segmentations agree with box and area.
-/// </summary>
+/// <summary>Checks COCO instances: ids are unique and known, boxes lie in their images, segmentations agree with box and area.</summary>
 internal static class CocoCheck
 {
     /// <summary>Boxes are rounded to three decimals.</summary>
@@ -26,7 +24,7 @@ internal static class CocoCheck
     {
         BoxKind boxes = dataset.Options.Boxes ?? BoxKind.Cuboid;
         string name = $"annotations/instances_{split}.json";
-        SessionProblem[] problems = [.. images.Read(name, split)];
+        SessionProblem[] problems = [.. images.Read(name, split).Take(ProblemList.MaxProblems + 1)];
         var ids = new HashSet<long>();
         return dataset.Has(name)
             ? problems.Concat(CocoElements.Problems(
@@ -37,7 +35,7 @@ internal static class CocoCheck
     private static string? Problem(JsonFields annotation, CocoImages images, HashSet<long> ids, BoxKind boxes)
     {
         long id = annotation.LongInteger("id");
-        string? problem = !ids.Add(id) || id < 1 ? "its id is there twice or below 1."
+        string? problem = !ids.Add(id) || id < 1 ? "its id occurs twice or is below 1."
             : !images.Sizes.TryGetValue(annotation.LongInteger("image_id"), out ImageSize image) ? "its image is not listed."
             : !images.HasCategory(annotation.Integer("category_id")) ? "its category is not listed."
             : annotation.Integer("iscrowd") is not (0 or 1) ? "iscrowd is not 0 or 1."
@@ -53,18 +51,18 @@ internal static class CocoCheck
         bool isInImage = boxes == BoxKind.Amodal || new Box2D(0, 0, image.Width, image.Height).Contains(box, RoundingPixels);
         return !(box.Width > 0 && box.Height > 0 && isInImage)
             ? $"its box does not lie in the image of {image.Width} x {image.Height}, or has no area."
-            : !(area > 0 && area <= MostArea(box)) ? "its area is not that of something in its box."
+            : !(area > 0 && area <= MaxArea(box)) ? "its area is not positive, or larger than its box."
             : annotation.IsList("segmentation")
                 ? CocoSegmentationCheck.PolygonProblem(annotation.Rows("segmentation"), SpannedBy(annotation, box, boxes))
             : CocoSegmentationCheck.RunsProblem(annotation.Fields("segmentation"), image, SpannedBy(annotation, box, boxes), area);
     }
 
     /// <summary>
-    /// What a segmentation must span: the box around the visible pixels; any box else may be larger than what is seen in it.
+    /// The box that a segmentation must span: the box around the visible pixels. Other boxes may be larger than their visible part.
     /// </summary>
     private static Box2D? SpannedBy(JsonFields annotation, Box2D box, BoxKind boxes) =>
         boxes == BoxKind.Visible && annotation.Integer("iscrowd") == 0 ? box : null;
 
-    /// <summary>The pixels that a box touches reach beyond it by less than one on either side.</summary>
-    private static double MostArea(Box2D box) => (box.Width + 2) * (box.Height + 2);
+    /// <summary>Largest area of a box's pixels: they reach beyond the box by less than one pixel on each side.</summary>
+    private static double MaxArea(Box2D box) => (box.Width + 2) * (box.Height + 2);
 }

@@ -7,13 +7,13 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;
 
-/// <summary>Looks at the elements of the lists of a JSON file, one after the other.</summary>
+/// <summary>Checks the elements of the lists in a JSON file, one by one.</summary>
 internal static class CocoElements
 {
-    /// <summary>What is wrong with the elements, with their lines.</summary>
+    /// <summary>The problems of the elements, with their lines.</summary>
     /// <param name="dataset">The dataset.</param>
     /// <param name="name">The file.</param>
-    /// <param name="problemOf">What is wrong with an element of a list; null for nothing.</param>
+    /// <param name="problemOf">The problem of an element of a list; null for none.</param>
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset, string name, Func<string, JsonFields, string?> problemOf)
     {
         using var reader = new JsonListReader(dataset.PathOf(name));
@@ -46,7 +46,7 @@ internal static class CocoElements
         }
         catch (JsonException e)
         {
-            damage = new SessionProblem(name, (int?)(e.LineNumber + 1), "it is not JSON from here on.");
+            damage = new SessionProblem(name, (int?)(e.LineNumber + 1), "it is not valid JSON from here on.");
             return false;
         }
         catch (DatasetFormatException e)

@@ -8,7 +8,7 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;
 
-/// <summary>What must hold for the lists of images and categories, which all files of COCO have, and what they say.</summary>
+/// <summary>Checks the lists of images and categories, which all COCO files have, and keeps their content.</summary>
 /// <param name="dataset">The dataset.</param>
 internal sealed class CocoImages(DatasetContent dataset)
 {
@@ -17,13 +17,13 @@ internal sealed class CocoImages(DatasetContent dataset)
     private readonly HashSet<string> _namesOfAll = new(StringComparer.Ordinal);
     private readonly HashSet<long> _idsOfAll = [];
 
-    /// <summary>Sizes of the images of the file that was read last, by their ids.</summary>
+    /// <summary>Sizes of the images in the file read last, by id.</summary>
     public IReadOnlyDictionary<long, ImageSize> Sizes => _sizes;
 
-    /// <summary>Whether the file that was read last has a category.</summary>
+    /// <summary>Whether the file read last has a category.</summary>
     public bool HasCategory(int category) => _categories.Contains(category);
 
-    /// <summary>Reads a split's file; ids and names of images must differ from those of files read before.</summary>
+    /// <summary>Reads the file of a split; ids and names of images must differ from those of files read before.</summary>
     public IEnumerable<SessionProblem> Read(string name, string split)
     {
         _sizes.Clear();
@@ -40,9 +40,9 @@ internal sealed class CocoImages(DatasetContent dataset)
             {
                 "images" => ImageProblem(element, split, listed),
                 "categories" => _categories.Add(element.Integer("id")) && element.Text("name").Length > 0 ? null
-                    : "its category is there twice or has no name.",
+                    : "its category occurs twice or has no name.",
                 _ => null,
-            }),
+            }).Take(ProblemList.MaxProblems + 1),
         ];
         return problems.Concat(dataset.Files($"images/{split}").Where(image => !listed.Contains(image))
             .Select(image => new SessionProblem(image, null, $"it is not listed in {name}.")));
@@ -58,8 +58,8 @@ internal sealed class CocoImages(DatasetContent dataset)
         listed.Add($"images/{split}/{file}");
         ImageHeader? header = dataset.Header($"images/{split}/{file}");
         return !dataset.Has($"images/{split}/{file}") ? $"image '{file}' is not in images/{split}."
-            : !_idsOfAll.Add(id) ? $"image {id} is there twice, here or in another split."
-            : !_namesOfAll.Add(file) ? $"image '{file}' is there twice, here or in another split."
+            : !_idsOfAll.Add(id) ? $"image {id} occurs twice, here or in another split."
+            : !_namesOfAll.Add(file) ? $"image '{file}' occurs twice, here or in another split."
             : header is not null && header.Size != size
                 ? $"image '{file}' is {header.Size.Width} x {header.Size.Height}, not {size.Width} x {size.Height}."
             : null;

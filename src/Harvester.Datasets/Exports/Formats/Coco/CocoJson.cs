@@ -7,20 +7,20 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;
 
-/// <summary>What COCO's files have in common.</summary>
+/// <summary>The JSON that COCO files have in common.</summary>
 internal static class CocoJson
 {
     public const int PixelDecimals = 3;
     public const int FractionDecimals = 4;
     private const int SecondsDecimals = 6;
 
-    /// <summary>The info object; no date, so that the same sessions give the same bytes.</summary>
+    /// <summary>The info object; without a date, so that the same sessions give the same bytes.</summary>
     private const string Info = """{"description":"Exported by GtaDataHarvester","version":"1"}""";
 
-    /// <summary>The files of all splits, put together from the parts that are named images and annotations with the split.</summary>
-    /// <param name="kind">What their names begin with.</param>
+    /// <summary>The files of all splits, assembled from parts named images and annotations with the split.</summary>
+    /// <param name="kind">Prefix of their names.</param>
     /// <param name="options">The options.</param>
-    /// <param name="stuff">Categories that are no objects.</param>
+    /// <param name="stuff">Categories that are not objects.</param>
     public static IEnumerable<AggregateFile> Files(string kind, ExportOptions options, params IEnumerable<Stuff> stuff) =>
         options.Splits.Splits.Select(split => new AggregateFile(
         $"annotations/{kind}_{split.Name}.json",

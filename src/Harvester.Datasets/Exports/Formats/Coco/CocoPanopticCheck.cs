@@ -9,7 +9,7 @@ using Harvester.Sessions.Imaging;
 namespace Harvester.Datasets.Exports.Formats.Coco;
 
 /// <summary>
-/// What must hold for COCO panoptic: one annotation an image, whose segments are the colours of its picture, with their boxes and areas.
+/// Checks COCO panoptic: one annotation per image, whose segments are the colours of the PNG, with their boxes and areas.
 /// </summary>
 internal static class CocoPanopticCheck
 {
@@ -22,7 +22,7 @@ internal static class CocoPanopticCheck
     private static List<SessionProblem> ProblemsOf(DatasetContent dataset, CocoImages images, string split)
     {
         string name = $"annotations/panoptic_{split}.json";
-        List<SessionProblem> problems = [.. images.Read(name, split)];
+        List<SessionProblem> problems = [.. images.Read(name, split).Take(ProblemList.MaxProblems + 1)];
         if (!dataset.Has(name))
         {
             return problems;
@@ -30,7 +30,8 @@ internal static class CocoPanopticCheck
 
         var seen = new HashSet<long>();
         problems.AddRange(CocoElements.Problems(
-            dataset, name, (list, element) => list == "annotations" ? Problem(dataset, split, element, images, seen) : null));
+            dataset, name, (list, element) => list == "annotations" ? Problem(dataset, split, element, images, seen) : null)
+            .Take(ProblemList.MaxProblems + 1));
         problems.AddRange(images.Sizes.Keys.Where(id => !seen.Contains(id))
             .Select(id => new SessionProblem(name, null, $"image {id} has no annotation.")));
         return problems;
@@ -41,7 +42,7 @@ internal static class CocoPanopticCheck
         long image = annotation.LongInteger("image_id");
         string picture = $"annotations/panoptic_{split}/{annotation.Text("file_name")}";
         string? problem = !images.Sizes.TryGetValue(image, out ImageSize size) ? "its image is not listed."
-            : !seen.Add(image) ? "its image has an annotation already."
+            : !seen.Add(image) ? "its image already has an annotation."
             : !dataset.Has(picture) ? $"'{picture}' is missing."
             : SegmentsProblem(annotation.List("segments_info"), PngDecoder.ReadRgb(dataset.PathOf(picture)), size, images);
         return problem is null ? null : $"annotation of image {image}: {problem}";
@@ -51,7 +52,7 @@ internal static class CocoPanopticCheck
     {
         if (picture.Size != size)
         {
-            return $"its picture is not of {size.Width} x {size.Height}.";
+            return $"its map is {picture.Size.Width} x {picture.Size.Height}, not {size.Width} x {size.Height}.";
         }
 
         var found = new Dictionary<int, Segment>(new SegmentMap(picture).Segments);
@@ -61,13 +62,13 @@ internal static class CocoPanopticCheck
             double[] box = segment.Numbers("bbox", 4);
             if (!found.Remove(id, out Segment? pixels))
             {
-                return $"segment {id} is not in its picture, or there twice.";
+                return $"segment {id} is not in its map, or occurs twice.";
             }
 
             if (segment.Integer("area") != pixels.Area
                 || !box.SequenceEqual([pixels.Left, pixels.Top, pixels.Right - pixels.Left, pixels.Bottom - pixels.Top]))
             {
-                return $"segment {id} has another area or box than in its picture.";
+                return $"area or bbox of segment {id} differs from its map.";
             }
 
             if (!images.HasCategory(segment.Integer("category_id")) || segment.Integer("iscrowd") is not (0 or 1))
@@ -76,6 +77,6 @@ internal static class CocoPanopticCheck
             }
         }
 
-        return found.Count == 0 ? null : $"segment {found.Keys.Min()} of its picture is not listed.";
+        return found.Count == 0 ? null : $"segment {found.Keys.Min()} of its map is not listed.";
     }
 }

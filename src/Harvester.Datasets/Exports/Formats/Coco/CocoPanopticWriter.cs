@@ -10,7 +10,8 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Datasets.Exports.Formats.Coco;
 
 /// <summary>
-/// COCO panoptic: a colour PNG a frame whose colours are segments, and their list in one file a split. See docs/exports/coco-panoptic.md.
+/// Writes COCO panoptic: a colour PNG per frame whose colours are segments, and a file per split that lists them. See
+/// docs/exports/coco-panoptic.md.
 /// </summary>
 internal sealed class CocoPanopticWriter(ExportOptions options) : IDatasetWriter
 {
@@ -42,7 +43,7 @@ internal sealed class CocoPanopticWriter(ExportOptions options) : IDatasetWriter
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
         CocoJson.Files("panoptic", options, StuffOf(options));
 
-    /// <summary>The categories that are no objects: posts only where they are not part of their signs and lights.</summary>
+    /// <summary>The categories that are not objects. Posts are one only if they are not part of their signs and lights.</summary>
     public static IEnumerable<Stuff> StuffOf(ExportOptions options) =>
         options.Parts == PartSelection.Faces ? [Stuff.Pole, Stuff.Background] : [Stuff.Background];
 

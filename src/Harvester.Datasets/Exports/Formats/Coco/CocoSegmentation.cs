@@ -9,7 +9,7 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;
 
-/// <summary>The segmentation of an annotation: run lengths, outlines, or none without a mask.</summary>
+/// <summary>The segmentation of an annotation: run lengths or polygons; empty without a mask.</summary>
 internal sealed class CocoSegmentation
 {
     private readonly ImageSize _image;
@@ -17,7 +17,7 @@ internal sealed class CocoSegmentation
     private readonly IReadOnlyList<IReadOnlyList<Vector2D>> _outlines = [];
 
     /// <summary>The segmentation of an object.</summary>
-    /// <param name="kind">How it is described.</param>
+    /// <param name="kind">The encoding.</param>
     /// <param name="pixels">The object's pixels; null without a mask.</param>
     public CocoSegmentation(SegmentationKind kind, InstancePixels? pixels)
     {
@@ -25,7 +25,7 @@ internal sealed class CocoSegmentation
         {
             _image = pixels.Map.Image;
             Area = pixels.Area;
-            _runs = kind == SegmentationKind.Rle ? MaskRuns.Encode(pixels.Map, pixels.Id) : [];
+            _runs = kind == SegmentationKind.Rle ? MaskRuns.Encode(pixels) : [];
             _outlines = kind == SegmentationKind.Polygon ? pixels.Outlines() : [];
         }
     }
@@ -41,14 +41,14 @@ internal sealed class CocoSegmentation
     public int? Area { get; }
 
     /// <summary>
-    /// The segmentation of a region: the pixels of what it shows, or else all of its box. The format describes crowds by run lengths.
+    /// The segmentation of an ignore region: its visible pixels, or its whole box without a mask. The format encodes crowds by run lengths.
     /// </summary>
     public static CocoSegmentation OfRegion(ExportRegion region, ExportFrame frame) =>
         frame.Mask is null ? new CocoSegmentation(SegmentationKind.Rle, null)
         : region.Label is { } label && frame.PixelsOf(label) is { } pixels ? new CocoSegmentation(SegmentationKind.Rle, pixels)
         : new CocoSegmentation(frame.Mask.Image, RunsOf(region.Box, frame.Mask.Image));
 
-    /// <summary>Writes it as a value.</summary>
+    /// <summary>Writes the segmentation as a JSON value.</summary>
     public void Write(Utf8JsonWriter json)
     {
         if (_runs.Count > 0)
@@ -90,7 +90,7 @@ internal sealed class CocoSegmentation
         json.WriteEndObject();
     }
 
-    /// <summary>The pixels that a box touches, column by column, what is outside first.</summary>
+    /// <summary>The pixels that a box touches, as run lengths by column, beginning with the background.</summary>
     private static List<int> RunsOf(Box2D box, ImageSize image)
     {
         (int left, int right) = (Math.Max(0, (int)Math.Floor(box.XMin)), Math.Min(image.Width, (int)Math.Ceiling(box.XMax)));

@@ -6,7 +6,7 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;
 
-/// <summary>What must hold for a segmentation: it spans its box, and run lengths fill the image and add up to the area.</summary>
+/// <summary>Checks a segmentation: it spans its box, and run lengths fill the image and add up to the area.</summary>
 internal static class CocoSegmentationCheck
 {
     /// <summary>Polygons run along pixel borders, and so do the boxes around visible pixels.</summary>
@@ -26,7 +26,7 @@ internal static class CocoSegmentationCheck
             : "its polygons do not span its box.";
     }
 
-    /// <summary>Uncompressed run lengths: column by column, what is outside first.</summary>
+    /// <summary>Uncompressed run lengths, by column, beginning with the background.</summary>
     public static string? RunsProblem(JsonFields segmentation, ImageSize image, Box2D? box, double area)
     {
         double[] size = segmentation.Numbers("size", 2);
@@ -50,7 +50,7 @@ internal static class CocoSegmentationCheck
             int end = at + (int)counts[i];
             if (i % 2 == 1 && end > at)
             {
-                // A run that goes on in the next column touches the last row and the first.
+                // A run that continues in the next column touches the last row and the first.
                 bool isInOneColumn = at / height == (end - 1) / height;
                 left = Math.Min(left, at / height);
                 right = Math.Max(right, ((end - 1) / height) + 1);

@@ -8,13 +8,13 @@ using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Exports.Formats.Coco;
 
-/// <summary>COCO instances: images by split and one file of annotations for each. See docs/exports/coco.md.</summary>
+/// <summary>Writes COCO instances: images by split, and an annotation file per split. See docs/exports/coco.md.</summary>
 internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
 {
-    /// <summary>Object ids fit 16 bits, so that frame and object together give an id that no filter and no shard changes.</summary>
+    /// <summary>Object ids have 16 bits, so frame and object give an annotation id that does not depend on filters and shards.</summary>
     private const long IdsPerFrame = 1 << 17;
 
-    /// <summary>Regions without a label are numbered after all objects.</summary>
+    /// <summary>Ids of ignore regions begin above all object ids.</summary>
     private const int FirstRegion = 1 << 16;
 
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
@@ -25,7 +25,7 @@ internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
         int objects = 0;
         foreach (ExportObject item in frame.Objects)
         {
-            // With a mask, an object of which no pixel is seen has nothing to annotate.
+            // With a mask, an object without visible pixels has nothing to annotate.
             InstancePixels? pixels = frame.PixelsOf(item.Label);
             if (frame.Mask is null || pixels is not null)
             {
@@ -75,7 +75,7 @@ internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
         json.WriteEndObject();
     });
 
-    /// <summary>What the session knows of an object beyond the format.</summary>
+    /// <summary>Fields of the session that the format does not define.</summary>
     private static void WriteExtras(Utf8JsonWriter json, ObjectLabel label)
     {
         json.WriteNumber("track_id", label.Id);

@@ -6,11 +6,11 @@ using Harvester.Sessions.Imaging;
 namespace Harvester.Datasets.Exports.Formats.Coco;
 
 /// <summary>
-/// A panoptic image: the colour of a pixel is the id of its segment, red + 256 green + 65536 blue. Black is no segment.
+/// A panoptic image: the colour of a pixel is the id of its segment, red + 256 green + 65536 blue. Black pixels have no segment.
 /// </summary>
 internal sealed class SegmentMap
 {
-    /// <summary>Takes a picture.</summary>
+    /// <summary>Reads the segments of an image.</summary>
     public SegmentMap(PixelBuffer picture)
     {
         Picture = picture;
@@ -19,16 +19,16 @@ internal sealed class SegmentMap
 
     /// <summary>Draws a mask.</summary>
     /// <param name="mask">The mask.</param>
-    /// <param name="segmentOf">The segment of a value of the mask.</param>
+    /// <param name="segmentOf">The segment of a mask value.</param>
     public SegmentMap(InstanceMap mask, Func<int, int> segmentOf)
         : this(Draw(mask, segmentOf))
     {
     }
 
-    /// <summary>The picture.</summary>
+    /// <summary>The image.</summary>
     public PixelBuffer Picture { get; }
 
-    /// <summary>The segments by their numbers.</summary>
+    /// <summary>The segments by id.</summary>
     public IReadOnlyDictionary<int, Segment> Segments { get; }
 
     private static PixelBuffer Draw(InstanceMap mask, Func<int, int> segmentOf)

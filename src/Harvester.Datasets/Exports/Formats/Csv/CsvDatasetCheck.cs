@@ -14,7 +14,7 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Datasets.Exports.Formats.Csv;
 
 /// <summary>
-/// What must hold for the flat tables: their columns, frames with their images, and objects that belong to a frame and lie in it.
+/// Checks the CSV tables: their columns, frames with their images, and objects that belong to a frame and lie in its image.
 /// </summary>
 internal sealed class CsvDatasetCheck
 {
@@ -25,7 +25,7 @@ internal sealed class CsvDatasetCheck
     /// <summary>Pixels have three decimals.</summary>
     private const double RoundingPixels = 0.002;
 
-    /// <summary>Names of models and paths have less than a hundredth.</summary>
+    /// <summary>Limit of a field, more than a hundred times the length of names and paths.</summary>
     private const int MaxFieldCharacters = 1 << 16;
 
     private static readonly string[] Texts =
@@ -107,7 +107,7 @@ internal sealed class CsvDatasetCheck
         var size = new ImageSize((int)Number(row["width"]), (int)Number(row["height"]));
         if (!_sizes.TryAdd(row["frame"], size))
         {
-            return $"frame {row["frame"]} is there twice.";
+            return $"frame {row["frame"]} occurs twice.";
         }
 
         if (!_dataset.Splits.Select(CsvText.Of).Contains(row["split"]))
@@ -121,20 +121,20 @@ internal sealed class CsvDatasetCheck
             : header is not null && header.Size != size
                 ? $"its image is {header.Size.Width} x {header.Size.Height}, not {size.Width} x {size.Height}."
             : TimeSpan.TryParseExact(row["time_of_day"], @"hh\:mm\:ss", CultureInfo.InvariantCulture, out _) ? null
-                : "time_of_day is not a time as 13:05:00.";
+                : "time_of_day is not a time such as 13:05:00.";
     }
 
     private string? ObjectProblem(Dictionary<string, string> row)
     {
         return RegionProblem(row) is { } problem ? problem
-            : !_objects.Add((row["frame"], row["id"])) ? $"object {row["id"]} is there twice in frame {row["frame"]}."
+            : !_objects.Add((row["frame"], row["id"])) ? $"object {row["id"]} occurs twice in frame {row["frame"]}."
             : row.Where(pair => pair.Key.EndsWith("_fraction", StringComparison.Ordinal) && pair.Value.Length > 0)
                 .FirstOrDefault(pair => Number(pair.Value) is < 0 or > 1)
                 is { Key: { } fraction } ? $"{fraction} is not 0 to 1."
             : null;
     }
 
-    /// <summary>What must hold for objects and for regions.</summary>
+    /// <summary>Checks that objects and ignore regions have in common.</summary>
     private string? RegionProblem(Dictionary<string, string> row)
     {
         if (!_sizes.TryGetValue(row["frame"], out ImageSize size))
@@ -149,7 +149,7 @@ internal sealed class CsvDatasetCheck
             : Number(row["distance_metres"]) < 0 ? "distance_metres is below 0." : null;
     }
 
-    /// <summary>What is not known is an empty field.</summary>
+    /// <summary>Unknown values are empty fields.</summary>
     private static bool IsNumber(string text) => text.Length == 0 || Numbers.Parse([text]) is not null;
 
     private static double Number(string text) => Numbers.Parse([text])?[0] ?? double.NaN;

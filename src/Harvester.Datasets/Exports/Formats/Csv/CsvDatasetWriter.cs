@@ -13,7 +13,7 @@ using Harvester.Sessions.Text;
 namespace Harvester.Datasets.Exports.Formats.Csv;
 
 /// <summary>
-/// Flat tables, frames.csv, objects.csv and ignore_regions.csv (RFC 4180 with LF), and the images. See docs/exports/csv.md.
+/// Writes the CSV tables frames.csv, objects.csv and ignore_regions.csv (RFC 4180 with LF), and the images. See docs/exports/csv.md.
 /// </summary>
 internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
 {
@@ -29,7 +29,8 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
     /// <summary>Columns of frames.csv.</summary>
     public static string[] FrameColumns { get; } =
     [
-        "frame", "split", "session", "session_frame", "image", "time_seconds", "weather", "time_of_day", "width", "height", "fx", "fy", "cx", "cy", "k1", "k2",
+        "frame", "split", "session", "session_frame", "image", "time_seconds", "weather", "time_of_day", "width", "height",
+        "fx", "fy", "cx", "cy", "k1", "k2",
         .. VectorColumns("camera"), .. VectorColumns("camera_right"), .. VectorColumns("camera_forward"), .. VectorColumns("camera_up"),
         .. VectorColumns("ego"), "ego_heading_degrees", .. VectorColumns("ego_velocity"),
     ];
@@ -112,7 +113,7 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
     }
 
     /// <summary>
-    /// The session's own numbers: computed again from the other fractions, which are rounded, they could differ in the last decimal.
+    /// The fractions as the session has them. Computed from the other, rounded fractions, they could differ in the last decimal.
     /// </summary>
     private static Dictionary<int, double?> VisibleFractions(string line)
     {
@@ -123,7 +124,7 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
 
     private static string Of(bool? truth) => truth switch { true => "1", false => "0", null => "" };
 
-    /// <summary>What is not known is an empty field.</summary>
+    /// <summary>Unknown values are empty fields.</summary>
     private static IEnumerable<string> Of(int decimals, params double?[] values) =>
         values.Select(value => value is { } known ? InvariantNumber.Format(known, decimals) : "");
 
@@ -140,7 +141,7 @@ internal sealed class CsvDatasetWriter(ExportOptions options) : IDatasetWriter
         {
             foreach (string field in fields)
             {
-                // A line break would be a line of its own to readers that split by lines.
+                // Readers that split by lines would take a line break in a field for the end of the row.
                 csv.WriteField(field.ReplaceLineEndings(" "));
             }
 

@@ -5,12 +5,13 @@ using System.Linq;
 using Harvester.Datasets.Exports.Checks;
 using Harvester.Datasets.Json;
 using Harvester.Datasets.Sessions;
+using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 
 namespace Harvester.Datasets.Exports.Formats.DeepDriving;
 
 /// <summary>
-/// What must hold for DeepDriving: images of the network's size, thirteen numbers a file, and a table that says the same.
+/// Checks DeepDriving datasets: images of the network's size, thirteen numbers per file, and a table with the same values.
 /// </summary>
 internal static class DeepDrivingCheck
 {
@@ -18,7 +19,7 @@ internal static class DeepDrivingCheck
     private const string Images = "images";
     private const int LeadingColumns = 5;
 
-    /// <summary>Values have six decimals; the normalised ones are made before the others are rounded.</summary>
+    /// <summary>Values have six decimals; the normalised ones are computed from unrounded values.</summary>
     private const double Rounding = 0.000002;
 
     private static readonly int Columns = DeepDrivingWriter.Header.Split(',').Length;
@@ -50,7 +51,7 @@ internal static class DeepDrivingCheck
 
         foreach (string stem in images.Order(StringComparer.Ordinal))
         {
-            yield return new SessionProblem(Table, null, $"image '{stem}' is in no row.");
+            yield return new SessionProblem(Table, null, $"image '{stem}' has no row.");
         }
     }
 
@@ -64,7 +65,7 @@ internal static class DeepDrivingCheck
         (string split, string image, string status, string fast) = (row[1], row[2], row[3], row[4]);
         if (!images.Remove(Path.GetFileNameWithoutExtension(image)) || !dataset.Has(image))
         {
-            return $"its image '{image}' is missing, or there twice.";
+            return $"its image '{image}' is missing, or occurs twice.";
         }
 
         if (!dataset.Splits.Contains(split))
@@ -73,14 +74,17 @@ internal static class DeepDrivingCheck
         }
 
         dataset.Found(split);
-        return dataset.Header(image) is { } header && header.Size != DeepDrivingWriter.Size
-            ? $"its image is {header.Size.Width} x {header.Size.Height}."
-            : !JsonNames.TryRead(status, out LaneStatus _) || fast is not ("0" or "1") ? "its status or fast is not one of the format's."
+        ImageSize expected = DeepDrivingWriter.Size;
+        return dataset.Header(image) is { } header && header.Size != expected
+            ? $"its image is {header.Size.Width} x {header.Size.Height}, not {expected.Width} x {expected.Height}."
+            : !JsonNames.TryRead(status, out LaneStatus _) || fast is not ("0" or "1") ? "its status or fast has an unknown value."
             : Numbers.Parse(row.Skip(LeadingColumns)) is not { } numbers ? "a value is not a number."
             : ValueProblem(dataset, Path.GetFileNameWithoutExtension(image), fast == "1", numbers);
     }
 
-    /// <summary>The values after the status: metres, flags, TORCS's and normalised ones, thirteen each, and fast.</summary>
+    /// <summary>
+    /// Checks the columns after the status: metres, flags, TORCS equivalents and normalised values, thirteen each, and fast.
+    /// </summary>
     private static string? ValueProblem(DatasetContent dataset, string stem, bool isFast, double[] values)
     {
         int count = IndicatorTable.Count;
@@ -94,7 +98,7 @@ internal static class DeepDrivingCheck
         double[] expected = [.. DeepDrivingWriter.Normalised(values[(2 * count)..(3 * count)]), DeepDrivingNormalisation.Fast(isFast)];
         int wrong = Array.FindIndex(
             [.. expected.Zip(values.Skip(3 * count), (a, b) => Math.Abs(a - b))], difference => difference > Rounding);
-        return wrong >= 0 ? $"normalised_{DeepDrivingWriter.Columns.Append("fast").ElementAt(wrong)} is not the map of its value."
+        return wrong >= 0 ? $"normalised_{DeepDrivingWriter.Columns.Append("fast").ElementAt(wrong)} does not follow from its value."
             : Math.Abs(metres[0]) > Math.PI + Rounding ? "angle is not from -pi to pi."
             : FileProblem(dataset, $"indicators/{stem}.txt", metres) ?? FileProblem(dataset, $"normalised/{stem}.txt", normalised);
     }
@@ -104,6 +108,6 @@ internal static class DeepDrivingCheck
         string[] lines = [.. dataset.Lines(name).Select(line => line.Text)];
         return lines.Length == 1 && Numbers.Parse(lines[0].Split(' ')) is { } numbers && numbers.SequenceEqual(row)
             ? null
-            : $"{name} is missing, or has other numbers.";
+            : $"{name} is missing, or its numbers differ.";
     }
 }

@@ -10,8 +10,8 @@ using Harvester.Sessions.Text;
 namespace Harvester.Datasets.Exports.Formats.DeepDriving;
 
 /// <summary>
-/// What DeepDriving trains on: images of 280 x 210 and the thirteen indicators, as a table and as one text file per frame, in metres and
-/// as the network's loss layer maps them. See docs/exports/deepdriving.md.
+/// Writes the training data of DeepDriving: images of 280 x 210 and the thirteen indicators, as a table and as one text file per frame, in
+/// metres and as normalised by the network's loss layer. See docs/exports/deepdriving.md.
 /// </summary>
 internal sealed class DeepDrivingWriter : IDatasetWriter
 {
@@ -26,7 +26,7 @@ internal sealed class DeepDrivingWriter : IDatasetWriter
             ? indicator.Name
             : indicator.Name.Insert(indicator.Name.Length - indicator.Place.Length, "_"))];
 
-    /// <summary>First line of the table, with its end.</summary>
+    /// <summary>The header line of the table, with its line end.</summary>
     public static string Header { get; } = string.Join(
         ',',
         [
@@ -69,7 +69,7 @@ internal sealed class DeepDrivingWriter : IDatasetWriter
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) =>
         [new("indicators.csv", [AggregateSection.Literal(Header), AggregateSection.Lines("rows")])];
 
-    /// <summary>The loss layer's maps of values in the order of the indicators.</summary>
+    /// <summary>The normalisation of the loss layer, in the order of the indicators.</summary>
     public static double[] Normalised(double[] torcs) =>
         [.. torcs.Zip(IndicatorTable.All, (value, indicator) => indicator.Normalise(value))];
 

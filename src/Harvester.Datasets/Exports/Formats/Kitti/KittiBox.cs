@@ -7,15 +7,15 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
 /// <summary>
-/// An object in KITTI's terms: the camera's frame with x right, y down, z forward; a box that stands upright in it, given by its size,
-/// the centre of its lower face and its turn about y; pixels whose centres have whole numbers.
+/// An object in KITTI's terms: in the camera's frame with x right, y down and z forward, an upright box with its size, the centre of its
+/// bottom face and its rotation about y; in the image, pixels with integer centres.
 /// </summary>
 internal sealed class KittiBox
 {
     /// <summary>KITTI counts from the centre of the upper left pixel, conventions.md from its corner.</summary>
     public const double PixelShift = -0.5;
 
-    /// <summary>Pixels have two decimals; a box below this could have none.</summary>
+    /// <summary>Coordinates have two decimals; a smaller box could round to zero size.</summary>
     private const double MinPixels = 0.02;
 
     private readonly UprightBox _upright;
@@ -31,27 +31,27 @@ internal sealed class KittiBox
     /// <summary>The object's label.</summary>
     public ObjectLabel Label { get; }
 
-    /// <summary>The object's type.</summary>
+    /// <summary>The object's type in KITTI.</summary>
     public string Type { get; }
 
-    /// <summary>Its box in the image.</summary>
+    /// <summary>The 2D box.</summary>
     public Box2D Box { get; }
 
     /// <summary>
-    /// By how much the sides of the projected upright box miss those of the projected cuboid, pixels; 0 where the cuboid reaches behind the
-    /// camera.
+    /// Largest distance between the sides of the projected upright box and those of the projected cuboid, pixels; 0 if the cuboid reaches
+    /// behind the camera.
     /// </summary>
     public double MissPixels => _upright.MissPixels;
 
-    /// <summary>By how much the upright box stands beside the cuboid, metres.</summary>
+    /// <summary>Distance between the centres of the upright box and the cuboid, metres.</summary>
     public double MovedMetres => _upright.MovedMetres;
 
-    /// <summary>Angle between the cuboid's up and the camera's, degrees.</summary>
+    /// <summary>Angle between the up axes of the cuboid and of the camera, degrees.</summary>
     public double LeanDegrees => _upright.LeanDegrees;
 
     /// <summary>The objects of a frame that KITTI labels.</summary>
     /// <param name="frame">The frame.</param>
-    /// <param name="names">Types of classes, where they are not the usual ones.</param>
+    /// <param name="names">Types of classes that do not have the default.</param>
     public static IEnumerable<KittiBox> Of(ExportFrame frame, IReadOnlyDictionary<ObjectClass, string> names)
     {
         CameraLabel camera = frame.Label.Camera;
@@ -64,7 +64,7 @@ internal sealed class KittiBox
         }
     }
 
-    /// <summary>The regions of a frame in which nothing is to be evaluated.</summary>
+    /// <summary>The ignore regions of a frame.</summary>
     public static IEnumerable<Box2D> IgnoredIn(ExportFrame frame)
     {
         foreach (ExportRegion region in frame.Ignored)
@@ -76,7 +76,7 @@ internal sealed class KittiBox
         }
     }
 
-    /// <summary>The fields from alpha to rotation_y, as both of KITTI's label files have them.</summary>
+    /// <summary>The fields from alpha to rotation_y, which both label formats of KITTI have.</summary>
     public string Fields() => string.Join(
         ' ',
         Numbers.Row(KittiDecimals.Angle, _upright.Alpha),
@@ -85,10 +85,10 @@ internal sealed class KittiBox
             _upright.Location.Z),
         Numbers.Row(KittiDecimals.Angle, _upright.RotationY));
 
-    /// <summary>The four fields of a box in the image.</summary>
+    /// <summary>The four fields of a 2D box.</summary>
     public static string Sides(Box2D box) => Numbers.Row(KittiDecimals.Pixels, box.XMin, box.YMin, box.XMax, box.YMax);
 
-    /// <summary>A box in KITTI's pixels; null when it reaches over no pixel's centre and has no area in the format.</summary>
+    /// <summary>A 2D box in KITTI's pixels; null if it contains no pixel centre and so would have no area.</summary>
     private static Box2D? BoxIn(Box2D box, CameraLabel camera)
     {
         var shifted = new Box2D(

@@ -5,8 +5,8 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
 /// <summary>
-/// KITTI's calibration for a single camera: all four projection matrices are its own, nothing is rectified, and the laser scanner, which
-/// there is none of, would sit in the camera (x forward, y left, z up), with the inertial unit at the same place.
+/// KITTI's calibration file for a single camera. All four projection matrices are that camera's, the rectification is the identity, and the
+/// laser scanner, which does not exist, is placed at the camera (x forward, y left, z up), as is the inertial unit.
 /// </summary>
 internal static class KittiCalibration
 {
@@ -14,7 +14,7 @@ internal static class KittiCalibration
     private static readonly double[] NoMotion = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0];
     private static readonly double[] NoRotation = [1, 0, 0, 0, 1, 0, 0, 0, 1];
 
-    /// <summary>The lines of a file; the two benchmarks name the last three differently.</summary>
+    /// <summary>The lines of a file; the two benchmarks name the last three matrices differently.</summary>
     public static string Text(CameraLabel camera, string rectification, string velodyne, string inertial)
     {
         string projection = Numbers.Row(

@@ -4,7 +4,7 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
-/// <summary>What must hold for a calibration file: all matrices are there, each of its size, and P2 is a camera's.</summary>
+/// <summary>Checks a calibration file: all matrices exist with their sizes, and P2 is a camera's.</summary>
 internal sealed class KittiCalibrationCheck
 {
     private const string Projection = "P2";
@@ -14,11 +14,11 @@ internal sealed class KittiCalibrationCheck
     private readonly List<SessionProblem> _problems = [];
     private readonly string _name;
 
-    /// <summary>Reads a file.</summary>
+    /// <summary>Reads a calibration file.</summary>
     /// <param name="dataset">The dataset.</param>
     /// <param name="name">The file.</param>
-    /// <param name="rectification">Name of the 3 x 3 matrix, as the benchmark has it.</param>
-    /// <param name="others">Names of the further 3 x 4 matrices.</param>
+    /// <param name="rectification">Name of the 3 x 3 matrix in the benchmark.</param>
+    /// <param name="others">Names of the other 3 x 4 matrices.</param>
     public KittiCalibrationCheck(DatasetContent dataset, string name, string rectification, params string[] others)
     {
         _name = name;
@@ -33,10 +33,10 @@ internal sealed class KittiCalibrationCheck
         _problems.AddRange(sizes.Keys.Select(matrix => new SessionProblem(name, null, $"{matrix.TrimEnd(':')} is missing.")));
     }
 
-    /// <summary>What is wrong with it.</summary>
+    /// <summary>The problems of the file.</summary>
     public IReadOnlyList<SessionProblem> Problems => _problems;
 
-    /// <summary>P2, row by row; null when it is missing or no camera's.</summary>
+    /// <summary>P2 by rows; null if it is missing or not a camera's.</summary>
     public double[]? P2 { get; private set; }
 
     private void Read(int number, string[] words, Dictionary<string, int> sizes)
@@ -44,7 +44,7 @@ internal sealed class KittiCalibrationCheck
         string matrix = words[0].TrimEnd(':');
         if (!sizes.Remove(words[0], out int size))
         {
-            _problems.Add(new SessionProblem(_name, number, $"'{words[0]}' is not a matrix of the format, or there twice."));
+            _problems.Add(new SessionProblem(_name, number, $"'{words[0]}' is not a matrix of the format, or occurs twice."));
         }
         else if (Numbers.Parse(words.Skip(1)) is not { } values || values.Length != size)
         {

@@ -10,7 +10,7 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
-/// <summary>What must hold for KITTI object detection: labels, calibrations and lists of the splits.</summary>
+/// <summary>Checks KITTI object detection datasets: labels, calibrations and lists of the splits.</summary>
 internal static class KittiCheck
 {
     private const string Images = "training/image_2";

@@ -4,13 +4,13 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
-/// <summary>KITTI's types and levels for what a label says; docs/exports/kitti.md has the table.</summary>
+/// <summary>Maps labels to KITTI's types and levels; docs/exports/kitti.md has the table.</summary>
 internal static class KittiClasses
 {
-    /// <summary>Up to here an object counts as fully visible.</summary>
+    /// <summary>Objects with at most this occluded fraction are fully visible.</summary>
     private const double MaxHiddenOfVisible = 0.1;
 
-    /// <summary>Up to here as partly occluded, above as largely.</summary>
+    /// <summary>Objects with at most this occluded fraction are partly occluded, others largely.</summary>
     private const double MaxHiddenOfPartly = 0.5;
 
     private const int UnknownOcclusion = 3;
@@ -27,7 +27,7 @@ internal static class KittiClasses
 
     /// <summary>The type of an object.</summary>
     /// <param name="label">The object, of a class that KITTI labels.</param>
-    /// <param name="names">Types of classes, where they are not these.</param>
+    /// <param name="names">Types of classes that do not have the default.</param>
     public static string TypeOf(ObjectLabel label, IReadOnlyDictionary<ObjectClass, string> names) =>
         names.TryGetValue(label.Class, out string? name)
         ? name
@@ -43,6 +43,6 @@ internal static class KittiClasses
     /// <summary>0 fully visible, 1 partly, 2 largely occluded, 3 unknown.</summary>
     public static int OcclusionOf(ObjectLabel label) => label.OccludedFraction is { } hidden ? LevelOf(hidden) : UnknownOcclusion;
 
-    /// <summary>0, 1 or 2 for nothing to speak of, a part, the larger part.</summary>
+    /// <summary>KITTI tracking's truncation level: 0 none, 1 partly, 2 largely.</summary>
     public static int LevelOf(double fraction) => fraction <= MaxHiddenOfVisible ? 0 : fraction <= MaxHiddenOfPartly ? 1 : 2;
 }

@@ -6,13 +6,13 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
-/// <summary>What must hold for the columns that both of KITTI's label files have: type, and from occluded to rotation_y.</summary>
-/// <param name="boxes">Which boxes were exported.</param>
+/// <summary>Checks the columns that both label formats of KITTI have: type, and from occluded to rotation_y.</summary>
+/// <param name="boxes">The exported kind of boxes.</param>
 internal sealed class KittiColumns(BoxKind boxes)
 {
     private const double HalfTurn = Math.PI + RoundingRadians;
 
-    /// <summary>Angles have four decimals; alpha is rounded, and so is what it follows from.</summary>
+    /// <summary>Angles have four decimals; alpha is rounded, and so are the values it is checked against.</summary>
     private const double RoundingRadians = 0.0002;
 
     /// <summary>Metres have three decimals.</summary>
@@ -21,23 +21,23 @@ internal sealed class KittiColumns(BoxKind boxes)
     /// <summary>Pixels have two decimals.</summary>
     private const double RoundingPixels = 0.02;
 
-    /// <summary>The format says nothing of the lens; one that bends by more is refused.</summary>
+    /// <summary>The format has no lens distortion; images with more than this are refused at export.</summary>
     private const double MaxDistortionPixels = LensDistortion.MaxPixels;
 
-    /// <summary>What lies nearer is spread over the image by the projection.</summary>
+    /// <summary>The projection magnifies errors of nearer objects.</summary>
     private const double MinDepthMetres = 2;
 
     /// <summary>
-    /// Visible pixels may lie beyond the cuboid where a mask of another tool was imported, by this share of the cuboid's side.
+    /// Visible pixels may lie outside the cuboid by this fraction of its side, where masks of another tool were imported.
     /// </summary>
     private const double MaxOverhangFraction = 0.25;
 
-    /// <summary>What is wrong with an object or a region; null for nothing.</summary>
-    /// <param name="type">Its type.</param>
+    /// <summary>The problem of an object or region; null for none.</summary>
+    /// <param name="type">The type.</param>
     /// <param name="n">occluded, alpha, left, top, right, bottom, height, width, length, x, y, z, rotation_y.</param>
-    /// <param name="image">Size of the image; null when it cannot be read, which is said elsewhere.</param>
-    /// <param name="projection">P2, row by row; null when it cannot be read, which is said elsewhere.</param>
-    /// <param name="missPixels">By how much an upright box may miss, pixels.</param>
+    /// <param name="image">Size of the image; null if unreadable, which is reported elsewhere.</param>
+    /// <param name="projection">P2 by rows; null if unreadable, which is reported elsewhere.</param>
+    /// <param name="missPixels">Allowed distance between the projected upright box and the 2D box, pixels.</param>
     public string? ProblemOf(string type, ReadOnlySpan<double> n, ImageSize? image, double[]? projection, double missPixels)
     {
         if (type != KittiClasses.DontCare && !KittiClasses.Types.Contains(type))
@@ -72,12 +72,12 @@ internal sealed class KittiColumns(BoxKind boxes)
         double allowed = RoundingRadians + (RoundingMetres / Math.Max(distance, RoundingMetres));
         return Math.Abs(n[1]) > HalfTurn || Math.Abs(n[12]) > HalfTurn ? "alpha or rotation_y is not an angle from -pi to pi."
             : Math.Abs(Angles.WrapRadians(n[12] - Math.Atan2(location.X, location.Z) - n[1])) > allowed
-                ? "alpha is not rotation_y less the direction of x and z."
+                ? "alpha is not rotation_y minus the direction of x and z."
             : projection is null || image is not { } known || IsOn(box, n, known, projection, missPixels) ? null
             : "its 3D box, projected with P2, does not fall onto its 2D box.";
     }
 
-    /// <summary>Every box lies within the projected 3D box; that of a cuboid which lies in the image is the same.</summary>
+    /// <summary>Every 2D box lies within the projected 3D box; for cuboids that lie in the image, the two are equal.</summary>
     private bool IsOn(Box2D box, ReadOnlySpan<double> n, ImageSize image, double[] p, double missPixels)
     {
         Vector3D[] corners = KittiCorners.Of(new Vector3D(n[9], n[10], n[11]), n[6], n[7], n[8], n[12]);

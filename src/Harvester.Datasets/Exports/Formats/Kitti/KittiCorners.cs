@@ -5,8 +5,8 @@ using Harvester.Geometry;
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
 /// <summary>
-/// The corners of an upright box, as KITTI's development kit has them: length along x, height against y, width along z, before the turn
-/// about y.
+/// The corners of an upright box, as in KITTI's development kit: length along x, height against y, width along z, before the rotation about
+/// y.
 /// </summary>
 internal static class KittiCorners
 {

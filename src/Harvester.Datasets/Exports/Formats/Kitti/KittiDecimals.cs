@@ -1,6 +1,6 @@
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
-/// <summary>Decimals of KITTI's files: more than the two of the originals, so that nothing is lost.</summary>
+/// <summary>Decimals in KITTI's files: more than the two of the original, to keep the precision.</summary>
 internal static class KittiDecimals
 {
     public const int Angle = 4;

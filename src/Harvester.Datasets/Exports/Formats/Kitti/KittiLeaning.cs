@@ -5,12 +5,12 @@ using System.Linq;
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
 /// <summary>
-/// The table of objects that lean so far in the camera's frame that their upright boxes, projected, miss theirs by more than a limit. It is
-/// our own file beside the format's.
+/// A table, our own addition to the format, of objects that are tilted so much in the camera's frame that their projected upright boxes
+/// miss their 2D boxes by more than a limit.
 /// </summary>
 internal static class KittiLeaning
 {
-    /// <summary>An upright box that misses by no more is not in the table, pixels.</summary>
+    /// <summary>Upright boxes that miss by at most this are not in the table, pixels.</summary>
     public const double MaxMissPixels = 1;
 
     private const string File = "training/leaning.csv";
@@ -18,10 +18,10 @@ internal static class KittiLeaning
     private const string Part = "leaning";
     private const int Columns = 5;
 
-    /// <summary>Hands over the row of an object that belongs into the table.</summary>
-    /// <param name="output">Where the frame goes.</param>
+    /// <summary>Adds the row of an object, if it belongs in the table.</summary>
+    /// <param name="output">Receives the row.</param>
     /// <param name="file">Name of the label file.</param>
-    /// <param name="line">What identifies the object's line in it.</param>
+    /// <param name="line">Identifies the object's line in the label file.</param>
     /// <param name="box">The object.</param>
     public static void Add(FrameOutput output, string file, string line, KittiBox box)
     {
@@ -40,8 +40,8 @@ internal static class KittiLeaning
     public static AggregateFile Table() => new(File, [AggregateSection.Literal(Header), AggregateSection.Lines(Part)]);
 
     /// <summary>
-    /// By how much the objects of a label file may miss, pixels, by what identifies their lines; what is not listed may miss by
-    /// <see cref="MaxMissPixels"/>.
+    /// Allowed misses of the objects of a label file, pixels, by what identifies their lines; for objects that are not listed, <see
+    /// cref="MaxMissPixels"/>.
     /// </summary>
     public static IReadOnlyDictionary<string, double> MissesOf(DatasetContent dataset)
     {

@@ -10,7 +10,7 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
-/// <summary>What must hold for KITTI tracking: labels, calibration and place in the lists of every sequence.</summary>
+/// <summary>Checks KITTI tracking datasets: the labels, the calibration and the list entry of every sequence.</summary>
 internal static class KittiTrackingCheck
 {
     private const string Images = "training/image_02";

@@ -6,7 +6,7 @@ using Harvester.Geometry;
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
 /// <summary>
-/// KITTI tracking: a sequence for each session, with one label and one calibration file each. See docs/exports/kitti-tracking.md.
+/// Writes KITTI tracking: a sequence per session, with one label file and one calibration file each. See docs/exports/kitti-tracking.md.
 /// </summary>
 internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWriter
 {
@@ -15,7 +15,7 @@ internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWrite
     private const string ListPrefix = "list ";
     private const string SeqmapPrefix = "training/evaluate_tracking.seqmap.";
 
-    /// <summary>How TrackEval names the whole training set.</summary>
+    /// <summary>TrackEval's name of the training set.</summary>
     private const string WholeSet = "training";
 
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
@@ -52,7 +52,7 @@ internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWrite
         return new WrittenObjects(objects, ignored.Length);
     }
 
-    /// <summary>A sequence without objects has an empty file of labels: readers open it all the same.</summary>
+    /// <summary>A sequence without objects has an empty label file, because readers require it.</summary>
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts)
     {
         (string Split, string Sequence, int Frames)[] sequences =
@@ -71,9 +71,7 @@ internal sealed class KittiTrackingWriter(ExportOptions options) : IDatasetWrite
     private static IEnumerable<AggregateFile> ListsOf(string split, IEnumerable<(string Split, string Sequence, int Frames)> sequences) =>
         [new($"ImageSets/{split}.txt", [AggregateSection.Lines(ListPrefix + split)]), Seqmap(split, sequences)];
 
-    /// <summary>
-    /// As the benchmark's and TrackEval's evaluation read it: sequence, a word that is not used, first frame, number of frames.
-    /// </summary>
+    /// <summary>The format that the benchmark and TrackEval read: sequence, an unused word, first frame, number of frames.</summary>
     private static AggregateFile Seqmap(string set, IEnumerable<(string Split, string Sequence, int Frames)> sequences) => new(
         SeqmapPrefix + set, [AggregateSection.Literal(
             string.Concat(sequences.Select(sequence => $"{sequence.Sequence} empty 000000 {sequence.Frames:D6}\n")))]);

@@ -6,7 +6,8 @@ using Harvester.Geometry;
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
 /// <summary>
-/// KITTI object detection: training/image_2, label_2 and calib, a file a frame, and lists of the splits. See docs/exports/kitti.md.
+/// Writes KITTI object detection: training/image_2, label_2 and calib with a file per frame, and lists of the splits. See
+/// docs/exports/kitti.md.
 /// </summary>
 internal sealed class KittiWriter(ExportOptions options) : IDatasetWriter
 {

@@ -3,7 +3,9 @@ using System.Collections.Generic;
 
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
-/// <summary>What must hold from line to line of a sequence: frames do not go back, and a number means one object of one type.</summary>
+/// <summary>
+/// Checks the lines of a sequence in order: frame numbers do not decrease, and a track id stands for one object of one type.
+/// </summary>
 internal sealed class TrackCheck
 {
     private readonly Dictionary<string, string> _types = new(StringComparer.Ordinal);
@@ -24,7 +26,7 @@ internal sealed class TrackCheck
 
         _frame = frame;
         return type == KittiClasses.DontCare ? null
-            : !_inFrame.Add(track) ? $"track {track} is there twice in frame {frame}."
+            : !_inFrame.Add(track) ? $"track {track} occurs twice in frame {frame}."
             : !_types.TryAdd(track, type) && _types[track] != type
                 ? $"track {track} is {type}, but was {_types[track]} in an earlier frame."
             : null;

@@ -7,9 +7,9 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Datasets.Exports.Formats.Kitti;
 
 /// <summary>
-/// A cuboid as a box that stands upright in the camera's frame (x right, y down, z forward), which is all that KITTI can represent. Size,
-/// depth and turn are the cuboid's; sideways and in height it is placed so that its projection has the centre of the cuboid's, which makes
-/// the largest error of the projection's sides as small as a shift can make it.
+/// A cuboid as an upright box in the camera's frame (x right, y down, z forward), the only kind that KITTI can represent. Size, depth and
+/// rotation are the cuboid's. The box is shifted in x and y so that its projection has the same centre as the cuboid's, which minimises the
+/// largest error of the projected sides.
 /// </summary>
 internal sealed record UprightBox
 {
@@ -19,7 +19,7 @@ internal sealed record UprightBox
     /// <summary>A thousandth of the last decimal of KITTI's pixels.</summary>
     private const double MinStepPixels = 0.00001;
 
-    /// <summary>Nearer corners are spread over the image by the projection; behind the camera they have none.</summary>
+    /// <summary>Depth below which the projection magnifies errors too much; behind the camera, corners have no projection.</summary>
     private const double MinDepthMetres = 0.5;
 
     private UprightBox(Cuboid cuboid, CameraLabel camera)
@@ -31,7 +31,7 @@ internal sealed record UprightBox
         Length = 2 * cuboid.HalfExtents.Y;
         Location = centre with { Y = centre.Y + (Height / 2) };
 
-        // 0 - z and not -z: the arctangent of a minus zero would give -π for π.
+        // 0 - z instead of -z: the arctangent of minus zero would give -π instead of π.
         RotationY = Math.Atan2(0 - forward.Z, forward.X);
         LeanDegrees = Angles.ToDegrees(Math.Acos(Math.Clamp(cuboid.Axes.Up.Dot(camera.Pose.Axes.Up), -1, 1)));
     }
@@ -42,28 +42,28 @@ internal sealed record UprightBox
 
     public double Length { get; }
 
-    /// <summary>The centre of the lower face, metres.</summary>
+    /// <summary>The centre of the bottom face, metres.</summary>
     public Vector3D Location { get; private init; }
 
-    /// <summary>Turn about y, radians: 0 looks along x.</summary>
+    /// <summary>Rotation about y, radians: 0 points along x.</summary>
     public double RotationY { get; }
 
-    /// <summary>The turn less the direction in which the object is seen, radians.</summary>
+    /// <summary>The rotation minus the direction to the object, radians.</summary>
     public double Alpha => Angles.WrapRadians(RotationY - Math.Atan2(Location.X, Location.Z));
 
     /// <summary>
-    /// By how much the sides of the projection miss those of the cuboid's at most, pixels; 0 where the cuboid reaches too near to the
+    /// Largest distance between the sides of the projection and those of the cuboid's, pixels; 0 if the cuboid reaches too near to the
     /// camera.
     /// </summary>
     public double MissPixels { get; private init; }
 
-    /// <summary>By how much it stands beside the cuboid, metres.</summary>
+    /// <summary>Distance from the cuboid's centre, metres.</summary>
     public double MovedMetres { get; private init; }
 
-    /// <summary>Angle between the cuboid's up and the camera's, degrees.</summary>
+    /// <summary>Angle between the up axes of the cuboid and of the camera, degrees.</summary>
     public double LeanDegrees { get; }
 
-    /// <summary>The box of a cuboid.</summary>
+    /// <summary>The upright box of a cuboid.</summary>
     public static UprightBox Of(Cuboid cuboid, CameraLabel camera)
     {
         var upright = new UprightBox(cuboid, camera);
@@ -99,7 +99,7 @@ internal sealed record UprightBox
 
     private static Vector2D CentreOf(Box2D box) => new((box.XMin + box.XMax) / 2, (box.YMin + box.YMax) / 2);
 
-    /// <summary>Conventions.md has x right, y forward, z up.</summary>
+    /// <summary>From conventions.md's camera frame (x right, y forward, z up) to KITTI's.</summary>
     private static Vector3D InKitti(Vector3D local) => new(local.X, -local.Z, local.Y);
 
     private static Box2D? Projection(Vector3D[] corners, CameraLabel camera)

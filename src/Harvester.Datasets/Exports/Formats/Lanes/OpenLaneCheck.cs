@@ -12,7 +12,7 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Datasets.Exports.Formats.Lanes;
 
 /// <summary>
-/// What must hold for OpenLane: every listed image has its labels, matrices are a camera's, and points, projected, fall onto their pixels.
+/// Checks OpenLane datasets: every listed image has labels, the matrices are a camera's, and projected points fall on their pixels.
 /// </summary>
 internal static class OpenLaneCheck
 {
@@ -29,7 +29,7 @@ internal static class OpenLaneCheck
 
     private static string LabelsOf(string image) => "lane3d/" + Path.ChangeExtension(image, ".json").Replace('\\', '/');
 
-    /// <summary>The files split/segment/frame below a folder, without its name.</summary>
+    /// <summary>The files split/segment/frame below a folder, without the folder's name.</summary>
     private static IEnumerable<string> Below(DatasetContent dataset, string folder) => dataset.Folders(folder)
         .SelectMany(dataset.Folders).SelectMany(dataset.Files).Select(name => name[(folder.Length + 1)..]);
 
@@ -38,7 +38,7 @@ internal static class OpenLaneCheck
         string name = LabelsOf(image);
         if (!dataset.Has(name))
         {
-            return "it is missing, but its image is there.";
+            return "it is missing, but its image exists.";
         }
 
         try
@@ -48,7 +48,7 @@ internal static class OpenLaneCheck
         }
         catch (JsonException)
         {
-            return "it is not JSON.";
+            return "it is not valid JSON.";
         }
         catch (DatasetFormatException e)
         {
@@ -80,7 +80,7 @@ internal static class OpenLaneCheck
 
     private static bool IsMotion(double[][] m)
     {
-        // Elements have nine decimals.
+        // Matrix elements have nine decimals.
         const double rounding = 0.00000001;
         return m.Length == 4 && m[3].SequenceEqual([0, 0, 0, 1])
             && Enumerable.Range(0, 3).All(i => Enumerable.Range(0, 3).All(j => Math.Abs(Dot(m[i], m[j]) - (i == j ? 1 : 0)) < rounding))

@@ -6,19 +6,19 @@ using Harvester.Geometry.Cameras;
 
 namespace Harvester.Datasets.Exports.Formats.Lanes;
 
-/// <summary>What must hold for one lane line of OpenLane.</summary>
+/// <summary>Checks one lane line of OpenLane.</summary>
 internal static class OpenLaneLine
 {
     /// <summary>
-    /// The format says nothing of a lens, and pixels are with its bend: a strong one moves a point by a fifth of its distance from the
+    /// The format has no lens distortion, but the pixels include it: a strong lens shifts a point by a fifth of its distance from the
     /// principal point.
     /// </summary>
     private const double MaxBendFraction = 0.2;
 
-    /// <summary>The bend is radial in normalised coordinates, and in pixels as far as both focal lengths are the same.</summary>
+    /// <summary>Distortion is radial in normalised coordinates, and in pixels only as far as both focal lengths are equal.</summary>
     private const double AspectFraction = 0.01;
 
-    /// <summary>Closer to the principal point the direction from it is undefined in practice.</summary>
+    /// <summary>Nearer to the principal point, the radial direction is numerically undefined.</summary>
     private const double MinRadiusPixels = 0.01;
 
     private const double RoundingPixels = 0.002;
@@ -44,7 +44,7 @@ internal static class OpenLaneLine
 
         if (line.Integer("attribute") is < 0 or > LastAttribute || line.Integer("category") < 0 || !line.Has("track_id"))
         {
-            return "its attribute, category or track_id is not one of the format's.";
+            return "its attribute, category or track_id has an unknown value.";
         }
 
         return Enumerable.Range(0, visibility.Length).Select(i => PointProblem(i, uv, xyz, intrinsic, image))
@@ -65,7 +65,7 @@ internal static class OpenLaneLine
             return $"point {i} lies behind the camera.";
         }
 
-        // A lens moves a point along the ray from the principal point and never to the other side of it.
+        // A lens shifts a point along the ray from the principal point and never to the other side of it.
         var ideal = new Vector2D(k[0][0] * -left / forward, k[1][1] * -up / forward);
         var seen = new Vector2D(u - k[0][2], v - k[1][2]);
         double radius = Math.Max(ideal.Length, MinRadiusPixels);

@@ -9,7 +9,7 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Formats.Lanes;
 
-/// <summary>OpenLane: 3D lane lines, a JSON file a frame. See docs/exports/openlane.md.</summary>
+/// <summary>Writes OpenLane: 3D lane lines, one JSON file per frame. See docs/exports/openlane.md.</summary>
 internal sealed class OpenLaneWriter : IDatasetWriter
 {
     private const int Metres = 4;
@@ -59,14 +59,14 @@ internal sealed class OpenLaneWriter : IDatasetWriter
         json.WriteStartObject();
         json.WriteNumber("category", CategoryOf(view.Paint));
 
-        // The dataset's lines go on behind vehicles; only points beyond the end of a line's annotation in the image are invisible there.
+        // In the dataset, lines continue behind vehicles; only points beyond the end of a line in the image are invisible.
         json.Numbers("visibility", [.. view.Points.Select(_ => 1.0)], 0);
         json.WriteStartArray("uv");
         WriteRow(json, view.Points.Select(point => point.Pixel.X), Pixels);
         WriteRow(json, view.Points.Select(point => point.Pixel.Y), Pixels);
         json.WriteEndArray();
 
-        // The format's camera looks along x, with y to the left and z up.
+        // In the format, the camera has x forward, y left and z up.
         json.WriteStartArray("xyz");
         WriteRow(json, view.Points.Select(point => point.InCamera.Y), Metres);
         WriteRow(json, view.Points.Select(point => -point.InCamera.X), Metres);
@@ -77,7 +77,7 @@ internal sealed class OpenLaneWriter : IDatasetWriter
         json.WriteEndObject();
     }
 
-    /// <summary>The dataset's numbers of white and yellow lines; 0 for a boundary that is not known to be painted.</summary>
+    /// <summary>The dataset's categories of white and yellow lines; 0 if it is not known that the boundary is painted.</summary>
     private static int CategoryOf(MarkingPaint? paint) => paint is { } known
         ? (known.Colour, known.Style) switch
         {
@@ -91,7 +91,9 @@ internal sealed class OpenLaneWriter : IDatasetWriter
         }
         : UnknownCategory;
 
-    /// <summary>1 left-left, 2 left, 3 right, 4 right-right, 0 for others: the two nearest markings on either side.</summary>
+    /// <summary>
+    /// The dataset's attribute: 1 left-left, 2 left, 3 right, 4 right-right, for the two nearest markings on each side; otherwise 0.
+    /// </summary>
     private static Dictionary<int, int> Attributes(IReadOnlyList<LaneLineView> markings)
     {
         int[] left = [.. markings.Where(view => view.IsLeftOfCar).Select(view => view.Index).Distinct().OrderDescending()];
@@ -101,7 +103,7 @@ internal sealed class OpenLaneWriter : IDatasetWriter
                 Array.IndexOf(left, index) switch { 0 => 2, 1 => 1, _ => Array.IndexOf(right, index) switch { 0 => 3, 1 => 4, _ => 0 } });
     }
 
-    /// <summary>From the camera (x forward, y left, z up) to the vehicle (the same), row by row.</summary>
+    /// <summary>The matrix, by rows, from the camera's frame to the vehicle's (both x forward, y left, z up).</summary>
     private static double[] Extrinsic(FrameLabel label)
     {
         Pose vehicle = VehicleFrame.Of(label.Ego);

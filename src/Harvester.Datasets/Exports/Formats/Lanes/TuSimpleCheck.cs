@@ -8,9 +8,7 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Formats.Lanes;
 
-/// <summary>
-/// What must hold for TuSimple's lanes: every line is a frame with its image, and every lane has a column, or -2, for each row.
-/// </summary>
+/// <summary>Checks TuSimple datasets: every line is a frame with its image, and every lane has a column, or -2, for each row.</summary>
 internal static class TuSimpleCheck
 {
     private const int Absent = -2;
@@ -50,7 +48,7 @@ internal static class TuSimpleCheck
         }
         catch (JsonException)
         {
-            return "it is not JSON.";
+            return "it is not valid JSON.";
         }
         catch (DatasetFormatException e)
         {
@@ -65,7 +63,7 @@ internal static class TuSimpleCheck
         double[][] lanes = frame.Rows("lanes");
         if (!dataset.Has(image) || !named.Add(image))
         {
-            return $"raw_file '{image}' is missing, or has labels already.";
+            return $"raw_file '{image}' is missing, or already has labels.";
         }
 
         if (dataset.Header(image) is not { } header)
@@ -76,7 +74,7 @@ internal static class TuSimpleCheck
         return rows.Where((row, i) => row < 0 || row >= header.Size.Height || row != Math.Floor(row) || (i > 0 && row <= rows[i - 1])).Any()
                 ? $"h_samples are not rising rows of the image of {header.Size.Width} x {header.Size.Height}."
             : lanes.Any(lane => lane.Length != rows.Length) ? $"a lane does not have {rows.Length} columns, one for each of h_samples."
-            : lanes.Any(lane => lane.All(column => column == Absent)) ? "a lane is nowhere."
+            : lanes.Any(lane => lane.All(column => column == Absent)) ? "a lane has no points."
             : lanes.SelectMany(lane => lane)
                 .Any(column => column != Absent && !(column >= 0 && column < header.Size.Width && column == Math.Floor(column)))
                 ? $"a lane has a column that is neither -2 nor one of the image of {header.Size.Width} x {header.Size.Height}."

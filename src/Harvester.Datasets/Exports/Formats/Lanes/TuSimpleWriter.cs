@@ -9,7 +9,7 @@ using Harvester.Sessions.Labels;
 namespace Harvester.Datasets.Exports.Formats.Lanes;
 
 /// <summary>
-/// TuSimple lanes: for rows every ten pixels the column of each marking, a JSON line a frame. See docs/exports/tusimple.md.
+/// Writes TuSimple lanes: the column of each marking in every tenth row, one JSON line per frame. See docs/exports/tusimple.md.
 /// </summary>
 internal sealed class TuSimpleWriter(ExportOptions options) : IDatasetWriter
 {
@@ -21,7 +21,7 @@ internal sealed class TuSimpleWriter(ExportOptions options) : IDatasetWriter
 
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
-        // A frame of which the lanes are not known would say that there are none.
+        // Without known lanes, the frame would say that there are none.
         if (frame.Label.Lanes is not { Status: LaneStatus.Known } lanes)
         {
             return default;
@@ -64,7 +64,7 @@ internal sealed class TuSimpleWriter(ExportOptions options) : IDatasetWriter
         });
     }
 
-    /// <summary>The pixel column in which a marking crosses the middle of a row: where it does so twice, at the nearer place.</summary>
+    /// <summary>The pixel column in which a marking crosses the middle of a row; if it crosses twice, the nearer one.</summary>
     private static int ColumnAt(IEnumerable<LaneLineView> views, int row)
     {
         double y = row + 0.5;

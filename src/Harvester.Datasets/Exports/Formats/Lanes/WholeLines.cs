@@ -6,16 +6,15 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Datasets.Exports.Formats.Lanes;
 
 /// <summary>
-/// Makes one line of the runs of a line that leaves the image and comes back. One whose paint ends and begins again within the image stays
-/// in pieces.
+/// Joins the runs of a line that leaves the image and returns. A line whose paint is interrupted within the image stays in pieces.
 /// </summary>
 internal static class WholeLines
 {
     /// <summary>Pixels have three decimals.</summary>
     private const double RoundingPixels = 0.002;
 
-    /// <summary>The lines of an image.</summary>
-    /// <param name="runs">The runs, those of a line from near to far.</param>
+    /// <summary>The joined lines of an image.</summary>
+    /// <param name="runs">The runs; those of a line from near to far.</param>
     /// <param name="image">The image, pixels.</param>
     public static IEnumerable<LaneLineView> Of(IEnumerable<LaneLineView> runs, Box2D image)
     {

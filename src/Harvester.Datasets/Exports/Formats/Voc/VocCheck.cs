@@ -5,12 +5,13 @@ using System.Linq;
 using System.Xml;
 using System.Xml.Linq;
 using Harvester.Datasets.Exports.Checks;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Formats.Voc;
 
 /// <summary>
-/// What must hold for Pascal VOC: every image has its annotation and its place in a list, and boxes lie in the image, counted from 1.
+/// Checks Pascal VOC datasets: every image has its annotation and is in a list, and boxes, counted from 1, lie in the image.
 /// </summary>
 internal static class VocCheck
 {
@@ -41,19 +42,20 @@ internal static class VocCheck
         string name = $"{Annotations}/{Path.GetFileNameWithoutExtension(image)}.xml";
         if (!dataset.Has(name))
         {
-            return [new SessionProblem(name, null, "it is missing, but its image is there.")];
+            return [new SessionProblem(name, null, "it is missing, but its image exists.")];
         }
 
         try
         {
-            XElement annotation = XDocument.Load(dataset.PathOf(name), LoadOptions.SetLineInfo).Root!;
+            using XmlReader reader = XmlReader.Create(new MemoryStream(InputFile.ReadAllBytes(dataset.PathOf(name))));
+            XElement annotation = XElement.Load(reader, LoadOptions.SetLineInfo);
             return [.. FrameProblems(dataset, image, annotation)
                 .Concat(annotation.Elements("object").SelectMany(item => ObjectProblems(item, annotation, classes)))
                 .Select(found => new SessionProblem(name, ((IXmlLineInfo)found.At).LineNumber, found.Message))];
         }
         catch (XmlException e)
         {
-            return [new SessionProblem(name, e.LineNumber, "it is not XML from here on.")];
+            return [new SessionProblem(name, e.LineNumber, "it is not valid XML from here on.")];
         }
     }
 

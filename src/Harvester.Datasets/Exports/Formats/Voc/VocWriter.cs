@@ -11,7 +11,7 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Formats.Voc;
 
-/// <summary>Pascal VOC: JPEGImages, Annotations with one XML file a frame, ImageSets/Main. See docs/exports/voc.md.</summary>
+/// <summary>Writes Pascal VOC: JPEGImages, Annotations with one XML file per frame, ImageSets/Main. See docs/exports/voc.md.</summary>
 internal sealed class VocWriter(ExportOptions options) : IDatasetWriter
 {
     /// <summary>Name of the file that lists the classes.</summary>
@@ -19,13 +19,13 @@ internal sealed class VocWriter(ExportOptions options) : IDatasetWriter
 
     private const string ListPrefix = "list ";
 
-    /// <summary>The challenge's guidelines: truncated when 15 to 20 % lie outside the box.</summary>
+    /// <summary>The challenge's guidelines: truncated if 15 to 20 % lie outside the box.</summary>
     private const double TruncatedFrom = 0.15;
 
-    /// <summary>The guidelines: occluded when more than 5 % of the box are hidden.</summary>
+    /// <summary>The guidelines: occluded if more than 5 % of the box is hidden.</summary>
     private const double OccludedFrom = 0.05;
 
-    /// <summary>The guidelines leave it to the annotator what is difficult; here it is what is mostly unseen.</summary>
+    /// <summary>The guidelines leave "difficult" to the annotator; here, it means mostly hidden.</summary>
     private const double DifficultBelowVisible = 0.25;
 
     private static readonly XmlWriterSettings Settings = new()
@@ -49,7 +49,7 @@ internal sealed class VocWriter(ExportOptions options) : IDatasetWriter
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => options.Splits.Splits.Select(split =>
         new AggregateFile($"ImageSets/Main/{split.Name}.txt", [AggregateSection.Lines(ListPrefix + split.Name)])).Append(LabelMap());
 
-    /// <summary>The classes with colours, as annotation tools read them.</summary>
+    /// <summary>The classes with colours, in the format that annotation tools read.</summary>
     private AggregateFile LabelMap()
     {
         var text = new StringBuilder("# label:color_rgb:parts:actions\nbackground:0,0,0::\n");
@@ -106,7 +106,7 @@ internal sealed class VocWriter(ExportOptions options) : IDatasetWriter
         Write(xml, "occluded", label?.OccludedFraction > OccludedFrom ? 1 : 0);
         Write(xml, "difficult", isIgnored || label?.VisibleFraction < DifficultBelowVisible ? 1 : 0);
 
-        // Pixels count from 1, and the last one belongs to the box: what begins in pixel i, from 0, begins in i + 1.
+        // Pixels count from 1 and the last one is inside the box, so pixel i, counted from 0, becomes i + 1.
         xml.WriteStartElement("bndbox");
         Write(xml, "xmin", (int)Math.Floor(box.XMin) + 1);
         Write(xml, "ymin", (int)Math.Floor(box.YMin) + 1);

@@ -11,16 +11,19 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Formats.WebDataset;
 
-/// <summary>One archive of samples, read entry by entry.</summary>
+/// <summary>An archive of samples, read entry by entry.</summary>
 /// <param name="dataset">The dataset.</param>
 /// <param name="name">The archive.</param>
-/// <param name="split">Its split.</param>
-/// <param name="keys">Keys of the samples of all archives that were read before.</param>
+/// <param name="split">The split of the archive.</param>
+/// <param name="keys">Keys of the samples in all archives read before.</param>
 internal sealed class SampleArchive(DatasetContent dataset, string name, string split, HashSet<string> keys)
 {
     private const int BlockLength = 512;
     private const int EndLength = 2 * BlockLength;
     private const int MaskBits = 16;
+    private const int MaxKeyLength = 255;
+    private const int MaxSamples = 1_000_000;
+    private const long MaxSampleBytes = 512L << 20;
     private const string ImageEnd = "image";
 
     public IEnumerable<SessionProblem> Problems()
@@ -31,8 +34,15 @@ internal sealed class SampleArchive(DatasetContent dataset, string name, string 
             yield return new SessionProblem(name, null, endProblem);
         }
 
+        if (TarNames.Problem(file) is { } nameProblem)
+        {
+            yield return new SessionProblem(name, null, nameProblem);
+            yield break;
+        }
+
         using var archive = new TarReader(file);
         string key = "";
+        long sampleBytes = 0;
         Dictionary<string, byte[]> sample = [];
         string? damage;
         while (TryRead(archive, out string entry, out byte[] content, out damage))
@@ -45,13 +55,22 @@ internal sealed class SampleArchive(DatasetContent dataset, string name, string 
                     yield return problem;
                 }
 
-                (key, sample) = (entryKey, []);
+                (key, sample, sampleBytes) = (entryKey, [], 0);
+            }
+
+            sampleBytes += content.Length;
+            if (key.Length > MaxKeyLength || keys.Count > MaxSamples || sampleBytes > MaxSampleBytes)
+            {
+                yield return new SessionProblem(name, null,
+                    $"the key of a sample has more than {MaxKeyLength} characters, a sample has more than {MaxSampleBytes} bytes, "
+                    + $"or there are more than {MaxSamples} samples, the limits.");
+                yield break;
             }
 
             string part = entry[Math.Min(entry.Length, key.Length + 1)..];
             if (!sample.TryAdd(part is "png" or "bmp" or "jpg" ? ImageEnd : part, content))
             {
-                yield return new SessionProblem(name, null, $"{entry} is there twice.");
+                yield return new SessionProblem(name, null, $"{entry} occurs twice.");
             }
         }
 
@@ -90,9 +109,15 @@ internal sealed class SampleArchive(DatasetContent dataset, string name, string 
                 return false;
             }
 
-            using var bytes = new MemoryStream();
-            entry.DataStream?.CopyTo(bytes);
-            (entryName, content) = (entry.Name, bytes.ToArray());
+            if (entry.Length > InputFile.MaxPictureBytes)
+            {
+                damage = $"an entry has {entry.Length} bytes; {InputFile.MaxPictureBytes} is the limit.";
+                return false;
+            }
+
+            content = new byte[entry.Length];
+            entry.DataStream?.ReadExactly(content);
+            entryName = entry.Name;
             return true;
         }
         catch (Exception e) when (e is InvalidDataException or EndOfStreamException or FormatException)
@@ -110,7 +135,7 @@ internal sealed class SampleArchive(DatasetContent dataset, string name, string 
         }
 
         dataset.Found(split);
-        IEnumerable<string> messages = keys.Add(key) ? PartProblems(sample) : ["it is there twice, here or in another archive."];
+        IEnumerable<string> messages = keys.Add(key) ? PartProblems(sample) : ["it occurs twice, here or in another archive."];
         return messages.Select(message => new SessionProblem(name, null, $"sample {key}: {message}"));
     }
 
@@ -155,7 +180,7 @@ internal sealed class SampleArchive(DatasetContent dataset, string name, string 
         {
             ImageHeader header = ImageHeader.Read(new MemoryStream(content));
             bool isMask = part == "mask.png";
-            return isMask && header.BitsPerPixel != MaskBits ? $"it has {header.BitsPerPixel} bits a pixel instead of {MaskBits}."
+            return isMask && header.BitsPerPixel != MaskBits ? $"it has {header.BitsPerPixel} bits per pixel instead of {MaskBits}."
                 : camera is not null && (header.Size.Width != camera.Width || header.Size.Height != camera.Height)
                     ? $"it is {header.Size.Width} x {header.Size.Height}, but its label says {camera.Width} x {camera.Height}."
                 : isMask || part == ImageEnd ? null : "it is not a part of a sample.";

@@ -6,7 +6,7 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Formats.WebDataset;
 
-/// <summary>What must hold for WebDataset: whole archives, in which the files of a sample follow each other and belong together.</summary>
+/// <summary>Checks WebDataset archives: they are complete, and the files of a sample are consecutive and belong together.</summary>
 internal static class WebDatasetCheck
 {
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset)

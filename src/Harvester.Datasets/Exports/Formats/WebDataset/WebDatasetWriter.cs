@@ -10,8 +10,9 @@ using Harvester.Datasets.Files;
 namespace Harvester.Datasets.Exports.Formats.WebDataset;
 
 /// <summary>
-/// WebDataset: tar files (ustar) in which the files of a sample follow each other and share their name up to the first point. A frame's
-/// entries are staged as bytes of the archive, and an archive is what its frames give one after the other. See docs/exports/webdataset.md.
+/// Writes WebDataset: tar files (ustar) in which the files of a sample are consecutive and share their name up to the first point. A
+/// frame's entries are staged as bytes of the archive; an archive is the concatenation of those of its frames. See
+/// docs/exports/webdataset.md.
 /// </summary>
 internal sealed class WebDatasetWriter : IDatasetWriter
 {
@@ -41,16 +42,17 @@ internal sealed class WebDatasetWriter : IDatasetWriter
         return new WrittenObjects(frame.Objects.Count);
     }
 
-    /// <summary>Archives of a split are numbered without gaps, as patterns like {000000..000009} need it.</summary>
+    /// <summary>The archives of a split are numbered without gaps, because patterns such as {000000..000009} require it.</summary>
     public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => parts.Keys.GroupBy(SplitOf).SelectMany(split =>
         split.Select((part, number) => new AggregateFile(
             $"{split.Key}-{number:D6}.tar", [AggregateSection.Files(part), AggregateSection.Literal(new string('\0', EndLength))])));
 
     private static string SplitOf(string archive) => archive.LastIndexOf('-') is var end and > 0
         ? archive[..end]
-        : throw new DatasetFormatException($"A journal of the export has '{archive}', which is no archive. Begin the export anew.");
+        : throw new DatasetFormatException(
+            $"A journal of the export has '{archive}', which is not an archive. Delete the folder and export again.");
 
-    /// <summary>The session's own line, to the last decimal, less the objects that are not exported.</summary>
+    /// <summary>The line of the session with all decimals, without the objects that are not exported.</summary>
     private static string LabelOf(ExportFrame frame)
     {
         JsonNode label = JsonNode.Parse(frame.LabelText)!;

@@ -7,14 +7,14 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Exports.Formats.Yolo;
 
-/// <summary>What must hold for the labels of Ultralytics YOLO: boxes have four numbers, outlines three corners or more.</summary>
+/// <summary>Checks Ultralytics YOLO labels: boxes have four numbers, outlines at least three corners.</summary>
 internal static class YoloCheck
 {
     private const string DataFile = "data.yaml";
     private const int BoxNumbers = 4;
     private const int MinCornerNumbers = 6;
 
-    /// <summary>Shares are rounded to six decimals.</summary>
+    /// <summary>Coordinates are rounded to six decimals.</summary>
     private const double RoundingShare = 0.000002;
 
     public static IEnumerable<SessionProblem> BoxProblems(DatasetContent dataset) => Problems(dataset, BoxProblem);
@@ -62,7 +62,7 @@ internal static class YoloCheck
             dataset.Found(split);
             if (!stems.Add(stem))
             {
-                yield return new SessionProblem(image, null, "it is there twice, here or in another split.");
+                yield return new SessionProblem(image, null, "it occurs twice, here or in another split.");
             }
 
             foreach (SessionProblem problem in LabelFiles.Problems(dataset, $"labels/{split}/{stem}.txt", (_, words) => problemOf(words)))
@@ -81,7 +81,7 @@ internal static class YoloCheck
         Numbers.Parse(words) is not { } numbers ? "a word is not a number."
             : !(numbers[0] >= 0 && numbers[0] < classes && numbers[0] == Math.Floor(numbers[0]))
                 ? $"class {words[0]} is not one of the {classes} classes in data.yaml."
-            : numbers.Skip(1).Any(number => number is < 0 or > 1) ? "a place is not 0 to 1."
+            : numbers.Skip(1).Any(number => number is < 0 or > 1) ? "a coordinate is not 0 to 1."
             : shapeProblem(numbers[1..]);
 
     private static string? BoxProblem(double[] box)

@@ -6,7 +6,7 @@ using Harvester.Geometry.Cameras;
 namespace Harvester.Datasets.Exports.Formats.Yolo;
 
 /// <summary>
-/// Ultralytics YOLO with outlines: a class and the corners of one polygon a line, which joins the pieces of an object. See
+/// Writes Ultralytics YOLO with outlines: per line, a class and the corners of one polygon, which joins the pieces of an object. See
 /// docs/exports/yolo.md.
 /// </summary>
 internal sealed class YoloSegmentWriter(ExportOptions options) : IDatasetWriter

@@ -5,7 +5,9 @@ using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Exports.Formats.Yolo;
 
-/// <summary>Ultralytics YOLO with boxes: a class, centre and size a line, in shares of the image. See docs/exports/yolo.md.</summary>
+/// <summary>
+/// Writes Ultralytics YOLO with boxes: per line, a class, centre and size, as fractions of the image. See docs/exports/yolo.md.
+/// </summary>
 internal sealed class YoloWriter(ExportOptions options) : IDatasetWriter
 {
     private readonly YoloFiles _files = new(options);

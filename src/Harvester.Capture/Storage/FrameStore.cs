@@ -1,0 +1,130 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Text;
+using System.Threading;
+using Harvester.Capture.Harvesting;
+using Harvester.Sessions.Files;
+using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Labels;
+
+namespace Harvester.Capture.Storage;
+
+/// <summary>
+/// Writes frames so that a label line is on the disk only after all that it stands for: a frame's files are written at once, and its lines
+/// are held back until the files of a batch of frames are on the disk; then the lines of the manifest are written, then those of the
+/// labels.
+/// </summary>
+internal sealed class FrameStore(ISessionFiles files, SyncMode mode, PictureEncoder pictures, bool keepsManifest)
+{
+    private readonly PngEncoder _png = new();
+    private readonly List<string> _manifestLines = [];
+    private readonly List<string> _labelLines = [];
+    private readonly Stopwatch _age = new();
+    private int _lastWritten = -1;
+    private int _committed;
+
+    /// <summary>Frames whose label lines are written.</summary>
+    public int Committed => Volatile.Read(ref _committed);
+
+    /// <summary>Number of the last frame whose label line is written; -1 for none.</summary>
+    public int LastCommitted { get; private set; } = -1;
+
+    /// <summary>How long to wait for another frame before the lines held back are due; infinite when none are.</summary>
+    public TimeSpan Patience => _labelLines.Count == 0 ? Timeout.InfiniteTimeSpan
+        : _age.Elapsed < SyncBatch.MaxAge ? SyncBatch.MaxAge - _age.Elapsed : TimeSpan.Zero;
+
+    private bool IsDurable => mode != SyncMode.Never;
+
+    /// <summary>Writes a text that belongs to no single frame, in place of an older one.</summary>
+    public void WriteText(string name, string text)
+    {
+        // While it is replaced, the manifest has the lines of both, so that it is right at every moment.
+        AppendToManifest([Manifest.FileLine(name, FileDigest.Of(text))]);
+        byte[] bytes = new UTF8Encoding(false).GetBytes(text);
+        files.WriteWhole(name, stream => stream.Write(bytes, 0, bytes.Length));
+    }
+
+    /// <summary>Rewrites the manifest, once all lines are written or before the first of them.</summary>
+    /// <param name="isFrame">Says by its number whether a frame is part of the session.</param>
+    /// <param name="keepsReplaced">Whether lines of files that were replaced since stay too.</param>
+    public void TidyManifest(Predicate<int> isFrame, bool keepsReplaced)
+    {
+        if (keepsManifest)
+        {
+            files.TidyManifest(isFrame, keepsReplaced, IsDurable);
+        }
+    }
+
+    /// <summary>Brings to the disk what was written beside frames.</summary>
+    public void Sync()
+    {
+        if (IsDurable)
+        {
+            files.Sync();
+        }
+    }
+
+    /// <summary>Writes a frame's files, and its lines when they are due.</summary>
+    public void Write(CapturedFrame frame)
+    {
+        var written = new List<KeyValuePair<string, FileDigest>>
+        {
+            new(frame.Label.Image, files.WriteWhole(frame.Label.Image, stream => pictures.Write(frame.Picture, stream))),
+        };
+        if (frame is { Label.Mask: { } path, Mask: { } mask })
+        {
+            written.Add(new(path, files.WriteWhole(path, stream => _png.Write(mask, stream))));
+        }
+
+        if (frame.Scene is { } scene)
+        {
+            string name = FramePaths.Scene(frame.Label.Frame);
+            byte[] bytes = new UTF8Encoding(false).GetBytes(SceneJson.Text(scene));
+            written.Add(new(name, files.WriteWhole(name, stream => stream.Write(bytes, 0, bytes.Length))));
+        }
+
+        string line = JsonLabelWriter.Line(frame.Label);
+        if (_labelLines.Count == 0)
+        {
+            _age.Restart();
+        }
+
+        _manifestLines.Add(Manifest.FrameLine(frame.Label.Frame, FileDigest.Of(line), written));
+        _labelLines.Add(line);
+        _lastWritten = frame.Label.Frame;
+        if (mode != SyncMode.Batch || _labelLines.Count >= SyncBatch.MaxFrames || _age.Elapsed >= SyncBatch.MaxAge)
+        {
+            Commit();
+        }
+    }
+
+    /// <summary>
+    /// Writes the lines held back. After a failure their frames are given up: a disk that could not keep a file does not say so twice.
+    /// </summary>
+    public void Commit()
+    {
+        if (_labelLines.Count == 0)
+        {
+            return;
+        }
+
+        string[] manifestLines = [.. _manifestLines];
+        string[] labelLines = [.. _labelLines];
+        _manifestLines.Clear();
+        _labelLines.Clear();
+        Sync();
+        AppendToManifest(manifestLines);
+        files.Append(SessionDirectory.Labels, labelLines, IsDurable);
+        LastCommitted = _lastWritten;
+        Volatile.Write(ref _committed, _committed + labelLines.Length);
+    }
+
+    private void AppendToManifest(IReadOnlyList<string> lines)
+    {
+        if (keepsManifest)
+        {
+            files.Append(Manifest.FileName, lines, IsDurable);
+        }
+    }
+}

@@ -1,0 +1,120 @@
+using System;
+using System.IO;
+using Harvester.Datasets.Files;
+using Harvester.Datasets.Sessions;
+using Harvester.Sessions.Files;
+
+namespace Harvester.Cli.Terminals;
+
+/// <summary>
+/// The folder to which a command writes a session. A new session is written in place, with a mark until it is complete, so that the same
+/// command given again knows what it left. A session to be replaced stays as it is until the new one, written beside it, is complete.
+/// </summary>
+internal sealed class SessionOutput : IDisposable
+{
+    private readonly Terminal _terminal;
+    private readonly string _folder;
+    private readonly string _command;
+    private readonly FolderLock _held;
+    private readonly bool _replaces;
+    private readonly bool _keepsFrames;
+    private FolderReplacement? _replacement;
+    private bool _isBegun;
+    private bool _isComplete;
+
+    /// <summary>Locks the folder and checks it.</summary>
+    /// <param name="terminal">Where warnings go.</param>
+    /// <param name="folder">The folder.</param>
+    /// <param name="command">The command, as <see cref="CommandText"/> gives it.</param>
+    /// <param name="overwrite">Whether a session there is to be replaced; null for a command that never replaces one.</param>
+    /// <param name="keepsFrames">Whether a new session that was begun stays when the command fails, because its frames are valid.</param>
+    /// <exception cref="IOException">A file is where the folder should be.</exception>
+    /// <exception cref="OccupiedFolderException">The folder is in use, or holds something that is not to be replaced.</exception>
+    public SessionOutput(Terminal terminal, string folder, string command, bool? overwrite, bool keepsFrames = false)
+    {
+        _terminal = terminal;
+        _folder = folder;
+        _command = command;
+        _keepsFrames = keepsFrames;
+        _held = FolderLock.Take(folder);
+        try
+        {
+            _replaces = OutputFolder.Check(folder, command, overwrite);
+        }
+        catch
+        {
+            _held.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>Whether an earlier session stays unless the command succeeds.</summary>
+    public bool KeepsFormer => _replaces;
+
+    /// <summary>Makes room, and returns the folder to write to, which is empty but for its mark.</summary>
+    /// <exception cref="IOException">The folder cannot be made or cleared.</exception>
+    /// <exception cref="UnauthorizedAccessException">The folder may not be made or cleared.</exception>
+    public string Begin()
+    {
+        if (_replaces)
+        {
+            _replacement = FolderReplacement.Begin(_folder);
+            return _replacement.Folder;
+        }
+
+        Directory.CreateDirectory(_folder);
+        _isBegun = true;
+        if (UnfinishedMark.CommandIn(_folder) is null)
+        {
+            UnfinishedMark.Write(_folder, _command);
+        }
+
+        SessionFolder.Clear(_folder);
+        return _folder;
+    }
+
+    /// <summary>Makes the session that was written the one in the folder.</summary>
+    /// <exception cref="IOException">That is impossible; a session to be replaced is as it was.</exception>
+    /// <exception cref="UnauthorizedAccessException">That is impossible; a session to be replaced is as it was.</exception>
+    public void Complete()
+    {
+        if (_replacement is null)
+        {
+            UnfinishedMark.Delete(_folder);
+        }
+        else if (_replacement.Complete() is { } former)
+        {
+            _terminal.WriteError(
+                $"The former session is replaced, but what is left of it cannot be deleted: '{former}'. Delete it yourself.");
+        }
+
+        _isComplete = true;
+    }
+
+    /// <summary>Deletes what was begun and is of no use, and releases the folder.</summary>
+    public void Dispose()
+    {
+        _replacement?.Dispose();
+        if (_isBegun && !_isComplete && !(_keepsFrames && File.Exists(Path.Combine(_folder, SessionInfo.FileName))))
+        {
+            Discard();
+        }
+
+        _held.Dispose();
+    }
+
+    private void Discard()
+    {
+        try
+        {
+            SessionFolder.Clear(_folder);
+            UnfinishedMark.Delete(_folder);
+            Directory.Delete(_folder);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            // The same command clears it when it is given again; a folder with something else stays.
+            return;
+        }
+    }
+}

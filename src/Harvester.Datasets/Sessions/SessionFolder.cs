@@ -1,0 +1,84 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Text.RegularExpressions;
+using Harvester.Datasets.Files;
+using Harvester.Sessions.Files;
+
+namespace Harvester.Datasets.Sessions;
+
+/// <summary>What belongs to a session in its folder, by name. Everything else is somebody's own and is never deleted.</summary>
+public static class SessionFolder
+{
+    /// <summary>Name of a session's report when none is given.</summary>
+    public const string Report = "report.html";
+
+    private static readonly string[] Files = [SessionInfo.FileName, SessionReader.LabelsFile, Manifest.FileName, Report];
+    private static readonly string[] Folders = [FramePaths.Frames, FramePaths.Masks, FramePaths.Scenes];
+    private static readonly string[] Common = [Path.GetFileName(FramePaths.Faces), Path.GetFileName(FramePaths.Roads)];
+    private static readonly Regex FrameFile = new(@"\A[0-9]{8,}\.(png|bmp|jpg|json)\z", RegexOptions.CultureInvariant);
+
+    /// <summary>The path within a folder of something that is no part of a session; null if there is none.</summary>
+    /// <exception cref="IOException">The folder cannot be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">The folder may not be read.</exception>
+    public static string? ForeignIn(string folder)
+    {
+        foreach (string entry in Directory.EnumerateFileSystemEntries(folder))
+        {
+            string name = Path.GetFileName(entry);
+            if (Folders.Contains(name) && Directory.Exists(entry))
+            {
+                if (ForeignInSubfolder(entry) is { } inner)
+                {
+                    return $"{name}/{inner}";
+                }
+            }
+            else if (!IsOwn(name))
+            {
+                return name;
+            }
+        }
+
+        return null;
+    }
+
+    /// <summary>Deletes the session in a folder, or the part of one. A mark stays.</summary>
+    /// <param name="folder">The folder; it need not exist.</param>
+    /// <exception cref="IOException">Something cannot be deleted.</exception>
+    /// <exception cref="UnauthorizedAccessException">Something may not be deleted.</exception>
+    public static void Clear(string folder)
+    {
+        if (!Directory.Exists(folder))
+        {
+            return;
+        }
+
+        // session.json goes first: without it, the rest is not taken for a session.
+        foreach (string file in Files)
+        {
+            File.Delete(Path.Combine(folder, file));
+        }
+
+        foreach (string path in Folders.Select(name => Path.Combine(folder, name)).Where(Directory.Exists))
+        {
+            Directory.Delete(path, recursive: true);
+        }
+
+        AtomicFile.DeleteLeftovers(folder, IsOwn);
+        foreach (string path in Directory.GetFiles(folder).Where(path => IsLock(Path.GetFileName(path))))
+        {
+            File.Delete(path);
+        }
+    }
+
+    // A folder that is a link is deleted as a link; what it leads to stays.
+    private static string? ForeignInSubfolder(string path) => new FileInfo(path).LinkTarget is not null ? null
+        : Directory.EnumerateFileSystemEntries(path).Select(Path.GetFileName).OfType<string>()
+            .FirstOrDefault(name => TargetOf(name) is var target && !FrameFile.IsMatch(target) && !Common.Contains(target));
+
+    private static bool IsOwn(string name) => UnfinishedMark.Is(name) || Files.Contains(TargetOf(name)) || IsLock(TargetOf(name));
+
+    private static bool IsLock(string name) => Files.Any(file => FolderLock.IsOf(name, file));
+
+    private static string TargetOf(string name) => AtomicFile.TargetOf(name) ?? name;
+}

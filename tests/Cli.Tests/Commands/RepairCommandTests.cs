@@ -1,0 +1,73 @@
+using Harvester.Cli.Terminals;
+
+namespace Harvester.Cli.Tests.Commands;
+
+public sealed class RepairCommandTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    private string Session => _folder.PathOf("session");
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public void Repair_recovers_whole_frames_and_lists_what_was_lost()
+    {
+        Harvest();
+        File.Delete(Path.Combine(Session, "frames", "00000001.png"));
+
+        CliRun run = CliRun.Of("repair", Session);
+
+        Assert.Equal(ExitCode.BadData, run.ExitCode);
+        Assert.Equal(
+            [
+                "labels.jsonl, line 2: image 'frames/00000001.png' is missing.",
+                $"{Session}-repaired: 2 frames recovered, 1 lost",
+                "",
+            ],
+            run.Out.Split('\n'));
+        Assert.Equal(ExitCode.Done, CliRun.Of("validate", Session + "-repaired").ExitCode);
+    }
+
+    [Fact]
+    public void Repair_of_an_undamaged_session_succeeds()
+    {
+        Harvest();
+
+        CliRun run = CliRun.Of("repair", Session, "--out", _folder.PathOf("made"));
+
+        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.Equal($"{_folder.PathOf("made")}: 3 frames recovered, 0 lost\n", run.Out);
+    }
+
+    [Fact]
+    public void Repair_of_a_session_in_place_is_refused()
+    {
+        Harvest();
+
+        CliRun run = CliRun.Of("repair", Session, "--out", Session + "/");
+
+        Assert.Equal(ExitCode.Usage, run.ExitCode);
+        Assert.Contains("Name another folder", run.Error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public void Quick_validate_finds_damage_by_the_manifest()
+    {
+        Harvest();
+        string image = Path.Combine(Session, "frames", "00000001.png");
+        byte[] bytes = File.ReadAllBytes(image);
+        bytes[bytes.Length / 2] ^= 1;
+        File.WriteAllBytes(image, bytes);
+
+        CliRun run = CliRun.Of("validate", Session, "--quick");
+
+        Assert.Equal(ExitCode.BadData, run.ExitCode);
+        Assert.StartsWith(
+            "labels.jsonl, line 2: image 'frames/00000001.png' is damaged: its SHA-256 differs", run.Out, StringComparison.Ordinal);
+    }
+
+    private void Harvest() => Assert.Equal(
+        ExitCode.Done,
+        CliRun.Of("harvest", "--out", Session, "--frames", "3", "--size", "160x120", "--no-report", "--sync", "never").ExitCode);
+}

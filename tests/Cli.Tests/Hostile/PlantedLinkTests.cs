@@ -1,0 +1,53 @@
+using Harvester.Cli.Terminals;
+using Harvester.Cli.Tests.Commands;
+using Harvester.TestSupport;
+
+namespace Harvester.Cli.Tests.Hostile;
+
+/// <summary>Links and names that somebody has planted where a command writes in place.</summary>
+public sealed class PlantedLinkTests(SmallSession session) : IClassFixture<SmallSession>, IDisposable
+{
+    private readonly HostileSession _hostile = new(session);
+
+    public void Dispose() => _hostile.Dispose();
+
+    [PosixFact]
+    public void Journal_of_an_export_that_is_a_link_is_not_followed()
+    {
+        string shard = _hostile.PathOf("shard");
+        string[] export = ["export", _hostile.Folder, "--format", "csv", "--shard", "1/2", "--out", shard];
+        Assert.Equal(ExitCode.Done, HostileSession.Run(export).ExitCode);
+        string journal = Path.Combine(shard, ".export/journal-1-of-2.jsonl");
+        string target = Path.Combine(shard, "frames.csv");
+        File.Move(journal, target);
+        File.CreateSymbolicLink(journal, target);
+        byte[] before = File.ReadAllBytes(target);
+        File.WriteAllBytes(target, before[..^"end\n".Length]);
+
+        HostileSession.AssertRefused("is a link", export);
+
+        Assert.Equal(before[..^"end\n".Length], File.ReadAllBytes(target));
+    }
+
+    [Theory]
+    [InlineData("image", "labels.jsonl")]
+    [InlineData("image", "./labels.jsonl")]
+    [InlineData("image", "session.json")]
+    [InlineData("mask", "labels.jsonl")]
+    [InlineData("mask", "session.json")]
+    [InlineData("mask", "scenes/roads.csv")]
+    [InlineData("mask", "scenes/00000000.json")]
+    public void Label_that_names_a_file_of_the_session_itself_is_refused(string field, string name)
+    {
+        string folder = field == "image" ? "frames" : "masks";
+        _hostile.Replace("labels.jsonl", $"\"{field}\":\"{folder}/00000000.png\"", $"\"{field}\":\"{name}\"");
+        string labels = File.ReadAllText(_hostile.In("labels.jsonl"));
+        string header = File.ReadAllText(_hostile.In("session.json"));
+
+        HostileSession.AssertRefused("must name a picture", "masks", "import", _hostile.Folder, _hostile.In("masks"));
+        HostileSession.AssertRefused("must name a picture", "relabel", _hostile.Folder, "--no-report", "--out", _hostile.PathOf("out"));
+        HostileSession.AssertRefused("must name a picture", "export", _hostile.Folder, "--format", "csv", "--out", _hostile.PathOf("csv"));
+
+        Assert.Equal((labels, header), (File.ReadAllText(_hostile.In("labels.jsonl")), File.ReadAllText(_hostile.In("session.json"))));
+    }
+}

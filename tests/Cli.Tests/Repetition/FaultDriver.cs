@@ -1,0 +1,144 @@
+using System.Diagnostics;
+using System.Text.RegularExpressions;
+using Harvester.Cli.Terminals;
+
+namespace Harvester.Cli.Tests.Repetition;
+
+/// <summary>
+/// Runs a command in this process once for each fault in one of its file operations, and again without a fault. A process of its own would
+/// take most of the time to start.
+/// </summary>
+internal sealed partial class FaultDriver
+{
+    private static readonly int[] Errors = [Fault.DiskFull, Fault.InputOutput, Fault.PermissionDenied];
+
+    private readonly CommandTrial _trial;
+    private readonly string _root;
+    private readonly IReadOnlyList<FileOperation> _operations;
+    private readonly List<string> _failures = [];
+    private int _faults;
+
+    private FaultDriver(CommandTrial trial, string root)
+    {
+        _trial = trial;
+        _root = root;
+        trial.Restore(root);
+        FaultInjector.Begin(root, Fault.None);
+        trial.Run(root);
+        FaultInjector.End();
+        _operations = [.. FaultInjector.Operations()
+            .Where(operation => trial.Command.Only is not { } only || operation.Path.StartsWith(only, StringComparison.Ordinal))];
+    }
+
+    /// <summary>Runs the commands whose names come from standard input, one a line, with all their faults.</summary>
+    /// <remarks>The answer to each name is a line with the figures, the failures, indented, and an empty line.</remarks>
+    /// <param name="library">The fault injector.</param>
+    /// <param name="inputs">The inputs of the commands.</param>
+    /// <param name="folder">An empty folder.</param>
+    public static int Run(string library, string inputs, string folder)
+    {
+        FaultInjector.Attach(library);
+        while (Console.ReadLine() is { } name)
+        {
+            var watch = Stopwatch.StartNew();
+            string own = Path.Combine(folder, name);
+            var trial = new CommandTrial(WritingCommand.All.Single(command => command.Name == name), inputs, own);
+            var driver = new FaultDriver(trial, Path.Combine(own, "root"));
+            driver.RunFaults();
+            Console.WriteLine(
+                $"{name}: {driver._operations.Count} operations, {driver._faults} faults, {driver._failures.Count} failures, "
+                + $"{watch.Elapsed.TotalSeconds:0} s");
+            driver._failures.Take(20).ToList().ForEach(Console.WriteLine);
+            Console.WriteLine();
+            Directory.Delete(own, recursive: true);
+        }
+
+        return 0;
+    }
+
+    /// <summary>
+    /// Each operation fails with one error and kills the command once. The first of each kind on each kind of file fails with all errors:
+    /// the frames after the first are written as the first. A harvest takes long and shares its files with other commands: one error each.
+    /// </summary>
+    private void RunFaults()
+    {
+        var kinds = new HashSet<string>(StringComparer.Ordinal);
+        foreach ((int index, FileOperation operation) in _operations.Index())
+        {
+            bool isNew = kinds.Add($"{operation.Kind} {Digits().Replace(operation.Path, "#")}");
+            foreach (int error in isNew && !_trial.Command.IsHarvest ? Errors : [Errors[index % Errors.Length]])
+            {
+                Check(new Fault(operation, error));
+            }
+
+            Check(new Fault(operation, Fault.InputOutput, Kills: true));
+        }
+
+        if (_operations.Any(operation => operation.Kind == "exchange"))
+        {
+            RunFaultsOfTwoRenames();
+        }
+    }
+
+    private void RunFaultsOfTwoRenames()
+    {
+        _trial.Restore(_root);
+        FaultInjector.Begin(_root, Fault.None with { CanExchange = false });
+        _trial.Run(_root);
+        FaultInjector.End();
+        foreach (FileOperation operation in FaultInjector.Operations().Except(_operations).Where(operation => operation.Kind == "rename"))
+        {
+            Check(new Fault(operation, Fault.InputOutput, CanExchange: false));
+            Check(new Fault(operation, Fault.InputOutput, Kills: true, CanExchange: false));
+        }
+    }
+
+    private void Check(Fault fault)
+    {
+        _faults++;
+        _trial.Restore(_root);
+        FaultInjector.Begin(_root, fault);
+        CliRun run = _trial.Run(_root);
+
+        // Files that were left open would be written to at any time later.
+        GC.Collect();
+        GC.WaitForPendingFinalizers();
+        bool hasFired = FaultInjector.End();
+        FolderContent result = CommandTrial.ResultIn(_root);
+        if (!hasFired)
+        {
+            Fail(fault, "the operation did not come");
+        }
+
+        if (!fault.Kills && run.ExitCode is not (ExitCode.Done or ExitCode.InputOutput))
+        {
+            Fail(fault, $"exit code {run.ExitCode}: {run.Error}");
+        }
+
+        if (!fault.Kills && run.ExitCode != ExitCode.Done && run.Error.Count(character => character == '\n') != 1)
+        {
+            Fail(fault, $"not one line: {run.Error}");
+        }
+
+        if (!fault.Kills && run.ExitCode == ExitCode.Done && !result.Equals(_trial.Expected))
+        {
+            Fail(fault, $"success with another result: {result.DifferenceFrom(_trial.Expected)}");
+        }
+
+        bool isWhole = result.Equals(_trial.Former) || result.Equals(_trial.Expected);
+        if (_trial.Command.Replaces && (fault.CanExchange || !fault.Kills) && !isWhole)
+        {
+            Fail(fault, $"neither the old nor the new is whole: {result.DifferenceFrom(_trial.Expected)}");
+        }
+
+        if (_trial.FaultOfRepetition(_root, result) is { } wrong)
+        {
+            Fail(fault, wrong);
+        }
+    }
+
+    [GeneratedRegex("[0-9]+")]
+    private static partial Regex Digits();
+
+    private void Fail(Fault fault, string what) => _failures.Add($"  {fault}: {what.TrimEnd()}");
+}

@@ -1,0 +1,79 @@
+namespace Harvester.Cli.Tests.Repetition;
+
+/// <summary>A command that writes to the folder {root}, with its small inputs in {inputs}.</summary>
+/// <param name="Name">Name of the case.</param>
+/// <param name="Words">The command line.</param>
+/// <param name="Before">Command lines that make what the folder holds before.</param>
+internal sealed record WritingCommand(string Name, string Words, params string[] Before)
+{
+    private const string Small = "--size 64x48 --masks --seed 5 --roads {inputs}/roads.csv";
+
+    /// <summary>Whether it replaces something that must be whole until the new is.</summary>
+    public bool Replaces => Before.Length == 1;
+
+    /// <summary>Whether it builds a world and renders.</summary>
+    public bool IsHarvest => Words.StartsWith("harvest ", StringComparison.Ordinal);
+
+    /// <summary>Whether it builds a world, which takes longer than all else.</summary>
+    public bool BuildsWorld => IsHarvest || Words.StartsWith("drive ", StringComparison.Ordinal);
+
+    /// <summary>A straight road, the file roads.csv of the inputs: its world is built in a fraction of the time of a town.</summary>
+    public static string Roads { get; } =
+        "harvester roads,1\nnode,0,0,0,-200,30,,,,\nnode,0,1,0,0,30,,,,\nnode,0,2,0,200,30,,,,\nlink,0,1,1,1,0,,200\nlink,1,2,1,1,0,,200\n"
+        + "end,3,2\n";
+
+    /// <summary>The only file whose operations are the command's own, because another command has all others; null for all.</summary>
+    public string? Only { get; private init; }
+
+    /// <summary>Command lines that make the inputs of all commands.</summary>
+    public static IReadOnlyList<string> Inputs { get; } =
+    [
+        $"harvest --out {{inputs}}/session --frames 2 {Small}",
+        $"harvest --out {{inputs}}/part-1 --frames 2 --shard 1/2 {Small}",
+        $"harvest --out {{inputs}}/part-2 --frames 2 --shard 2/2 {Small}",
+        "export {inputs}/session --format coco --out {inputs}/coco-1 --shard 1/2",
+        "export {inputs}/session --format coco --out {inputs}/coco-2 --shard 2/2",
+    ];
+
+    public static IReadOnlyList<WritingCommand> All { get; } =
+    [
+        new("harvest", $"harvest --out {{root}}/out --frames 2 {Small}"),
+        new("harvest-town", "harvest --out {root}/out --frames 1 --size 64x48 --seed 5 --no-report") { Only = "out/scenes/roads.csv" },
+        new("harvest-overwrite", $"harvest --out {{root}}/out --frames 1 --no-report --overwrite {Small}", Former),
+        new("harvest-shard", $"harvest --out {{root}}/out --frames 2 --shard 2/2 {Small}"),
+        new("relabel", "relabel {inputs}/session --out {root}/out --range 60"),
+        new("relabel-overwrite", "relabel {inputs}/session --out {root}/out --range 60 --images copy --overwrite", Former),
+        new("merge", "merge {inputs}/part-1 {inputs}/part-2 --out {root}/out"),
+        new("export-kitti", "export {inputs}/session --format kitti --out {root}/out"),
+        new("export-coco", "export {inputs}/session --format coco --out {root}/out --image-format bmp"),
+        new("export-webdataset", "export {inputs}/session --format webdataset --out {root}/out"),
+        new("export-shard", "export {inputs}/session --format yolo --out {root}/out --shard 1/2"),
+        new("merge-export", "merge {inputs}/coco-1 {inputs}/coco-2 --out {root}/out --images copy"),
+        new(
+            "merge-export-in-place",
+            "merge {root}/out --out {root}/out",
+            "export {inputs}/session --format csv --out {root}/out --shard 1/2",
+            "export {inputs}/session --format csv --out {root}/out --shard 2/2"),
+        new("masks-import", "masks import {root}/out {inputs}/session/masks", $"harvest --out {{root}}/out --frames 2 {Small}"),
+        new("repair", "repair {inputs}/session --out {root}/out"),
+        new("report", "report {inputs}/session --out {root}/page.html", "report {inputs}/session --out {root}/page.html --frames 1"),
+        new("report-still", "report {inputs}/session --still 1 --out {root}/still.png"),
+        new("roads-import", "roads import {inputs}/roads.csv --out {root}/roads.csv.gz"),
+        new("roads-map", "roads map {inputs}/roads.csv --size 64 --out {root}/map.png"),
+        new("roads-nodes", "roads nodes {inputs}/roads.csv --out {root}/nodes.csv"),
+        new("spaces-gallery", "spaces gallery {inputs}/session/scenes/spaces.csv --out {root}/gallery.html"),
+        new("drive", $"{Drive} --duration 2"),
+        new("drive-overwrite", $"{Drive} --duration 2 --overwrite", $"{Drive} --duration 1"),
+    ];
+
+    private static string Former => $"harvest --out {{root}}/out --frames 1 --size 80x60 --seed 6 --roads {{inputs}}/roads.csv";
+
+    private static string Drive => $"drive --out {{root}}/out --traffic 0 --distance 3 --roads {{inputs}}/roads.csv";
+
+    /// <summary>The words of a command line, in folders.</summary>
+    public static string[] WordsOf(string words, string inputs, string root) =>
+    [
+        .. words.Split(' ').Select(word => word
+            .Replace("{inputs}", inputs, StringComparison.Ordinal).Replace("{root}", root, StringComparison.Ordinal)),
+    ];
+}
