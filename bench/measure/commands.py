@@ -1,15 +1,17 @@
 """Whole commands: how long they take, and how much memory."""
 
+import json
 import os
 import pathlib
+import platform
 import subprocess
-import time
+import sys
 from typing import NamedTuple
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 TOOL = ROOT / "src/Harvester.Cli/bin/Release/net10.0/harvester"
 BENCHMARKS = ROOT / "bench/Harvester.Benchmarks/bin/Release/net10.0/Harvester.Benchmarks.dll"
-BYTES_PER_KILOBYTE = 1024  # of ru_maxrss on Linux
+COST = pathlib.Path(__file__).resolve().parent / "cost.py"
 
 
 class Cost(NamedTuple):
@@ -23,20 +25,25 @@ def build():
         subprocess.run(["dotnet", "build", "-c", "Release", "-v", "q", "-clp:ErrorsOnly", ROOT / project], check=True)
 
 
-def cost_of(*arguments):
-    start = time.perf_counter()
-    command = [str(TOOL), *map(str, arguments)]
-    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-    problem = process.stderr.read()
-    _, status, usage = os.wait4(process.pid, 0)
-    if status:
-        raise SystemExit(f"{' '.join(command)}: {problem.decode(errors='replace')}")
-    megabytes = usage.ru_maxrss * BYTES_PER_KILOBYTE / 1e6
-    return Cost(time.perf_counter() - start, usage.ru_utime + usage.ru_stime, megabytes)
+def publish(folder):
+    """Publishes the tool for this system, compiled ahead of time, and returns its path."""
+    machine = {"x86_64": "x64", "aarch64": "arm64"}[platform.machine()]
+    subprocess.run(["dotnet", "publish", "-c", "Release", "-r", f"linux-{machine}", "--no-self-contained", "-v", "q", "-clp:ErrorsOnly",
+                    "-o", folder, ROOT / "src/Harvester.Cli"], check=True)
+    return os.path.join(folder, TOOL.name)
 
 
-def harvest(folder, frames, *options):
-    return cost_of("harvest", "--out", folder, "--overwrite", "--no-report", "-q", "--seed", 3, "--frames", frames, *options)
+def cost_of(*arguments, tool=TOOL):
+    command = [str(tool), *map(str, arguments)]
+    run = subprocess.run([sys.executable, str(COST), *command], capture_output=True, text=True, check=True)
+    cost = json.loads(run.stdout)
+    if cost.pop("code"):
+        raise SystemExit(f"{' '.join(command)}: {run.stderr}")
+    return Cost(**cost)
+
+
+def harvest(folder, frames, *options, tool=TOOL):
+    return cost_of("harvest", "--out", folder, "--overwrite", "--no-report", "-q", "--seed", 3, "--frames", frames, *options, tool=tool)
 
 
 def own_figures(folder):

@@ -1,5 +1,6 @@
 """Long sessions out of a short one: its frames again and again, with numbers and times that go on."""
 
+import hashlib
 import json
 import os
 import shutil
@@ -18,19 +19,58 @@ def repeat(source, target, frames):
     span = 2 * labels[-1]["gameFrame"] - labels[-2]["gameFrame"] - labels[0]["gameFrame"]
     seconds = 2 * labels[-1]["timeSeconds"] - labels[-2]["timeSeconds"] - labels[0]["timeSeconds"]
     texts = [template(label) for label in labels]
-    with open(os.path.join(target, "labels.jsonl"), "w", encoding="utf-8") as file:
+    files = [FilesOfFrame(source, place, os.path.splitext(label["image"])[1], folders) for place, label in enumerate(labels)]
+    manifest = open(os.path.join(target, "manifest.jsonl"), "w", encoding="utf-8")
+    with manifest, open(os.path.join(target, "labels.jsonl"), "w", encoding="utf-8") as file:
         for frame in range(frames):
             turn, place = divmod(frame, len(labels))
             label = labels[place]
-            file.write(texts[place] % (
-                frame, label["gameFrame"] + turn * span, round(label["timeSeconds"] + turn * seconds, 6), frame, frame))
-            for name in folders:
-                extension = ".json" if name == "scenes" else os.path.splitext(label["image"])[1] if name == "frames" else ".png"
-                link = os.path.join(source, name, f"{place:08d}{extension}"), os.path.join(target, name, f"{frame:08d}{extension}")
-                os.link(*link)
+            line = texts[place] % (
+                frame, label["gameFrame"] + turn * span, round(label["timeSeconds"] + turn * seconds, 6), frame, frame)
+            file.write(line + "\n")
+            entry = {"frame": frame, "label": digest(line.encode()), "files": files[place].link(target, frame)}
+            manifest.write(checked(entry))
     session["counters"]["captured"] = frames
     with open(os.path.join(target, "session.json"), "w", encoding="utf-8") as file:
         json.dump(session, file, indent=2)
+    kept = [name for name in ("scenes/roads.csv", "scenes/spaces.csv") if os.path.exists(os.path.join(source, name))]
+    for name in kept:
+        os.link(os.path.join(source, name), os.path.join(target, name))
+    with open(os.path.join(target, "manifest.jsonl"), "a", encoding="utf-8") as manifest:
+        for name in [*kept, "session.json"]:
+            with open(os.path.join(target, name), "rb") as file:
+                manifest.write(checked({"path": name, **digest(file.read())}))
+
+
+class FilesOfFrame:
+    """The picture, mask and scene of a frame, with their digests."""
+
+    def __init__(self, source, place, image_extension, folders):
+        self.files = []
+        for folder in folders:
+            extension = {"frames": image_extension, "masks": ".png", "scenes": ".json"}[folder]
+            path = os.path.join(source, folder, f"{place:08d}{extension}")
+            with open(path, "rb") as file:
+                self.files.append((path, folder, extension, digest(file.read())))
+
+    def link(self, target, frame):
+        """Links the files under the number of a frame. Returns their entries in the manifest."""
+        entries = []
+        for path, folder, extension, content in self.files:
+            name = f"{folder}/{frame:08d}{extension}"
+            os.link(path, os.path.join(target, name))
+            entries.append({"path": name, **content})
+        return entries
+
+
+def digest(content):
+    return {"bytes": len(content), "sha256": hashlib.sha256(content).hexdigest()}
+
+
+def checked(entry):
+    """A line of the manifest, with the checksum of itself."""
+    text = json.dumps(entry, separators=(",", ":"))[:-1]
+    return f'{text},"check":"{hashlib.sha256(text.encode()).hexdigest()[:16]}"}}\n'
 
 
 def remove(*paths):
@@ -49,4 +89,4 @@ def template(label):
     text = json.dumps(changed, separators=(",", ":")).replace("%", "%%")
     text = text.replace('"frame":-1,"gameFrame":-2,"timeSeconds":-3,', '"frame":%d,"gameFrame":%d,"timeSeconds":%s,', 1)
     text = text.replace('"IMAGE"', f'"frames/%08d{extension}"', 1)
-    return (text.replace('"MASK"', '"masks/%08d.png"', 1) if label["mask"] else text + "%.0s") + "\n"
+    return (text.replace('"MASK"', '"masks/%08d.png"', 1) if label["mask"] else text + "%.0s")

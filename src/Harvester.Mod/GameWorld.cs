@@ -12,8 +12,14 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Mod;
 
 /// <summary>What the harvest reads of the game. Everything except the lists of nearby entities comes from natives.</summary>
-internal sealed class GameWorld : IWorld, IProps
+internal sealed class GameWorld : IStepwiseWorld, IProps
 {
+    /// <summary>Peds farther from the camera have no joints: they are smaller than 12 pixels in an image of 800 x 600, as in JTA.</summary>
+    private const double JointRangeMetres = 100;
+
+    /// <summary>Peds so far behind the camera are not in its image, nor any part of them.</summary>
+    private const double BehindMetres = 2;
+
     private readonly CameraMount _mount;
     private readonly GameTime _time;
     private readonly GameRays _rays;
@@ -21,6 +27,8 @@ internal sealed class GameWorld : IWorld, IProps
     private readonly Func<FaceTable> _faces;
     private readonly ReadingRecord _reading;
     private readonly NearbyEntities _nearby;
+    private readonly PedBones _bones = new();
+    private Pose _camera;
     private FaceTable _table = FaceTable.Empty;
     private KnownModels _known;
 
@@ -52,7 +60,12 @@ internal sealed class GameWorld : IWorld, IProps
     public double TimeSeconds => _time.Seconds;
 
     /// <inheritdoc/>
-    public CameraState ReadCamera() => RenderedCamera.Read();
+    public CameraState ReadCamera()
+    {
+        CameraState camera = RenderedCamera.Read();
+        _camera = camera.Pose;
+        return camera;
+    }
 
     /// <inheritdoc/>
     public EgoState ReadEgo()
@@ -68,43 +81,62 @@ internal sealed class GameWorld : IWorld, IProps
     }
 
     /// <inheritdoc/>
-    public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range)
+    public IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range) =>
+        [.. ReadEntitiesInSteps(centre, range).OfType<EntityState>()];
+
+    /// <inheritdoc/>
+    public IEnumerable<EntityState?> ReadEntitiesInSteps(Vector3D centre, double range)
     {
-        var entities = new List<EntityState>();
-        var occupied = new HashSet<int>();
-        List<int> onFoot = OnFoot(Near(EntityKind.Ped, centre, range), occupied);
-        Add(Near(EntityKind.Vehicle, centre, range), EntityKind.Vehicle);
-        Add(onFoot, EntityKind.Ped);
-        Add(Near(EntityKind.Prop, centre, range), EntityKind.Prop);
-        return entities;
-
-        void Add(IEnumerable<int> handles, EntityKind kind) =>
-            entities.AddRange(handles.Select(handle => Read(handle, kind)).OfType<EntityState>().Select(WithRider));
-
-        EntityState WithRider(EntityState entity) =>
-            VehicleClasses.HaveRiders(entity.Class) ? entity with { HasRider = occupied.Contains(entity.Handle) }
-                : entity;
-    }
-
-    /// <summary>The persons on foot but for the player; what the others sit in is added to the occupied vehicles.</summary>
-    private static List<int> OnFoot(IEnumerable<int> peds, HashSet<int> occupied)
-    {
-        // Each native is asked once: on release 3.6.0 one takes about 19 microseconds, and a street has dozens of peds.
+        // Each native is called once: on release 3.6.0 one takes about 19 microseconds, and a street has dozens of peds.
         int player = Natives.PlayerPed();
-        var onFoot = new List<int>();
-        foreach (int ped in peds.Where(Natives.EntityExists))
+        var occupied = new HashSet<int>();
+        foreach (int ped in Near(EntityKind.Ped, centre, range))
         {
+            if (!Natives.EntityExists(ped))
+            {
+                continue;
+            }
+
             if (Natives.IsInVehicle(ped))
             {
                 occupied.Add(Natives.VehicleSeating(ped));
+                yield return null;
             }
-            else if (ped != player && Natives.IsHuman(ped))
+            else
             {
-                onFoot.Add(ped);
+                EntityState? state = ped != player && Natives.IsHuman(ped) ? Read(ped, EntityKind.Ped) : null;
+                if (state is not null && IsForJoints(state, centre) && _bones.HasAll(ped))
+                {
+                    foreach (Skeleton? joints in PedBones.ReadInSteps(ped))
+                    {
+                        if (joints is null)
+                        {
+                            yield return null;
+                        }
+
+                        state = state with { Skeleton = joints };
+                    }
+
+                    // The bones of a ped that has disappeared meanwhile are at the world's origin.
+                    state = Natives.EntityExists(ped) ? state : null;
+                }
+
+                yield return state;
             }
         }
 
-        return onFoot;
+        foreach (int vehicle in Near(EntityKind.Vehicle, centre, range))
+        {
+            EntityState? state = Read(vehicle, EntityKind.Vehicle);
+            yield return state is not null && VehicleClasses.HaveRiders(state.Class)
+                ? state with { HasRider = occupied.Contains(vehicle) }
+                : state;
+        }
+
+        foreach (int prop in Near(EntityKind.Prop, centre, range))
+        {
+            yield return Read(prop, EntityKind.Prop);
+        }
     }
 
     /// <inheritdoc/>
@@ -153,6 +185,11 @@ internal sealed class GameWorld : IWorld, IProps
             _ => _known.OfProp(hash),
         };
     }
+
+    /// <summary>Whether the joints of a ped may be in the image of the camera read last.</summary>
+    private bool IsForJoints(EntityState ped, Vector3D centre) =>
+        (ped.Pose.Position - centre).Length < JointRangeMetres
+        && (ped.Pose.Position - _camera.Position).Dot(_camera.Axes.Forward) > -BehindMetres;
 
     /// <summary>Rebuilds the known models if the table in use has changed.</summary>
     private void TakeTable()

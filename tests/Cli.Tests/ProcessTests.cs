@@ -63,6 +63,31 @@ public sealed class ProcessTests : IDisposable
         Assert.True(File.Exists(_folder.PathOf("gallery.html")));
     }
 
+    [PosixTheory]
+    [InlineData("")]
+    [InlineData("--masks --quirks lag=2,vanish=0.1 --weather rain")]
+    public void Harvest_gives_the_same_bytes_on_one_core_and_on_two(string options)
+    {
+        string[] sessions = ["1", "2"];
+        foreach (string cores in sessions)
+        {
+            using Process harvest = Start(
+                $"DOTNET_PROCESSOR_COUNT={cores} exec dotnet \"$0\" harvest --seed 4 --frames 6 --size 160x120 --no-report --quiet "
+                + $"--out {cores} {options}",
+                Program);
+            harvest.WaitForExit();
+            Assert.Equal(ExitCode.Done, harvest.ExitCode);
+        }
+
+        Dictionary<string, byte[]>[] files = [.. sessions.Select(name => FilesOf(_folder.PathOf(name)))];
+        Assert.NotEmpty(files[0]);
+        Assert.Equal(files[0], files[1]);
+    }
+
+    private static Dictionary<string, byte[]> FilesOf(string folder) =>
+        Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories)
+            .ToDictionary(path => Path.GetRelativePath(folder, path), File.ReadAllBytes);
+
     private Process Start(string script, params string[] arguments)
     {
         var start = new ProcessStartInfo("/bin/sh")

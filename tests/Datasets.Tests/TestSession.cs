@@ -3,6 +3,7 @@ using Harvester.Datasets.Sessions;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Datasets.Tests;
 
@@ -59,6 +60,37 @@ internal sealed class TestSession : IDisposable
             pedestrian["occludedFraction"] = 0;
             pedestrian["occlusionMethod"] = "rays";
             pedestrian["visibleFraction"] = 0.8;
+        }
+    }
+
+    /// <summary>
+    /// Gives the pedestrian of every frame joints, 5 m ahead, where a metre is 6 pixels: facing the camera, with the person's right at the
+    /// left. The right elbow is hidden by the person, the left knee by something else.
+    /// </summary>
+    public void AddJoints()
+    {
+        // Metres to the person's left and upward of the middle, in the order of JTA.
+        (double Left, double Up)[] places =
+        [
+            (0, 0.95), (0, 0.8), (0, 0.65), (-0.05, 0.6), (-0.2, 0.58), (-0.25, 0.3), (-0.25, 0), (0.05, 0.6), (0.2, 0.58), (0.25, 0.3),
+            (0.25, 0), (0, 0.45), (0, 0.35), (0, 0.25), (0, 0.15), (0, 0.05), (-0.1, 0), (-0.1, -0.45), (-0.1, -0.85), (0.1, 0),
+            (0.1, -0.45), (0.1, -0.85),
+        ];
+        foreach (JsonObject pedestrian in Lines.Select(line => line["objects"]![1]!.AsObject()))
+        {
+            pedestrian["box2dJoints"] = new JsonArray(60, 20, 95, 40);
+            pedestrian["joints"] = new JsonArray([.. places.Select((place, number) => (JsonNode)new JsonObject
+            {
+                ["joint"] = JointNames.All[number],
+                ["position"] = new JsonArray(6 + place.Left, 5, place.Up),
+                ["pixel"] = new JsonArray(Math.Round(76 + (6 * place.Left), 3), Math.Round(30 - (6 * place.Up), 3)),
+                ["visibility"] = (Joint)number switch
+                {
+                    Joint.RightElbow => "selfOccluded",
+                    Joint.LeftKnee => "occluded",
+                    _ => "visible",
+                },
+            })]);
         }
     }
 

@@ -5,6 +5,7 @@ using GTA.Native;
 using Harvester.Geometry;
 using Harvester.Mod.Tests.Games;
 using Harvester.Sessions.Files;
+using Harvester.Sessions.Scenes;
 
 namespace Harvester.Mod.Tests;
 
@@ -257,5 +258,11 @@ public sealed class HarvestTests
     internal static void SunkenCar(TestGame game) => game.Add(Standing(PoolKind.Vehicles, "stanier", new Vector3D(96, 220, -0.25)));
 
     private static GameEntity Standing(PoolKind pool, string name, Vector3D place) =>
-        new() { Pool = pool, Name = name, Pose = new Pose(place, Axes.Identity) };
+        new()
+        {
+            Pool = pool,
+            Name = name,
+            Pose = new Pose(place, Axes.Identity),
+            Skeleton = pool == PoolKind.Peds ? new Skeleton(Enumerable.Repeat(place, Skeleton.Count)) : null,
+        };
 }

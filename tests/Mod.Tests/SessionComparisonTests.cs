@@ -1,4 +1,5 @@
 using System.Text.Json;
+using System.Text.RegularExpressions;
 using System.Windows.Forms;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Storage;
@@ -35,7 +36,9 @@ public sealed class SessionComparisonTests
         string[] labels = File.ReadAllLines(Path.Combine(direct, "labels.jsonl"));
         Assert.InRange(labels.Length, 3, Ticks);
         AssertScenePutsEverythingToTheTest(labels);
-        Assert.Equal(labels, File.ReadAllLines(Path.Combine(byMod, "labels.jsonl")));
+
+        // The game does not tell which lamps of a vehicle shine, nor how the car is driven.
+        Assert.Equal(labels.Select(AsOfTheGame), File.ReadAllLines(Path.Combine(byMod, "labels.jsonl")));
         foreach (string file in Files(direct, "frames").Concat(Files(direct, "masks")))
         {
             Assert.Equal(File.ReadAllBytes(Path.Combine(direct, file)), File.ReadAllBytes(Path.Combine(byMod, file)));
@@ -43,6 +46,9 @@ public sealed class SessionComparisonTests
 
         Assert.Equal(Files(direct, "frames"), Files(byMod, "frames"));
     }
+
+    private static string AsOfTheGame(string line) => Regex.Replace(
+        Regex.Replace(line, ",\"lights\":\\{[^}]*\\}", ""), ",\"yawRate\":[^}]*", "");
 
     /// <summary>In a scene without traffic, people, signals or hidden objects, a mod that reads none of them would pass.</summary>
     private static void AssertScenePutsEverythingToTheTest(string[] labels)
@@ -56,7 +62,7 @@ public sealed class SessionComparisonTests
         Assert.Contains(objects, label => label.GetProperty("occludedFraction").GetDouble() > 0);
     }
 
-    private static SimulationOptions Options() => new() { Seed = 12, TrafficDensity = 2, PedestrianDensity = 2 };
+    private static SimulationOptions Options() => new() { Seed = 14, TrafficDensity = 2, PedestrianDensity = 12 };
 
     private static void HarvestDirectly(SimulatedScene scene, FaceTable faces, string directory)
     {

@@ -100,6 +100,9 @@ internal sealed class FakeGame : IWorld, IRayCaster, IScreen, IPause, IClock
         }
     }
 
+    /// <summary>Lets the player's time pass within a tick.</summary>
+    public void Work(double milliseconds) => Milliseconds += milliseconds;
+
     /// <summary>One tick of the game, after the script's.</summary>
     public void Tick()
     {

@@ -30,6 +30,9 @@ internal sealed class SocketClient : IDisposable
 
     public NetworkStream Stream { get; }
 
+    /// <summary>The client's own port.</summary>
+    public int LocalPort => ((IPEndPoint)_connection.Client.LocalEndPoint!).Port;
+
     public void Send(string header)
     {
         byte[] text = Encoding.UTF8.GetBytes(header);

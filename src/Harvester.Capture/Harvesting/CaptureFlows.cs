@@ -20,7 +20,7 @@ internal sealed class CaptureFlows(
         return options.Freeze
             ? new FrozenFlow(options, game, reader, labeller, pool, budget, counters, calls)
             {
-                TakesNext = () => options.Shard.Takes(sink.FirstFrame + counters.Captured),
+                TakesNext = () => options.Shard.Takes(sink.FirstFrame + counters.Taken),
             }
             : new LiveFlow(game, reader, labeller, pool, budget, counters, lag ?? throw LagUnknown());
     }

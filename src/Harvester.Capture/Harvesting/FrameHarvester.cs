@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Harvester.Capture.Labelling;
 using Harvester.Sessions.Imaging;
@@ -5,10 +6,18 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Harvesting;
 
-/// <summary>Harvests frames in turn: takes a frame, labels what is visible in its image only, and hands it to the sink.</summary>
+/// <summary>
+/// Harvests frames in turn: takes a frame, labels what is visible in its image only, and hands it to the sink. While the image of a frame
+/// is still being drawn, the next frames are taken; frames reach the sink in their order. Disposing it hands over the frames that the sink
+/// has room for.
+/// </summary>
 internal sealed class FrameHarvester(
     HarvestOptions options, IFrameSink sink, ICaptureFlow flow, PixelBufferPool pool, HarvestCounters counters)
+    : IDisposable
 {
+    private readonly PictureQueue _drawing = new();
+    private CapturedFrame? _ready;
+
     /// <summary>Harvests or discards one frame. Disposing the sequence resumes the game.</summary>
     public IEnumerable<HarvestPhase> HarvestOne()
     {
@@ -17,32 +26,104 @@ internal sealed class FrameHarvester(
             yield return phase;
         }
 
-        if (flow.Draft is { } draft)
+        if (flow.Taken is { } frame)
         {
-            CapturedFrame frame = FrameOf(draft);
-            while (!sink.TryEnqueue(frame))
-            {
-                counters.TicksWaitedForSink++;
-                yield return HarvestPhase.WaitingForSink;
-            }
-
-            counters.Captured++;
+            _drawing.Add(sink.FirstFrame + counters.Taken, frame);
+            counters.Taken++;
         }
         else if (flow.IsPassed)
         {
+            counters.Taken++;
             counters.Captured++;
+        }
+
+        if (_drawing.IsOldestDue)
+        {
+            foreach (HarvestPhase phase in HandOver())
+            {
+                yield return phase;
+            }
         }
     }
 
-    private CapturedFrame FrameOf(FrameDraft draft)
+    /// <summary>Hands over the frames that are left, one a tick.</summary>
+    public IEnumerable<HarvestPhase> Finish()
     {
-        PixelBuffer picture = draft.Picture!;
-        LightObserver.Observe(draft, picture);
-        return new CapturedFrame(draft.Label(sink.FirstFrame + counters.Captured, options.Format), picture, draft.Mask, pool)
+        while (_drawing.Count > 0)
         {
-            Scene = options.Scenes
-                ? new RecordedScene(draft.Snapshot, options.Lens, draft.Ids, draft.Occlusions) { Distant = draft.Distant }
-                : null,
-        };
+            yield return HarvestPhase.WaitingForSink;
+            foreach (HarvestPhase phase in HandOver())
+            {
+                yield return phase;
+            }
+        }
+    }
+
+    /// <inheritdoc />
+    public void Dispose()
+    {
+        try
+        {
+            while ((_ready is not null || _drawing.Count > 0) && TryHandOver())
+            {
+            }
+        }
+        finally
+        {
+            _ready?.Dispose();
+            _ready = null;
+            _drawing.Dispose();
+        }
+    }
+
+    private IEnumerable<HarvestPhase> HandOver()
+    {
+        while (!TryHandOver())
+        {
+            counters.TicksWaitedForSink++;
+            yield return HarvestPhase.WaitingForSink;
+        }
+    }
+
+    private bool TryHandOver()
+    {
+        _ready ??= OldestFrame();
+        if (!sink.TryEnqueue(_ready))
+        {
+            return false;
+        }
+
+        _ready = null;
+        counters.Captured++;
+        return true;
+    }
+
+    private CapturedFrame OldestFrame()
+    {
+        (int number, (FrameDraft draft, GrabbedPicture grabbed)) = _drawing.Remove();
+        PixelBuffer? picture = null;
+        try
+        {
+            picture = grabbed.Take();
+            LightObserver.Observe(draft, picture);
+            return new CapturedFrame(draft.Label(number, options.Format, options.Places), picture, draft.Mask, pool)
+            {
+                Scene = options.Scenes
+                    ? new RecordedScene(draft.Snapshot, options.Lens, draft.Ids, draft.Occlusions) { Distant = draft.Distant }
+                    : null,
+            };
+        }
+        catch
+        {
+            // The session ends with the frame before; no later frame may follow.
+            if (picture is not null)
+            {
+                pool.Return(picture);
+            }
+
+            grabbed.Dispose();
+            _drawing.Dispose();
+            throw;
+        }
     }
 }

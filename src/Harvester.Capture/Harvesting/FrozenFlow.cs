@@ -8,10 +8,14 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// Freeze, settle, snapshot, grab, read again, label, unfreeze. The picture may lag some frames behind the state. Since the state has been
-/// the same for at least that many frames when the picture is grabbed, and still is when its labels are done, the picture shows what the
-/// labels say, whichever of those frames it shows.
+/// Freeze, read until nothing moves, grab, label, read again, unfreeze. The picture may lag some frames behind the state. Since the state
+/// has been the same for at least that many frames when the picture is grabbed, and still is when its labels are done, the picture shows
+/// what the labels say, whichever of those frames it shows.
 /// </summary>
+/// <remarks>
+/// A reading may take several ticks. The frames for which the state has been the same count from the end of the first of equal readings:
+/// every entity was read before, and is read again after the picture was grabbed.
+/// </remarks>
 internal sealed class FrozenFlow(
     HarvestOptions options,
     GamePorts game,
@@ -24,8 +28,9 @@ internal sealed class FrozenFlow(
     : ICaptureFlow
 {
     private readonly SceneComparison _comparison = new(options.StillToleranceMetres);
+    private SceneSnapshot? _latest;
 
-    public FrameDraft? Draft { get; private set; }
+    public TakenFrame? Taken { get; private set; }
 
     public bool IsPassed { get; private set; }
 
@@ -36,46 +41,46 @@ internal sealed class FrozenFlow(
 
     public IEnumerable<HarvestPhase> TakeFrame()
     {
-        Draft = null;
+        Taken = null;
         IsPassed = false;
         bool isOurs = TakesNext();
-        PixelBuffer? picture = pool.Rent();
+        GrabbedPicture? picture = null;
         game.Pause.Freeze();
         try
         {
             var gate = new StillnessGate(_comparison);
-            SceneSnapshot snapshot = reader.Read();
-            gate.Observe(snapshot);
-            calls.Charge(HarvestPhase.Settling);
-            long firstGameFrame = snapshot.GameFrame;
-            for (int ticks = 0; gate.StillTicks < options.MaxPictureLagTicks; ticks++)
+            for (int readings = 0; readings == 0 || gate.StillTicks < options.MaxPictureLagTicks; readings++)
             {
-                if (ticks == options.MaxSettleTicks + options.MaxPictureLagTicks)
+                if (readings > options.MaxSettleTicks + options.MaxPictureLagTicks)
                 {
                     counters.Discard("neverStill");
                     yield break;
                 }
 
-                yield return HarvestPhase.Settling;
-                snapshot = reader.Read();
-                gate.Observe(snapshot);
-                calls.Charge(HarvestPhase.Settling);
+                if (readings > 0)
+                {
+                    yield return HarvestPhase.Settling;
+                }
+
+                foreach (HarvestPhase phase in Read(HarvestPhase.Settling))
+                {
+                    yield return phase;
+                }
+
+                gate.Observe(_latest!);
             }
 
-            counters.Settled((int)(snapshot.GameFrame - gate.StillTicks - firstGameFrame));
-            if (isOurs && game.Screen.Grab(picture).Refusal is { } refusal)
+            SceneSnapshot snapshot = _latest!;
+            counters.Settled((int)gate.MovingTicks);
+            picture = isOurs ? GrabbedPicture.Of(game.Screen, pool) : null;
+            if (picture?.Refusal is { } refusal)
             {
                 counters.Discard(refusal);
                 yield break;
             }
 
-            if (_comparison.FirstDifference(snapshot, reader.Read()) is { } duringGrab)
-            {
-                counters.Discard(duringGrab);
-                yield break;
-            }
-
             FrameDraft? draft = null;
+            budget.BeginSteps();
             if (!isOurs)
             {
                 labeller.Pass(snapshot);
@@ -90,29 +95,47 @@ internal sealed class FrozenFlow(
                 }
             }
 
-            if (_comparison.FirstDifference(snapshot, reader.Read()) is { } duringLabelling)
+            foreach (HarvestPhase phase in Read(HarvestPhase.Labelling))
             {
-                counters.Discard(duringLabelling);
+                yield return phase;
+            }
+
+            if (_comparison.FirstDifference(snapshot, _latest!) is { } difference)
+            {
+                counters.Discard(difference);
                 yield break;
             }
 
             IsPassed = !isOurs;
             if (isOurs)
             {
-                draft!.Picture = picture;
-                Draft = draft;
+                Taken = new TakenFrame(draft!, picture!);
                 picture = null;
             }
         }
         finally
         {
-            if (picture is not null)
-            {
-                pool.Return(picture);
-            }
-
+            picture?.Dispose();
             game.Pause.Unfreeze();
             calls.Charge(HarvestPhase.Labelling);
         }
+    }
+
+    /// <summary>Reads the scene into <see cref="_latest"/>, and gives the tick back wherever its budget is spent.</summary>
+    private IEnumerable<HarvestPhase> Read(HarvestPhase phase)
+    {
+        foreach (SceneSnapshot? snapshot in reader.ReadInSteps())
+        {
+            if (snapshot is not null)
+            {
+                _latest = snapshot;
+            }
+            else if (budget.IsSpent)
+            {
+                yield return phase;
+            }
+        }
+
+        calls.Charge(phase);
     }
 }

@@ -12,6 +12,9 @@ public sealed class HarvestCounters
     /// <summary>Frames handed to the sink, or left to other shards.</summary>
     public int Captured { get; internal set; }
 
+    /// <summary>Frames taken, or left to other shards. The images of the latest may still be drawn.</summary>
+    public int Taken { get; internal set; }
+
     /// <summary>Frames begun and discarded.</summary>
     public int Discarded { get; private set; }
 

@@ -78,6 +78,9 @@ public sealed record HarvestOptions : LabellingOptions
         init => field = value is { } frames ? OptionCheck.InRange(frames, 1, int.MaxValue, nameof(MaxFrames)) : null;
     }
 
+    /// <summary>The places among which the frames are divided; null if the session stays where the car drives.</summary>
+    public PlaceSequence? Places { get; init; }
+
     /// <summary>
     /// Maximum number of ticks by which the picture may lag behind the state, 0 to 60. A frozen frame is kept only if nothing has moved for
     /// that many ticks before it is grabbed, so it shows what the label says.
@@ -100,7 +103,8 @@ public sealed record HarvestOptions : LabellingOptions
     public PictureLag? LiveLag { get; init; }
 
     /// <summary>
-    /// Ticks after the request to freeze within which everything must stand still, 1 to 10,000; otherwise the frame is discarded.
+    /// Number of readings of the frozen scene, one a tick unless a reading takes several, within which everything must stand still, 1 to
+    /// 10,000; otherwise the frame is discarded.
     /// </summary>
     public int MaxSettleTicks { get; init => field = OptionCheck.InRange(value, 1, 10_000, nameof(MaxSettleTicks)); } = 60;
 

@@ -175,7 +175,7 @@ public sealed class HarvestSession : IDisposable
         bool isLagOpen = Lag is null && check.ErrorPixels is null && (_options.ProbeLag || check.Warning is not null);
         Warnings = [.. new[] { freeze.Warning, check.Warning, isLagOpen ? LagUnchecked : null }.OfType<CaptureFault>()];
         ICaptureFlow flow = new CaptureFlows(_options, _game, reader, pool, _budget, Counters, Calls).For(_sink, Lag);
-        var frames = new FrameHarvester(_options, _sink, flow, pool, Counters);
+        using var frames = new FrameHarvester(_options, _sink, flow, pool, Counters);
         var schedule = new FrameSchedule(_options.RateHz);
         while (true)
         {
@@ -188,8 +188,13 @@ public sealed class HarvestSession : IDisposable
                     yield return phase;
                 }
 
-                if (Counters.Captured == _options.MaxFrames)
+                if (Counters.Taken == _options.MaxFrames)
                 {
+                    foreach (HarvestPhase phase in frames.Finish())
+                    {
+                        yield return phase;
+                    }
+
                     yield break;
                 }
             }

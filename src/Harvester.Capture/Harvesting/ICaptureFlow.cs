@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using Harvester.Capture.Labelling;
 
 namespace Harvester.Capture.Harvesting;
 
@@ -7,7 +6,7 @@ namespace Harvester.Capture.Harvesting;
 internal interface ICaptureFlow
 {
     /// <summary>The frame of the last flow; null if it was discarded.</summary>
-    FrameDraft? Draft { get; }
+    TakenFrame? Taken { get; }
 
     /// <summary>Whether the last flow skipped a frame of another shard.</summary>
     bool IsPassed { get; }

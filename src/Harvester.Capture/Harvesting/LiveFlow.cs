@@ -21,7 +21,7 @@ internal sealed class LiveFlow(
     private readonly int _entityTick = Math.Max(0, lag.CameraTicks - lag.EntityTicks);
     private readonly int _cameraTick = Math.Max(0, lag.EntityTicks - lag.CameraTicks);
 
-    public FrameDraft? Draft { get; private set; }
+    public TakenFrame? Taken { get; private set; }
 
     public bool IsPassed => false;
 
@@ -31,8 +31,8 @@ internal sealed class LiveFlow(
 
     public IEnumerable<HarvestPhase> TakeFrame()
     {
-        Draft = null;
-        PixelBuffer? picture = pool.Rent();
+        Taken = null;
+        GrabbedPicture? picture = null;
         try
         {
             long firstGameFrame = game.World.GameFrame;
@@ -56,7 +56,8 @@ internal sealed class LiveFlow(
                 if (tick == GrabTick)
                 {
                     grabSeconds = game.World.TimeSeconds;
-                    if (game.Screen.Grab(picture).Refusal is { } refusal)
+                    picture = GrabbedPicture.Of(game.Screen, pool);
+                    if (picture.Refusal is { } refusal)
                     {
                         counters.Discard(refusal);
                         yield break;
@@ -72,24 +73,21 @@ internal sealed class LiveFlow(
                 }
             }
 
-            draft!.Picture = picture;
-            draft.LagFrames = lag.EntityTicks;
+            draft!.LagFrames = lag.EntityTicks;
             draft.LagSeconds = grabSeconds - draft.Snapshot.TimeSeconds;
-            Draft = draft;
+            Taken = new TakenFrame(draft, picture!);
             picture = null;
         }
         finally
         {
-            if (picture is not null)
-            {
-                pool.Return(picture);
-            }
+            picture?.Dispose();
         }
     }
 
     private FrameDraft LabelNow(SceneSnapshot scene)
     {
         FrameDraft? draft = null;
+        budget.BeginSteps();
         foreach (FrameDraft? slice in labeller.Label(scene, () => !budget.IsSpent))
         {
             draft = slice;

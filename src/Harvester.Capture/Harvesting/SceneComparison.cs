@@ -6,8 +6,9 @@ using Harvester.Sessions.Scenes;
 namespace Harvester.Capture.Harvesting;
 
 /// <summary>
-/// Decides whether two readings show the same still scene: the same time, camera, ego vehicle and entities, at the same positions. The time
-/// of day and the frame count continue in a frozen game and are not compared; nor are velocities, which a frozen game may report as 0.
+/// Decides whether two readings show the same still scene: the same time, camera, ego vehicle, entities and joints, at the same positions.
+/// The time of day and the frame count continue in a frozen game and are not compared; nor are velocities, which a frozen game may report
+/// as 0.
 /// </summary>
 /// <param name="positionTolerance">Tolerance of a position, metres.</param>
 internal sealed class SceneComparison(double positionTolerance)
@@ -62,13 +63,27 @@ internal sealed class SceneComparison(double positionTolerance)
                 return "objectsChanged";
             }
 
-            if (!Same(a[i].Pose, b[i].Pose))
+            if (!Same(a[i].Pose, b[i].Pose) || !Same(a[i].Skeleton, b[i].Skeleton))
             {
                 return "objectMoved";
             }
         }
 
         return null;
+    }
+
+    /// <summary>Whether no joint has moved; joints that only one of the readings has are not compared.</summary>
+    private bool Same(Skeleton? a, Skeleton? b)
+    {
+        for (int i = 0; a is not null && b is not null && i < Skeleton.Count; i++)
+        {
+            if ((a.Joints[i] - b.Joints[i]).Length > positionTolerance)
+            {
+                return false;
+            }
+        }
+
+        return true;
     }
 
     private bool Same(Pose a, Pose b) =>

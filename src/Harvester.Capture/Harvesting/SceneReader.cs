@@ -8,10 +8,40 @@ namespace Harvester.Capture.Harvesting;
 /// <summary>Reads one moment of a game's world into plain data.</summary>
 internal sealed class SceneReader(IWorld world, HarvestOptions options)
 {
+    /// <summary>Reads the scene at once, in the tick in hand.</summary>
     public SceneSnapshot Read()
     {
         CameraState camera = world.ReadCamera();
-        var entities = new List<EntityState>(world.ReadEntities(camera.Pose.Position, options.ReadRangeMetres));
+        return SnapshotOf(camera, [.. world.ReadEntities(camera.Pose.Position, options.ReadRangeMetres)]);
+    }
+
+    /// <summary>Reads the scene of a frozen game in steps; where the world cannot be read in steps, at once.</summary>
+    /// <returns>Null after each step; the snapshot at the end, with the frame count of that moment.</returns>
+    public IEnumerable<SceneSnapshot?> ReadInSteps()
+    {
+        if (world is not IStepwiseWorld stepwise)
+        {
+            yield return Read();
+            yield break;
+        }
+
+        CameraState camera = world.ReadCamera();
+        var entities = new List<EntityState>();
+        foreach (EntityState? entity in stepwise.ReadEntitiesInSteps(camera.Pose.Position, options.ReadRangeMetres))
+        {
+            if (entity is not null)
+            {
+                entities.Add(entity);
+            }
+
+            yield return null;
+        }
+
+        yield return SnapshotOf(camera, entities);
+    }
+
+    private SceneSnapshot SnapshotOf(CameraState camera, List<EntityState> entities)
+    {
         entities.Sort(static (a, b) => a.Handle.CompareTo(b.Handle));
         ILookup<bool, EntityState> byRange = entities.ToLookup(entity => options.IsInRange(camera, entity));
         return new SceneSnapshot(world.GameFrame, world.TimeSeconds, camera, world.ReadEgo(), [.. byRange[true]], world.ReadEnvironment())

@@ -9,6 +9,10 @@ namespace Harvester.Capture.Harvesting;
 internal sealed class StillnessGate(SceneComparison comparison)
 {
     private SceneSnapshot? _first;
+    private long? _start;
+
+    /// <summary>Number of game frames from the very first reading to the first of the run.</summary>
+    public long MovingTicks { get; private set; }
 
     /// <summary>Number of game frames from the first reading of the run to the latest; 0 after a difference.</summary>
     public long StillTicks { get; private set; }
@@ -18,6 +22,8 @@ internal sealed class StillnessGate(SceneComparison comparison)
         if (_first is null || comparison.FirstDifference(_first, snapshot) is not null)
         {
             _first = snapshot;
+            _start ??= snapshot.GameFrame;
+            MovingTicks = snapshot.GameFrame - _start.Value;
         }
 
         StillTicks = snapshot.GameFrame - _first.GameFrame;

@@ -31,7 +31,7 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
 
     private readonly OcclusionEstimator _occlusion = new(options.OcclusionSamples);
 
-    /// <summary>Labels the faces of entities, one per element.</summary>
+    /// <summary>Labels the faces of entities in steps.</summary>
     /// <param name="draft">The frame with its entities; receives each face in the image.</param>
     /// <param name="mayCastRays">Called before each face; if it returns false, the face has no occlusion.</param>
     public IEnumerable<bool> Label(FrameDraft draft, Func<bool> mayCastRays)
@@ -46,10 +46,24 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
             }
 
             OcclusionEstimate parent = draft.OcclusionOf(candidate.Seen.Entity.Handle);
-            OcclusionEstimate occlusion =
-                parent.Sight is Sight.Unseen or Sight.Undetermined ? parent
-                : mayCastRays() && rays?.Left >= _occlusion.MaxRays ? Estimate(camera, candidate, snapshot.Ego.Handle, rays)
-                : default;
+            OcclusionEstimate occlusion = default;
+            if (parent.Sight is Sight.Unseen or Sight.Undetermined)
+            {
+                occlusion = parent;
+            }
+            else if (mayCastRays() && rays?.Left >= _occlusion.MaxRays)
+            {
+                foreach (OcclusionEstimate? step in EstimateInSteps(camera, candidate, snapshot.Ego.Handle, rays))
+                {
+                    if (step is null)
+                    {
+                        yield return true;
+                    }
+
+                    occlusion = step ?? default;
+                }
+            }
+
             Add(draft, candidate, occlusion);
         }
     }
@@ -125,12 +139,12 @@ internal sealed class FaceLabeller(FaceTable table, LabellingOptions options, Fr
         };
     }
 
-    private OcclusionEstimate Estimate(Camera camera, FaceCandidate candidate, int egoHandle, IRayCaster caster)
+    private IEnumerable<OcclusionEstimate?> EstimateInSteps(Camera camera, FaceCandidate candidate, int egoHandle, IRayCaster caster)
     {
         LabelCandidate seen = candidate.Seen;
         int parent = seen.Entity.Handle;
         FaceRays rays = new(caster, parent, seen.Cuboid, MarginOf(candidate.Face));
-        return _occlusion.Estimate(camera, seen.Cuboid, seen.Projection, parent, egoHandle, rays);
+        return _occlusion.EstimateInSteps(camera, seen.Cuboid, seen.Projection, parent, egoHandle, rays);
     }
 
     private static Vector3D MarginOf(ModelFace face)

@@ -11,7 +11,7 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>A frame in progress: a scene, the camera that sees it, what labelling finds, and the image of the same moment.</summary>
+/// <summary>A frame in progress: a scene, the camera that sees it, and what labelling finds.</summary>
 /// <param name="snapshot">The state that the image shows.</param>
 /// <param name="camera">The camera of the saved image.</param>
 internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
@@ -27,9 +27,6 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
 
     /// <summary>The camera of the saved image.</summary>
     public Camera Camera => camera;
-
-    /// <summary>The image, from the session's pool; null until it is grabbed.</summary>
-    public PixelBuffer? Picture { get; set; }
 
     /// <summary>Game frames from reading the state to grabbing the image.</summary>
     public int LagFrames { get; set; }
@@ -102,7 +99,8 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
     /// <summary>The label of the finished frame.</summary>
     /// <param name="frame">Its number in the session.</param>
     /// <param name="format">The format of the session's images.</param>
-    public FrameLabel Label(int frame, ImageFormat format) => new(
+    /// <param name="places">The places of the session; null if it visits none.</param>
+    public FrameLabel Label(int frame, ImageFormat format, PlaceSequence? places = null) => new(
         frame,
         snapshot.GameFrame,
         snapshot.TimeSeconds,
@@ -115,6 +113,8 @@ internal sealed class FrameDraft(SceneSnapshot snapshot, Camera camera)
         snapshot.Environment,
         Objects)
     {
+        Place = places?.PlaceOf(frame),
+        PlaceFrame = frame - places?.FirstFrameOf(places.PlaceOf(frame)),
         PixelMap = PixelMap,
         Rays = Rays,
         IgnoreRegions = IgnoreRegions,

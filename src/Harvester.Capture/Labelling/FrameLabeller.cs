@@ -7,7 +7,9 @@ using Harvester.Sessions.Scenes;
 
 namespace Harvester.Capture.Labelling;
 
-/// <summary>Makes the labels of one snapshot, phase by phase: objects, their faces, objects beyond the labelling range, lanes.</summary>
+/// <summary>
+/// Makes the labels of one snapshot, phase by phase: objects, their faces, objects beyond the labelling range, lanes, joints.
+/// </summary>
 /// <param name="options">What to label.</param>
 /// <param name="rays">The ray caster; also that of <see cref="Lanes"/> and <see cref="Faces"/>.</param>
 /// <param name="registry">The ids of the objects.</param>
@@ -15,6 +17,7 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
 {
     private readonly ObjectLabeller _objects = new(options, registry);
     private readonly DistantLabeller _distant = new(options);
+    private readonly JointLabeller _joints = new(options, rays);
     private readonly OcclusionEstimator _occlusion = new(options.OcclusionSamples);
 
     /// <summary>Labels the lanes; null to label none.</summary>
@@ -69,6 +72,12 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
         }
 
         draft.Ids = registry.IdsOf(snapshot.Entities);
+        rays.Begin(RayPhase.Joints);
+        foreach (bool _ in _joints.Label(draft, mayCastRays))
+        {
+            yield return null;
+        }
+
         draft.Rays = rays.Counts;
         yield return draft;
     }
@@ -92,11 +101,25 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
         rays.Begin(RayPhase.Occlusion);
         foreach (LabelCandidate candidate in candidates)
         {
-            OcclusionEstimate occlusion =
-                !options.IsWithinReach(camera, candidate.Cuboid) ? new OcclusionEstimate { Sight = Sight.Undetermined }
-                : mayCastRays() && rays.Left >= _occlusion.MaxRays
-                    ? _occlusion.Estimate(camera, candidate.Cuboid, candidate.Projection, candidate.Entity.Handle, egoHandle, rays)
-                : default;
+            OcclusionEstimate occlusion = default;
+            if (!options.IsWithinReach(camera, candidate.Cuboid))
+            {
+                occlusion = new OcclusionEstimate { Sight = Sight.Undetermined };
+            }
+            else if (mayCastRays() && rays.Left >= _occlusion.MaxRays)
+            {
+                foreach (OcclusionEstimate? step in _occlusion.EstimateInSteps(
+                    camera, candidate.Cuboid, candidate.Projection, candidate.Entity.Handle, egoHandle, rays))
+                {
+                    if (step is null)
+                    {
+                        yield return true;
+                    }
+
+                    occlusion = step ?? default;
+                }
+            }
+
             draft.Add(
                 RecordedOcclusion.Of(candidate.Entity.Handle, null, candidate.Id, occlusion, null),
                 occlusion,

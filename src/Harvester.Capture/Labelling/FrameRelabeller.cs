@@ -82,7 +82,12 @@ public sealed class FrameRelabeller
                 occlusion,
                 label is null
                     ? null
-                    : label with { Box2DVisible = keepsMask ? occlusions.LabelOf(label.Id)?.Box2DVisible : null },
+                    : label with
+                    {
+                        Box2DVisible = keepsMask ? occlusions.LabelOf(label.Id)?.Box2DVisible : null,
+                        Joints = candidate.Entity.Skeleton is { } skeleton
+                            ? JointLabels.Again(camera, skeleton, occlusions.LabelOf(label.Id)?.Joints) : null,
+                    },
                 ObjectLabeller.RegionOf(camera, candidate, occlusion));
         }
 

@@ -37,6 +37,7 @@ internal sealed class ObjectLabeller(LabellingOptions options, ObjectRegistry re
         {
             KnownParts = options.Faces?.Of(candidate.Entity.Model).Count,
             HasRider = candidate.Entity.HasRider,
+            Lights = candidate.Entity.Lights,
         }
         : null;
 

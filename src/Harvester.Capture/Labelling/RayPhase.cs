@@ -17,4 +17,7 @@ internal enum RayPhase
 
     /// <summary>Points of lane markings.</summary>
     Lanes,
+
+    /// <summary>The visibility of joints.</summary>
+    Joints,
 }

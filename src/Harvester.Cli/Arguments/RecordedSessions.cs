@@ -1,3 +1,4 @@
+using System.Threading;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
@@ -8,11 +9,14 @@ namespace Harvester.Cli.Arguments;
 internal static class RecordedSessions
 {
     /// <summary>Opens a session. If its last line is unfinished, writes a note to standard error.</summary>
+    /// <param name="terminal">Where the note goes.</param>
+    /// <param name="folder">The folder of the session.</param>
+    /// <param name="cancellation">Ends the reading of its labels.</param>
     /// <exception cref="System.IO.IOException">The folder is not a session, or cannot be read.</exception>
     /// <exception cref="DatasetFormatException">Its session.json is malformed.</exception>
-    public static SessionReader Open(Terminal terminal, string folder)
+    public static SessionReader Open(Terminal terminal, string folder, CancellationToken cancellation)
     {
-        var session = new SessionReader(folder);
+        var session = new SessionReader(folder, cancellation);
         try
         {
             session.ReadInfo();

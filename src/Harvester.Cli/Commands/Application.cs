@@ -123,6 +123,7 @@ internal static class Application
         var root = new RootCommand(Description);
         root.Options.Add(quiet);
         root.Subcommands.Add(HarvestCommand.Create(terminal));
+        root.Subcommands.Add(ContactSheetCommand.Create(terminal));
         root.Subcommands.Add(DriveCommand.Create(terminal));
         root.Subcommands.Add(ServeCommand.Create(terminal));
         root.Subcommands.Add(ValidateCommand.Create(terminal));

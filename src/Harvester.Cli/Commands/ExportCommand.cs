@@ -133,7 +133,7 @@ internal sealed class ExportCommand
 
     private int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
     {
-        ExportPlan plan = PlanOf(terminal, parsed);
+        ExportPlan plan = PlanOf(terminal, parsed, cancellation);
         string folder = parsed.GetRequiredValue(Out);
         if (OutputFolder.FileInTheWayOf(folder) is { } file)
         {
@@ -152,7 +152,7 @@ internal sealed class ExportCommand
         return ExitCode.Done;
     }
 
-    private ExportPlan PlanOf(Terminal terminal, ParseResult parsed)
+    private ExportPlan PlanOf(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
     {
         string name = parsed.GetRequiredValue(Format);
         DatasetFormat format = DatasetFormats.Find(name) ?? throw new UsageException(
@@ -179,7 +179,7 @@ internal sealed class ExportCommand
             ImageFormat = parsed.GetValue(ImageFormat),
             JpegQuality = ImageFormatOption.QualityOf(parsed, Quality, parsed.GetValue(ImageFormat)),
         };
-        return new ExportPlan(format, [.. sessions.Select(folder => RecordedSessions.Open(terminal, folder))], options);
+        return new ExportPlan(format, [.. sessions.Select(folder => RecordedSessions.Open(terminal, folder, cancellation))], options);
     }
 
     private void CheckOptions(ParseResult parsed, DatasetFormat format)

@@ -1,6 +1,5 @@
 using System;
 using System.CommandLine;
-using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Threading;
@@ -19,7 +18,6 @@ using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Imaging;
-using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Cli.Commands;
@@ -30,7 +28,6 @@ internal sealed class HarvestCommand
     private const int MaxFrames = 1_000_000;
     private const double MaxRange = 100_000;
     private const string DistanceForm = "a number greater than 0 and at most 100000";
-    private static readonly TimeSpan Noon = TimeSpan.FromHours(12);
 
     private const string Notes =
         "docs/dataset-format.md describes the session. The same options and seed give the same bytes. Ctrl+C stops after the current\n"
@@ -41,15 +38,14 @@ internal sealed class HarvestCommand
         + "  harvester harvest --out out\n"
         + "  harvester harvest --out rain --frames 500 --seed 7 --weather rain --time 18:30 --masks\n"
         + "  harvester harvest --out distorted --k1 -0.05 --focal-scale 1.01\n"
-        + "  harvester harvest --out streets --roads nodes.zip --near 0,-1000\n"
+        + "  harvester harvest --out streets --roads nodes.zip --places 20\n"
         + "  harvester harvest --out part-2 --frames 5000 --shard 2/8";
 
     private Option<string> Out { get; } =
         new("--out") { Description = "Folder to write the session to", HelpName = "DIR", Required = true };
     private Option<bool> Overwrite { get; } = new("--overwrite") { Description = "Replace an existing session in the folder" };
     private Option<int> Frames { get; } = WithDefault(ValueParsers.Integer("--frames", "N", "Number of frames", 1, MaxFrames), 100);
-    private Option<int> Seed { get; } = WithDefault(
-        ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue), 1);
+    private Option<int> Seed { get; } = WithDefault(ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue), 1);
 
     private Option<ImageSize> Size { get; } = WithDefault(CameraOptions.SizeOfHarvest(), new ImageSize(800, 600));
     private Option<ImageFormat?> Format { get; } = ImageFormatOption.Format("Image format: png, bmp or jpg (lossy) [default: png]");
@@ -57,12 +53,8 @@ internal sealed class HarvestCommand
     private Option<double> Fov { get; } = WithDefault(CameraOptions.FovOfHarvest(), 50);
     private Option<double> Hz { get; } = WithDefault(
         ValueParsers.Number(
-            "--hz",
-            "N",
-            "Frames per second of game time",
-            value => value is > 0 and <= SimulatedHarvest.TicksPerSecond,
-            "a number greater than 0 and at most 60"),
-        10);
+            "--hz", "N", "Frames per second of game time", value =>
+                value is > 0 and <= SimulatedHarvest.TicksPerSecond, "a number greater than 0 and at most 60"), 10);
 
     private Option<FileInfo?> Roads { get; } = new("--roads")
     {
@@ -81,15 +73,9 @@ internal sealed class HarvestCommand
 
     private Option<Vector2D?> Near { get; } =
         ValueParsers.Point("--near", "X,Y", "Start position, metres [default: the middle of the road network]");
-    private Option<string> WeatherName { get; } = new("--weather")
-    {
-        Description = "Weather: " + string.Join(", ", WeatherNames.All),
-        HelpName = "W",
-        DefaultValueFactory = _ => "clear",
-    };
+    private VarietyOptions Variety { get; } = new();
 
-    private Option<TimeSpan?> Time { get; } = ValueParsers.Optional<TimeSpan>(
-        "--time", "HH:MM", "Time of day at the start [default: 12:00]", ParseTime, "a time of day, e.g. 18:30");
+    private MomentOptions Moment { get; } = new();
 
     private Option<bool> Masks { get; } = new("--masks") { Description = "Also write instance masks" };
     private Option<int> Rays { get; } = WithDefault(
@@ -109,7 +95,7 @@ internal sealed class HarvestCommand
     private Option<bool> NoScenes { get; } =
         new("--no-scenes") { Description = "Do not write scenes; the session cannot be relabelled then" };
     private Option<double> Range { get; } = WithDefault(
-        ValueParsers.Number("--range", "M", "Label objects up to this distance, metres", IsDistance, DistanceForm), 150);
+        ValueParsers.Number("--range", "M", "Label objects up to this distance, metres", IsDistance, DistanceForm), 80);
 
     private Option<double> IgnoreRange { get; } = WithDefault(
         ValueParsers.Number(
@@ -127,6 +113,8 @@ internal sealed class HarvestCommand
     private Option<string?> Classes { get; } = ClassList.Option("Label");
 
     private Option<string?> Quirks { get; } = QuirkList.Option();
+
+    private Option<string> DetailOf { get; } = DetailOption.Create();
 
     private Option<string> FreezeBy { get; } = FreezeOption.Create();
 
@@ -156,10 +144,12 @@ internal sealed class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, WeatherName, Time, Masks, Rays,
-                RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, Quirks, FreezeBy,
+            Out, Overwrite, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, Masks, Rays,
+                RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, DetailOf, Quirks, FreezeBy,
                     MaxPictureLag, MaxCameraError, ShardOf, Sync, NoReport,
         };
+        Moment.AddTo(command);
+        Variety.AddTo(command);
         LensOf.AddTo(command);
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
@@ -230,10 +220,8 @@ internal sealed class HarvestCommand
         return outcome.ExitCode;
     }
 
-    private HarvestPlan PlanOf(ParseResult parsed)
-    {
-        string weather = parsed.GetRequiredValue(WeatherName);
-        return new HarvestPlan
+    private HarvestPlan PlanOf(ParseResult parsed) =>
+        new()
         {
             Folder = parsed.GetRequiredValue(Out),
             Overwrite = parsed.GetValue(Overwrite),
@@ -245,17 +233,17 @@ internal sealed class HarvestCommand
             Props = [.. parsed.GetRequiredValue(Props).Select(file => file.FullName)],
             Faces = parsed.GetValue(Faces) is { } spaces ? Path.TrimEndingDirectorySeparator(spaces.FullName) : null,
             Near = parsed.GetValue(Near),
-            Weather = WeatherNames.IsKnown(weather)
-                ? weather
-                : throw new UsageException($"--weather takes one of {string.Join(", ", WeatherNames.All)}, not '{weather}'."),
-            TimeOfDay = parsed.GetValue(Time) ?? Noon,
+            Variety = Variety.Parse(parsed),
+            Weather = Moment.Weather(parsed),
+            DayOfYear = Moment.DayOfYear(parsed),
+            TimeOfDay = Moment.TimeOfDay(parsed),
+            Detail = DetailOption.Parse(parsed.GetRequiredValue(DetailOf)),
             LookAhead = parsed.GetValue(LaneLookAhead),
             LaneWidth = parsed.GetValue(LaneWidth),
             NarrowLaneWidth = parsed.GetValue(NarrowLaneWidth),
             Quirks = QuirkList.Parse(parsed.GetValue(Quirks)),
             QuirksText = parsed.GetValue(Quirks),
         };
-    }
 
     private HarvestOptions OptionsOf(ParseResult parsed)
     {
@@ -266,6 +254,7 @@ internal sealed class HarvestCommand
             Format = format,
             JpegQuality = ImageFormatOption.QualityOf(parsed, Quality, format),
             MaxFrames = parsed.GetValue(Frames),
+            Places = Variety.Places(parsed, parsed.GetValue(Frames), parsed.GetValue(Near) is not null),
             Shard = parsed.GetValue(ShardOf),
             RateHz = parsed.GetValue(Hz),
             RangeMetres = parsed.GetValue(Range),
@@ -284,9 +273,6 @@ internal sealed class HarvestCommand
     }
 
     private static bool IsDistance(double value) => value is > 0 and <= MaxRange;
-
-    private static TimeSpan? ParseTime(string text) =>
-        TimeSpan.TryParseExact(text, [@"hh\:mm", @"h\:mm"], CultureInfo.InvariantCulture, out TimeSpan time) ? time : null;
 
     private static Option<T> WithDefault<T>(Option<T> option, T value)
     {

@@ -73,7 +73,7 @@ internal sealed class RelabelCommand
 
     private int Run(Terminal terminal, ParseResult parsed, CancellationToken cancellation)
     {
-        SessionReader session = RecordedSessions.Open(terminal, parsed.GetRequiredValue(Session));
+        SessionReader session = RecordedSessions.Open(terminal, parsed.GetRequiredValue(Session), cancellation);
         string folder = parsed.GetRequiredValue(Out);
         if (string.Equals(Path.GetFullPath(folder), Path.GetFullPath(session.Folder), StringComparison.Ordinal))
         {

@@ -48,7 +48,7 @@ internal sealed class RepairCommand
             throw new UsageException("--out is the damaged session itself, which stays as it is. Name another folder.");
         }
 
-        var repairer = new SessionRepairer(session, problem => terminal.Out.WriteLine(problem));
+        var repairer = new SessionRepairer(session, problem => terminal.WriteQuoting(problem.ToString()));
         using var output = new SessionOutput(terminal, folder, CommandText.Of(parsed), overwrite: null);
         SessionRepair repair = repairer.Run(output.Begin(), parsed.GetValue(Images), parsed.GetValue(Sync), cancellation);
         output.Complete();

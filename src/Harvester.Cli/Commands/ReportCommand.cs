@@ -3,6 +3,7 @@ using System.CommandLine;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
@@ -45,10 +46,10 @@ internal static class ReportCommand
         };
         var command = new Command("report", "Show a session as one self-contained HTML page.") { folder, output, frames, still, link };
         HelpWithNotes.AddTo(command, Notes);
-        command.SetAction(parsed =>
+        command.SetAction((parsed, cancellation) =>
         {
             string session = parsed.GetRequiredValue(folder);
-            SessionReader reader = RecordedSessions.Open(terminal, session);
+            SessionReader reader = RecordedSessions.Open(terminal, session, cancellation);
             if (parsed.GetValue(still) is { } frame)
             {
                 if (new Option[] { frames, link }.FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false }) is { } idle)
@@ -65,7 +66,7 @@ internal static class ReportCommand
 
                 StillWriter.Write(reader, frame, picture);
                 terminal.Out.WriteLine(picture);
-                return ExitCode.Done;
+                return Task.FromResult(ExitCode.Done);
             }
 
             string page = parsed.GetValue(output) ?? Path.Combine(session, ReportWriter.FileName);
@@ -79,7 +80,7 @@ internal static class ReportCommand
             using FolderLock? held = OutputFile.Lock(page);
             int shown = new ReportWriter(reader, limits).Write(page);
             terminal.Out.WriteLine($"{page}: {Counted.Of(shown, "frame")} shown");
-            return ExitCode.Done;
+            return Task.FromResult(ExitCode.Done);
         });
         return command;
     }

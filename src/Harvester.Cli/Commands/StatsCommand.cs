@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.CommandLine;
 using System.Globalization;
 using System.Linq;
+using System.Threading.Tasks;
 using Harvester.Cli.Arguments;
 using Harvester.Cli.Terminals;
 using Harvester.Datasets.Sessions;
@@ -20,7 +21,8 @@ internal static class StatsCommand
         "The statistics cover all sessions together. Histograms show the number of labels in each bin; a bin includes its lower end.\n"
         + "  truncation   fraction of an object outside the image\n"
         + "  occlusion    fraction of its silhouette within the image that is hidden\n"
-        + "  indicators   minimum and maximum\n"
+        + "  indicators   minimum and maximum; active indicators as a share of the frames whose lanes are known and, for the lanes\n"
+        + "               beside the car's (LL, RR), whose road has two lanes or more in its direction\n"
         + "An object has one label in each frame in which it appears. Medians are accurate to 1/4096 of their value.\n\n"
         + "Example:\n"
         + "  harvester stats day night";
@@ -30,15 +32,16 @@ internal static class StatsCommand
         var sessions = new Argument<string[]>("SESSION") { Description = "Folders of recorded sessions", Arity = ArgumentArity.OneOrMore };
         var command = new Command("stats", "Show statistics of sessions.") { sessions };
         HelpWithNotes.AddTo(command, Notes);
-        command.SetAction(parsed =>
+        command.SetAction((parsed, cancellation) =>
         {
-            SessionReader[] readers = [.. parsed.GetRequiredValue(sessions).Select(folder => RecordedSessions.Open(terminal, folder))];
+            SessionReader[] readers =
+                [.. parsed.GetRequiredValue(sessions).Select(folder => RecordedSessions.Open(terminal, folder, cancellation))];
             foreach (string line in Lines(SessionStatistics.Of(readers.Select(reader => reader.ReadLabels()))))
             {
                 terminal.Out.WriteLine(line);
             }
 
-            return ExitCode.Done;
+            return Task.FromResult(ExitCode.Done);
         });
         return command;
     }
@@ -73,6 +76,32 @@ internal static class StatsCommand
             string unit = IndicatorTable.All[IndicatorTable.IndexOf(name)].Unit;
             yield return Text($"indicator {name}, {unit}: {Counted.Of(span.Count, "frame")}, {span.Min:0.00} to {span.Max:0.00}");
         }
+
+        foreach (string line in Variety(statistics))
+        {
+            yield return line;
+        }
+    }
+
+    /// <summary>What a session offers to a network that learns from it.</summary>
+    private static IEnumerable<string> Variety(SessionStatistics statistics)
+    {
+        LaneVariety lanes = statistics.Lanes;
+        if (lanes.Frames > 0)
+        {
+            yield return Listed("active indicators, of frames whose road has them", IndicatorTable.All.Select((indicator, i) =>
+                Text($"{indicator.Name}: {100 * lanes.ActiveFraction(i):0.0} % of {lanes.FramesWith(i)}")));
+            yield return Text($"lateral offset, m: standard deviation {lanes.OffsetDeviationMetres:0.00}, ")
+                + Text($"{lanes.MinOffsetMetres:0.00} to {lanes.MaxOffsetMetres:0.00}");
+        }
+
+        if (statistics.Labels > 0)
+        {
+            yield return Text($"labels under {SessionStatistics.SmallPixels} px high: {statistics.SmallLabels} of {statistics.Labels}, ")
+                + Text($"{100.0 * statistics.SmallLabels / statistics.Labels:0.0} %");
+        }
+
+        yield return Listed("classes without labels", statistics.MissingClasses.Select(JsonName.Of));
     }
 
     private static string PartsOf(ClassStatistics figures) =>

@@ -58,7 +58,7 @@ internal static class ValidateCommand
             SessionValidation validation = SessionValidator.Validate(reader, parsed.GetValue(quick), cancellation);
             foreach (SessionProblem problem in validation.Problems)
             {
-                terminal.Out.WriteLine(problem);
+                terminal.WriteQuoting(problem.ToString());
             }
 
             if (RecordedSessions.NoteOf(reader) is { } note)
@@ -94,7 +94,7 @@ internal static class ValidateCommand
 
             foreach (string open in validation.Info?.Unchecked ?? [])
             {
-                terminal.Out.WriteLine($"Note: {open}");
+                terminal.WriteQuoting($"Note: {open}");
             }
 
             string counts = $"{Counted.Of(validation.Frames, "frame")}, {Counted.Of(validation.Objects, "label")}";
@@ -109,7 +109,7 @@ internal static class ValidateCommand
         DatasetValidation validation = DatasetValidator.Validate(folder, cancellation);
         foreach (SessionProblem problem in validation.Problems)
         {
-            terminal.Out.WriteLine(problem);
+            terminal.WriteQuoting(problem.ToString());
         }
 
         if (!validation.HasManifest && validation.Problems.All(problem => problem.File != Manifest.FileName))
@@ -121,7 +121,7 @@ internal static class ValidateCommand
         if (validation.OtherFiles.Count > 0)
         {
             string others = Counted.Of(validation.OtherFiles.Count, "file");
-            terminal.Out.WriteLine($"Note: {others} in the folder not listed in {Manifest.FileName}, e.g. '{validation.OtherFiles[0]}'; "
+            terminal.WriteQuoting($"Note: {others} in the folder not listed in {Manifest.FileName}, e.g. '{validation.OtherFiles[0]}'; "
                 + "readers of the format pass over such files.");
         }
 

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Harvester.Capture.Harvesting;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
+using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Settings;
 
 namespace Harvester.Cli.Harvesting;
@@ -40,11 +41,20 @@ internal sealed record HarvestPlan
     /// <summary>Start position, world, metres; null for the middle of the road network.</summary>
     public required Vector2D? Near { get; init; }
 
+    /// <summary>How much happens in the world: the factors of the command line; the other values are defaults.</summary>
+    public required SimulationOptions Variety { get; init; }
+
     /// <summary>Name of the weather, as in the game.</summary>
     public required string Weather { get; init; }
 
+    /// <summary>Day of the year, 1 to 366.</summary>
+    public required int DayOfYear { get; init; }
+
     /// <summary>Time of day at the start.</summary>
     public required TimeSpan TimeOfDay { get; init; }
+
+    /// <summary>How much of the light the pictures show.</summary>
+    public required Detail Detail { get; init; }
 
     /// <summary>Look-ahead of the lane indicators.</summary>
     public required LookAhead LookAhead { get; init; }

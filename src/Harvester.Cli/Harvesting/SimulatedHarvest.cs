@@ -13,6 +13,7 @@ using Harvester.Cli.Terminals;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
+using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Roads;
 using Harvester.Sessions.Faces;
@@ -22,7 +23,7 @@ using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
-using Harvester.Simulation.Settings;
+using Harvester.Simulation.World;
 
 namespace Harvester.Cli.Harvesting;
 
@@ -36,8 +37,11 @@ internal sealed class SimulatedHarvest
     private readonly SimulatedGame _game;
     private readonly FaceTable _faces;
 
-    private SimulatedHarvest(HarvestPlan plan, SimulatedGame game, FaceTable faces)
+    private readonly IReadOnlyList<Vector2D> _places;
+
+    private SimulatedHarvest(HarvestPlan plan, SimulatedGame game, FaceTable faces, IReadOnlyList<Vector2D> places)
     {
+        _places = places;
         _plan = plan;
         _game = game;
         _faces = faces;
@@ -53,21 +57,28 @@ internal sealed class SimulatedHarvest
             plan.Faces is null ? ModelFaces.Table : ModelFaces.Table.OverriddenBy(FaceFile.ReadValid(plan.Faces, warn)));
         Lens lens = plan.Options.Lens;
         List<PropPlacement> props = [.. plan.Props.SelectMany(PropPlacementImporter.Import)];
+        int count = plan.Options.Places?.Count ?? 1;
+        List<Vector2D> places = count == 1 ? []
+            : SpreadPlaces.Of(roads ?? TownBuilder.Build(plan.Seed), count, plan.Seed, plan.Near);
         try
         {
-            return new SimulatedHarvest(plan, new SimulatedGame(new SimulationOptions
+            return new SimulatedHarvest(plan, new SimulatedGame(plan.Variety with
             {
                 Seed = plan.Seed,
                 Roads = roads,
-                Near = plan.Near,
+                Near = count == 1 ? plan.Near : places[0],
                 Props = plan.Props.Count > 0 ? props : null,
                 Weather = plan.Weather,
+                DayOfYear = plan.DayOfYear,
                 TimeOfDay = plan.TimeOfDay,
                 VerticalFovDegrees = plan.FovDegrees,
                 WindowAspect = plan.Options.Image.Aspect,
                 Lens = new RenderLens(lens.FocalScale, lens.CentreOffsetX, lens.CentreOffsetY, lens.K1, lens.K2),
+                Detail = plan.Detail,
+                DefersPictures = true,
+                IsWarm = true,
                 Quirks = plan.Quirks,
-            }), faces);
+            }), faces, places);
         }
         catch (ArgumentException e)
         {
@@ -96,6 +107,8 @@ internal sealed class SimulatedHarvest
             {
                 report(session.Status.Captured);
             }
+
+            GoOn(session.Counters.Taken);
         }
         while (!session.Status.IsOver && !cancellation.IsCancellationRequested);
 
@@ -112,6 +125,24 @@ internal sealed class SimulatedHarvest
             Warnings = [.. session.Warnings.Select(HarvestAdvice.TextOf)],
             Freezing = session.Freezing,
         };
+    }
+
+    /// <summary>Goes to the next place once all frames of this one are taken.</summary>
+    /// <exception cref="UsageException">No lane of the next place can be driven on.</exception>
+    private void GoOn(int taken)
+    {
+        if (_game.Place + 1 < _places.Count && taken == _plan.Options.Places!.FirstFrameOf(_game.Place + 1))
+        {
+            Vector2D place = _places[_game.Place + 1];
+            try
+            {
+                _game.GoTo(place);
+            }
+            catch (ArgumentException e)
+            {
+                throw new UsageException(FormattableString.Invariant($"Place {_game.Place + 1} at {place.X}, {place.Y}: {e.Message}"));
+            }
+        }
     }
 
     /// <summary>
@@ -148,6 +179,7 @@ internal sealed class SimulatedHarvest
     private IEnumerable<KeyValuePair<string, string>> Settings()
     {
         yield return new("weather", _plan.Weather);
+        yield return new("dayOfYear", _plan.DayOfYear.ToString(CultureInfo.InvariantCulture));
         yield return new("timeOfDay", _plan.TimeOfDay.ToString(@"hh\:mm", CultureInfo.InvariantCulture));
         yield return new("lookAhead", _plan.LookAhead.ToString());
         yield return new("laneWidth", _plan.LaneWidth.ToString(CultureInfo.InvariantCulture));
@@ -175,6 +207,23 @@ internal sealed class SimulatedHarvest
         if (_plan.Near is { } near)
         {
             yield return new("near", string.Create(CultureInfo.InvariantCulture, $"{near.X},{near.Y}"));
+        }
+
+        if (_plan.Options.Places is { } places)
+        {
+            yield return new("places", places.Count.ToString(CultureInfo.InvariantCulture));
+        }
+
+        foreach ((string name, double factor) in new[]
+        {
+            ("wander", _plan.Variety.Wander),
+            ("laneChanges", _plan.Variety.LaneChanges),
+            ("traffic", _plan.Variety.TrafficDensity),
+            ("pedestrians", _plan.Variety.PedestrianDensity),
+            ("parked", _plan.Variety.ParkedDensity!.Value),
+        })
+        {
+            yield return new(name, factor.ToString(CultureInfo.InvariantCulture));
         }
 
         if (_plan.Options.Shard.Count > 1)

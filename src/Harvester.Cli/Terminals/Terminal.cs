@@ -36,6 +36,9 @@ internal sealed record Terminal(TextReader In, TextWriter Out, TextWriter Error,
     /// </summary>
     public void WriteError(string message) => Error.WriteLine($"harvester: {OneLine(message)}");
 
+    /// <summary>Writes a line of results that quotes files, without control characters as in <see cref="WriteError"/>.</summary>
+    public void WriteQuoting(string line) => Out.WriteLine(string.Concat(line.Where(character => !char.IsControl(character))));
+
     /// <summary>Any text as one line of limited length, without control characters.</summary>
     public static string OneLine(string text)
     {

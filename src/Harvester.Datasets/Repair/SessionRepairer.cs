@@ -190,7 +190,7 @@ public sealed class SessionRepairer
         string[] unreadable = [.. KeptFilesCheck.Problems(_session).Select(problem => problem.File)];
         foreach (string name in (string[])[FramePaths.Roads, FramePaths.Faces])
         {
-            if (File.Exists(_session.PathOf(name)) && !unreadable.Contains(name) && IsWhole(name, manifest))
+            if (!unreadable.Contains(name) && File.Exists(_session.PathOf(name)) && IsWhole(name, manifest))
             {
                 made.Place(name, _session, transfer, () => FileDigest.OfFile(_session.PathOf(name)));
             }

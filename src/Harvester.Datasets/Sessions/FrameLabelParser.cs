@@ -49,6 +49,8 @@ public static class FrameLabelParser
             ReadEnvironment(frame.Fields("environment")),
             [.. frame.List("objects").Select(ReadObject)])
         {
+            Place = frame.Has("place") ? frame.Integer("place") : null,
+            PlaceFrame = frame.Has("placeFrame") ? frame.Integer("placeFrame") : null,
             PixelMap = frame.Has("pixelMap") ? ReadPixelMap(frame.Fields("pixelMap")) : null,
             Rays = frame.Has("rays") ? ReadRays(frame.Fields("rays")) : null,
             IgnoreRegions = frame.Has("ignoreRegions") ? [.. frame.List("ignoreRegions").Select(ReadIgnoreRegion)] : [],
@@ -67,7 +69,10 @@ public static class FrameLabelParser
         new(map.Integer("resolutionPixels"), map.Integer("interpolatedPixels"), map.Integer("raysCast"));
 
     private static RayCounts ReadRays(JsonFields rays) => new(
-        rays.Integer("map"), rays.Integer("occlusion"), rays.Integer("faces"), rays.Integer("ignoreRegions"), rays.Integer("lanes"));
+        rays.Integer("map"), rays.Integer("occlusion"), rays.Integer("faces"), rays.Integer("ignoreRegions"), rays.Integer("lanes"),
+
+        // Sessions of earlier versions have no joints.
+        rays.Has("joints") ? rays.Integer("joints") : 0);
 
     private static CameraLabel ReadCamera(JsonFields camera)
     {
@@ -100,6 +105,7 @@ public static class FrameLabelParser
         {
             Axes = ego.Has("right") ? ego.Axes() : null,
             HeightAboveGroundMetres = ego.OptionalNumber("heightAboveGroundMetres"),
+            Motion = EgoMotionParser.Parse(ego),
         };
 
     private static EnvironmentState ReadEnvironment(JsonFields environment)
@@ -122,6 +128,7 @@ public static class FrameLabelParser
             Parent = label.Has("parent") ? label.Integer("parent") : null,
             KnownParts = label.Has("knownParts") ? label.Integer("knownParts") : null,
             HasRider = label.OptionalBoolean("hasRider"),
+            Lights = VehicleLightsParser.Parse(label),
             Box2D = ReadBox(label, "box2d"),
             Box2DAmodal = ReadBox(label, "box2dAmodal"),
             Box2DVisible = label.Has("box2dVisible") ? ReadBox(label, "box2dVisible") : null,
@@ -132,6 +139,7 @@ public static class FrameLabelParser
             DistanceMetres = label.Number("distanceMetres"),
             Velocity = label.Vector("velocity"),
             Face = label.Has("space") ? ReadFace(label.Fields("space")) : null,
+            Joints = label.Has("joints") ? JointsParser.Parse(label) : null,
         };
     }
 
@@ -151,7 +159,8 @@ public static class FrameLabelParser
     private static LightLabel ReadLight(JsonFields light) =>
         new(light.Name<LightState>("state"), light.Name<LightMethod>("method"), light.OptionalNumber("litFraction"));
 
-    private static Box2D ReadBox(JsonFields label, string name)
+    /// <summary>A list of four numbers as a box.</summary>
+    internal static Box2D ReadBox(JsonFields label, string name)
     {
         double[] sides = label.Numbers(name, 4);
         return new Box2D(sides[0], sides[1], sides[2], sides[3]);

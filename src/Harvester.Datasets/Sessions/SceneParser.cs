@@ -45,6 +45,7 @@ internal static class SceneParser
                 ModelMin = ego.Vector("modelMin"),
                 ModelMax = ego.Vector("modelMax"),
                 HeightAboveGroundMetres = ego.OptionalNumber("heightAboveGround"),
+                Motion = EgoMotionParser.Parse(ego),
             },
             [.. entities.Select(EntityOf)],
             label.Environment);
@@ -97,7 +98,15 @@ internal static class SceneParser
         entity.Vector("velocity"))
     {
         HasRider = entity.OptionalBoolean("hasRider"),
+        Lights = VehicleLightsParser.Parse(entity),
+        Skeleton = entity.Has("joints") ? SkeletonOf(entity) : null,
     };
+
+    private static Skeleton SkeletonOf(JsonFields entity)
+    {
+        Vector3D[] joints = [.. entity.Rows("joints", 3).Select(row => new Vector3D(row[0], row[1], row[2]))];
+        return entity.Checked(() => new Skeleton(joints));
+    }
 
     private static DistantEntity DistantOf(JsonFields entity) => new(EntityOf(entity), entity.Name<Sight>("sight"));
 

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Threading;
 using Harvester.Datasets.Files;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
@@ -14,16 +15,21 @@ public sealed class SessionReader
     /// <summary>Name of the label file.</summary>
     public const string LabelsFile = "labels.jsonl";
 
+    private readonly CancellationToken _cancellation;
+
     /// <summary>Opens the folder of a session.</summary>
+    /// <param name="folder">The folder.</param>
+    /// <param name="cancellation">Ends the reading of labels with an <see cref="OperationCanceledException"/>.</param>
     /// <exception cref="DirectoryNotFoundException">There is no such folder.</exception>
     /// <exception cref="FileNotFoundException">The folder is not a session.</exception>
-    public SessionReader(string folder)
-        : this(folder, SessionInfo.FileName)
+    public SessionReader(string folder, CancellationToken cancellation = default)
+        : this(folder, cancellation, SessionInfo.FileName)
     {
     }
 
-    private SessionReader(string folder, params string[] marks)
+    private SessionReader(string folder, CancellationToken cancellation, params string[] marks)
     {
+        _cancellation = cancellation;
         if (!Directory.Exists(folder))
         {
             throw new DirectoryNotFoundException(
@@ -55,7 +61,7 @@ public sealed class SessionReader
     /// <summary>Opens the folder of a damaged session, which may lack session.json.</summary>
     /// <exception cref="DirectoryNotFoundException">The folder does not exist.</exception>
     /// <exception cref="FileNotFoundException">The folder has neither session.json nor labels.</exception>
-    internal static SessionReader OpenDamaged(string folder) => new(folder, SessionInfo.FileName, LabelsFile);
+    internal static SessionReader OpenDamaged(string folder) => new(folder, default, SessionInfo.FileName, LabelsFile);
 
     /// <summary>Whether the name of a file in a label stays within the session, with all links resolved.</summary>
     public bool IsWithin(string name) => InnerPath.IsWithin(Folder, name);
@@ -115,7 +121,13 @@ public sealed class SessionReader
     internal IEnumerable<string> ReadTexts()
     {
         string path = PathOf(LabelsFile);
-        return !File.Exists(path) ? [] : HasUnfinishedLine ? InputFile.ReadLines(path).SkipLast(1) : InputFile.ReadLines(path);
+        IEnumerable<string> lines =
+            !File.Exists(path) ? [] : HasUnfinishedLine ? InputFile.ReadLines(path).SkipLast(1) : InputFile.ReadLines(path);
+        foreach (string line in lines)
+        {
+            _cancellation.ThrowIfCancellationRequested();
+            yield return line;
+        }
     }
 
     /// <summary>Checks ids: objects are looked up by id, which is also their value in masks.</summary>

@@ -12,6 +12,9 @@ namespace Harvester.Datasets.Statistics;
 /// <summary>Statistics of sessions, collected in one pass over their labels.</summary>
 public sealed class SessionStatistics
 {
+    /// <summary>Height below which KITTI's benchmark does not evaluate objects, pixels.</summary>
+    public const double SmallPixels = 25;
+
     private const int MaxWeathers = 1000;
     private const double FarMetres = 150;
     private const int DistanceBins = 15;
@@ -81,6 +84,15 @@ public sealed class SessionStatistics
     /// <summary>Game time of the last frame, seconds.</summary>
     public double LastTimeSeconds { get; private set; }
 
+    /// <summary>How the car's position in its lane varies.</summary>
+    public LaneVariety Lanes { get; } = new();
+
+    /// <summary>Number of labels whose box is lower than <see cref="SmallPixels"/>.</summary>
+    public int SmallLabels { get; private set; }
+
+    /// <summary>The classes without labels, in their order.</summary>
+    public IEnumerable<ObjectClass> MissingClasses => Enum.GetValues<ObjectClass>().Except(_classes.Keys);
+
     /// <summary>Labels by distance, metres.</summary>
     public Histogram Distances { get; } = Histogram.Even(FarMetres, DistanceBins);
 
@@ -117,6 +129,7 @@ public sealed class SessionStatistics
         if (label.Lanes is { } lanes)
         {
             Add(lanes.Indicators);
+            Lanes.Add(lanes);
         }
 
         foreach (ObjectLabel item in label.Objects)
@@ -130,6 +143,7 @@ public sealed class SessionStatistics
             kind.Add(item, _session);
             Distances.Add(item.DistanceMetres);
             BoxHeights.Add(item.Box2D.Height);
+            SmallLabels += item.Box2D.Height < SmallPixels ? 1 : 0;
             BoxWidths.Add(item.Box2D.Width);
             BoxAreas.Add(item.Box2D.Area);
             TruncatedFractions.Add(item.TruncatedFraction);

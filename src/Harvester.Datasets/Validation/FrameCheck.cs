@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Harvester.Datasets.Files;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Labels;
 
@@ -16,6 +17,19 @@ internal sealed class FrameCheck(SessionReader session, SessionInfo? info, bool 
 
     /// <summary>What is wrong with a line that could be read; several may be asked for at once.</summary>
     public IReadOnlyList<string> Problems(CheckedLine line)
+    {
+        try
+        {
+            return ProblemsOfAll(line);
+        }
+        catch (DatasetFormatException e)
+        {
+            // A file of the frame may not be opened: it is outside the session, or a pipe.
+            return [e.Message];
+        }
+    }
+
+    private string[] ProblemsOfAll(CheckedLine line)
     {
         FrameLabel label = line.Source.Label!;
         return

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.Linq;
 using Harvester.Geometry;
 using Harvester.Sessions.Labels;
 
@@ -70,7 +71,7 @@ internal static class ObjectCheck
                 $"distanceMetres is {item.DistanceMetres}, but box3d.centre is {distance:0.###} m from the camera."));
         }
 
-        foreach (string problem in FaceCheck.Problems(item))
+        foreach (string problem in FaceCheck.Problems(item).Concat(JointsCheck.Problems(item, camera)))
         {
             yield return Of(item, problem);
         }

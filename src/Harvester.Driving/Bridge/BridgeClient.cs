@@ -55,18 +55,9 @@ internal sealed class BridgeClient : IDisposable
     /// <summary>Sends a message; a client that does not receive it is disconnected.</summary>
     public void Send(byte[] header, ArraySegment<byte> payload)
     {
-        try
+        if (FaultOfSending(header, payload) is { } fault)
         {
-            lock (_sending)
-            {
-                SocketFraming.Write(_stream, header, payload);
-            }
-        }
-#pragma warning disable CA1031 // An exception that leaves a thread ends the game, whatever its type.
-        catch (Exception e) when (e is not ThreadAbortException)
-#pragma warning restore CA1031
-        {
-            CutOff($"the client did not receive a frame: {e.Message}");
+            CutOff($"the client did not receive a frame: {fault}");
         }
     }
 
@@ -113,8 +104,7 @@ internal sealed class BridgeClient : IDisposable
         }
         catch (BridgeException e)
         {
-            Send(BridgeText.Error(e.Message), default);
-            CutOff($"the client was disconnected: {e.Message}");
+            Refuse(e.Message, $"the client was disconnected: {e.Message}");
         }
 #pragma warning disable CA1031 // An exception that leaves a thread ends the game, whatever its type.
         catch (Exception e) when (e is not ThreadAbortException)
@@ -182,8 +172,9 @@ internal sealed class BridgeClient : IDisposable
     {
         if (_reception.Pending.TryLeave(this))
         {
-            Send(BridgeText.Error($"the first message must be {WantedHello}, sent in time."), default);
-            CutOff($"a connection was closed because it did not send {WantedHello} in time.");
+            Refuse(
+                $"the first message must be {WantedHello}, sent in time.",
+                $"a connection was closed because it did not send {WantedHello} in time.");
         }
     }
 
@@ -199,13 +190,46 @@ internal sealed class BridgeClient : IDisposable
         return difference == 0;
     }
 
+    /// <summary>Disconnects the client and tells it why. When the client reads the reason, the problem has been reported.</summary>
+    private void Refuse(string reason, string problem)
+    {
+        Report(problem);
+        FaultOfSending(BridgeText.Error(reason), default);
+        Dispose();
+    }
+
     private void CutOff(string problem)
+    {
+        Report(problem);
+        Dispose();
+    }
+
+    private void Report(string problem)
     {
         if (!_isClosed)
         {
             _reception.Report(problem);
         }
+    }
 
-        Dispose();
+    /// <summary>Sends a message.</summary>
+    /// <returns>Why the client did not receive it; null if it was sent.</returns>
+    private string? FaultOfSending(byte[] header, ArraySegment<byte> payload)
+    {
+        try
+        {
+            lock (_sending)
+            {
+                SocketFraming.Write(_stream, header, payload);
+            }
+
+            return null;
+        }
+#pragma warning disable CA1031 // An exception that leaves a thread ends the game, whatever its type.
+        catch (Exception e) when (e is not ThreadAbortException)
+#pragma warning restore CA1031
+        {
+            return e.Message;
+        }
     }
 }

@@ -30,6 +30,10 @@ public sealed class AdaptivePixelMapper
     private readonly CellExaminer _examiner;
     private readonly CellQueue _queue = new();
     private readonly SettledCells _settled;
+    private readonly MapPainter _painter;
+
+    /// <summary>The map that the searches look at.</summary>
+    private readonly InstanceMap _map;
     private readonly FragmentSearch _search;
     private readonly ExtentSearch _extents;
     private IEnumerator<SubpixelPoint> _places;
@@ -73,6 +77,8 @@ public sealed class AdaptivePixelMapper
         _search = new FragmentSearch(camera.Image, _views, _samples, hidden, _options.UnsearchedFraction);
         _extents = new ExtentSearch(_views, _samples, hidden);
         _examiner = new CellExaminer(_samples, _views, _options);
+        _painter = new MapPainter(camera, _samples, _examiner, _views);
+        _map = new InstanceMap(camera.Image);
         _settled = new SettledCells(_examiner, _samples.Changes, _queue, _options.CellErrorFraction);
         var grid = new CellGrid(camera.Image, _options.CellSize, _views);
         grid.Cells.ForEach(cell => _queue.Add(double.PositiveInfinity, cell));
@@ -119,7 +125,7 @@ public sealed class AdaptivePixelMapper
             }
 
             _phase = MapperPhase.Probes;
-            _unseen = new UnseenTargets(_camera, _views, _samples, Paint(), _ignoredEntity, _rays);
+            _unseen = new UnseenTargets(_camera, _views, _samples, PixelCounts(Paint()), _ignoredEntity, _rays);
         }
 
         if (_unseen!.Step())
@@ -134,8 +140,9 @@ public sealed class AdaptivePixelMapper
     /// <summary>The best map so far. It may be requested at any time, and the work may continue after it.</summary>
     public AdaptivePixelMap Finish()
     {
-        InstanceMap map = Paint();
-        Evidence.Demand(map, _samples, _targets);
+        var map = new InstanceMap(_camera.Image);
+        PaintInto(map);
+        Evidence.Demand(map, _samples, _targets, GreatestNumber);
         int resolution = 1;
         foreach ((_, MapCell cell) in Pending())
         {
@@ -150,7 +157,7 @@ public sealed class AdaptivePixelMapper
         var sights = new Dictionary<ushort, Sight>();
         _targets.ForEach(target => sights[target.Number] = _unseen?.SightOf(target.Number) ?? Sight.NotAsked);
         _beyondReach.ForEach(target => sights[target.Number] = Sight.Undetermined);
-        int[] counts = map.PixelCounts();
+        int[] counts = PixelCounts(map);
         for (int number = 1; number < counts.Length; number++)
         {
             if (counts[number] > 0)
@@ -246,7 +253,7 @@ public sealed class AdaptivePixelMapper
         InstanceMap map = Paint();
         if (_searches <= FragmentSearches)
         {
-            int[] counts = map.PixelCounts();
+            int[] counts = PixelCounts(map);
             _views.ForEach(view => view.SetVisible(counts[view.Target.Number]));
             _settled.Forget();
             List<SubpixelPoint> places = [.. _search.Places(map)];
@@ -263,10 +270,20 @@ public sealed class AdaptivePixelMapper
         return _settled.Reopen(_extents.UncertainPixels(map));
     }
 
+    // The targets are sorted by number.
+    private int GreatestNumber => _targets.Count == 0 ? 0 : _targets[_targets.Count - 1].Number;
+
+    private int[] PixelCounts(InstanceMap map) => map.PixelCounts(GreatestNumber);
+
     private InstanceMap Paint()
     {
-        var shown = _views.ConvertAll(view => view.Target);
-        var painter = new MapPainter(_camera.Image, _samples, _examiner, SilhouettePainter.Paint(_camera, shown));
+        Array.Clear(_map.Ids, 0, _map.Ids.Length);
+        PaintInto(_map);
+        return _map;
+    }
+
+    private void PaintInto(InstanceMap map)
+    {
         var untouched = new List<MapCell>();
         var touched = new List<MapCell>(_settled.Cells);
         foreach ((double priority, MapCell cell) in Pending())
@@ -274,7 +291,7 @@ public sealed class AdaptivePixelMapper
             (double.IsInfinity(priority) ? untouched : touched).Add(cell);
         }
 
-        return painter.Paint(untouched, touched);
+        _painter.Paint(map, untouched, touched);
     }
 
     private IEnumerable<(double Priority, MapCell Cell)> Pending()

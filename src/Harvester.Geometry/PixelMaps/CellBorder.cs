@@ -52,17 +52,32 @@ internal sealed class CellBorder
         }
 
         int length = cell.BorderLength;
-        if (_numbers.Length < length)
+        if (_numbers.Length <= length)
         {
-            _numbers = new int[length];
-            _known = new bool[length];
+            // The walk along a single row ends a step later, at the pixel where it began.
+            _numbers = new int[length + 1];
+            _known = new bool[length + 1];
         }
 
-        for (int i = 0; i < length; i++)
+        int step = 0;
+        for (int column = cell.Left; column <= cell.Right; column++)
         {
-            (int column, int row) = cell.Border(i);
-            _numbers[i] = _samples.Number(column, row);
-            _known[i] = _numbers[i] != PixelSamples.Unknown;
+            Read(step++, column, cell.Top);
+        }
+
+        for (int row = cell.Top + 1; row <= cell.Bottom; row++)
+        {
+            Read(step++, cell.Right, row);
+        }
+
+        for (int column = cell.Right - 1; column >= cell.Left; column--)
+        {
+            Read(step++, column, cell.Bottom);
+        }
+
+        for (int row = cell.Bottom - 1; row > cell.Top; row--)
+        {
+            Read(step++, cell.Left, row);
         }
     }
 
@@ -119,7 +134,7 @@ internal sealed class CellBorder
         FillUnknown(length);
         Runs.Clear();
         int first = 0;
-        while (first < length && _numbers[first] == _numbers[(first + length - 1) % length])
+        while (first < length && _numbers[first] == _numbers[first == 0 ? length - 1 : first - 1])
         {
             first++;
         }
@@ -133,9 +148,10 @@ internal sealed class CellBorder
         int start = first;
         for (int i = first; i < first + length; i++)
         {
-            if (_numbers[(i + 1) % length] != _numbers[i % length])
+            int number = _numbers[Wrapped(i, length)];
+            if (_numbers[Wrapped(i + 1, length)] != number)
             {
-                Runs.Add(new BorderRun(start, i, _numbers[i % length]));
+                Runs.Add(new BorderRun(start, i, number));
                 start = i + 1;
             }
         }
@@ -179,18 +195,26 @@ internal sealed class CellBorder
         }
     }
 
+    private void Read(int step, int column, int row)
+    {
+        int number = _samples.Number(column, row);
+        _numbers[step] = number;
+        _known[step] = number != PixelSamples.Unknown;
+    }
+
     private int? UndecidedStep(int from, int to)
     {
+        int length = Cell.BorderLength;
         int known = from;
         for (int i = from + 1; i <= to; i++)
         {
-            int step = i % Cell.BorderLength;
+            int step = Wrapped(i, length);
             if (!_known[step])
             {
                 continue;
             }
 
-            if (_numbers[step] != _numbers[known % Cell.BorderLength])
+            if (_numbers[step] != _numbers[Wrapped(known, length)])
             {
                 if (i - known > 1)
                 {
@@ -267,19 +291,23 @@ internal sealed class CellBorder
         int previous = start;
         for (int i = start + 1; i <= start + length; i++)
         {
-            if (!_known[i % length])
+            if (!_known[Wrapped(i, length)])
             {
                 continue;
             }
 
             for (int k = previous + 1; k < i; k++)
             {
-                _numbers[k % length] = _numbers[(k - previous <= i - k ? previous : i) % length];
+                _numbers[Wrapped(k, length)] = _numbers[Wrapped(k - previous <= i - k ? previous : i, length)];
             }
 
             previous = i;
         }
     }
+
+    // A walk has at most two rounds.
+    private static int Wrapped(int step, int length) =>
+        step < length ? step : step < 2 * length ? step - length : step - (2 * length);
 
     private bool IsAssumed(int step)
     {

@@ -109,9 +109,9 @@ internal sealed class CellExaminer
 
         for (int row = cell.Top + 1; row < cell.Bottom; row++)
         {
-            for (int column = cell.Left + 1; column < cell.Right; column++)
+            for (int column = cell.Left + 1; (column = _samples.NextCast(column, cell.Right, row)) < cell.Right; column++)
             {
-                if (_samples.IsCast(column, row) && _samples.Number(column, row) is var number && number != 0)
+                if (_samples.Number(column, row) is var number && number != 0)
                 {
                     weight = Math.Max(weight, WeightOf(number));
                 }
@@ -163,6 +163,11 @@ internal sealed class CellExaminer
 
     private List<int> NumbersByDistance()
     {
+        if (_border.Runs.Count == 1)
+        {
+            return [_border.Runs[0].Number];
+        }
+
         var nearest = new List<(float Distance, int Number)>();
         foreach (BorderRun run in _border.Runs)
         {
@@ -196,9 +201,9 @@ internal sealed class CellExaminer
         MapCell cell = _border.Cell;
         for (int row = cell.Top + 1; row < cell.Bottom; row++)
         {
-            for (int column = cell.Left + 1; column < cell.Right; column++)
+            for (int column = cell.Left + 1; (column = _samples.NextCast(column, cell.Right, row)) < cell.Right; column++)
             {
-                if (_samples.IsCast(column, row) && model.NumberAt(column, row) != _samples.Number(column, row))
+                if (model.NumberAt(column, row) != _samples.Number(column, row))
                 {
                     return false;
                 }

@@ -10,9 +10,9 @@ namespace Harvester.Geometry.PixelMaps;
 internal sealed class CellModel
 {
     private readonly int _front;
-    private readonly List<CellCap> _caps;
+    private readonly CellCap[] _caps;
 
-    private CellModel(int front, List<CellCap> caps)
+    private CellModel(int front, CellCap[] caps)
     {
         _front = front;
         _caps = caps;
@@ -59,14 +59,15 @@ internal sealed class CellModel
             i = end;
         }
 
-        return new CellModel(front, caps);
+        return new CellModel(front, caps.ToArray());
     }
 
     public int NumberAt(int column, int row)
     {
         var pixel = new Vector2D(column, row);
-        foreach (CellCap cap in _caps)
+        for (int i = 0; i < _caps.Length; i++)
         {
+            ref readonly CellCap cap = ref _caps[i];
             if (cap.Contains(pixel))
             {
                 return cap.NumberAt(pixel);
@@ -78,7 +79,7 @@ internal sealed class CellModel
 
     /// <summary>Whether all chords run along rows or columns, to within a fraction of a pixel.</summary>
     public bool IsAligned(double pixels) =>
-        _caps.TrueForAll(cap => Math.Abs(cap.Start.X - cap.End.X) < pixels || Math.Abs(cap.Start.Y - cap.End.Y) < pixels);
+        Array.TrueForAll(_caps, cap => Math.Abs(cap.Start.X - cap.End.X) < pixels || Math.Abs(cap.Start.Y - cap.End.Y) < pixels);
 
     /// <summary>The pixels that best test the model: on both sides of the middle of every line it draws.</summary>
     public IEnumerable<(int Column, int Row)> Tests()

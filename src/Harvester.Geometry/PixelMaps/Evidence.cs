@@ -12,9 +12,10 @@ internal static class Evidence
     /// <param name="map">The map, with numbers of the targets only.</param>
     /// <param name="samples">The samples so far.</param>
     /// <param name="targets">All targets.</param>
-    public static void Demand(InstanceMap map, PixelSamples samples, IReadOnlyList<MapTarget> targets)
+    /// <param name="greatest">The greatest of their numbers.</param>
+    public static void Demand(InstanceMap map, PixelSamples samples, IReadOnlyList<MapTarget> targets, int greatest)
     {
-        var boxes = new Dictionary<ushort, Box2D?>();
+        var boxes = new Box2D?[greatest + 1];
         foreach (MapTarget target in targets)
         {
             boxes[target.Number] = samples.HasMet(target.Number) ? target.Projection.Box : null;

@@ -32,9 +32,10 @@ public sealed class InstanceMap
     }
 
     /// <summary>Number of pixels of each number, including 0.</summary>
-    internal int[] PixelCounts()
+    /// <param name="greatest">The greatest number that the map may have.</param>
+    internal int[] PixelCounts(int greatest)
     {
-        var counts = new int[ushort.MaxValue + 1];
+        var counts = new int[greatest + 1];
         foreach (ushort number in _ids)
         {
             counts[number]++;

@@ -14,24 +14,35 @@ internal sealed class PixelSamples
     /// <summary>The number of a pixel that is neither known nor taken for known.</summary>
     public const int Unknown = -1;
 
+    /// <summary>Samples are few: runs of pixels without one are skipped.</summary>
+    private const int RunLength = 8;
+
     private readonly Camera _camera;
+    private readonly int _width;
     private readonly IRayCaster _rays;
     private readonly int _ignoredEntity;
     private readonly Dictionary<int, ushort> _numbers = [];
     private readonly int[] _known;
     private readonly float[] _distances;
     private readonly bool[] _assumed;
+
+    /// <summary>For each run of <see cref="RunLength"/> pixels of a row whether the distance of any of them is known or assumed.</summary>
+    private readonly bool[] _runs;
+    private readonly int _runsAcross;
     private readonly Dictionary<long, int> _between = [];
     private readonly HashSet<int> _met = [];
 
     public PixelSamples(Camera camera, IReadOnlyList<MapTarget> targets, int ignoredEntity, IRayCaster rays)
     {
         _camera = camera;
+        _width = camera.Image.Width;
         _rays = rays;
         _ignoredEntity = ignoredEntity;
         _known = new int[camera.Image.PixelCount];
         _distances = new float[_known.Length];
         _assumed = new bool[_known.Length];
+        _runsAcross = (camera.Image.Width + RunLength - 1) / RunLength;
+        _runs = new bool[_runsAcross * camera.Image.Height];
         Changes = new ChangeStamps(camera.Image);
         foreach (MapTarget target in targets)
         {
@@ -70,20 +81,6 @@ internal sealed class PixelSamples
     /// <summary>Whether a pixel's number is known or assumed.</summary>
     public bool IsKnown(int column, int row) => _known[Index(column, row)] != Unknown;
 
-    /// <summary>Writes all that is known, or taken for known, into a map.</summary>
-    public void CopyKnownTo(InstanceMap map)
-    {
-        ushort[] ids = map.Ids;
-        for (int i = 0; i < ids.Length && i < _known.Length; i++)
-        {
-            int number = _known[i];
-            if (number != Unknown)
-            {
-                ids[i] = (ushort)number;
-            }
-        }
-    }
-
     /// <summary>
     /// Whether all distances that are known in a rectangle, both ends included, at pixels of a number are at most so great.
     /// </summary>
@@ -93,9 +90,10 @@ internal sealed class PixelSamples
         bool? areWithin = null;
         for (int row = rectangle.Top; row <= rectangle.Bottom; row++)
         {
-            int end = Index(rectangle.Right, row);
-            for (int i = Index(rectangle.Left, row); i <= end; i++)
+            int column = rectangle.Left;
+            while ((column = NextInSampledRun(column, rectangle.Right + 1, row)) <= rectangle.Right)
             {
+                int i = Index(column++, row);
                 if (_distances[i] > 0 && _known[i] == number)
                 {
                     if (_distances[i] > distance)
@@ -118,6 +116,17 @@ internal sealed class PixelSamples
         return _distances[index] > 0 && !_assumed[index];
     }
 
+    /// <summary>The first sampled column of a row, from a given column to an end; the end if there is none.</summary>
+    public int NextCast(int column, int end, int row)
+    {
+        while ((column = NextInSampledRun(column, end, row)) < end && !IsCast(column, row))
+        {
+            column++;
+        }
+
+        return column;
+    }
+
     /// <summary>Whether the distance at this pixel is known or assumed.</summary>
     public bool HasDistance(int column, int row) => _distances[Index(column, row)] > 0;
 
@@ -133,7 +142,7 @@ internal sealed class PixelSamples
     public void Assume(int column, int row, int number, float distance = 0)
     {
         Changes.Change(column, row);
-        _distances[Index(column, row)] = distance;
+        SetDistance(column, row, distance);
         _known[Index(column, row)] = number;
         _assumed[Index(column, row)] = true;
     }
@@ -164,11 +173,12 @@ internal sealed class PixelSamples
         Changes.Change(place.FineX / Fine, place.FineY / Fine);
         if (place.FineX % Fine == 0 && place.FineY % Fine == 0)
         {
-            int index = Index(place.FineX / Fine, place.FineY / Fine);
+            (int column, int row) = (place.FineX / Fine, place.FineY / Fine);
+            int index = Index(column, row);
             _known[index] = number;
             _assumed[index] = false;
             PixelsCast++;
-            _distances[index] = hit is { } at ? Math.Max((float)at.Distance, float.Epsilon) : float.PositiveInfinity;
+            SetDistance(column, row, hit is { } at ? Math.Max((float)at.Distance, float.Epsilon) : float.PositiveInfinity);
         }
         else
         {
@@ -178,5 +188,21 @@ internal sealed class PixelSamples
 
     private static long Key(SubpixelPoint place) => ((long)place.FineY << 32) | (uint)place.FineX;
 
-    private int Index(int column, int row) => (row * _camera.Image.Width) + column;
+    private int NextInSampledRun(int column, int end, int row)
+    {
+        while (column < end && !_runs[(row * _runsAcross) + (column / RunLength)])
+        {
+            column = ((column / RunLength) + 1) * RunLength;
+        }
+
+        return Math.Min(column, end);
+    }
+
+    private void SetDistance(int column, int row, float distance)
+    {
+        _distances[Index(column, row)] = distance;
+        _runs[(row * _runsAcross) + (column / RunLength)] = true;
+    }
+
+    private int Index(int column, int row) => (row * _width) + column;
 }

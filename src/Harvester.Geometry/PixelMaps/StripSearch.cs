@@ -17,9 +17,9 @@ internal static class StripSearch
         MapCell cell = border.Cell;
         for (int row = cell.Top + 1; row < cell.Bottom; row++)
         {
-            for (int column = cell.Left + 1; column < cell.Right; column++)
+            for (int column = cell.Left + 1; (column = samples.NextCast(column, cell.Right, row)) < cell.Right; column++)
             {
-                if (samples.IsCast(column, row) && HardlyShows(border, samples.Number(column, row))
+                if (HardlyShows(border, samples.Number(column, row))
                     && WayOut(cell, samples, column, row) is { } place)
                 {
                     return place;

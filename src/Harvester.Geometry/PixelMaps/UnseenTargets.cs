@@ -14,9 +14,8 @@ internal sealed class UnseenTargets
     private readonly Dictionary<ushort, Sight> _sights = [];
 
     public UnseenTargets(
-        Camera camera, IReadOnlyList<TargetView> views, PixelSamples samples, InstanceMap map, int ignoredEntity, IRayCaster rays)
+        Camera camera, IReadOnlyList<TargetView> views, PixelSamples samples, int[] shown, int ignoredEntity, IRayCaster rays)
     {
-        int[] shown = map.PixelCounts();
         foreach (TargetView view in views)
         {
             ushort number = view.Target.Number;

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Harvester.Geometry.Boxes;
 using Harvester.Geometry.Cameras;
 
@@ -17,6 +18,9 @@ public sealed class OcclusionEstimator
     /// miss them once in 500,000 times.
     /// </summary>
     private const int MoreSamples = 4;
+
+    /// <summary>Number of samples after which an estimate pauses: half a millisecond to a millisecond where rays are slowest.</summary>
+    private const int SamplesOfAStep = 8;
 
     private readonly int _samples;
 
@@ -44,13 +48,40 @@ public sealed class OcclusionEstimator
     public OcclusionEstimate Estimate(
         Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)
     {
+        OcclusionEstimate estimate = default;
+        foreach (OcclusionEstimate? step in EstimateInSteps(camera, cuboid, projection, entity, ignoredEntity, rays))
+        {
+            estimate = step ?? default;
+        }
+
+        return estimate;
+    }
+
+    /// <summary>Estimates as <see cref="Estimate"/> does, a few rays at a time.</summary>
+    /// <param name="camera">The camera.</param>
+    /// <param name="cuboid">The entity's cuboid.</param>
+    /// <param name="projection">The cuboid's projection by the same camera.</param>
+    /// <param name="entity">The entity's handle.</param>
+    /// <param name="ignoredEntity">Handle of an entity that hides nothing; <see cref="RayHit.World"/> if there is none.</param>
+    /// <param name="rays">The ray caster.</param>
+    /// <returns>Null after each step; the estimate at the end.</returns>
+    public IEnumerable<OcclusionEstimate?> EstimateInSteps(
+        Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)
+    {
         Guard.NotNull(camera, nameof(camera));
         Guard.NotNull(cuboid, nameof(cuboid));
         Guard.NotNull(projection, nameof(projection));
         Guard.NotNull(rays, nameof(rays));
+        return Steps(camera, cuboid, projection, entity, ignoredEntity, rays);
+    }
+
+    private IEnumerable<OcclusionEstimate?> Steps(
+        Camera camera, Cuboid cuboid, CuboidProjection projection, int entity, int ignoredEntity, IRayCaster rays)
+    {
         if (projection.Box is not { } box)
         {
-            return new OcclusionEstimate(0, 0, 0, OcclusionMethod.None) { Sight = Sight.Unseen };
+            yield return new OcclusionEstimate(0, 0, 0, OcclusionMethod.None) { Sight = Sight.Unseen };
+            yield break;
         }
 
         var probe = new CuboidProbe(camera.Pose.Position, cuboid, entity, ignoredEntity, rays);
@@ -72,6 +103,11 @@ public sealed class OcclusionEstimator
                 continue;
             }
 
+            if (onCuboid > 0 && onCuboid % SamplesOfAStep == 0)
+            {
+                yield return null;
+            }
+
             onCuboid++;
             cast++;
             RayHit? first = rays.Cast(ray, span.Exit + CuboidProbe.Margin, ignoredEntity);
@@ -90,22 +126,24 @@ public sealed class OcclusionEstimator
         int onObject = visible + hidden;
         if (onObject > 0)
         {
-            return new OcclusionEstimate(
-                (double)hidden / onObject, onObject, cast, OcclusionMethod.Rays)
-            { Sight = visible > 0 ? Sight.Seen : Sight.Unseen };
+            yield return new OcclusionEstimate((double)hidden / onObject, onObject, cast, OcclusionMethod.Rays)
+            {
+                Sight = visible > 0 ? Sight.Seen : Sight.Unseen,
+            };
         }
-
-        if (onCuboid > 0 && stopped == onCuboid)
+        else if (onCuboid == 0)
         {
-            return new OcclusionEstimate(1, onCuboid, cast, OcclusionMethod.CuboidRays) { Sight = Sight.Unseen };
+            yield return new OcclusionEstimate(0, 0, 0, OcclusionMethod.None) { Sight = Sight.Unseen };
         }
-
-        if (onCuboid == 0)
+        else if (stopped == onCuboid)
         {
-            return new OcclusionEstimate(0, 0, 0, OcclusionMethod.None) { Sight = Sight.Unseen };
+            yield return new OcclusionEstimate(1, onCuboid, cast, OcclusionMethod.CuboidRays) { Sight = Sight.Unseen };
         }
-
-        Sight sight = SightFinder.FindUnhit(probe, out int probes);
-        return new OcclusionEstimate(0, 0, cast + probes, OcclusionMethod.None) { Sight = sight };
+        else
+        {
+            yield return null;
+            Sight sight = SightFinder.FindUnhit(probe, out int probes);
+            yield return new OcclusionEstimate(0, 0, cast + probes, OcclusionMethod.None) { Sight = sight };
+        }
     }
 }

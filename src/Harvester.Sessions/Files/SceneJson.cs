@@ -1,4 +1,5 @@
 using Harvester.Geometry;
+using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
 using Harvester.Sessions.Text;
 
@@ -31,8 +32,13 @@ internal static class SceneJson
             .Key("modelMin").Exact(snapshot.Ego.ModelMin)
             .Key("modelMax").Exact(snapshot.Ego.ModelMax)
             .Key("heightAboveGround").Exact(snapshot.Ego.HeightAboveGroundMetres)
-            .Key("velocity").Exact(snapshot.Ego.Velocity)
-            .EndObject()
+            .Key("velocity").Exact(snapshot.Ego.Velocity);
+        if (snapshot.Ego.Motion is { } motion)
+        {
+            EgoMotionJson.AppendExact(json, motion);
+        }
+
+        json.EndObject()
             .Key("entities").BeginArray();
         foreach (EntityState entity in snapshot.Entities)
         {
@@ -68,6 +74,18 @@ internal static class SceneJson
 
     private static JsonText Append(JsonText json, EntityState entity)
     {
+        if (entity.Skeleton is { } skeleton)
+        {
+            json.Key("joints").BeginArray();
+            foreach (Vector3D joint in skeleton.Joints)
+            {
+                json.Exact(joint);
+            }
+
+            json.EndArray();
+        }
+
+        VehicleLightsJson.Append(json, entity.Lights);
         json.Key("class").String(JsonName.Of(entity.Class))
             .Key("model").String(entity.Model);
         return Append(json, entity.Pose)

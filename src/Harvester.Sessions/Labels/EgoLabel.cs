@@ -16,6 +16,9 @@ public sealed record EgoLabel(Vector3D Position, double HeadingDegrees, Vector3D
     /// <summary>Vertical distance from the model's origin down to the ground, metres; null if unknown.</summary>
     public double? HeightAboveGroundMetres { get; init; }
 
+    /// <summary>How it moves and what its driver does; null if unknown.</summary>
+    public EgoMotion? Motion { get; init; }
+
     /// <summary>Creates the label of a vehicle that carries the camera.</summary>
     /// <exception cref="System.ArgumentNullException"><paramref name="ego"/> is null.</exception>
     public static EgoLabel Of(EgoState ego)
@@ -25,6 +28,7 @@ public sealed record EgoLabel(Vector3D Position, double HeadingDegrees, Vector3D
         {
             Axes = pose.Axes,
             HeightAboveGroundMetres = ego.HeightAboveGroundMetres,
+            Motion = ego.Motion,
         };
     }
 }

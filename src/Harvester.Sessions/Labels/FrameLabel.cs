@@ -30,6 +30,12 @@ public sealed record FrameLabel(
     EnvironmentState Environment,
     IReadOnlyList<ObjectLabel> Objects)
 {
+    /// <summary>Number of the place that the session visits, from 0; null if it visits no places.</summary>
+    public int? Place { get; init; }
+
+    /// <summary>Number of the frame among those of its place, from 0; null if the session visits no places.</summary>
+    public int? PlaceFrame { get; init; }
+
     /// <summary>The accuracy of the mask; null without a mask and for an imported one.</summary>
     public PixelMapLabel? PixelMap { get; init; }
 

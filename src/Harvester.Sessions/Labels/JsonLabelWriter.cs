@@ -21,8 +21,13 @@ public static class JsonLabelWriter
 
         var json = new JsonText();
         json.BeginObject()
-            .Key("frame").Integer(frame.Frame)
-            .Key("gameFrame").Integer(frame.GameFrame)
+            .Key("frame").Integer(frame.Frame);
+        if (frame.Place is not null)
+        {
+            json.Key("place").Integer(frame.Place).Key("placeFrame").Integer(frame.PlaceFrame);
+        }
+
+        json.Key("gameFrame").Integer(frame.GameFrame)
             .Key("timeSeconds").Number(frame.TimeSeconds, LabelDecimals.Seconds)
             .Key("lagFrames").Integer(frame.LagFrames)
             .Key("lagSeconds").Number(frame.LagSeconds, LabelDecimals.Seconds)
@@ -120,6 +125,7 @@ public static class JsonLabelWriter
             .Key("faces").Integer(rays.Faces)
             .Key("ignoreRegions").Integer(rays.IgnoreRegions)
             .Key("lanes").Integer(rays.Lanes)
+            .Key("joints").Integer(rays.Joints)
             .EndObject();
     }
 
@@ -135,8 +141,13 @@ public static class JsonLabelWriter
 
         json.Key("heightAboveGroundMetres").Number(ego.HeightAboveGroundMetres, LabelDecimals.Metres)
             .Key("velocity").Vector(ego.Velocity, LabelDecimals.Speed)
-            .Key("model").String(ego.Model)
-            .EndObject();
+            .Key("model").String(ego.Model);
+        if (ego.Motion is { } motion)
+        {
+            EgoMotionJson.Append(json, motion);
+        }
+
+        json.EndObject();
     }
 
     /// <summary>The heading in [0, 360) also after rounding: 359.99999 is written as 0.</summary>
@@ -180,6 +191,12 @@ public static class JsonLabelWriter
         json.Key("distanceMetres").Number(label.DistanceMetres, LabelDecimals.Metres)
             .Key("velocity").Vector(label.Velocity, LabelDecimals.Speed);
         Append(json.Key("space"), label.Face);
+        VehicleLightsJson.Append(json, label.Lights);
+        if (label.Joints is { } joints)
+        {
+            JointsJson.Append(json, joints);
+        }
+
         json.EndObject();
     }
 

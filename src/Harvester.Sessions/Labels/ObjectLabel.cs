@@ -35,6 +35,9 @@ public sealed record ObjectLabel
     /// <summary>Whether somebody sits on a motorcycle or bicycle; null for other classes and if unknown.</summary>
     public bool? HasRider { get; init; }
 
+    /// <summary>The lamps of a vehicle that shine; null for other classes and if unknown.</summary>
+    public VehicleLights? Lights { get; init; }
+
     /// <summary>The box around the part of its silhouette inside the image, pixels.</summary>
     public required Box2D Box2D { get; init; }
 
@@ -75,4 +78,7 @@ public sealed record ObjectLabel
 
     /// <summary>The data of a face or head; null for an object of its own.</summary>
     public FaceLabel? Face { get; init; }
+
+    /// <summary>The joints of a person; null for other classes and if unknown.</summary>
+    public JointsLabel? Joints { get; init; }
 }

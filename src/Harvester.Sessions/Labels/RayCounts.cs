@@ -6,8 +6,9 @@ namespace Harvester.Sessions.Labels;
 /// <param name="Faces">For the visibility of faces of signs and heads of lights.</param>
 /// <param name="IgnoreRegions">For objects beyond the labelling range.</param>
 /// <param name="Lanes">For points of lane markings.</param>
-public sealed record RayCounts(int Map, int Occlusion, int Faces, int IgnoreRegions, int Lanes)
+/// <param name="Joints">For the visibility of joints.</param>
+public sealed record RayCounts(int Map, int Occlusion, int Faces, int IgnoreRegions, int Lanes, int Joints)
 {
     /// <summary>Rays of all phases together.</summary>
-    public int Total => Map + Occlusion + Faces + IgnoreRegions + Lanes;
+    public int Total => Map + Occlusion + Faces + IgnoreRegions + Lanes + Joints;
 }

@@ -17,4 +17,7 @@ public sealed record EgoState(int Handle, string Model, Pose Pose, Vector3D Velo
 
     /// <summary>Vertical distance from the model's origin down to the ground, metres; null if unknown.</summary>
     public double? HeightAboveGroundMetres { get; init; }
+
+    /// <summary>How it moves and what its driver does; null if unknown.</summary>
+    public EgoMotion? Motion { get; init; }
 }

@@ -15,4 +15,10 @@ public sealed record EntityState(
 {
     /// <summary>Whether somebody sits on a motorcycle or bicycle; null for other classes and if unknown.</summary>
     public bool? HasRider { get; init; }
+
+    /// <summary>The lamps of a vehicle that shine; null for other classes and if unknown.</summary>
+    public VehicleLights? Lights { get; init; }
+
+    /// <summary>The joints of a person, metres, world; null for other classes and if unknown.</summary>
+    public Skeleton? Skeleton { get; init; }
 }

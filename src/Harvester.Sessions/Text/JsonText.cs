@@ -63,11 +63,16 @@ internal sealed class JsonText(bool indented = false)
     /// <summary>A number that reads back as the same double; it may have an exponent.</summary>
     public JsonText Exact(double value)
     {
-        // .NET Framework's shortest form does not always read back; seventeen digits do. Negative zero is written as zero.
+        // Negative zero is written as zero.
         double number = value + 0.0;
+#if NET
+        return Word(number.ToString("R", CultureInfo.InvariantCulture));
+#else
+        // .NET Framework's shortest form does not always read back; seventeen digits do.
         string shortest = number.ToString("R", CultureInfo.InvariantCulture);
         return Word(double.Parse(shortest, CultureInfo.InvariantCulture).Equals(number) ? shortest
             : number.ToString("G17", CultureInfo.InvariantCulture));
+#endif
     }
 
     public JsonText Exact(double? value) => value is { } known ? Exact(known) : Word("null");

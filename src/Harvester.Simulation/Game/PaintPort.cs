@@ -7,9 +7,9 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Simulation.Game;
 
 /// <summary>The lines that the world was painted with.</summary>
-internal sealed class PaintPort(IReadOnlyList<PaintedLine> lines) : IRoadPaint
+internal sealed class PaintPort(SimulatedGame game) : IRoadPaint
 {
-    public IEnumerable<PaintedLine> Near(Vector3D place, double range) => lines.Where(line => IsNear(line, place, range));
+    public IEnumerable<PaintedLine> Near(Vector3D place, double range) => game.World.Paint.Where(line => IsNear(line, place, range));
 
     /// <summary>Points are close together, so the distance to one point shows how many of the next can be skipped.</summary>
     private static bool IsNear(PaintedLine line, Vector3D place, double range)

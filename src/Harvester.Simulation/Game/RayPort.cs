@@ -7,12 +7,16 @@ namespace Harvester.Simulation.Game;
 /// <summary>Casts rays against the current shapes.</summary>
 internal sealed class RayPort(SimulatedGame game) : IRayCaster
 {
-    private SceneRayCaster? _caster;
+    private (RenderScene Shapes, SceneRayCaster Caster)? _current;
 
     public RayHit? Cast(Ray ray, double maxDistance, int ignoredEntity)
     {
         RenderScene shapes = game.ShapesForRays;
-        _caster ??= new SceneRayCaster(shapes);
-        return _caster.Cast(ray, maxDistance, ignoredEntity);
+        if (_current is not { } current || current.Shapes != shapes)
+        {
+            _current = current = (shapes, new SceneRayCaster(shapes));
+        }
+
+        return current.Caster.Cast(ray, maxDistance, ignoredEntity);
     }
 }

@@ -1,7 +1,5 @@
-using System;
 using Harvester.Capture.Ports;
 using Harvester.Sessions.Imaging;
-using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Game;
 
@@ -10,8 +8,7 @@ internal sealed class ScreenPort(SimulatedGame game) : IScreen
 {
     public GrabResult Grab(PixelBuffer target)
     {
-        RenderTarget picture = game.Render(target.Size);
-        Buffer.BlockCopy(picture.Colour, 0, target.Bytes, 0, target.Bytes.Length);
+        PicturePainter.Copy(game.Render(target.Size), target);
         return GrabResult.Good;
     }
 }

@@ -1,11 +1,14 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics.CodeAnalysis;
 using System.Linq;
+using System.Threading.Tasks;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Calibration;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Roads;
+using Harvester.Sessions.Imaging;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Quirks;
@@ -25,22 +28,20 @@ public sealed class SimulatedGame
     /// <summary>Moving objects farther away are not drawn, metres.</summary>
     private const double SightRange = 350;
 
-    private readonly SimulationOptions _options;
+    private readonly HandleCounter _handles = new();
+    private SimulationOptions _options;
     private readonly WeatherClock _weather;
-    private readonly SimulatedWorld _world;
-    private readonly Renderer _renderer = new();
+    private SimulatedWorld _world;
+    private PicturePainter _painter;
     private readonly Vanishing _vanishing;
-    private readonly RayShapes? _rayShapes;
+    private RayShapes? _rayShapes;
     private readonly Queue<Moment> _toBeShown = [];
-    private RenderTarget? _picture;
     private Moment? _present;
     private Pose _mount = new(new Vector3D(0, 2, 0.4), Axes.Identity);
     private CameraState _cameraBefore;
     private double _weatherAheadSeconds;
     private long _state;
     private int _precipitation;
-    private long _pictureState = -1;
-    private long _sceneState = -1;
     private long _rayState = -1;
 
     /// <summary>Builds the world.</summary>
@@ -50,20 +51,22 @@ public sealed class SimulatedGame
         ArgumentNullException.ThrowIfNull(options);
         _options = options;
 
-        // A wrong name is found before a world is built.
         _weather = new WeatherClock(options);
-        _world = new SimulatedWorld(options);
+        Enter(0);
         Freezing = new Freezing(options.Seed, options.Quirks);
         _vanishing = new Vanishing(options.Seed, options.Quirks.VanishingFraction);
-        _rayShapes = RayShapes.AreNeededFor(options.Quirks) ? new RayShapes(options.Quirks, options.Seed, _world.Scene) : null;
         CameraMount = _mount;
-        _cameraBefore = Camera;
         Ports = new GamePorts(
-            new WorldPort(this), new RayPort(this), new ScreenPort(this), new PausePort(this), new ClockPort(this), new MarkersPort(this))
+            new WorldPort(this),
+            new RayPort(this),
+            options.DefersPictures ? new DeferringScreenPort(this) : new ScreenPort(this),
+            new PausePort(this),
+            new ClockPort(this),
+            new MarkersPort(this))
         {
             Car = new CarPort(this),
             MountedCamera = new MountedCameraPort(this),
-            Paint = new PaintPort(_world.Paint),
+            Paint = new PaintPort(this),
             Lights = new LightsPort(this),
         };
     }
@@ -93,6 +96,9 @@ public sealed class SimulatedGame
     /// <summary>The ground truth of the current picture, whatever the ports report: camera, ego, all entities and the tick.</summary>
     public SceneSnapshot Shown => MomentShown.Truth;
 
+    /// <summary>Number of the place that the game visits, from 0.</summary>
+    public int Place { get; private set; }
+
     internal Freezing Freezing { get; }
 
     internal SimulatedWorld World => _world;
@@ -101,11 +107,7 @@ public sealed class SimulatedGame
     internal IReadOnlyList<PlannedMarker> Markers
     {
         get;
-        set
-        {
-            field = value;
-            _state++;
-        }
+        set => (field, _state) = (value, _state + 1);
     } = [];
 
     internal long GameFrame { get; private set; }
@@ -122,8 +124,7 @@ public sealed class SimulatedGame
         {
             if (_rayShapes is null)
             {
-                Load(Present);
-                return _world.Scene;
+                return Present.SceneIn(_world.Scene);
             }
 
             if (_rayState != _state)
@@ -148,6 +149,7 @@ public sealed class SimulatedGame
         {
             if (_present?.State != _state)
             {
+                _world.IsDark = _weather.IsDarkAt(WeatherSeconds);
                 Vector3D eye = Camera.Pose.Position;
                 _present = new Moment(
                     _state,
@@ -168,6 +170,15 @@ public sealed class SimulatedGame
     }
 
     private Moment MomentShown => _toBeShown.TryPeek(out Moment? oldest) ? oldest : Present;
+
+    /// <summary>Goes to another place, whose entities have handles of their own, while the time of day stands still.</summary>
+    /// <param name="near">Where the ego starts, metres, world x and y.</param>
+    /// <exception cref="ArgumentException">No road or no lane lies there.</exception>
+    public void GoTo(Vector2D near)
+    {
+        _options = _options with { Near = near };
+        Enter(Place + 1);
+    }
 
     /// <summary>Runs one frame of the game: the world moves unless it is frozen, and the frame is counted.</summary>
     /// <param name="seconds">Real time since the last frame, seconds; greater than 0.</param>
@@ -229,29 +240,10 @@ public sealed class SimulatedGame
     }
 
     /// <summary>Renders the current picture, with the handle and depth of each pixel; it is overwritten by the next one.</summary>
-    public RenderTarget Render(ImageSize size)
-    {
-        if (_picture is null || _picture.Width != size.Width || _picture.Height != size.Height)
-        {
-            _picture = new RenderTarget(size.Width, size.Height);
-            _pictureState = -1;
-        }
+    public RenderTarget Render(ImageSize size) => _painter.Paint(MomentShown, size);
 
-        Moment shown = MomentShown;
-        if (_pictureState != shown.State)
-        {
-            Load(shown);
-            CameraState camera = shown.Truth.Camera;
-            RenderCamera eye = new(camera.Pose, camera.VerticalFovDegrees, camera.WindowAspect, camera.NearClip, size.Width, size.Height)
-            {
-                Lens = _options.Lens,
-            };
-            _renderer.Render(_world.Scene, eye, _picture);
-            _pictureState = shown.State;
-        }
-
-        return _picture;
-    }
+    /// <summary>Renders the current picture on another thread, while the world moves on.</summary>
+    internal Task RenderLater(PixelBuffer target) => _painter.PaintLater(MomentShown, target);
 
     /// <summary>Places the ego at a position, even while the world is frozen.</summary>
     internal void ResetEgo(Vector3D position, double headingDegrees)
@@ -269,6 +261,7 @@ public sealed class SimulatedGame
 
     internal IReadOnlyList<EntityState> ReadEntities(Vector3D centre, double range)
     {
+        _world.IsDark = _weather.IsDarkAt(WeatherSeconds);
         List<EntityState> entities = _world.EntitiesNear(centre, range);
         if (_options.Quirks.VanishingFraction > 0
             && _vanishing.AfterReading([.. entities.Where(entity => IsVehicle(entity.Handle)).Select(entity => entity.Handle)], GameFrame))
@@ -277,6 +270,20 @@ public sealed class SimulatedGame
         }
 
         return entities;
+    }
+
+    [MemberNotNull(nameof(_world), nameof(_painter), nameof(_cameraBefore))]
+    private void Enter(int place)
+    {
+        double before = place == 0 ? 0 : _world!.TimeSeconds;
+        _world = new SimulatedWorld(_options, _handles, place, before);
+        Place = place;
+        _weatherAheadSeconds -= _world.TimeSeconds - before;
+        _painter = new PicturePainter(_world.Scene, _options.Lens, _options.Detail);
+        _rayShapes = RayShapes.AreNeededFor(_options.Quirks) ? new RayShapes(_options.Quirks, _options.Seed, _world.Scene) : null;
+        _toBeShown.Clear();
+        _cameraBefore = Camera;
+        _state++;
     }
 
     private bool IsVehicle(int handle) => handle >= _world.Vehicles[0].Handle && handle <= _world.Vehicles[^1].Handle;
@@ -288,17 +295,6 @@ public sealed class SimulatedGame
         {
             _world.HiddenHandle = hidden;
             _state++;
-        }
-    }
-
-    private void Load(Moment moment)
-    {
-        if (_sceneState != moment.State)
-        {
-            _world.Scene.SetDynamic(moment.Moving);
-            _world.Scene.Lighting = moment.Lighting;
-            _world.Scene.Lights = moment.Lights;
-            _sceneState = moment.State;
         }
     }
 }

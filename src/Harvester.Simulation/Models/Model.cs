@@ -11,12 +11,27 @@ namespace Harvester.Simulation.Models;
 /// <param name="Class">Its class.</param>
 /// <param name="Min">Rear, left, lower corner of its box in its own frame, metres.</param>
 /// <param name="Max">Front, right, upper corner of its box, metres.</param>
-/// <param name="Variants">Its appearances, at least one: colours of a vehicle, steps of a walk, states of a signal (in the order of <see
-/// cref="SignalState"/>).</param>
+/// <param name="Variants">Its appearances, at least one: colours of a vehicle, postures of a person, states of a signal (in the order of
+/// <see cref="SignalState"/>).</param>
 public sealed record Model(string Name, ObjectClass Class, Vector3D Min, Vector3D Max, IReadOnlyList<Mesh> Variants)
 {
+    /// <summary>The riders of a two-wheeler, who are not part of it; empty for everything else.</summary>
+    public IReadOnlyList<Mesh> Riders { get; init; } = [];
+
+    /// <summary>The light of its lamps; null unless it is a vehicle.</summary>
+    public VehicleLampMeshes? Lamps { get; init; }
+
     /// <summary>Its first variant.</summary>
     public Mesh Mesh => Variants[0];
+
+    /// <summary>The joints of each variant of a person, in the model's frame, metres; empty for other models.</summary>
+    public IReadOnlyList<Skeleton> Skeletons { get; init; } = [];
+
+    /// <summary>Distance that a person walks in a stride, two steps, metres; 0 for other models.</summary>
+    internal double StrideMetres { get; init; }
+
+    /// <summary>Usual walking speed of a person, metres per second; 0 for other models.</summary>
+    internal double Pace { get; init; }
 
     /// <summary>Creates a model whose box encloses all variants.</summary>
     internal static Model Of(string name, ObjectClass objectClass, IReadOnlyList<Mesh> variants)

@@ -19,8 +19,9 @@ public sealed class ModelCatalogue
         Signs = SignModels.All().ToArray();
         TrafficLights = SignalModels.All().ToArray();
         StreetLamp = StreetModels.StreetLamp();
+        Bench = StreetModels.Bench();
         Trees = StreetModels.Trees().ToArray();
-        _byName = ((IEnumerable<Model>)[.. Vehicles, .. Pedestrians, .. Signs, .. TrafficLights, StreetLamp, .. Trees])
+        _byName = ((IEnumerable<Model>)[.. Vehicles, .. Pedestrians, .. Signs, .. TrafficLights, StreetLamp, Bench, .. Trees])
             .ToDictionary(model => model.Name, StringComparer.Ordinal);
     }
 
@@ -30,7 +31,7 @@ public sealed class ModelCatalogue
     /// <summary>Vehicles with the sizes of the game's models, in several colours.</summary>
     public IReadOnlyList<Model> Vehicles { get; }
 
-    /// <summary>People of several heights and clothes; the variants are the steps of a stride.</summary>
+    /// <summary>People of several builds and clothes; the variants are postures, with their joints.</summary>
     public IReadOnlyList<Model> Pedestrians { get; }
 
     /// <summary>Traffic signs, whose faces look towards -y of the model.</summary>
@@ -41,6 +42,9 @@ public sealed class ModelCatalogue
 
     /// <summary>A street lamp; its arm extends towards -x of the model.</summary>
     public Model StreetLamp { get; }
+
+    /// <summary>A bench; who sits on it looks along +y.</summary>
+    public Model Bench { get; }
 
     /// <summary>Position of the lamp's light, in the frame of <see cref="StreetLamp"/>.</summary>
     public static Vector3D StreetLampHead => StreetModels.LampHead;

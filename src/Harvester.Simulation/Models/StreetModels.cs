@@ -2,15 +2,19 @@ using System;
 using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Sessions.Scenes;
+using Harvester.Simulation.People;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Models;
 
-/// <summary>Street lamps and trees, which are no entities. Their foot is the origin.</summary>
+/// <summary>Street lamps, benches and trees, which are no entities. Their foot is the origin.</summary>
 internal static class StreetModels
 {
     /// <summary>Position of the lamp of a street lamp, in its model's frame.</summary>
     public static readonly Vector3D LampHead = new(-2.2, 0, 8.05);
+
+    /// <summary>Depth of a bench with its back, metres.</summary>
+    public const double BenchDepth = 0.6;
 
     private static readonly Rgb Pole = new(104, 108, 110);
     private static readonly Rgb Bark = new(92, 70, 50);
@@ -25,6 +29,23 @@ internal static class StreetModels
         builder.AddBox(new(-2.6, -0.14, 8.12), new(-1.8, 0.14, 8.26), Pole);
         builder.AddBox(new(-2.55, -0.12, 8.06), new(-1.9, 0.12, 8.12), new(255, 224, 168), Surface.NightLamp);
         return Model.Of("prop_streetlight_01", ObjectClass.Other, [builder.Build()]);
+    }
+
+    /// <summary>A bench whose seat's middle is above the origin; who sits on it looks along +y.</summary>
+    public static Model Bench()
+    {
+        const double seat = Rest.SeatHeight;
+        const double half = 0.85;
+        var builder = new MeshBuilder();
+        builder.AddBox(new(-half, -0.2, seat - 0.06), new(half, 0.26, seat), Bark);
+        builder.AddBox(new(-half, -0.3, seat + 0.12), new(half, -0.26, seat + 0.4), Bark);
+        foreach (double side in new[] { -0.7, 0.7 })
+        {
+            builder.AddBox(new(side - 0.03, -0.26, 0), new(side + 0.03, 0.22, seat - 0.06), Pole);
+            builder.AddBox(new(side - 0.03, -0.27, seat - 0.06), new(side + 0.03, -0.22, seat + 0.36), Pole);
+        }
+
+        return Model.Of("prop_bench_01a", ObjectClass.Other, [builder.Build()]);
     }
 
     public static IEnumerable<Model> Trees()

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Models;
@@ -15,13 +16,19 @@ internal static class VehicleModels
     public static IEnumerable<Model> All() => VehicleRow.ReadAll().Select(Build);
 
     private static Model Build(VehicleRow row) =>
-        new(row.Model, row.Class, row.Min, row.Max, ColoursOf(row).Select(colour => MeshOf(row, colour)).ToArray());
+        new(row.Model, row.Class, row.Min, row.Max, ColoursOf(row).Select(colour => MeshOf(row, colour)).ToArray())
+        {
+            Riders = VehicleClasses.HaveRiders(row.Class) ? RiderModels.Of(row) : [],
+            Lamps = new VehicleLampMeshes(VehicleLampLayout.Of(row)),
+        };
 
     private static Mesh MeshOf(VehicleRow row, Rgb colour) => row.Shape switch
     {
-        VehicleShape.Motorcycle or VehicleShape.Bicycle => CycleModels.Build(row, colour),
-        VehicleShape.BoxVan or VehicleShape.BoxTruck or VehicleShape.DumpTruck or VehicleShape.Tractor or VehicleShape.Trailer
-            or VehicleShape.Bus => HeavyModels.Build(row, colour),
+        VehicleShape.Motorcycle or VehicleShape.Chopper or VehicleShape.Bicycle => CycleModels.Build(row, colour),
+        VehicleShape.BoxVan or VehicleShape.BoxTruck or VehicleShape.DumpTruck or VehicleShape.Tractor => LorryModels.Build(row, colour),
+        VehicleShape.Trailer or VehicleShape.Tanker or VehicleShape.LogTrailer => TrailerModels.Build(row, colour),
+        VehicleShape.Bus => BusModels.Build(row, colour),
+        VehicleShape.Boat => BoatModels.Build(row, colour),
         _ => CarModels.Build(row, colour),
     };
 
@@ -30,8 +37,8 @@ internal static class VehicleModels
         { Model: "firetruk" } => [FireRed],
         { Model: "pbus" } => [PrisonGrey],
         _ when row.Model.StartsWith("police", StringComparison.Ordinal) => [PoliceBlack],
-        { Shape: VehicleShape.Motorcycle or VehicleShape.Bicycle } => VehiclePaint.Cycles,
-        { Class: Sessions.Scenes.ObjectClass.Car } => VehiclePaint.Cars,
+        { Shape: VehicleShape.Motorcycle or VehicleShape.Chopper or VehicleShape.Bicycle } => VehiclePaint.Cycles,
+        { Class: ObjectClass.Car } => VehiclePaint.Cars,
         _ => VehiclePaint.Lorries,
     };
 }

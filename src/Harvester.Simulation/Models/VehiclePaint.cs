@@ -9,8 +9,13 @@ internal static class VehiclePaint
     public static readonly Rgb Rim = new(150, 152, 156);
     public static readonly Rgb DarkPlastic = new(38, 38, 42);
     public static readonly Rgb Window = new(26, 32, 38);
-    public static readonly Rgb HeadLamp = new(255, 246, 224);
-    public static readonly Rgb TailLamp = new(200, 18, 16);
+    public static readonly Rgb HeadLens = new(206, 208, 204);
+    public static readonly Rgb TailLens = new(120, 14, 14);
+    public static readonly Rgb IndicatorLens = new(176, 98, 26);
+    public static readonly Rgb HeadLight = new(255, 250, 232);
+    public static readonly Rgb TailLight = new(176, 14, 12);
+    public static readonly Rgb BrakeLight = new(255, 48, 36);
+    public static readonly Rgb IndicatorLight = new(255, 168, 24);
     public static readonly Rgb Plate = new(220, 220, 208);
 
     public static readonly Rgb[] Cars =

@@ -1,14 +1,20 @@
+using System;
+using System.Collections.Generic;
 using Harvester.Geometry;
 using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Models;
 
-/// <summary>Parts common to all four-wheeled vehicles.</summary>
+/// <summary>Parts common to all vehicles.</summary>
 internal static class VehicleParts
 {
     private const int WheelSides = 16;
+    private const int Spokes = 5;
 
-    /// <summary>Adds two wheels that stand on the box's floor, each with tyre, rim and the dark of its arch.</summary>
+    /// <summary>Panes lie this far outside the shell on which they are, metres.</summary>
+    private const double PaneProud = 0.006;
+
+    /// <summary>Adds two wheels that stand on the box's floor.</summary>
     public static void AddAxle(MeshBuilder builder, ModelFrame frame, double forward, double radius, double breadth, double insetFraction)
     {
         double y = frame.Y(forward);
@@ -16,32 +22,73 @@ internal static class VehicleParts
         AddWheel(builder, new(frame.X(1 - insetFraction), y, frame.Min.Z), -1, radius, breadth);
     }
 
-    /// <summary>Adds lamps at the corners of both ends, number plates and a grille.</summary>
-    public static void AddLamps(MeshBuilder builder, ModelFrame frame, double frontHeight, double rearHeight, double height)
+    /// <summary>Adds a pane slightly outside a flat face.</summary>
+    /// <param name="builder">Receives it.</param>
+    /// <param name="outward">A direction on the outer side of the face.</param>
+    /// <param name="a">Its corners in order.</param>
+    /// <param name="b">The second.</param>
+    /// <param name="c">The third.</param>
+    /// <param name="d">The last.</param>
+    /// <param name="colour">Its colour.</param>
+    /// <param name="surface">Its surface.</param>
+    public static void AddPane(
+        MeshBuilder builder, Vector3D outward, Vector3D a, Vector3D b, Vector3D c, Vector3D d, Rgb colour, Surface surface)
     {
-        const double stickOut = 0.0005;
-        double front = 1 - stickOut;
-        foreach (double left in new[] { 0.05, 0.73 })
-        {
-            Vector3D frontLow = frame.At(left, 0.97, frontHeight);
-            builder.AddBox(frontLow, frame.At(left + 0.22, front, frontHeight + height), VehiclePaint.HeadLamp, Surface.NightLamp);
-            builder.AddBox(frame.At(left, stickOut, rearHeight), frame.At(left + 0.22, 0.03, rearHeight + height), VehiclePaint.TailLamp,
-                Surface.NightLamp);
-        }
-
-        builder.AddBox(frame.At(0.3, 0.97, frontHeight), frame.At(0.7, front, frontHeight + height), VehiclePaint.DarkPlastic);
-        builder.AddBox(frame.At(0.4, stickOut, rearHeight), frame.At(0.6, 0.03, rearHeight + (height * 0.8)), VehiclePaint.Plate);
+        Vector3D normal = (b - a).Cross(d - a).Normalized();
+        Vector3D proud = normal * (normal.Dot(outward) < 0 ? -PaneProud : PaneProud);
+        builder.AddQuad(a + proud, b + proud, c + proud, d + proud, colour, surface);
     }
 
+    /// <summary>Adds the glasses of lamps that are off.</summary>
+    public static void AddLenses(MeshBuilder builder, IEnumerable<VehicleLamp> lamps)
+    {
+        foreach (VehicleLamp lamp in lamps)
+        {
+            Rgb colour = lamp.Kind switch
+            {
+                LampKind.Head => VehiclePaint.HeadLens,
+                LampKind.Left or LampKind.Right => VehiclePaint.IndicatorLens,
+                _ => VehiclePaint.TailLens,
+            };
+            builder.AddBox(lamp.Min, lamp.Max, colour, Surface.Paint);
+        }
+    }
+
+    /// <summary>Adds a wheel: tread, side wall, and a rim with spokes. Its lowest corner lies straight below its axle, on the
+    /// floor.</summary>
     private static void AddWheel(MeshBuilder builder, Vector3D outerFoot, int inward, double radius, double breadth)
     {
-        // The lowest corner of the polygonal tyre lies straight below its axle, on the floor; the cylinder's first corner is straight up.
+        const double wall = 0.66;
         Vector3D hub = outerFoot + new Vector3D(0, 0, radius);
-        Vector3D Inside(double depth) => hub + new Vector3D(inward * depth, 0, 0);
-        builder.AddCylinder(Inside(0.004), Inside(breadth), radius, radius, WheelSides, VehiclePaint.Rubber);
-        builder.AddCylinder(Inside(0), Inside(0.01), radius * 0.62, radius * 0.62, 10, VehiclePaint.Rim);
-        Vector3D lifted = new(0, 0, radius * 0.2);
-        builder.AddCylinder(
-            Inside(0.009) + lifted, Inside(breadth * 1.1) + lifted, radius * 1.12, radius * 1.12, WheelSides, VehiclePaint.DarkPlastic);
+        Vector3D deep = new(inward * breadth, 0, 0);
+        Vector3D sunk = new(inward * 0.025, 0, 0);
+        for (int side = 0; side < WheelSides; side++)
+        {
+            Vector3D a = Around(side);
+            Vector3D b = Around(side + 1);
+            builder.AddQuad(hub + (a * radius), hub + (b * radius), hub + (b * radius) + deep, hub + (a * radius) + deep,
+                VehiclePaint.Rubber);
+            builder.AddQuad(hub + (a * radius), hub + (b * radius), hub + (b * (radius * wall)), hub + (a * (radius * wall)),
+                VehiclePaint.Rubber);
+            builder.AddQuad(hub + (a * radius) + deep, hub + (b * radius) + deep, hub + deep, hub + deep, VehiclePaint.Rubber);
+            builder.AddTriangle(hub + (a * (radius * wall)), hub + (b * (radius * wall)), hub + sunk, VehiclePaint.Rim, Surface.Paint);
+        }
+
+        for (int spoke = 0; spoke < Spokes; spoke++)
+        {
+            double middle = (spoke + 0.5) * WheelSides / Spokes;
+            Vector3D outer = Around(middle) * (radius * wall * 0.9);
+            Vector3D aside = (Around(middle + 1.2) - Around(middle - 1.2)) * (radius * wall * 0.25);
+            builder.AddTriangle(
+                hub + outer + aside - (sunk * 0.05), hub + outer - aside - (sunk * 0.05), hub + (outer * 0.35) + (sunk * 0.4),
+                VehiclePaint.DarkPlastic);
+        }
+    }
+
+    /// <summary>The unit direction from a hub to a corner of its wheel; the first corner is straight down.</summary>
+    private static Vector3D Around(double corner)
+    {
+        double turn = 2 * Math.PI * corner / WheelSides;
+        return new(0, Math.Sin(turn), -Math.Cos(turn));
     }
 }

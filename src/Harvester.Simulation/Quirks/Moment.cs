@@ -4,11 +4,20 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Quirks;
 
-/// <summary>Everything from which a picture of one state of the world is made, and the ground truth about it.</summary>
+/// <summary>
+/// Everything from which a picture of one state of the world is made, and the ground truth about it. It stays as it is while the world
+/// moves on.
+/// </summary>
 /// <param name="State">Number of the state.</param>
 /// <param name="Truth">The true camera, ego and entities, whatever the game reports.</param>
 /// <param name="Moving">The shapes of moving objects.</param>
 /// <param name="Lighting">Light and weather.</param>
 /// <param name="Lights">Lamps near the camera.</param>
 internal sealed record Moment(
-    long State, SceneSnapshot Truth, IReadOnlyList<MeshInstance> Moving, Lighting Lighting, IReadOnlyList<LightSource> Lights);
+    long State, SceneSnapshot Truth, IReadOnlyList<MeshInstance> Moving, Lighting Lighting, IReadOnlyList<LightSource> Lights)
+{
+    private RenderScene? _scene;
+
+    /// <summary>What is drawn of it, within the static part of a scene; made once, and to be called by one thread.</summary>
+    public RenderScene SceneIn(RenderScene world) => _scene ??= new RenderScene(world, Moving) { Lighting = Lighting, Lights = Lights };
+}

@@ -51,16 +51,20 @@ internal sealed class EdgeSmoother(View view, ScreenTriangles triangles, int[] i
     private void Smooth(RenderTarget target, byte[] before, int column, int row)
     {
         int pixel = (row * target.Width) + column;
+        if (!CanChange(target, before, column, row))
+        {
+            return;
+        }
+
         double share = 0;
         int neighbour = pixel;
         ref readonly ScreenTriangle own = ref ids[pixel] == ScreenTriangles.Nothing
             ? ref Unsafe.NullRef<ScreenTriangle>()
             : ref triangles[ids[pixel]];
-        for (int side = 0; side < Sides.Length; side++)
+        foreach ((int across, int down) in Sides)
         {
-            (int across, int down) = Sides[side];
             int other = pixel + across + (down * target.Width);
-            if ((uint)(column + across) >= (uint)target.Width || (uint)(row + down) >= (uint)target.Height || ids[other] == ids[pixel])
+            if (!IsBorder(target, column, row, across, down))
             {
                 continue;
             }
@@ -83,6 +87,31 @@ internal sealed class EdgeSmoother(View view, ScreenTriangles triangles, int[] i
             byte to = before[(neighbour * 3) + channel];
             target.Colour[(pixel * 3) + channel] = (byte)Math.Round(from + ((to - from) * share));
         }
+    }
+
+    /// <summary>Whether a neighbour that shows another triangle has another colour.</summary>
+    private bool CanChange(RenderTarget target, byte[] before, int column, int row)
+    {
+        int pixel = (row * target.Width) + column;
+        foreach ((int across, int down) in Sides)
+        {
+            int other = pixel + across + (down * target.Width);
+            if (IsBorder(target, column, row, across, down)
+                && !before.AsSpan(pixel * 3, 3).SequenceEqual(before.AsSpan(other * 3, 3)))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    /// <summary>Whether a neighbour lies in the image and shows another triangle.</summary>
+    private bool IsBorder(RenderTarget target, int column, int row, int across, int down)
+    {
+        int pixel = (row * target.Width) + column;
+        return (uint)(column + across) < (uint)target.Width && (uint)(row + down) < (uint)target.Height
+            && ids[pixel + across + (down * target.Width)] != ids[pixel];
     }
 
     /// <summary>Where the segment from a point within a triangle to another point leaves the triangle, 0 to 1.</summary>

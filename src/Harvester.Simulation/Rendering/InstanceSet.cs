@@ -12,6 +12,7 @@ internal sealed class InstanceSet
     private const int LeafSize = 1;
 
     private readonly MeshInstance[] _instances;
+    private RayTree? _rays;
 
     public InstanceSet(IEnumerable<MeshInstance> instances)
     {
@@ -25,28 +26,36 @@ internal sealed class InstanceSet
     /// <summary>The instances in the tree's order.</summary>
     public ReadOnlySpan<MeshInstance> Instances => _instances;
 
-    /// <summary>Shortens a ray to the nearest triangle of the set, if one is nearer than the limit.</summary>
+    /// <summary>Built on first use: some sets are only drawn. Two threads that ask at once may both build it; results are equal.</summary>
+    private RayTree Rays => _rays ??= new RayTree(Hierarchy);
+
+    /// <summary>
+    /// Shortens a ray to the nearest triangle of the set, if one is nearer than the limit. Of several instances at the same distance, the
+    /// first in the tree's order counts, whatever the order in which they are visited.
+    /// </summary>
     /// <returns>Whether the ray was shortened; the handle is then that of the entity hit.</returns>
     public bool Intersect(Ray ray, int ignoredHandle, ref double limit, ref int handle)
     {
-        var visitor = new InstanceVisitor(_instances, ray, ignoredHandle);
-        Hierarchy.Visit(ray.Origin, ray.Direction, ref limit, ref visitor);
-        if (visitor.Hit)
+        RayTree rays = Rays;
+        var visitor = new InstanceVisitor(_instances, rays, ray, ignoredHandle);
+        rays.Visit(ray.Origin, ray.Direction, ref limit, ref visitor);
+        if (visitor.Nearest < 0)
         {
-            handle = visitor.Handle;
+            return false;
         }
 
-        return visitor.Hit;
+        handle = _instances[visitor.Nearest].Handle;
+        return true;
     }
 
-    private struct InstanceVisitor(MeshInstance[] instances, Ray ray, int ignoredHandle) : ILeafVisitor
+    private struct InstanceVisitor(MeshInstance[] instances, RayTree rays, Ray ray, int ignoredHandle) : ILeafVisitor
     {
-        public bool Hit { get; private set; }
+        /// <summary>The index of the instance hit; -1 if there is none.</summary>
+        public int Nearest { get; private set; } = -1;
 
-        public int Handle { get; private set; }
-
-        public void Visit(int first, int count, ref double limit)
+        public void Visit(int leaf, ref double limit)
         {
+            (int first, int count) = rays.Leaves[leaf];
             for (int i = first; i < first + count; i++)
             {
                 ref readonly MeshInstance instance = ref instances[i];
@@ -55,57 +64,40 @@ internal sealed class InstanceSet
                     continue;
                 }
 
-                var visitor = new TriangleVisitor(
-                    instance.Mesh, instance.Pose.ToLocal(ray.Origin), instance.Pose.Axes.ToLocal(ray.Direction));
-                instance.Mesh.Hierarchy.Visit(visitor.Origin, visitor.Direction, ref limit, ref visitor);
+                double nearest = i < Nearest ? Math.BitIncrement(limit) : limit;
+                var visitor = new BlockVisitor(instance, ray);
+                visitor.Visit(ref nearest);
                 if (visitor.Hit)
                 {
-                    Hit = true;
-                    Handle = instance.Handle;
+                    limit = nearest;
+                    Nearest = i;
                 }
             }
         }
     }
 
-    /// <summary>The test of Möller and Trumbore; both sides of a triangle count, edges included.</summary>
-    private struct TriangleVisitor(Mesh mesh, Vector3D origin, Vector3D direction) : ILeafVisitor
+    /// <summary>Visits the triangles of an instance, in the frame of its mesh.</summary>
+    private struct BlockVisitor : ILeafVisitor
     {
-        public readonly Vector3D Origin => origin;
+        private readonly MeshTree _tree;
+        private readonly Vector3D _origin;
+        private readonly Vector3D _direction;
+        private readonly QuadVector _origins;
+        private readonly QuadVector _directions;
 
-        public readonly Vector3D Direction => direction;
+        public BlockVisitor(in MeshInstance instance, Ray ray)
+        {
+            _tree = instance.Mesh.Tree;
+            _origin = instance.Pose.ToLocal(ray.Origin);
+            _direction = instance.Pose.Axes.ToLocal(ray.Direction);
+            _origins = QuadVector.Of(_origin);
+            _directions = QuadVector.Of(_direction);
+        }
 
         public bool Hit { get; private set; }
 
-        public void Visit(int first, int count, ref double limit)
-        {
-            ReadOnlySpan<MeshTriangle> triangles = mesh.Triangles.Slice(first, count);
-            foreach (ref readonly MeshTriangle triangle in triangles)
-            {
-                Vector3D ab = triangle.B - triangle.A;
-                Vector3D ac = triangle.C - triangle.A;
-                Vector3D p = direction.Cross(ac);
-                double determinant = ab.Dot(p);
-                if (determinant == 0)
-                {
-                    continue;
-                }
+        public void Visit(ref double limit) => _tree.Rays.Visit(_origin, _direction, ref limit, ref this);
 
-                Vector3D fromA = origin - triangle.A;
-                double u = fromA.Dot(p) / determinant;
-                if (!(u >= 0 && u <= 1))
-                {
-                    continue;
-                }
-
-                Vector3D q = fromA.Cross(ab);
-                double v = direction.Dot(q) / determinant;
-                double distance = ac.Dot(q) / determinant;
-                if (v >= 0 && u + v <= 1 && distance >= 0 && distance < limit)
-                {
-                    limit = distance;
-                    Hit = true;
-                }
-            }
-        }
+        public void Visit(int leaf, ref double limit) => Hit |= _tree.Blocks[leaf].Shorten(_origins, _directions, ref limit);
     }
 }

@@ -20,6 +20,12 @@ public sealed record Lighting
     /// <summary>Colour of the sky at the horizon, and of the fog.</summary>
     public Rgb HorizonColour { get; init; } = new(190, 212, 230);
 
+    /// <summary>Colour of the glow at the horizon where the sun rises or sets; black for none.</summary>
+    public Rgb GlowColour { get; init; }
+
+    /// <summary>Level unit vector towards the middle of the glow.</summary>
+    public Vector3D GlowDirection { get; init; } = new(0, 1, 0);
+
     /// <summary>Fog density per metre: a fraction exp(-density · distance) of the light comes through.</summary>
     public double FogDensity { get; init; } = 0.0006;
 

@@ -25,6 +25,7 @@ public sealed class Mesh
         }
 
         Bounds = bounds;
+        IsMarking = Array.TrueForAll(_given, triangle => triangle.Surface == Surface.Marking);
     }
 
     /// <summary>The triangles, in the order of the tree.</summary>
@@ -36,10 +37,14 @@ public sealed class Mesh
     /// <summary>Maximum coordinates of all corners, metres.</summary>
     public Vector3D Max => Bounds.Max;
 
-    internal BoundingVolumeHierarchy Hierarchy => Tree.Hierarchy;
-
     internal Bounds Bounds { get; }
 
-    /// <summary>Two threads that ask at once may both build it; the results are equal.</summary>
-    private MeshTree Tree => _tree ??= new MeshTree(_given);
+    /// <summary>Whether it consists of road markings.</summary>
+    internal bool IsMarking { get; }
+
+    /// <summary>The triangles in the order in which they were given; no tree is built for it.</summary>
+    internal ReadOnlySpan<MeshTriangle> Given => _given;
+
+    /// <summary>The triangles and the trees over them. Two threads that ask at once may both build them; the results are equal.</summary>
+    internal MeshTree Tree => _tree ??= new MeshTree(_given);
 }

@@ -13,6 +13,13 @@ public sealed class RenderScene
         Static = new InstanceSet(staticInstances);
     }
 
+    /// <summary>Creates a scene with the static world of another one.</summary>
+    internal RenderScene(RenderScene world, IEnumerable<MeshInstance> moving)
+    {
+        Static = world.Static;
+        Dynamic = new InstanceSet(moving);
+    }
+
     /// <summary>Sun, sky and weather.</summary>
     public Lighting Lighting { get; set; } = new();
 

@@ -27,8 +27,19 @@ public sealed class Renderer
     private int[] _ids = [];
     private (RenderCamera Camera, SampleGrid Grid)? _bentBefore;
 
+    private readonly SceneShadows? _shadows;
+    private readonly MarkingLayer? _markings;
+
     /// <summary>Creates a renderer.</summary>
-    public Renderer() => _screen = new ScreenTriangles(_chunks);
+    /// <param name="detail">How much of the light is worked out.</param>
+    public Renderer(Detail detail = Detail.Plain)
+    {
+        _screen = new ScreenTriangles(_chunks);
+        if (detail == Detail.Full)
+        {
+            (_shadows, _markings) = (new SceneShadows(), new MarkingLayer());
+        }
+    }
 
     /// <summary>Triangles of the last picture that were brought onto the screen, hidden ones included.</summary>
     internal int TrianglesDrawn
@@ -83,16 +94,25 @@ public sealed class Renderer
 
         Array.Clear(_nearness);
         Array.Fill(_ids, ScreenTriangles.Nothing);
+        _markings?.Clear(camera.Width, camera.Height);
         FindInstances(scene, view);
         DrawInstances(view, bandCount);
 
-        var shader = new PixelShader(scene, view);
+        _shadows?.Prepare(scene, camera);
+        _markings?.Project(view, _tiles);
+        var shader = new PixelShader(scene, view, _shadows, _markings);
         Parallel.For(0, bandCount, band =>
         {
             int top = band * DepthTiles.Size;
             int bottom = Math.Min(camera.Height, top + DepthTiles.Size);
+            _markings?.Draw(view, top, bottom, _nearness);
             Resolve(shader, target, _rows[band], top, bottom);
         });
+        if (_shadows is not null && scene.Lighting.RainFraction > 0)
+        {
+            new WetGround(view, _screen, _ids, _nearness).Reflect(scene.Lighting.RainFraction, target, _stepped);
+        }
+
         new EdgeSmoother(view, _screen, _ids, _nearness).Smooth(target, _stepped);
         Precipitation.Draw(scene.Lighting, target);
     }
@@ -130,7 +150,11 @@ public sealed class Renderer
                 {
                     var toClip = new ClipTransform(view.Matrix * Matrix4.ToWorld(instance.Pose));
                     ScreenBox? box = ScreenBox.Of(instance.Mesh.Bounds, toClip, view);
-                    if (box is not { Pixels.IsEmpty: true })
+                    if (_markings is not null && instance.Mesh.IsMarking)
+                    {
+                        _markings.Add(instance);
+                    }
+                    else if (box is not { Pixels.IsEmpty: true })
                     {
                         _seen.Add(new SeenInstance(instance, box is { } onScreen ? view.NearClip / onScreen.Nearness : 0, _seen.Count));
                     }

@@ -1,3 +1,4 @@
+using System;
 using System.Numerics;
 using System.Runtime.Intrinsics;
 using Harvester.Geometry;
@@ -13,11 +14,15 @@ internal sealed class Sky
     private static readonly NoisePlane Large = new(0, 0, 1.3);
     private static readonly NoisePlane Middle = new(0, 0, 3.1);
     private static readonly NoisePlane Small = new(0, 0, 7.7);
+    private static readonly NoisePlane Stars = new(0, 0, 260);
 
     private readonly Vector3 _sun;
     private readonly Vector3 _sunColour;
     private readonly Vector3 _zenith;
     private readonly Vector3 _cloud;
+    private readonly Vector3 _glow;
+    private readonly Vector3 _glowDirection;
+    private readonly float _stars;
     private readonly float _clouds;
 
     public Sky(Lighting lighting)
@@ -26,7 +31,9 @@ internal sealed class Sky
         _sunColour = ToLight(lighting.SunColour);
         _zenith = ToLight(lighting.ZenithColour);
         Horizon = ToLight(lighting.HorizonColour);
+        (_glow, _glowDirection) = (ToLight(lighting.GlowColour), ToSingle(lighting.GlowDirection));
         _clouds = (float)lighting.CloudFraction;
+        _stars = (float)lighting.NightFraction * Math.Max(0, 1 - (1.5f * _clouds));
         _cloud = Vector3.Min(Vector3.One, (ToLight(lighting.AmbientColour) * 1.15f) + (_sunColour * 0.75f));
     }
 
@@ -50,6 +57,8 @@ internal sealed class Sky
     public WideVector ColourAt(in WideVector direction)
     {
         WideVector colour = GradientAt(direction.Z);
+        colour = _glow == Vector3.Zero ? colour : Glowing(colour, direction);
+        colour = _stars > 0 ? colour + (WideVector.Of(Vector3.One) * (Vector256.Create(_stars) * StarsAt(direction))) : colour;
         Vector256<float> towardsSun = direction.Dot(WideVector.Of(_sun));
         if (Vector256.GreaterThanAny(towardsSun, Vector256.Create(GlowCosine)))
         {
@@ -59,6 +68,28 @@ internal sealed class Sky
         return _clouds > 0 && Vector256.GreaterThanAny(direction.Z, Vector256.Create(MinCloudHeight))
             ? Clouded(colour, direction)
             : colour;
+    }
+
+    /// <summary>The glow of sunrise and sunset: strongest at the horizon, on the sun's side.</summary>
+    private WideVector Glowing(in WideVector colour, in WideVector direction)
+    {
+        Vector256<float> side = Wide.Fraction(
+            Vector256.Create(0.5f) + (Vector256.Create(0.5f) * direction.Dot(WideVector.Of(_glowDirection))));
+        Vector256<float> down = Wide.One - Wide.Fraction(direction.Z);
+        Vector256<float> low = down * down * down;
+        return colour + (WideVector.Of(_glow) * (side * side * side * low * low * Vector256.Create(0.8f)));
+    }
+
+    /// <summary>Stars, where fine noise on the sides of a cube around the eye is high.</summary>
+    private static Vector256<float> StarsAt(in WideVector direction)
+    {
+        Vector256<float> across = Vector256.Abs(direction.X);
+        Vector256<float> along = Vector256.Abs(direction.Y);
+        Vector256<float> isAcross = Vector256.GreaterThan(across, along);
+        Vector256<float> scale = Wide.One / Vector256.ConditionalSelect(isAcross, across, along);
+        Vector256<float> side = Vector256.ConditionalSelect(isAcross, direction.Y, direction.X) * scale;
+        Vector256<float> star = (Stars.At(side, direction.Z * scale) - Vector256.Create(0.9f)) * Vector256.Create(10f);
+        return Wide.Fraction(star) * Wide.Fraction(direction.Z * Vector256.Create(4f));
     }
 
     /// <summary>The sun's glow and disc.</summary>

@@ -23,4 +23,7 @@ public enum Surface
 
     /// <summary>Ground: matte, with a fine grain so that large faces are not of one colour.</summary>
     Ground,
+
+    /// <summary>Paint on a road: matte.</summary>
+    Marking,
 }

@@ -74,7 +74,7 @@ internal sealed class TriangleChunk
         var toClip = new ClipTransform(matrix);
         Span<Plane> sides = stackalloc Plane[View.SideCount];
         view.WriteSides(matrix, sides);
-        ReadOnlySpan<HierarchyNode> nodes = piece.Instance.Mesh.Hierarchy.Nodes;
+        ReadOnlySpan<HierarchyNode> nodes = piece.Instance.Mesh.Tree.Hierarchy.Nodes;
         Span<int> stack = stackalloc int[BoundingVolumeHierarchy.MaxTreeDepth];
         int end = piece.First + piece.Count;
         int depth = 1;

@@ -8,6 +8,12 @@ namespace Harvester.Simulation.Rendering;
 /// <summary>How the game's weathers and times of day look.</summary>
 public static class Weather
 {
+    /// <summary>So far below the horizon the sun leaves no light: the sine of 10 degrees.</summary>
+    private const double NightHeight = 0.18;
+
+    /// <summary>Shadows of a lower sun would have no end.</summary>
+    private const double MinSunHeight = 0.04;
+
     private static readonly Rgb Grey = new(150, 154, 160);
 
     /// <summary>Clouds, fog (fraction of the light lost per metre), rain and snow of each weather.</summary>
@@ -30,36 +36,42 @@ public static class Weather
         ["halloween"] = (0.9, 0.012, 0.15, 0),
     };
 
-    /// <summary>The light of a weather at a time of day.</summary>
+    /// <summary>The light of a weather at a time of the year and day.</summary>
     /// <param name="weather">One of <see cref="WeatherNames.All"/>.</param>
+    /// <param name="dayOfYear">1 to 366.</param>
     /// <param name="timeOfDay">Time since midnight.</param>
     /// <exception cref="ArgumentException">The game has no such weather.</exception>
-    public static Lighting LightingOf(string weather, TimeSpan timeOfDay)
+    public static Lighting LightingOf(string weather, int dayOfYear, TimeSpan timeOfDay)
     {
         (double clouds, double fog, double rain, double snow) = Airs.TryGetValue(weather, out var air)
             ? air
             : throw new ArgumentException($"The weather is one of {string.Join(", ", WeatherNames.All)}, not '{weather}'.");
 
-        // The sun rises at six in the east, stands highest at noon in the south, and sets at eighteen in the west.
-        double hourAngle = (timeOfDay.TotalHours - 12) * Math.PI / 12;
-        double height = (Math.Cos(hourAngle) * 0.8) + 0.12;
-        double day = Math.Clamp((height + 0.05) / 0.35, 0, 1);
-        double night = 1 - Math.Clamp((height + 0.12) / 0.24, 0, 1);
-        double low = day * (1 - Math.Clamp(height / 0.5, 0, 1));
+        Vector3D towardsSun = SunPosition.DirectionAt(dayOfYear, timeOfDay);
+        double height = towardsSun.Z;
+        double day = Math.Clamp((height + 0.1) / 0.35, 0, 1);
+        double dark = 1 - Math.Clamp((height + NightHeight) / 0.33, 0, 1);
+        double night = 1 - Math.Clamp((height + NightHeight) / 0.25, 0, 1);
+        double low = day * (1 - Math.Clamp(height / 0.4, 0, 1));
         double direct = 1 - (0.85 * clouds);
-        Rgb horizon = new Rgb(188, 210, 230).Towards(new(244, 190, 140), low * 0.8 * direct).Towards(Grey, clouds * 0.75);
-        Rgb zenith = new Rgb(66, 122, 196).Towards(new(96, 104, 150), low * 0.5).Towards(Grey.Scaled(0.9), clouds * 0.85);
+        Rgb horizon = new Rgb(188, 210, 230).Towards(new(206, 176, 160), low * 0.8 * direct).Towards(Grey, clouds * 0.75);
+        Rgb zenith = new Rgb(66, 122, 196).Towards(new(74, 92, 150), low * 0.6).Towards(Grey.Scaled(0.9), clouds * 0.85);
         Rgb ambient = new Rgb(100, 110, 128).Towards(new(122, 124, 128), clouds);
-        Rgb sun = new Rgb(170, 160, 142).Towards(new(190, 120, 66), low).Scaled(day * direct);
-        Rgb moonlight = new Rgb(16, 20, 32).Scaled(direct);
+        Rgb sun = new Rgb(170, 160, 142).Towards(new(190, 112, 56), low).Scaled(Math.Clamp((height + 0.02) / 0.12, 0, 1) * direct);
+        Rgb moonlight = new Rgb(16, 20, 32).Scaled(direct * night);
+        double glow = Math.Max(0, 1 - (Math.Abs(height) / 0.22)) * direct;
         return new Lighting
         {
-            SunDirection = new Vector3D(-Math.Sin(hourAngle), -0.35, night > 0.5 ? Math.Max(0.5, -height) : Math.Max(0.06, height))
-                .Normalized(),
+            // The moon stands high in the south; before it shines, the sun's last light comes from the horizon.
+            SunDirection = (night > 0.5
+                ? new Vector3D(-towardsSun.X, -0.35, Math.Max(0.5, -height))
+                : towardsSun with { Z = Math.Max(MinSunHeight, height) }).Normalized(),
             SunColour = sun.Towards(moonlight, night),
             AmbientColour = ambient.Scaled(0.35 + (0.65 * day)).Towards(new(24, 28, 42), night),
-            HorizonColour = horizon.Towards(new(30, 36, 54), night),
-            ZenithColour = zenith.Towards(new(7, 10, 22), night),
+            HorizonColour = horizon.Towards(new(30, 36, 54), dark),
+            ZenithColour = zenith.Towards(new(7, 10, 22), dark),
+            GlowColour = new Rgb(255, 146, 74).Scaled(glow),
+            GlowDirection = (towardsSun with { Z = 0 }).Normalized(),
             CloudFraction = clouds,
             FogDensity = fog,
             RainFraction = rain,

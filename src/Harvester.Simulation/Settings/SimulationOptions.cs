@@ -31,6 +31,9 @@ public sealed record SimulationOptions
     /// <summary>The time of day at the start.</summary>
     public TimeSpan TimeOfDay { get; init; } = TimeSpan.FromHours(12);
 
+    /// <summary>The day of the year, 1 to 366: where the sun stands at a time of day. By default the first of May.</summary>
+    public int DayOfYear { get; init; } = 121;
+
     /// <summary>Whether the time of day is fixed; otherwise a minute of the game's day passes every two seconds.</summary>
     public bool IsTimeOfDayFixed { get; init; }
 
@@ -43,14 +46,41 @@ public sealed record SimulationOptions
     /// <summary>The unreported distortion of the game's camera.</summary>
     public RenderLens Lens { get; init; } = RenderLens.None;
 
+    /// <summary>How much of the light the pictures show.</summary>
+    public Detail Detail { get; init; }
+
     /// <summary>Distance of the near plane, metres.</summary>
     public double NearClip { get; init; } = 0.15;
 
-    /// <summary>Factor on the number of moving and parked vehicles; 0 for empty roads.</summary>
+    /// <summary>
+    /// Factor on the number of moving vehicles, and of parked ones unless <see cref="ParkedDensity"/> is set; 0 for none.
+    /// </summary>
     public double TrafficDensity { get; init; } = 1;
+
+    /// <summary>Factor on the number of parked vehicles; null for that of the moving ones.</summary>
+    public double? ParkedDensity { get; init; }
 
     /// <summary>Factor on the number of people on foot.</summary>
     public double PedestrianDensity { get; init; } = 1;
+
+    /// <summary>
+    /// How far and how often the ego's driver leaves the middle of its lane: 0 follows it exactly, 1 has a standard deviation of about
+    /// 0.7 m.
+    /// </summary>
+    public double Wander { get; init; }
+
+    /// <summary>Factor on the number of lane changes, drifts onto markings between lanes and overtakings; 0 for none.</summary>
+    public double LaneChanges { get; init; }
+
+    /// <summary>
+    /// Whether the ego starts beside the start position and the world has already moved for some seconds, which depend on the seed.
+    /// </summary>
+    public bool IsWarm { get; init; }
+
+    /// <summary>
+    /// Whether a harvest's pictures are rendered by another thread while the game goes on. The pictures are the same.
+    /// </summary>
+    public bool DefersPictures { get; init; }
 
     /// <summary>Imitated faults of the real game; none by default.</summary>
     public GameQuirks Quirks { get; init; } = new();

@@ -7,13 +7,15 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>
-/// Collects faces of the ground in world coordinates and returns them as square patches, so that a view need not process all of them.
+/// Collects faces of the ground in world coordinates and returns them as square patches, so that a view need not process all of them;
+/// road markings have patches of their own.
 /// </summary>
 internal sealed class GroundMesh
 {
     private const double PatchSize = 80;
+    private const double MarkingPatchSize = 40;
 
-    private readonly SortedDictionary<(int X, int Y), List<MeshTriangle>> _patches = [];
+    private readonly SortedDictionary<(int X, int Y, bool IsMarking), List<MeshTriangle>> _patches = [];
 
     public void AddQuad(Vector3D a, Vector3D b, Vector3D c, Vector3D d, Rgb colour, Surface surface)
     {
@@ -23,7 +25,9 @@ internal sealed class GroundMesh
 
     public void AddTriangle(Vector3D a, Vector3D b, Vector3D c, Rgb colour, Surface surface)
     {
-        (int X, int Y) key = ((int)Math.Floor(a.X / PatchSize), (int)Math.Floor(a.Y / PatchSize));
+        bool isMarking = surface == Surface.Marking;
+        double size = isMarking ? MarkingPatchSize : PatchSize;
+        (int X, int Y, bool IsMarking) key = ((int)Math.Floor(a.X / size), (int)Math.Floor(a.Y / size), isMarking);
         if (!_patches.TryGetValue(key, out List<MeshTriangle>? patch))
         {
             _patches[key] = patch = [];

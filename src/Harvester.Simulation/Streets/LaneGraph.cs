@@ -13,10 +13,12 @@ internal sealed class LaneGraph
     private const double MaxTurn = 2.4;
     private const double StraightAtMost = 0.6;
 
+    private readonly AsphaltHeights _heights;
     private readonly List<LanePath> _paths = [];
 
-    public LaneGraph(RoadPlan plan)
+    public LaneGraph(RoadPlan plan, AsphaltHeights heights)
     {
+        _heights = heights;
         Dictionary<(Road, bool), List<LanePath>> lanes = [];
         foreach (Road road in plan.Roads)
         {
@@ -25,7 +27,7 @@ internal sealed class LaneGraph
                 List<LanePath> own = [];
                 for (int lane = 0; lane < road.Layout.Lanes(forward); lane++)
                 {
-                    own.Add(LanePath.OnRoad(_paths.Count, road, forward, lane));
+                    own.Add(LanePath.OnRoad(_paths.Count, road, forward, lane, heights));
                     _paths.Add(own[^1]);
                 }
 
@@ -59,7 +61,7 @@ internal sealed class LaneGraph
                 foreach ((List<LanePath> lanesOfExit, double turn) in ExitsOf(lane.Lane, incoming.Count, exits))
                 {
                     LanePath target = lanesOfExit[TargetLane(lane.Lane, incoming.Count, lanesOfExit.Count, turn)];
-                    _paths.Add(LanePath.Through(_paths.Count, junction, lane, target));
+                    _paths.Add(LanePath.Through(_paths.Count, junction, lane, target, _heights));
                 }
             }
         }

@@ -51,7 +51,7 @@ internal sealed class LanePath
     /// <summary>Whether a vehicle that follows it can drive on for ever.</summary>
     public bool GoesOn { get; set; } = true;
 
-    public static LanePath OnRoad(int index, Road road, bool forward, int lane)
+    public static LanePath OnRoad(int index, Road road, bool forward, int lane, AsphaltHeights heights)
     {
         double offset = road.Layout.LaneCentre(forward, lane);
         double length = road.Length - road.StartTrim - road.EndTrim;
@@ -66,13 +66,18 @@ internal sealed class LanePath
             tangents[i] = forward ? road.Curve.TangentAt(distance) : -road.Curve.TangentAt(distance);
         }
 
+        Drape(points, tangents, heights, along =>
+        {
+            double distance = forward ? road.StartTrim + (length * along) : road.Length - road.EndTrim - (length * along);
+            return heights.IsShared(road, distance, distance);
+        });
         return new LanePath(index, road, forward, lane, null, new Polyline(points, tangents));
     }
 
     /// <summary>
     /// A cubic curve from the end of one lane to the start of another; its handles make a right-angled turn nearly a quarter circle.
     /// </summary>
-    public static LanePath Through(int index, Junction junction, LanePath from, LanePath to)
+    public static LanePath Through(int index, Junction junction, LanePath from, LanePath to, AsphaltHeights heights)
     {
         const double handle = 0.39;
         Vector3D start = from.Line.PositionAt(from.Length);
@@ -91,10 +96,41 @@ internal sealed class LanePath
             tangents[i] = (((a - start) * (u * u)) + ((b - a) * (2 * u * t)) + ((end - b) * (t * t))).Normalized();
         }
 
+        Drape(points, tangents, heights, _ => true);
         LanePath path = new(index, null, forward: true, from.Lane, junction, new Polyline(points, tangents));
         Join(from, path);
         Join(path, to);
         return path;
+    }
+
+    /// <summary>Lays a path on the asphalt of roads that overlap.</summary>
+    private static void Drape(Vector3D[] points, Vector3D[] tangents, AsphaltHeights heights, Func<double, bool> isShared)
+    {
+        const int stride = 4;
+        double previous = 0;
+        bool isChanged = false;
+        for (int last = 0, first = 0; first < points.Length; first = last + 1)
+        {
+            last = first == 0 ? 0 : Math.Min(first + stride - 1, points.Length - 1);
+            Vector3D place = points[last];
+            bool isAlone = !isShared((double)last / (points.Length - 1));
+            double change = isAlone ? 0 : (heights.Driven(place) ?? (place.Z + previous)) - place.Z;
+            for (int i = first; i <= last; i++)
+            {
+                double fraction = (double)(i - first + 1) / (last - first + 1);
+                points[i] += Horizontal.Up * (previous + ((change - previous) * fraction));
+            }
+
+            isChanged |= change != 0;
+            previous = change;
+        }
+
+        for (int i = 0; isChanged && i < points.Length; i++)
+        {
+            Vector3D way = points[Math.Min(i + 1, points.Length - 1)] - points[Math.Max(i - 1, 0)];
+            Vector3D level = tangents[i] with { Z = 0 };
+            tangents[i] = (level.Normalized() with { Z = way.Z / (way with { Z = 0 }).Length }).Normalized();
+        }
     }
 
     private static void Join(LanePath from, LanePath to)

@@ -56,7 +56,7 @@ internal sealed class Polyline
     }
 
     /// <summary>Curvature of the path at a distance, 1/m.</summary>
-    public double BendAt(double distance) => _bends[Find(distance).Index];
+    public double BendAt(double distance) => _bends[PieceAt(distance)];
 
     private Vector3D PositionIn(int index, double fraction) => _points[index] + ((_points[index + 1] - _points[index]) * fraction);
 
@@ -64,6 +64,13 @@ internal sealed class Polyline
         (_tangents[index] + ((_tangents[index + 1] - _tangents[index]) * fraction)).Normalized();
 
     private (int Index, double Fraction) Find(double distance)
+    {
+        int index = PieceAt(distance);
+        double fraction = (distance - _distances[index]) / (_distances[index + 1] - _distances[index]);
+        return (index, Math.Clamp(fraction, 0, 1));
+    }
+
+    private int PieceAt(double distance)
     {
         // Points are nearly evenly spaced, so the right piece is next to the one at the proportional index.
         int last = _points.Length - 2;
@@ -78,7 +85,6 @@ internal sealed class Polyline
             index++;
         }
 
-        double fraction = (distance - _distances[index]) / (_distances[index + 1] - _distances[index]);
-        return (index, Math.Clamp(fraction, 0, 1));
+        return index;
     }
 }

@@ -32,7 +32,8 @@ internal sealed class RoadIndex
     /// <param name="point">Metres, world.</param>
     /// <param name="pastTheEnd">Distance before or behind an end that still counts as beside the road, metres.</param>
     /// <param name="except">A road to ignore.</param>
-    public IEnumerable<RoadPlace> PlacesAt(Vector3D point, double pastTheEnd = 0.05, Road? except = null)
+    /// <param name="beside">Distance beside a carriageway that matters to the caller, metres; places farther away may be left out.</param>
+    public IEnumerable<RoadPlace> PlacesAt(Vector3D point, double pastTheEnd = 0.05, Road? except = null, double beside = Reach)
     {
         if (!_cells.TryGetValue(CellOf(point), out List<(Road Road, double Distance, Vector3D Point)>? samples))
         {
@@ -45,9 +46,11 @@ internal sealed class RoadIndex
             Road road = samples[i].Road;
             double nearest = 0;
             double best = double.PositiveInfinity;
+            double nearestOnGround = double.PositiveInfinity;
             for (; i < samples.Count && samples[i].Road == road; i++)
             {
                 double squared = (samples[i].Point - point).LengthSquared;
+                nearestOnGround = Math.Min(nearestOnGround, Horizontal.SquaredDistance(samples[i].Point, point));
                 if (squared < best)
                 {
                     best = squared;
@@ -55,7 +58,7 @@ internal sealed class RoadIndex
                 }
             }
 
-            if (road == except)
+            if (road == except || nearestOnGround > Squared(road.Layout.HalfWidth + beside + pastTheEnd + SampleStep))
             {
                 continue;
             }
@@ -70,15 +73,24 @@ internal sealed class RoadIndex
         }
     }
 
+    /// <summary>Whether no road but one may reach to a point.</summary>
+    public bool IsAlone(Road? road, Vector3D point) =>
+        !_cells.TryGetValue(CellOf(point), out List<(Road Road, double Distance, Vector3D Point)>? samples)
+        || (samples[0].Road == samples[^1].Road && (road is null || samples[0].Road == road));
+
     /// <summary>Whether a point lies on the carriageway of another road on the same level.</summary>
     public bool IsOnAnother(Road? road, Vector3D point, double margin)
     {
         const double sameLevel = 2.5;
-        return PlacesAt(point, except: road).Any(place => Math.Abs(place.Height) < sameLevel && place.IsOnCarriageway(margin));
+        return PlacesAt(point, except: road, beside: margin)
+            .Any(place => Math.Abs(place.Height) < sameLevel && place.IsOnCarriageway(margin));
     }
 
-    /// <summary>Whether a point lies on, over or under a carriageway extended by a margin, on any level.</summary>
-    public bool IsAbreast(Vector3D point, double margin) => PlacesAt(point).Any(place => place.IsOnCarriageway(margin));
+    /// <summary>Whether a point lies on, over or under a carriageway extended by a margin, also past its ends, on any level.</summary>
+    public bool IsAbreast(Vector3D point, double margin) => PlacesAt(point, pastTheEnd: margin, beside: margin)
+        .Any(place => place.IsOnCarriageway(margin));
+
+    private static double Squared(double value) => value * value;
 
     private static (int X, int Y) CellOf(Vector3D point) =>
         ((int)Math.Floor(point.X / CellSize), (int)Math.Floor(point.Y / CellSize));

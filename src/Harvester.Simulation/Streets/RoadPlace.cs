@@ -1,3 +1,4 @@
+using System;
 using Harvester.Geometry;
 
 namespace Harvester.Simulation.Streets;
@@ -12,6 +13,9 @@ internal readonly record struct RoadPlace(Road Road, double Distance, double Rig
     /// <summary>Whether the point lies between the carriageway's edges, extended by a margin.</summary>
     public bool IsOnCarriageway(double margin) =>
         RightOffset > Road.Layout.LeftEdge - margin && RightOffset < Road.Layout.RightEdge + margin;
+
+    /// <summary>Distance from the nearer edge of the carriageway, metres; negative outside it.</summary>
+    public double Depth => Math.Min(RightOffset - Road.Layout.LeftEdge, Road.Layout.RightEdge - RightOffset);
 
     public Vector3D Tangent => Road.Curve.TangentAt(Distance);
 }

@@ -17,8 +17,12 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
     private const double InnerRoadLength = 24;
 
     /// <summary>Plans the part of a network within a radius of a point.</summary>
+    /// <param name="network">The network.</param>
+    /// <param name="centre">The point, metres.</param>
+    /// <param name="radius">Metres.</param>
+    /// <param name="settlement">Where town and country are; null for town everywhere.</param>
     /// <exception cref="ArgumentException">No road lies there.</exception>
-    public static RoadPlan Build(RoadNetwork network, Vector3D centre, double radius)
+    public static RoadPlan Build(RoadNetwork network, Vector3D centre, double radius, Settlement? settlement = null)
     {
         RoadLink[] links = [.. network.Links.Where(link => IsRoad(network, link, centre, radius))];
         if (links.Length == 0)
@@ -29,7 +33,8 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
 
         List<RoadChain> chains = RoadChain.Follow(network, links);
         Dictionary<(int Node, int Neighbour), Vector3D> tangents = RoadChain.EndTangents(network, chains);
-        List<Road> roads = [.. chains.Select((chain, index) => MakeRoad(network, chain, index, tangents))];
+        List<Road> roads =
+            [.. chains.Select((chain, index) => MakeRoad(network, chain, index, tangents, settlement ?? Settlement.Everywhere))];
         List<Junction> junctions = FindJunctions(network, roads);
         foreach (Junction junction in junctions)
         {
@@ -59,7 +64,8 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
             && Horizontal.Distance(from.Position, to.Position) > shortestLink;
     }
 
-    private static Road MakeRoad(RoadNetwork network, RoadChain chain, int index, Dictionary<(int Node, int Neighbour), Vector3D> tangents)
+    private static Road MakeRoad(
+        RoadNetwork network, RoadChain chain, int index, Dictionary<(int Node, int Neighbour), Vector3D> tangents, Settlement settlement)
     {
         IReadOnlyList<int> nodes = chain.Nodes;
         IEnumerable<int> ownNodes = nodes.Count > 2 ? nodes.Skip(1).SkipLast(1) : nodes;
@@ -68,7 +74,7 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
             [.. nodes.Select(node => network.Nodes[node].Position)],
             tangents.TryGetValue((nodes[0], nodes[1]), out Vector3D start) ? start : null,
             tangents.TryGetValue((nodes[^1], nodes[^2]), out Vector3D end) ? -end : null);
-        return new Road(index, nodes, chain.Layout, flags, curve);
+        return new Road(index, nodes, chain.Layout, flags, curve) { Zone = settlement.At(curve.PositionAt(curve.Length / 2)) };
     }
 
     private static List<Junction> FindJunctions(RoadNetwork network, List<Road> roads)
@@ -105,6 +111,8 @@ internal sealed record RoadPlan(IReadOnlyList<Road> Roads, IReadOnlyList<Junctio
                 _ => junction.Arms.Where(other => other != arm).Max(other => SetBack(arm, other)) + CrossingRoom,
             };
             arm.Road.SetTrim(arm.AtStart, trim);
+            arm.Road.StartsAtCrossing |= arm.AtStart && (junction.IsCrossing || junction.IsCorner);
+            arm.Road.EndsAtCrossing |= !arm.AtStart && (junction.IsCrossing || junction.IsCorner);
         }
     }
 

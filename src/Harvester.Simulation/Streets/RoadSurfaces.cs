@@ -6,37 +6,27 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Streets;
 
-/// <summary>Builds the asphalt, medians, pavements and sides of roads and bridges.</summary>
-internal sealed class RoadSurfaces(RoadPlan plan, RoadIndex index, Terrain terrain, Asphalt asphalt, GroundMesh mesh)
+/// <summary>Builds the asphalt and medians of roads, and what is beside and below them.</summary>
+internal sealed class RoadSurfaces(
+    RoadPlan plan, RoadIndex index, Terrain terrain, RoadLevels levels, Asphalt asphalt, AsphaltHeights heights, GroundMesh mesh)
 {
-    private const double BridgeAbove = 3;
-    private const double DeckThickness = 1.2;
-    private const double ParapetHeight = 0.9;
-    private const double ParapetThickness = 0.3;
-
-    /// <summary>Width of another road's asphalt beyond its carriageway, metres.</summary>
-    private const double OtherShoulder = 2.4;
-
     public void Build()
     {
+        RoadSides sides = new(index, terrain, levels, asphalt, mesh);
         foreach (Road road in plan.Roads)
         {
             Pave(road);
-            AddSide(road, onRight: true);
-            AddSide(road, onRight: false);
+            sides.Build(road);
         }
 
         foreach (Junction junction in plan.Junctions.Where(junction => junction.Arms.Count != 2 || junction.IsCorner))
         {
             FillNode(junction);
+            if (junction.Arms.Count == 1)
+            {
+                sides.AddEnd(junction.Arms[0]);
+            }
         }
-    }
-
-    /// <summary>Whether the ground lies far below a road.</summary>
-    public bool IsBridge(Road road, double distance)
-    {
-        Vector3D place = road.Curve.PositionAt(distance);
-        return place.Z - terrain.HeightAt(place) > BridgeAbove;
     }
 
     private void Pave(Road road)
@@ -62,51 +52,6 @@ internal sealed class RoadSurfaces(RoadPlan plan, RoadIndex index, Terrain terra
         }
     }
 
-    private void AddSide(Road road, bool onRight)
-    {
-        RoadRibbon ribbon = new(road, asphalt.Of(road).Stations, mesh);
-        double kerb = onRight ? road.RightKerb : road.LeftKerb;
-        int side = onRight ? 1 : -1;
-        double edge = kerb;
-        double height = 0;
-        bool isStreet = road.IsStreet;
-        if (isStreet)
-        {
-            edge = kerb + (side * Walkway.Width);
-            height = Walkway.KerbHeight;
-            Func<double, bool> isPaved = distance => IsClear(road, distance, (kerb + edge) / 2);
-            ribbon.Lay(new Rail(kerb, 0), new Rail(kerb, height), Palette.Kerb, Surface.Matte, isPaved);
-            ribbon.Lay(new Rail(kerb, height), new Rail(edge, height), Palette.Pavement, Surface.Ground, isPaved);
-        }
-
-        const double bankWidth = 4;
-        const double bankDepth = 3;
-        ribbon.Lay(
-            new Rail(edge, height),
-            new Rail(edge + (side * bankWidth), height - bankDepth),
-            Palette.Grass,
-            Surface.Ground,
-            distance => !IsBridge(road, distance) && IsClear(road, distance, edge)
-                && IsClear(road, distance, edge + (side * bankWidth / 2)));
-        AddParapet(ribbon, road, edge, side);
-    }
-
-    private void AddParapet(RoadRibbon ribbon, Road road, double edge, int side)
-    {
-        Func<double, bool> isPresent = distance => IsBridge(road, distance) && IsClear(road, distance, edge);
-        double outer = edge + (side * ParapetThickness);
-        Lay(edge, 0, edge, ParapetHeight);
-        Lay(edge, ParapetHeight, outer, ParapetHeight);
-        Lay(outer, ParapetHeight, outer, -DeckThickness);
-        Lay(outer, -DeckThickness, 0, -DeckThickness);
-
-        void Lay(double fromOffset, double fromHeight, double toOffset, double toHeight) =>
-            ribbon.Lay(new Rail(fromOffset, fromHeight), new Rail(toOffset, toHeight), Palette.Concrete, Surface.Matte, isPresent);
-    }
-
-    private bool IsClear(Road road, double distance, double offset) =>
-        !index.IsOnAnother(road, road.Curve.OffsetAt(distance, offset), OtherShoulder);
-
     /// <summary>Adds a round plate that closes the wedges between the ends of roads.</summary>
     private void FillNode(Junction junction)
     {
@@ -117,11 +62,9 @@ internal sealed class RoadSurfaces(RoadPlan plan, RoadIndex index, Terrain terra
         {
             (double sin, double cos) = Math.SinCos(2 * Math.PI * i / sides);
             Vector3D place = junction.Position + new Vector3D(radius * cos, radius * sin, 0);
-            RoadPlace? road = index.PlacesAt(place).Where(found => junction.Arms.Any(arm => arm.Road == found.Road)).Cast<RoadPlace?>()
-                .FirstOrDefault();
-            return road is { } on ? place with { Z = place.Z - on.Height } : place;
+            return place with { Z = heights.Driven(place) ?? place.Z };
         })];
-        const double below = 0.01;
+        const double below = 0.05;
         Vector3D down = Horizontal.Up * -below;
         for (int i = 0; i < sides; i++)
         {

@@ -11,44 +11,52 @@ internal sealed class BodyIndex<T>
 {
     private const double CellSize = 20;
 
-    private readonly Dictionary<long, List<T>> _cells = [];
+    private readonly Dictionary<long, Cell> _cells = [];
+    private int _count;
 
-    public bool IsEmpty => _cells.Count == 0;
+    public bool IsEmpty => _count == 0;
 
     public void Add(T body, Vector3D place)
     {
-        long cell = Key(CellOf(place));
-        if (!_cells.TryGetValue(cell, out List<T>? list))
-        {
-            _cells[cell] = list = [];
-        }
+        CellAt(CellOf(place)).Bodies.Add(body);
+        _count++;
+    }
 
-        list.Add(body);
+    /// <summary>Removes all bodies, but keeps their cells for others.</summary>
+    public void Clear()
+    {
+        if (!IsEmpty)
+        {
+            foreach (Cell cell in _cells.Values)
+            {
+                cell.Bodies.Clear();
+            }
+
+            _count = 0;
+        }
     }
 
     public void Move(T body, Vector3D from, Vector3D to)
     {
         if (CellOf(from) != CellOf(to))
         {
-            _cells[Key(CellOf(from))].Remove(body);
-            Add(body, to);
+            _cells[Key(CellOf(from))].Bodies.Remove(body);
+            CellAt(CellOf(to)).Bodies.Add(body);
         }
     }
 
     /// <summary>The bodies of the cell at a position and of the eight around it: all within 20 m, and some farther away.</summary>
     public IEnumerable<T> Near(Vector3D place)
     {
-        (int x, int y) = CellOf(place);
-        for (int i = x - 1; i <= x + 1; i++)
+        (int X, int Y) middle = CellOf(place);
+        Cell?[]? around = AroundKnown(middle);
+        for (int number = 0; number < Cell.Neighbours; number++)
         {
-            for (int j = y - 1; j <= y + 1; j++)
+            if ((around is null ? Find(Cell.Neighbour(middle, number)) : around[number]) is { } cell)
             {
-                if (_cells.TryGetValue(Key((i, j)), out List<T>? cell))
+                foreach (T body in cell.Bodies)
                 {
-                    foreach (T body in cell)
-                    {
-                        yield return body;
-                    }
+                    yield return body;
                 }
             }
         }
@@ -62,19 +70,22 @@ internal sealed class BodyIndex<T>
     /// <param name="condition">A condition on a body and the argument.</param>
     public bool AnyNear<TAsked>(Vector3D place, in TAsked asked, Func<T, TAsked, bool> condition)
     {
-        (int x, int y) = CellOf(place);
-        for (int i = x - 1; i <= x + 1; i++)
+        if (IsEmpty)
         {
-            for (int j = y - 1; j <= y + 1; j++)
+            return false;
+        }
+
+        (int X, int Y) middle = CellOf(place);
+        Cell?[]? around = AroundKnown(middle);
+        for (int number = 0; number < Cell.Neighbours; number++)
+        {
+            if ((around is null ? Find(Cell.Neighbour(middle, number)) : around[number]) is { } cell)
             {
-                if (_cells.TryGetValue(Key((i, j)), out List<T>? cell))
+                foreach (T body in cell.Bodies)
                 {
-                    foreach (T body in cell)
+                    if (condition(body, asked))
                     {
-                        if (condition(body, asked))
-                        {
-                            return true;
-                        }
+                        return true;
                     }
                 }
             }
@@ -87,4 +98,46 @@ internal sealed class BodyIndex<T>
 
     /// <summary>A cell as one number, which is hashed faster than a pair.</summary>
     private static long Key((int X, int Y) cell) => ((long)cell.X << 32) | (uint)cell.Y;
+
+    private Cell? Find((int X, int Y) place) => _cells.GetValueOrDefault(Key(place));
+
+    /// <summary>The cells around a cell; null if nothing was ever in that, so that its neighbours must be looked up.</summary>
+    private Cell?[]? AroundKnown((int X, int Y) middle) => Find(middle)?.Around;
+
+    private Cell CellAt((int X, int Y) place)
+    {
+        if (Find(place) is { } known)
+        {
+            return known;
+        }
+
+        var cell = new Cell();
+        _cells.Add(Key(place), cell);
+        for (int number = 0; number < Cell.Neighbours; number++)
+        {
+            if (Find(Cell.Neighbour(place, number)) is { } neighbour)
+            {
+                cell.Around[number] = neighbour;
+                neighbour.Around[Cell.Neighbours - 1 - number] = cell;
+            }
+        }
+
+        return cell;
+    }
+
+    private sealed class Cell
+    {
+        /// <summary>The cell itself and the eight around it.</summary>
+        public const int Neighbours = 9;
+
+        private const int Across = 3;
+
+        public List<T> Bodies { get; } = [];
+
+        /// <summary>By number: column by column, each from the south. The cell itself stands in the middle.</summary>
+        public Cell?[] Around { get; } = new Cell?[Neighbours];
+
+        public static (int X, int Y) Neighbour((int X, int Y) middle, int number) =>
+            (middle.X - 1 + (number / Across), middle.Y - 1 + (number % Across));
+    }
 }

@@ -25,8 +25,7 @@ internal static class Driver
 
     public static double Acceleration(Vehicle vehicle, LaneOccupation occupation, double distanceToStop, BodyIndex<Walker> walkersOnRoad)
     {
-        double desired = DesiredSpeed(vehicle);
-        double freeShare = Math.Pow(vehicle.Speed / desired, 4);
+        double freeShare = vehicle.Speed > 0 ? Math.Pow(vehicle.Speed / DesiredSpeed(vehicle), 4) : 0;
         (double gap, double leaderSpeed) = Leader(vehicle, occupation);
         double stop = Math.Min(distanceToStop, DistanceToWalker(vehicle, walkersOnRoad)) - vehicle.FrontOverhang;
         double interaction = Math.Max(
@@ -47,18 +46,20 @@ internal static class Driver
         Road? road = vehicle.Path.Road;
         double desired = vehicle.CruiseSpeed * (
             road is { IsHighway: true } ? MotorwayFactor : road is { IsUnpaved: true } ? UnpavedFactor : 1);
+        double leastSquared = double.PositiveInfinity;
         for (double ahead = 0; ahead <= BendLookAhead; ahead += BendStep)
         {
             (LanePath path, double distance) = vehicle.PlaceAhead(ahead);
             double bend = path.Line.BendAt(distance);
             double slowestSquared = SidewaysAcceleration / Math.Max(bend, 1e-6);
-            desired = Math.Min(desired, Math.Sqrt(slowestSquared + (ComfortableBraking * ahead)));
+            leastSquared = Math.Min(leastSquared, slowestSquared + (ComfortableBraking * ahead));
         }
 
-        return desired;
+        return Math.Min(desired, Math.Sqrt(leastSquared));
     }
 
-    private static (double Gap, double Speed) Leader(Vehicle vehicle, LaneOccupation occupation)
+    /// <summary>The vehicle ahead on its route: the gap to it, metres, infinite without one, and its speed.</summary>
+    public static (double Gap, double Speed) Leader(Vehicle vehicle, LaneOccupation occupation)
     {
         double toStart = -vehicle.Distance;
         foreach (LanePath path in vehicle.Route)

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
@@ -11,7 +12,7 @@ namespace Harvester.Simulation.Traffic;
 /// The ego as a freely moving car: from the first controls of a client or controller on it moves by car physics, even when its built-in
 /// driver has taken over again. Until then it follows its lane's line like all vehicles.
 /// </summary>
-internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
+internal sealed class EgoCar(Vehicle ego, LaneGraph lanes, EgoManoeuvres? manoeuvres)
 {
     /// <summary>A body closer than this to a path's line blocks it, metres.</summary>
     private const double InTheWay = 2.6;
@@ -28,6 +29,12 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
 
     /// <summary>Whether it has controls for this tick.</summary>
     public bool IsDriven => _controls is not null;
+
+    /// <summary>The controls that moved it last; null while it follows its lane's line.</summary>
+    public DrivingControls? Applied { get; private set; }
+
+    /// <summary>What its built-in driver does; null while it follows its lane's line or is driven by another program.</summary>
+    public Manoeuvre? Manoeuvre { get; private set; }
 
     public void Drive(DrivingControls controls)
     {
@@ -48,6 +55,7 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
         _controls = null;
         Take(CarState.At(new Vector2D(position.X, position.Y), yaw, 0, _limits), position.Z, isTeleported: true);
         ego.StandingSeconds = 0;
+        manoeuvres?.Forget(0);
     }
 
     /// <summary>Takes over the vehicle's pose.</summary>
@@ -57,6 +65,26 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
         Vector3D ground = Ground;
         Vector3D forward = ego.Pose.Axes.Forward;
         _state = CarState.At(new Vector2D(ground.X, ground.Y), Math.Atan2(forward.Y, forward.X), ego.Speed, _limits);
+        manoeuvres?.Forget(0);
+    }
+
+    /// <summary>Lets its built-in driver decide what to do in this tick.</summary>
+    /// <param name="seconds">Time that passes.</param>
+    /// <param name="occupation">The vehicles on the lanes.</param>
+    /// <param name="isTaken">Whether another body stands where its footprint would be.</param>
+    public void Decide(double seconds, LaneOccupation occupation, Func<Footprint, bool> isTaken)
+    {
+        double offset = LanePlace.Of(ego.Path, Ground, ego.Distance).RightOffset;
+        if (IsDriven)
+        {
+            Manoeuvre = null;
+            manoeuvres?.Forget(offset);
+        }
+        else if (manoeuvres is not null)
+        {
+            manoeuvres.Tick(seconds, offset, occupation, (goal, metres) => IsClear(goal, metres, isTaken));
+            Manoeuvre = manoeuvres.Reported(occupation);
+        }
     }
 
     /// <summary>Stops it at once, as vehicles on their lanes stop before an obstacle.</summary>
@@ -75,7 +103,8 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
         double room = _controls is null && !isTaken(TrafficFlow.Clearance) ? TrafficFlow.Clearance : 0;
         Vector3D forward = ego.Pose.Axes.Forward;
         double slope = forward.Z / Math.Sqrt(1 - (forward.Z * forward.Z));
-        DrivingControls controls = _controls ?? OwnDriver.Controls(ego, _state, ownAcceleration, _limits);
+        DrivingControls controls = _controls ?? OwnDriver.Controls(ego, _state, ownAcceleration, manoeuvres?.Offset ?? 0, _limits);
+        Applied = controls;
         Take(_state.After(controls, slope, _limits, seconds), Ground.Z, isTeleported: false);
         if (isTaken(room))
         {
@@ -88,6 +117,24 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes)
 
     /// <summary>Ends the tick; its controls apply to no other.</summary>
     public void EndTick() => _controls = null;
+
+    /// <summary>Whether nothing stands beside its route, from its front on.</summary>
+    private bool IsClear(double rightOffset, double metres, Func<Footprint, bool> isTaken)
+    {
+        const double step = 3;
+        const double room = 0.3;
+        for (double ahead = step; ahead <= metres; ahead += step)
+        {
+            Footprint on = ego.FootprintAhead(ahead);
+            Footprint beside = on with { Centre = on.Centre + (Horizontal.RightOf(on.Forward) * rightOffset) };
+            if (isTaken(beside.Grown(room)))
+            {
+                return false;
+            }
+        }
+
+        return true;
+    }
 
     private Vector3D Ground => ego.Pose.Position + (ego.Pose.Axes.Up * ego.Model.Min.Z);
 

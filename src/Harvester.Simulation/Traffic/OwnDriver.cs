@@ -14,11 +14,16 @@ internal static class OwnDriver
     private const double MinAimDistance = 3;
     private const double AimSeconds = 0.5;
 
-    public static DrivingControls Controls(Vehicle ego, CarState car, double acceleration, CarLimits limits)
+    /// <param name="ego">The car on its route.</param>
+    /// <param name="car">Its physical state.</param>
+    /// <param name="acceleration">The wanted acceleration, m/s².</param>
+    /// <param name="rightOffset">Where it shall be, metres to the right of its route.</param>
+    /// <param name="limits">Its physical limits.</param>
+    public static DrivingControls Controls(Vehicle ego, CarState car, double acceleration, double rightOffset, CarLimits limits)
     {
         double aim = MinAimDistance + (AimSeconds * car.Speed);
         (LanePath path, double distance) = ego.PlaceAhead(aim);
-        Vector3D target = path.Line.PositionAt(distance);
+        Vector3D target = path.Line.PositionAt(distance) + (Horizontal.RightOf(path.Line.TangentAt(distance)) * rightOffset);
         Vector2D toTarget = new Vector2D(target.X, target.Y) - car.RearAxle;
         double sideways = car.Forward.Cross(toTarget);
         double ratio = car.Speed / limits.CharacteristicSpeed;

@@ -35,7 +35,11 @@ internal sealed class Placing
     public double LaneMetres => _summedLengths.Length == 0 ? 0 : _summedLengths[^1];
 
     /// <summary>Places the ego on a lane from which it can drive on for ever, as close to a point as possible.</summary>
-    public void PutEgo(Vehicle ego, Vector3D near)
+    /// <param name="ego">The ego.</param>
+    /// <param name="near">The point.</param>
+    /// <param name="isBeside">Whether it starts beside the point; otherwise at the beginning of the lane.</param>
+    /// <exception cref="ArgumentException">No lane is long enough.</exception>
+    public void PutEgo(Vehicle ego, Vector3D near, bool isBeside = false)
     {
         _ego = ego;
         const double shortest = 30;
@@ -46,8 +50,13 @@ internal sealed class Placing
             .ThenBy(path => Horizontal.SquaredDistance(path.Line.PositionAt(path.Length / 2), near))
             .FirstOrDefault()
             ?? _paths.MaxBy(path => path.Length);
-        ego.PutOn(path ?? throw new ArgumentException("No lane is long enough to drive on; choose another place."),
-            Math.Min(EndRoom, path.Length / 2));
+        if (path is null)
+        {
+            throw new ArgumentException("No lane is long enough to drive on; choose another place.");
+        }
+
+        double least = Math.Min(EndRoom, path.Length / 2);
+        ego.PutOn(path, isBeside ? Math.Clamp(LanePlace.Of(path, near, path.Length / 2).Distance, least, path.Length - least) : least);
     }
 
     /// <summary>Places a vehicle at a random free position; if none is found, it is not moved.</summary>

@@ -50,8 +50,8 @@ internal sealed class TrafficFlow
 
     private Vehicle Ego => _vehicles[0];
 
-    /// <summary>The vehicles near a position.</summary>
-    public IEnumerable<Vehicle> Near(Vector3D place) => _index.Near(place);
+    /// <summary>Whether a condition on a vehicle and a position holds for one of the vehicles near the position.</summary>
+    public bool AnyNear(Vector3D place, Func<Vehicle, Vector3D, bool> condition) => _index.AnyNear(place, place, condition);
 
     /// <summary>Places the ego at a position, at rest.</summary>
     public void ResetEgo(Vector3D position, double headingDegrees)
@@ -73,8 +73,9 @@ internal sealed class TrafficFlow
             MustEgoGiveWay = vehicle == Ego ? distanceToStop < double.PositiveInfinity : MustEgoGiveWay;
             if (vehicle == Ego && _egoCar.IsLoose)
             {
+                _egoCar.Decide(seconds, _occupation, place => IsTaken(vehicle, place));
                 double room = vehicle.Speed * seconds;
-                if (!_egoCar.IsDriven && room > 0 && !IsFree(vehicle, room, walkersOnRoad))
+                if (!_egoCar.IsDriven && room > 0 && (!IsFree(vehicle, room, walkersOnRoad) || MeetsWalker(vehicle, walkersOnRoad)))
                 {
                     _egoCar.Stop();
                 }
@@ -86,6 +87,7 @@ internal sealed class TrafficFlow
                 Advance(vehicle, acceleration, seconds, walkersOnRoad);
             }
 
+            vehicle.Signals.Tick(vehicle.Speed, seconds);
             if (HasToLeave(vehicle))
             {
                 Replace(vehicle);
@@ -143,6 +145,14 @@ internal sealed class TrafficFlow
         return !_index.AnyNear(now.Centre, way, static (other, way) => other != way.Vehicle && way.IsBlockedBy(other.Footprint))
             && !_obstacles.AnyNear(now.Centre, way, static (other, way) => way.IsBlockedBy(other))
             && !walkersOnRoad.AnyNear(now.Centre, way, static (walker, way) => way.IsBlockedBy(walker.Footprint));
+    }
+
+    /// <summary>Whether somebody walks just ahead of a vehicle that need not be on its lane's line.</summary>
+    private static bool MeetsWalker(Vehicle vehicle, BodyIndex<Walker> walkersOnRoad)
+    {
+        Footprint now = vehicle.Footprint.Grown(Clearance);
+        Footprint ahead = now with { Centre = now.Centre + (now.Forward * LookAhead) };
+        return walkersOnRoad.AnyNear(now.Centre, ahead, static (walker, ahead) => ahead.Overlaps(walker.Footprint));
     }
 
     private bool IsTaken(Vehicle vehicle, Footprint place) =>

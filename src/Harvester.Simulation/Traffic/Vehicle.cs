@@ -2,7 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
+using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
@@ -58,6 +60,24 @@ internal sealed class Vehicle
 
     /// <summary>Paths through junctions that were granted to it, in the order of driving.</summary>
     public List<LanePath> Granted { get; } = [];
+
+    /// <summary>Its brake lights and indicators.</summary>
+    public VehicleSignals Signals { get; } = new();
+
+    /// <summary>Its meshes: the vehicle itself, the light of its lamps, and its rider, who is no part of it.</summary>
+    public IEnumerable<MeshInstance> Instances(VehicleLights lights)
+    {
+        yield return new MeshInstance(Model.Variant(Handle), Pose, Handle);
+        if (Model.Lamps?.Of(lights) is { } lamps)
+        {
+            yield return new MeshInstance(lamps, Pose, Handle);
+        }
+
+        if (Model.Riders.Count > 0)
+        {
+            yield return new MeshInstance(Model.Riders[Handle % Model.Riders.Count], Pose, 0);
+        }
+    }
 
     public double FrontOverhang => Model.Max.Y;
 

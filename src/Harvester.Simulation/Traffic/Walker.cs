@@ -1,24 +1,39 @@
 using System;
 using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
+using Harvester.Simulation.People;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Streets;
 
 namespace Harvester.Simulation.Traffic;
 
-/// <summary>A pedestrian who walks up and down a pavement and sometimes crosses the street at its end, when no vehicle comes.</summary>
+/// <summary>
+/// A pedestrian who walks up and down a pavement and sometimes crosses the street at its end, when no vehicle comes; or stands there, or
+/// sits on a bench.
+/// </summary>
 internal sealed class Walker
 {
     private const double TurnSeconds = 0.6;
-    private const double StepLength = 0.35;
+
+    /// <summary>Shares of those who do not walk: on a usual street, some wait and a few rest.</summary>
+    private const double StandingShare = 0.16;
+    private const double SittingShare = 0.1;
+
+    /// <summary>A pedestrian walks at the usual pace of the model, or up to this much slower or faster.</summary>
+    private const double PaceSpread = 0.08;
 
     private readonly Random _random;
+    private readonly Activity _activity;
+    private readonly double _facing;
+    private readonly int _rest;
     private readonly double _beyondKerb;
     private Walkway _walkway;
     private Walkway? _opposite;
     private double _distance;
     private double _crossed;
     private int _direction;
+    private Skeleton? _skeleton;
 
     public Walker(int handle, Model model, int seed, Walkway walkway)
     {
@@ -29,7 +44,17 @@ internal sealed class Walker
         _distance = walkway.From + (_random.NextDouble() * walkway.Length);
         _direction = _random.Next(2) == 0 ? 1 : -1;
         _beyondKerb = 0.4 + (2.2 * _random.NextDouble());
-        WalkingSpeed = 1 + (0.7 * _random.NextDouble());
+        WalkingSpeed = model.Pace * (1 + (PaceSpread * ((2 * _random.NextDouble()) - 1)));
+        Walked = model.StrideMetres * _random.NextDouble();
+        double activity = _random.NextDouble();
+        _activity = activity < SittingShare ? Activity.Sitting
+            : activity < SittingShare + StandingShare ? Activity.Standing
+            : Activity.Walking;
+        IsMoving = _activity == Activity.Walking;
+        _facing = 2 * Math.PI * _random.NextDouble();
+        _rest = _activity == Activity.Sitting ? PersonPoses.FirstSitting + _random.Next(PersonPoses.SittingCount)
+            : PersonPoses.FirstStanding + _random.Next(PersonPoses.StandingCount);
+        _beyondKerb = _activity == Activity.Sitting ? Walkway.Width - StreetModels.BenchDepth : _beyondKerb;
         Place();
     }
 
@@ -39,17 +64,27 @@ internal sealed class Walker
 
     public double WalkingSpeed { get; }
 
-    /// <summary>Metres walked, which select the step of the walk.</summary>
+    /// <summary>Metres walked, which select the phase of the stride.</summary>
     public double Walked { get; private set; }
 
-    /// <summary>The mesh of the current step of the walk.</summary>
-    public Mesh Look => Model.Variant((int)(Walked / StepLength));
+    /// <summary>The mesh of the current posture.</summary>
+    public Mesh Look => Model.Variants[Posture];
 
-    public bool IsMoving { get; private set; } = true;
+    /// <summary>The joints of the current posture, metres, world.</summary>
+    public Skeleton Skeleton => _skeleton ??= Model.Skeletons[Posture].MovedBy(Pose);
+
+    /// <summary>The bench, on which only this pedestrian sits; null for someone who does not sit.</summary>
+    public Pose? Bench => _activity == Activity.Sitting
+        ? Pose with { Position = Pose.ToWorld(new Vector3D(0, -Rest.SeatBehind, Model.Min.Z)) } : null;
+
+    public bool IsMoving { get; private set; }
 
     public bool IsOnRoad => _opposite is not null;
 
     public Pose Pose { get; private set; }
+
+    private int Posture =>
+        IsMoving ? (int)(Walked / Model.StrideMetres * PersonPoses.Phases) % PersonPoses.Phases : _rest;
 
     public Footprint Footprint => Footprint.Of(Pose, Model.Min, Model.Max);
 
@@ -66,6 +101,11 @@ internal sealed class Walker
     /// </summary>
     public void Tick(double seconds, Func<Walkway, double, Walkway?> oppositeOf, Func<Vector3D, bool> isSafe)
     {
+        if (_activity != Activity.Walking)
+        {
+            return;
+        }
+
         double metres = WalkingSpeed * seconds;
         IsMoving = true;
         if (_opposite is not null)
@@ -131,6 +171,16 @@ internal sealed class Walker
             forward = across;
         }
 
+        if (_activity == Activity.Sitting)
+        {
+            forward = Horizontal.RightOf(level) * -_walkway.Side;
+        }
+        else if (_activity == Activity.Standing)
+        {
+            forward = (level * Math.Cos(_facing)) + (Horizontal.RightOf(level) * Math.Sin(_facing));
+        }
+
         Pose = new Pose(feet - (Horizontal.Up * Model.Min.Z), Horizontal.AxesAlong(forward));
+        _skeleton = null;
     }
 }

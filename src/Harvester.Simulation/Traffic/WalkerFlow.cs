@@ -15,6 +15,7 @@ internal sealed class WalkerFlow
 
     private readonly IReadOnlyList<Walker> _walkers;
     private readonly ILookup<Road, Walkway> _walkwaysOf;
+    private readonly BodyIndex<Walker> _onRoad = new();
 
     public WalkerFlow(IReadOnlyList<Walker> walkers, IEnumerable<Walkway> walkways)
     {
@@ -22,16 +23,16 @@ internal sealed class WalkerFlow
         _walkwaysOf = walkways.ToLookup(walkway => walkway.Road);
     }
 
-    /// <summary>The pedestrians on a carriageway now.</summary>
+    /// <summary>The pedestrians on a carriageway now; valid until the next call.</summary>
     public BodyIndex<Walker> OnRoad()
     {
-        BodyIndex<Walker> index = new();
+        _onRoad.Clear();
         foreach (Walker walker in _walkers.Where(walker => walker.IsOnRoad))
         {
-            index.Add(walker, walker.Pose.Position);
+            _onRoad.Add(walker, walker.Pose.Position);
         }
 
-        return index;
+        return _onRoad;
     }
 
     public void Tick(double seconds, TrafficFlow traffic)
@@ -45,12 +46,13 @@ internal sealed class WalkerFlow
     }
 
     private static bool IsSafe(Vector3D place, TrafficFlow traffic) =>
-        traffic.Near(place).All(vehicle =>
+        !traffic.AnyNear(place, static (vehicle, place) =>
         {
             double distance = Horizontal.Distance(vehicle.Pose.Position, place);
-            return vehicle.Speed < RestingSpeed
+            bool isFar = vehicle.Speed < RestingSpeed
                 ? distance > StandingVehicleRoom + vehicle.FrontOverhang
                 : distance > vehicle.FrontOverhang + StandingVehicleRoom + (vehicle.Speed * ArrivalSeconds / 3);
+            return !isFar;
         });
 
     private Walkway? Opposite(Walkway walkway, double distance)

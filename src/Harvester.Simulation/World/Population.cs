@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Geometry;
-using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Streets;
 using Harvester.Simulation.Traffic;
@@ -14,18 +13,22 @@ internal sealed class Population
 {
     private const double VehiclesPerLaneMetre = 1.0 / 80;
     private const double ParkingSlot = 7;
+    private const double ParkingGap = 1;
     private const double ParkedShare = 0.4;
     private const double WalkersPerMetre = 1.0 / 45;
     private const double FromKerb = 1.15;
+
+    /// <summary>Around a place that is visited, metres, there are more vehicles and people: most labels are of what is near.</summary>
+    private const double NearEgo = 100;
+    private const double VehiclesNearEgo = 14;
+    private const double BusyFactor = 3;
 
     /// <summary>A sports car as in the thesis, of a model whose dimensions are known.</summary>
     private const string EgoModel = "cheetah";
 
     private readonly Random _random;
     private readonly ModelCatalogue _catalogue;
-    private readonly List<Model> _cars;
-    private readonly List<Model> _others;
-    private readonly List<Model> _parkable;
+    private readonly VehicleMix _mix;
     private readonly HandleCounter _handles;
 
     public Population(int seed, ModelCatalogue catalogue, HandleCounter handles)
@@ -33,13 +36,10 @@ internal sealed class Population
         _random = new Random(seed);
         _catalogue = catalogue;
         _handles = handles;
-        _cars = [.. catalogue.Vehicles.Where(model => model.Class == ObjectClass.Car)];
-        _others = [.. catalogue.Vehicles.Where(model => model.Class is not ObjectClass.Car and not ObjectClass.Trailer)];
-        const double widestParked = 2.2;
-        _parkable = [.. _cars.Where(model => model.Max.X - model.Min.X < widestParked)];
+        _mix = new VehicleMix(catalogue);
     }
 
-    /// <summary>Parked vehicles, clear of all lanes.</summary>
+    /// <summary>Parked vehicles, of which wide ones stand a little on the lane beside them.</summary>
     public List<Prop> Park(IReadOnlyList<Walkway> walkways, RoadIndex index, double density)
     {
         List<Prop> parked = [];
@@ -52,7 +52,13 @@ internal sealed class Population
             {
                 if (_random.NextDouble() < ParkedShare * density)
                 {
-                    ParkAt(parked, walkway, distance, index);
+                    Model model = _mix.PickParked(_random);
+                    double beyondSlot = Math.Max(0, model.Max.Y - model.Min.Y + ParkingGap - ParkingSlot);
+                    if (distance + beyondSlot < to)
+                    {
+                        ParkAt(parked, walkway, distance + (beyondSlot / 2), index, model);
+                        distance += beyondSlot;
+                    }
                 }
             }
         }
@@ -61,11 +67,11 @@ internal sealed class Population
     }
 
     /// <summary>The ego, then the driving vehicles, each clear of the others.</summary>
-    public List<Vehicle> Drive(Placing placing, IReadOnlyList<Prop> parked, Vector3D start, double density)
+    public List<Vehicle> Drive(Placing placing, IReadOnlyList<Prop> parked, Vector3D start, bool isBeside, double density)
     {
         const double egoSpeed = 10;
         Vehicle ego = new(_handles.Next(), _catalogue[EgoModel], _random.Next(), egoSpeed);
-        placing.PutEgo(ego, start);
+        placing.PutEgo(ego, start, isBeside);
         List<Vehicle> vehicles = [ego];
         BodyIndex<Footprint> taken = new();
         taken.Add(ego.Footprint, ego.Pose.Position);
@@ -77,24 +83,36 @@ internal sealed class Population
         int count = (int)(placing.LaneMetres * VehiclesPerLaneMetre * density);
         for (int i = 0; i < count; i++)
         {
-            double cruise = 8 + (4 * _random.NextDouble());
-            Vehicle vehicle = new(_handles.Next(), Pick(_random.Next(5) == 0 ? _others : _cars), _random.Next(), cruise);
-            if (placing.Replace(vehicle, place => !taken.Near(place.Centre).Any(place.Overlaps)))
+            Add(8 + (4 * _random.NextDouble()), static _ => true);
+        }
+
+        int near = isBeside ? (int)(VehiclesNearEgo * density) : 0;
+        for (int i = 0; i < near; i++)
+        {
+            Add(6 + (5 * _random.NextDouble()), place => Horizontal.Distance(place.Centre, start) < NearEgo);
+        }
+
+        return vehicles;
+
+        void Add(double cruise, Func<Footprint, bool> isWanted)
+        {
+            Vehicle vehicle = new(_handles.Next(), _mix.PickDriving(_random), _random.Next(), cruise);
+            if (placing.Replace(vehicle, place => isWanted(place) && !taken.Near(place.Centre).Any(place.Overlaps)))
             {
                 vehicles.Add(vehicle);
                 taken.Add(vehicle.Footprint, vehicle.Pose.Position);
             }
         }
-
-        return vehicles;
     }
 
-    public List<Walker> Walk(IReadOnlyList<Walkway> walkways, double density)
+    public List<Walker> Walk(IReadOnlyList<Walkway> walkways, Vector3D? busy, double density)
     {
         List<Walker> walkers = [];
         foreach (Walkway walkway in walkways)
         {
-            double expected = walkway.Length * WalkersPerMetre * density;
+            bool isBusy = busy is { } place
+                && Horizontal.Distance(walkway.PlaceBeyondKerb((walkway.From + walkway.To) / 2, 0), place) < NearEgo;
+            double expected = walkway.Length * WalkersPerMetre * density * (isBusy ? BusyFactor : 1);
             int count = (int)(expected + _random.NextDouble());
             for (int i = 0; i < count; i++)
             {
@@ -105,10 +123,12 @@ internal sealed class Population
         return walkers;
     }
 
-    private void ParkAt(List<Prop> parked, Walkway walkway, double distance, RoadIndex index)
+    private void ParkAt(List<Prop> parked, Walkway walkway, double distance, RoadIndex index, Model model)
     {
+        const double roomAtKerb = 0.05;
         Road road = walkway.Road;
-        Vector3D place = road.Curve.OffsetAt(distance, walkway.OffsetBeyondKerb(-FromKerb));
+        double fromKerb = Math.Max(FromKerb, Math.Max(model.Max.X, -model.Min.X) + roomAtKerb);
+        Vector3D place = road.Curve.OffsetAt(distance, walkway.OffsetBeyondKerb(-fromKerb));
         const double clearOfOtherRoads = 2;
         if (index.IsOnAnother(road, place, clearOfOtherRoads))
         {
@@ -118,7 +138,6 @@ internal sealed class Population
         bool facesForward = road.Layout.IsOneWay ? road.Layout.Forward > 0 : walkway.OnRight;
         Vector3D tangent = road.Curve.TangentAt(distance);
         Axes axes = Horizontal.AxesAlong(facesForward ? tangent : -tangent);
-        Model model = Pick(_parkable);
         parked.Add(new Prop(_handles.Next(), model, _random.Next(), new Pose(place - (axes.Up * model.Min.Z), axes)));
     }
 

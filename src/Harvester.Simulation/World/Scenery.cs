@@ -27,7 +27,8 @@ internal sealed class Scenery
     private readonly Terrain _terrain;
     private readonly ModelCatalogue _catalogue;
     private readonly HandleCounter _handles;
-    private readonly IReadOnlyList<Model> _stock;
+    private readonly BuildingStock _stock;
+    private readonly Settlement _settlement;
     private readonly List<Model> _roadside;
     private readonly BodyIndex<Footprint> _buildings = new();
     private readonly List<Prop> _props = [];
@@ -41,6 +42,7 @@ internal sealed class Scenery
         _catalogue = catalogue;
         _handles = handles;
         _stock = site.Buildings;
+        _settlement = site.Settlement;
         _roadside = [.. catalogue.Signs.Where(sign => sign.Name is not StopSign and not YieldSign)];
     }
 
@@ -137,7 +139,9 @@ internal sealed class Scenery
         double distance = walkway.From + 1;
         while (distance < walkway.To)
         {
-            Model model = _stock[_random.Next(_stock.Count)];
+            Zone zone = _settlement.At(walkway.PlaceBeyondKerb(distance, Walkway.Width));
+            IReadOnlyList<Model> stock = _stock.In(zone);
+            Model model = stock[_random.Next(stock.Count)];
             double width = model.Max.X - model.Min.X;
             double depth = model.Max.Y - model.Min.Y;
             double setBack = Walkway.Width + 0.5 + (_random.Next(4) * 0.8);
@@ -149,13 +153,9 @@ internal sealed class Scenery
 
             Vector3D toStreet = Horizontal.RightOf(walkway.Road.Curve.TangentAt(middle)) * -walkway.Side;
             Vector3D centre = walkway.PlaceBeyondKerb(middle, setBack + (depth / 2));
-            Footprint footprint = new(centre, toStreet, depth / 2, width / 2);
-            bool leavesGap = _random.Next(6) == 0;
-            if (!leavesGap && IsFree(footprint))
+            bool leavesGap = _random.Next(6) < GapsIn(zone);
+            if (!leavesGap && TryAddBuilding(model, centre, toStreet, centre.Z))
             {
-                _buildings.Add(footprint, centre);
-                Vector3D origin = centre with { Z = LowestGround(footprint, centre.Z) };
-                _props.Add(new Prop(0, model, 0, new Pose(origin, Horizontal.AxesAlong(toStreet))));
                 distance += width + BuildingGap;
             }
             else
@@ -164,6 +164,32 @@ internal sealed class Scenery
             }
         }
     }
+
+    /// <summary>Adds a building if it overlaps neither another one nor a road.</summary>
+    /// <param name="model">The building.</param>
+    /// <param name="centre">The middle of its footprint.</param>
+    /// <param name="front">Horizontal unit vector of the direction in which it faces.</param>
+    /// <param name="street">Height above which its foot does not lie, metres.</param>
+    public bool TryAddBuilding(Model model, Vector3D centre, Vector3D front, double street)
+    {
+        Footprint footprint = new(centre, front, (model.Max.Y - model.Min.Y) / 2, (model.Max.X - model.Min.X) / 2);
+        if (!IsFree(footprint))
+        {
+            return false;
+        }
+
+        _buildings.Add(footprint, centre);
+        _props.Add(new Prop(0, model, 0, new Pose(centre with { Z = LowestGround(footprint, street) }, Horizontal.AxesAlong(front))));
+        return true;
+    }
+
+    /// <summary>Of six lots, those that stay empty.</summary>
+    private static int GapsIn(Zone zone) => zone switch
+    {
+        Zone.Country => 5,
+        Zone.Suburb => 2,
+        _ => 1,
+    };
 
     private bool IsFree(Footprint footprint)
     {
@@ -201,28 +227,18 @@ internal sealed class Scenery
             bool isStreetTree = _random.Next(3) == 0;
             double beyond = isStreetTree ? 0.7 : Walkway.Width + 3 + (25 * _random.NextDouble());
             Vector3D place = walkway.PlaceBeyondKerb(distance + (4 * _random.NextDouble()), beyond);
-            AddTree(place, isStreetTree ? place.Z : _terrain.HeightAt(place), isStreetTree ? 2 : PavementAndShoulder);
+            Model tree = _catalogue.Trees[_random.Next(_catalogue.Trees.Count)];
+            AddTree(tree, place, isStreetTree ? place.Z : _terrain.HeightAt(place), isStreetTree ? 2 : PavementAndShoulder);
         }
     }
 
-    /// <summary>Adds trees on the open land around roads without houses.</summary>
-    public void AddWoods(RoadPlan plan)
-    {
-        const double nearest = 9;
-        const double depth = 45;
-        foreach (Road road in plan.Roads.Where(road => road.IsHighway || road.IsUnpaved))
-        {
-            for (double distance = 0; distance < road.Length; distance += TreeSpacing / 2)
-            {
-                double beyond = nearest + (depth * _random.NextDouble());
-                double offset = _random.Next(2) == 0 ? road.RightKerb + beyond : road.LeftKerb - beyond;
-                Vector3D place = road.Curve.OffsetAt(distance, offset);
-                AddTree(place, _terrain.HeightAt(place), PavementAndShoulder);
-            }
-        }
-    }
+    /// <summary>The kinds of trees.</summary>
+    public IReadOnlyList<Model> Trees => _catalogue.Trees;
 
-    private void AddTree(Vector3D place, double height, double roadMargin)
+    /// <summary>Adds a tree, bush or rock on the ground, unless a building or road is there.</summary>
+    public void AddPlant(Model model, Vector3D place) => AddTree(model, place, _terrain.HeightAt(place), PavementAndShoulder);
+
+    private void AddTree(Model model, Vector3D place, double height, double roadMargin)
     {
         const double crown = 2;
         Footprint footprint = new(place, new Vector3D(0, 1, 0), crown, crown);
@@ -230,7 +246,6 @@ internal sealed class Scenery
             .Any(other => footprint.Overlaps(other with { Centre = other.Centre with { Z = place.Z } }));
         if (!isBuiltOver && !_index.IsAbreast(place, roadMargin))
         {
-            Model model = _catalogue.Trees[_random.Next(_catalogue.Trees.Count)];
             _props.Add(new Prop(
                 0, model, _random.Next(), new Pose(place with { Z = height }, Axes.FromHeading(_random.NextDouble() * 360))));
         }

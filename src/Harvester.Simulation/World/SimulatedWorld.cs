@@ -18,6 +18,9 @@ internal sealed class SimulatedWorld
 {
     private const double MaxTick = 0.05;
 
+    /// <summary>A prime, so that the seeds of a game's places differ from each other and from those of other games.</summary>
+    private const int SeedStep = 15_485_863;
+
     private readonly List<Prop> _entities;
     private readonly List<Vehicle> _vehicles;
     private readonly List<Walker> _walkers;
@@ -25,9 +28,23 @@ internal sealed class SimulatedWorld
     private readonly WalkerFlow _walking;
     private readonly SignalProps _signalProps;
     private readonly IReadOnlyList<Vector3D> _lamps;
+    private readonly MotionMeter _motion;
 
     public SimulatedWorld(SimulationOptions options)
+        : this(options, new HandleCounter(), 0, 0)
     {
+    }
+
+    /// <summary>The world around one of the places that a game visits.</summary>
+    /// <param name="options">The options, with the place as start.</param>
+    /// <param name="handles">Gives handles that no world of the game has used.</param>
+    /// <param name="place">Number of the place: each has its own traffic and people.</param>
+    /// <param name="timeSeconds">The game's time, seconds.</param>
+    /// <exception cref="ArgumentException">No road or no lane lies there.</exception>
+    public SimulatedWorld(SimulationOptions options, HandleCounter handles, int place, double timeSeconds)
+    {
+        TimeSeconds = timeSeconds;
+        int seed = options.Seed ^ (place * SeedStep);
         Vector3D start = options.Near is { } near ? new Vector3D(near.X, near.Y, 0) : options.Roads is { } roads ? Middle(roads)
             : Vector3D.Zero;
         Site site = options.Roads is null ? Sites.Town(options.Seed)
@@ -42,13 +59,22 @@ internal sealed class SimulatedWorld
         Truth = new RoadTruth(site.Index);
         Paint = site.Paint;
         ModelCatalogue catalogue = ModelCatalogue.Shared;
-        HandleCounter handles = new();
-        Population population = new(options.Seed, catalogue, handles);
-        Placing placing = new(site.Lanes, options.Seed);
-        List<Prop> parked = population.Park(site.Walkways, site.Index, options.TrafficDensity);
-        _vehicles = population.Drive(placing, parked, start, options.TrafficDensity);
-        _walkers = population.Walk(site.Walkways, options.PedestrianDensity);
-        Car = new EgoCar(Ego, site.Lanes);
+        Population population = new(seed, catalogue, handles);
+        Placing placing = new(site.Lanes, seed);
+        List<Prop> parked = population.Park(site.Walkways, site.Index, options.ParkedDensity ?? options.TrafficDensity);
+        _vehicles = population.Drive(placing, parked, start, options.IsWarm, options.TrafficDensity);
+        _walkers = population.Walk(site.Walkways, options.IsWarm ? start : null, options.PedestrianDensity);
+        bool isLively = options.Wander > 0 || options.LaneChanges > 0;
+        Car = new EgoCar(
+            Ego,
+            site.Lanes,
+            isLively ? new EgoManoeuvres(Ego, new LaneTravel(site.Lanes), seed, options.Wander, options.LaneChanges) : null);
+        if (isLively)
+        {
+            Car.Loosen();
+        }
+
+        _motion = new MotionMeter(Ego, Car);
         _traffic = new TrafficFlow(
             site.Lanes, site.Signals, _vehicles, Car, parked.Select(prop => Footprint.Of(prop.Pose, prop.Model.Min, prop.Model.Max)),
                 placing);
@@ -56,7 +82,7 @@ internal sealed class SimulatedWorld
 
         Scenery scenery = new(options.Seed, site, catalogue, handles);
         scenery.AddAlong(site.Walkways);
-        scenery.AddWoods(site.Plan);
+        new Countryside(options.Seed, site, scenery).AddAlong(site.Plan);
         _signalProps = new SignalProps(site.Signals, handles);
         if (options.Props is null)
         {
@@ -76,7 +102,14 @@ internal sealed class SimulatedWorld
         Scene = new RenderScene([
             .. site.Ground,
             .. parked.Concat(scenery.Props).Select(prop => new MeshInstance(prop.Model.Variant(prop.Variant), prop.Pose, prop.Handle)),
+            .. _walkers.Select(walker => walker.Bench).OfType<Pose>().Select(bench => new MeshInstance(catalogue.Bench.Mesh, bench, 0)),
         ]);
+        if (options.IsWarm)
+        {
+            const double leastSeconds = 5;
+            const double moreSeconds = 10;
+            Advance(leastSeconds + (moreSeconds * new Random(seed).NextDouble()));
+        }
     }
 
     public RoadNetwork Roads { get; }
@@ -103,6 +136,7 @@ internal sealed class SimulatedWorld
 
         // The wheels stand on the ground, at the lower end of the model's box.
         HeightAboveGroundMetres = -Ego.Model.Min.Z / Ego.Pose.Axes.Up.Z,
+        Motion = _motion.Motion,
     };
 
     /// <summary>Whether the ego has to stop at a line ahead.</summary>
@@ -112,6 +146,9 @@ internal sealed class SimulatedWorld
 
     /// <summary>The handle of a moving entity that is neither drawn nor read; 0 if there is none.</summary>
     public int HiddenHandle { get; set; }
+
+    /// <summary>Whether it is so dark that vehicles in traffic have their headlights on.</summary>
+    public bool IsDark { get; set; }
 
     /// <summary>Places the ego at a position, at rest.</summary>
     public void ResetEgo(Vector3D position, double headingDegrees) => _traffic.ResetEgo(position, headingDegrees);
@@ -128,8 +165,10 @@ internal sealed class SimulatedWorld
         for (int i = 0; i < steps; i++)
         {
             double step = seconds / steps;
+            _motion.Begin();
             _traffic.Tick(step, TimeSeconds, _walking.OnRoad());
             _walking.Tick(step, _traffic);
+            _motion.End(step);
             TimeSeconds += step;
         }
 
@@ -141,7 +180,7 @@ internal sealed class SimulatedWorld
     {
         double squared = range * range;
         return _vehicles.Skip(1).Where(vehicle => vehicle.Handle != HiddenHandle && (vehicle.Pose.Position - place).LengthSquared < squared)
-            .Select(vehicle => new MeshInstance(vehicle.Model.Variant(vehicle.Handle), vehicle.Pose, vehicle.Handle))
+            .SelectMany(vehicle => vehicle.Instances(LightsOf(vehicle)))
             .Concat(_walkers.Where(walker => (walker.Pose.Position - place).LengthSquared < squared)
                 .Select(walker => new MeshInstance(walker.Look, walker.Pose, walker.Handle)))
             .Concat(_signalProps.Instances(TimeSeconds).Where(signal => (signal.Pose.Position - place).LengthSquared < squared));
@@ -156,10 +195,14 @@ internal sealed class SimulatedWorld
                 vehicle.Velocity)
             {
                 HasRider = VehicleClasses.HaveRiders(vehicle.Model.Class) ? true : null,
+                Lights = LightsOf(vehicle),
             });
         IEnumerable<EntityState> walkers = _walkers.Where(walker => IsNear(walker.Pose)).Select(walker =>
             new EntityState(walker.Handle, walker.Model.Class, walker.Model.Name, walker.Pose, walker.Model.Min, walker.Model.Max,
-                walker.Velocity));
+                walker.Velocity)
+            {
+                Skeleton = walker.Skeleton,
+            });
         IEnumerable<EntityState> props = _entities.Where(prop => IsNear(prop.Pose)).Select(prop => prop.State);
         return [.. vehicles.Concat(walkers).Concat(props).Concat(_signalProps.States.Where(signal => IsNear(signal.Pose)))
             .Where(entity => entity.Handle != HiddenHandle)
@@ -190,6 +233,8 @@ internal sealed class SimulatedWorld
             .Select(vehicle => LightSource.Headlights(vehicle.Pose.ToWorld(new Vector3D(0, lampAhead, 0)), vehicle.Pose.Axes.Forward));
         return [.. lamps, .. headlights];
     }
+
+    private VehicleLights LightsOf(Vehicle vehicle) => vehicle.Signals.At(vehicle, TimeSeconds, IsDark);
 
     private static Vector3D Middle(RoadNetwork network) =>
         network.Nodes.Aggregate(Vector3D.Zero, (sum, node) => sum + node.Position) / network.Nodes.Count;

@@ -4,7 +4,6 @@ using System.Linq;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
-using Harvester.Simulation.Models;
 using Harvester.Simulation.Rendering;
 using Harvester.Simulation.Streets;
 using Harvester.Simulation.Traffic;
@@ -14,21 +13,24 @@ namespace Harvester.Simulation.World;
 /// <summary>Roads, the land around them, and the buildings for them. Immutable, so worlds on the same roads share it.</summary>
 internal sealed class Site
 {
-    private Site(int seed, RoadNetwork network, RoadPlan plan)
+    private Site(int seed, RoadNetwork network, RoadPlan plan, Settlement settlement)
     {
         Network = network;
         Plan = plan;
+        Settlement = settlement;
         Index = new Streets.RoadIndex(plan.Roads);
         Walkways = Walkway.Find(plan, Index);
-        Lanes = new LaneGraph(plan);
+        RoadLevels levels = new(plan.Roads, Index);
+        AsphaltHeights heights = new(Index, levels);
+        Lanes = new LaneGraph(plan, heights);
         Signals = new Signals(plan, network);
-        Terrain = new Terrain(plan);
-        Buildings = BuildingStock.Make(seed);
+        Terrain = new Terrain(plan, levels);
+        Buildings = new BuildingStock(seed);
 
         GroundMesh ground = new();
-        Terrain.Build(ground);
-        Asphalt asphalt = new(Index);
-        new RoadSurfaces(plan, Index, Terrain, asphalt, ground).Build();
+        Terrain.Build(ground, settlement);
+        Asphalt asphalt = new(Index, heights);
+        new RoadSurfaces(plan, Index, Terrain, levels, asphalt, heights, ground).Build();
         List<PaintRun> paint =
             [.. plan.Roads.Where(road => !road.IsInner && !road.IsUnpaved).SelectMany(road => PaintRun.Of(road, asphalt))];
         new RoadPainter(plan, paint, Index, asphalt, ground).Paint();
@@ -50,7 +52,10 @@ internal sealed class Site
 
     public Terrain Terrain { get; }
 
-    public IReadOnlyList<Model> Buildings { get; }
+    /// <summary>Where town and country are.</summary>
+    public Settlement Settlement { get; }
+
+    public BuildingStock Buildings { get; }
 
     /// <summary>The lines painted along the roads.</summary>
     public IReadOnlyList<PaintedLine> Paint { get; }
@@ -62,11 +67,14 @@ internal sealed class Site
     public static Site OfTown(int seed)
     {
         RoadNetwork network = TownBuilder.Build(seed);
-        return new Site(seed, network, RoadPlan.Build(network, Vector3D.Zero, double.PositiveInfinity));
+        return new Site(seed, network, RoadPlan.Build(network, Vector3D.Zero, double.PositiveInfinity), Settlement.Generated);
     }
 
     /// <summary>The part of given roads within a radius of a point.</summary>
     /// <exception cref="ArgumentException">No road lies there.</exception>
-    public static Site OfRoads(int seed, RoadNetwork network, Vector3D centre, double radiusMetres) =>
-        new(seed, network, RoadPlan.Build(network, centre, radiusMetres));
+    public static Site OfRoads(int seed, RoadNetwork network, Vector3D centre, double radiusMetres)
+    {
+        Settlement settlement = Settlement.Of(network, centre);
+        return new Site(seed, network, RoadPlan.Build(network, centre, radiusMetres, settlement), settlement);
+    }
 }

@@ -9,7 +9,9 @@ namespace Harvester.Simulation.World;
 internal sealed class WeatherClock
 {
     private const double RealSecondsPerGameMinute = 2;
+    private const int FirstDay = 1;
     private readonly bool _isTimeFixed;
+    private readonly int _dayOfYear;
     private string _weather;
     private TimeSpan _start;
 
@@ -18,6 +20,7 @@ internal sealed class WeatherClock
     public WeatherClock(SimulationOptions options)
     {
         _isTimeFixed = options.IsTimeOfDayFixed;
+        _dayOfYear = options.DayOfYear;
         (_weather, _start) = Checked(options.Weather, options.TimeOfDay);
     }
 
@@ -25,7 +28,16 @@ internal sealed class WeatherClock
     public EnvironmentState At(double worldSeconds) => new(_weather, TimeOfDay(worldSeconds));
 
     /// <summary>The light at a time of the world, seconds.</summary>
-    public Lighting LightingAt(double worldSeconds) => Weather.LightingOf(_weather, TimeOfDay(worldSeconds));
+    public Lighting LightingAt(double worldSeconds) => Weather.LightingOf(_weather, _dayOfYear, TimeOfDay(worldSeconds));
+
+    /// <summary>Whether it is so dark, by the hour or by rain, that drivers have their headlights on.</summary>
+    public bool IsDarkAt(double worldSeconds)
+    {
+        const double dusk = 0.25;
+        const double heavyRain = 0.5;
+        Lighting lighting = LightingAt(worldSeconds);
+        return lighting.NightFraction > dusk || lighting.RainFraction > heavyRain;
+    }
 
     /// <summary>Sets weather, time of day or both; null leaves a value unchanged.</summary>
     /// <exception cref="ArgumentException">The game has no such weather; nothing is set.</exception>
@@ -34,7 +46,7 @@ internal sealed class WeatherClock
 
     private static (string Weather, TimeSpan Start) Checked(string weather, TimeSpan start)
     {
-        _ = Weather.LightingOf(weather, start);
+        _ = Weather.LightingOf(weather, FirstDay, start);
         return (weather, start);
     }
 

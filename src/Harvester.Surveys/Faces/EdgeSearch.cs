@@ -22,10 +22,11 @@ internal sealed class EdgeSearch(Func<double, double, bool> isOn, double step, i
     /// <summary>One in this many known points is tried.</summary>
     private const int Stride = 2;
 
-    /// <summary>Steps after which a shape is assumed to be endless.</summary>
+    /// <summary>Steps after which a shape is assumed to be endless, and the search ends.</summary>
     private const int MaxSteps = 1000;
 
     private double _across;
+    private bool _isEndless;
 
     /// <summary>Where the shape ends, metres along the direction.</summary>
     public double End { get; private set; }
@@ -61,7 +62,7 @@ internal sealed class EdgeSearch(Func<double, double, bool> isOn, double step, i
     private bool Try(double across)
     {
         double further = End + (sign * MinGain);
-        if (!isOn(across, further))
+        if (_isEndless || !isOn(across, further))
         {
             return false;
         }
@@ -75,11 +76,13 @@ internal sealed class EdgeSearch(Func<double, double, bool> isOn, double step, i
     private void Follow()
     {
         int steps = 0;
-        while (steps++ < MaxSteps && isOn(_across, End + (sign * step)))
+        while (steps < MaxSteps && isOn(_across, End + (sign * step)))
         {
             End += sign * step;
+            steps++;
         }
 
+        _isEndless = steps == MaxSteps;
         double part = step;
         for (int i = 0; i < Halvings; i++)
         {

@@ -52,6 +52,41 @@ public sealed class FrozenHarvestTests
         Assert.Equal(new PictureLag(cameraLate ? lag - 1 : lag, lag), sink.End.Lag);
     }
 
+    [Theory]
+    [MemberData(nameof(Quirks))]
+    public void Readings_over_several_ticks_keep_matching_frames_only(int lag, int delay, bool cameraLate)
+    {
+        const int ticksOfAReading = 3;
+        var game = new FakeGame { PictureLag = lag, FreezeDelay = delay, CameraReportedLate = cameraLate };
+        GamePorts ports = game.Ports with { World = new SlowWorld(game, ticksOfAReading) };
+        var sink = new MemorySink();
+        using var session = new HarvestSession(Small with { ProbeLag = false }, ports, sink);
+
+        game.RunAlone(10);
+        game.Run(session);
+
+        Assert.Equal(25, sink.Frames.Count);
+        Assert.Equal(0, session.Counters.Discarded);
+        Assert.Equal(0, Mismatches(sink));
+    }
+
+    [Fact]
+    public void Movement_after_the_grab_discards_the_frame()
+    {
+        var game = new FakeGame();
+        bool grabbed = false;
+        game.OnCall = call => grabbed |= call == "Grab";
+        game.Entities = entities => grabbed
+            ? [entities[0] with { Pose = entities[0].Pose with { Position = entities[0].Pose.Position + new Vector3D(0, 0.01, 0) } }]
+            : entities;
+        using var session = new HarvestSession(Small with { ProbeLag = false }, game.Ports, new MemorySink());
+
+        game.Run(session, 10);
+
+        Assert.Equal(0, session.Counters.Captured);
+        Assert.Equal(["objectMoved"], session.Counters.Discards.Keys);
+    }
+
     [Fact]
     public void Judge_detects_frames_with_a_lag_above_the_limit()
     {

@@ -138,6 +138,19 @@ public sealed class LiveHarvestTests
     }
 
     [Fact]
+    public void Long_reading_of_the_scene_leaves_time_for_rays()
+    {
+        var game = new FakeGame { MillisecondsPerRay = 0.02, Rays = static (_, _, _) => new RayHit(1, 101) };
+        game.OnCall = call => game.Work(call == nameof(FakeGame.ReadEntities) ? 2.5 : 0);
+        var sink = new MemorySink();
+        using var session = new HarvestSession(Live with { LiveLag = new PictureLag(0, 0), MaxFrames = 1 }, game.Ports, sink);
+
+        game.Run(session);
+
+        Assert.Equal(OcclusionMethod.Rays, Assert.Single(sink.Frames[0].Label.Objects).OcclusionMethod);
+    }
+
+    [Fact]
     public void Constructor_with_masks_is_refused() =>
         Assert.Throws<ArgumentException>(() => new HarvestSession(Live with { Masks = true }, new FakeGame().Ports, new MemorySink()));
 }

@@ -28,7 +28,7 @@ public sealed class PhaseCallsTests
         game.Run(session);
 
         (long labelling, long rays) = session.Calls.Phases[HarvestPhase.Labelling];
-        const int freeze = 1, grab = 1, unfreeze = 1, readingsAfterTheGrab = 2;
+        const int freeze = 1, grab = 1, unfreeze = 1, readingsAfterTheGrab = 1;
         Assert.Equal(calls.Rays, rays);
         Assert.InRange(rays, 9 * frames, 9 * frames * 2);
         Assert.Equal(rays + (frames * (grab + (readingsAfterTheGrab * CallsOfAReading) + unfreeze)), labelling);

@@ -33,7 +33,7 @@ public sealed class DriveOverBridgeTests : IDisposable
     public async Task Client_and_game_in_separate_processes_drive_and_exit_cleanly()
     {
         string at = FreePlace();
-        Task<CliRun> game = Start(
+        Task<CliRun> game = CliRun.BesideAsync(
             "drive", "--out", _folder.PathOf("out"), "--bridge", "socket", "--role", "game", "--at", at, "--distance", "8", "--traffic",
             "0", "--seed", "4");
         CliRun client = await ClientOf(at);
@@ -49,7 +49,7 @@ public sealed class DriveOverBridgeTests : IDisposable
     public async Task Folder_client_started_after_the_first_frame_drives_the_game()
     {
         string shared = _folder.PathOf("shared");
-        Task<CliRun> game = Start(
+        Task<CliRun> game = CliRun.BesideAsync(
             "drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--role", "game", "--folder", shared, "--distance", "4",
             "--traffic", "0", "--seed", "4");
         while (!File.Exists(Path.Combine(shared, "state.txt")) && !game.IsCompleted)
@@ -58,7 +58,7 @@ public sealed class DriveOverBridgeTests : IDisposable
         }
 
         using CancellationTokenSource stopping = new();
-        Task<CliRun> client = Start(stopping.Token, "drive", "--bridge", "folder", "--role", "client", "--folder", shared);
+        Task<CliRun> client = CliRun.BesideAsync(stopping.Token, "drive", "--bridge", "folder", "--role", "client", "--folder", shared);
         CliRun run = await game;
         stopping.Cancel();
         await client;
@@ -71,7 +71,7 @@ public sealed class DriveOverBridgeTests : IDisposable
     {
         string at = FreePlace();
         using CancellationTokenSource stopping = new();
-        Task<CliRun> game = Start(
+        Task<CliRun> game = CliRun.BesideAsync(
             stopping.Token, "drive", "--out", _folder.PathOf("out"), "--bridge", "socket", "--role", "game", "--at", at, "--token",
             "sesame", "--traffic", "0");
         CliRun client = await ClientOf(at, "--token", "simsim");
@@ -95,7 +95,7 @@ public sealed class DriveOverBridgeTests : IDisposable
     public async Task Game_that_loses_its_client_keeps_the_record()
     {
         string shared = _folder.PathOf("shared");
-        Task<CliRun> game = Start(
+        Task<CliRun> game = CliRun.BesideAsync(
             "drive", "--out", _folder.PathOf("out"), "--bridge", "folder", "--role", "game", "--folder", shared, "--patience", "5",
             "--traffic", "0");
         while (!File.Exists(Path.Combine(shared, "state.txt")) && !game.IsCompleted)
@@ -169,11 +169,6 @@ public sealed class DriveOverBridgeTests : IDisposable
 
     public void Dispose() => _folder.Dispose();
 
-    private static Task<CliRun> Start(params string[] arguments) => Start(CancellationToken.None, arguments);
-
-    private static Task<CliRun> Start(CancellationToken stopping, params string[] arguments) =>
-        Task.Run(() => CliRun.StartAsync("", stopping, arguments), CancellationToken.None);
-
     /// <summary>Runs a client as soon as the game listens.</summary>
     private static async Task<CliRun> ClientOf(string at, params string[] more)
     {
@@ -181,7 +176,7 @@ public sealed class DriveOverBridgeTests : IDisposable
         CliRun run;
         do
         {
-            run = await Start(["drive", "--bridge", "socket", "--role", "client", "--at", at, .. more]);
+            run = await CliRun.BesideAsync(["drive", "--bridge", "socket", "--role", "client", "--at", at, .. more]);
         }
         while (run.Error.Contains("Cannot connect to", StringComparison.Ordinal) && DateTime.UtcNow < deadline);
         return run;

@@ -22,7 +22,9 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
 
         Assert.Equal(ExitCode.Done, run.ExitCode);
         Assert.Matches(
-            $"^{Regex.Escape(_folder.PathOf("out"))}: {format}, 2 frames \\(train 2\\), [0-9]+ of [0-9]+ labels written\n$", run.Out);
+            $"^{Regex.Escape(_folder.PathOf("out"))}: {format}, 2 frames \\(train 2\\), "
+                + "[0-9]+ of [0-9]+ labels written(, [0-9]+ regions? marked as ignored)?\n$",
+            run.Out);
         Assert.True(File.Exists(_folder.PathOf("out/" + file)));
     }
 
@@ -130,17 +132,26 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
 
     [Theory]
     [InlineData("--segmentation", "polygon", "coco")]
-    [InlineData("--classes", "car", "kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, webdataset, csv")]
-    [InlineData("--min-visible", "0.2", "kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, webdataset, csv")]
+    [InlineData(
+        "--classes",
+        "car",
+        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, webdataset, csv")]
+    [InlineData(
+        "--min-visible",
+        "0.2",
+        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, webdataset, csv")]
     [InlineData("--parts", "none", "coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, webdataset, csv")]
     [InlineData("--boxes", "cuboid", "kitti, kitti-tracking, coco, yolo, voc")]
     [InlineData("--subclasses", "mutcd,light", "coco, coco-panoptic, yolo, yolo-segment, voc")]
     [InlineData(
-        "--images", "copy", "kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, tusimple, openlane, csv")]
+        "--images",
+        "copy",
+        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, tusimple, openlane, csv")]
     [InlineData(
         "--split-block",
         "10",
-        "kitti, coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, deepdriving, tusimple, openlane, webdataset, csv")]
+        "kitti, coco, coco-panoptic, coco-keypoints, yolo, yolo-segment, voc, cityscapes, deepdriving, tusimple, openlane, webdataset, "
+            + "csv")]
     public void Export_refuses_an_option_that_has_no_effect_on_the_format(string option, string value, string formats)
     {
         foreach (string format in DatasetFormats.All.Select(format => format.Name))

@@ -14,6 +14,8 @@ public sealed class HarvestRefusalTests : IDisposable
 
     [Theory]
     [InlineData("--freeze", "slow", "--freeze takes paused, timeScale or auto, not 'slow'.")]
+    [InlineData("--date", "02-30", "--date takes a day of the year, e.g. 12-21, not '02-30'.")]
+    [InlineData("--detail", "best", "--detail takes plain or full, not 'best'.")]
     [InlineData("--quirks", "pause.heldCamera", "--quirks takes a comma-separated list of lag=N, ")]
     [InlineData("--quirks", "paused.lag=2", "--quirks takes a comma-separated list of lag=N, ")]
     public void Harvest_refuses_an_unknown_freeze_method(string option, string value, string message)

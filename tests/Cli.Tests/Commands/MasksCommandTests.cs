@@ -22,7 +22,7 @@ public sealed class MasksCommandTests
         string session = folder.PathOf("session");
         Assert.Equal(
             ExitCode.Done,
-            CliRun.Of("harvest", "--out", session, "--frames", "2", "--seed", "1", "--masks", "--no-report", "--size", "640x480").ExitCode);
+            CliRun.Of("harvest", "--out", session, "--frames", "2", "--seed", "2", "--masks", "--no-report", "--size", "640x480").ExitCode);
         string maps = folder.PathOf("maps");
         Directory.CreateDirectory(maps);
         foreach (string mask in Directory.GetFiles(Path.Combine(session, "masks")))

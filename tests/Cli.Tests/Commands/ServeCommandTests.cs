@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Net;
 using System.Net.Sockets;
-using System.Text;
 using Harvester.Cli.Terminals;
 using Harvester.TestSupport;
 
@@ -22,12 +21,28 @@ public sealed class ServeCommandTests
     [Fact]
     public async Task Served_game_reports_connections_and_client_errors()
     {
-        string port = FreePort.Find().ToString(CultureInfo.InvariantCulture);
-        Task<CliRun> serve = Task.Run(() => CliRun.Of("serve", "--port", port, "--duration", "3", "--traffic", "0", "--size", "80x60"));
-        int client = await HailAsync(int.Parse(port, CultureInfo.InvariantCulture), serve);
+        IPEndPoint at = new(IPAddress.Loopback, FreePort.Find());
+        using CancellationTokenSource stopping = new();
+        Task<CliRun> serve = CliRun.BesideAsync(
+            stopping.Token, "serve", "--port", at.Port.ToString(CultureInfo.InvariantCulture), "--traffic", "0", "--size", "80x60");
+        int client;
+        using (SocketClient hailing = await ConnectAsync(at, serve))
+        {
+            client = hailing.LocalPort;
+            AwaitTick(hailing);
+            hailing.Send("""{"type":"environment","weather":"hail"}""");
+            Assert.True(hailing.IsCutOff());
+        }
+
+        using (SocketClient next = await ConnectAsync(at, serve))
+        {
+            AwaitTick(next);
+        }
+
+        await stopping.CancelAsync();
         CliRun run = await serve;
 
-        Assert.Equal(ExitCode.Done, run.ExitCode);
+        Assert.Equal(ExitCode.Cancelled, run.ExitCode);
         Assert.Contains($"\nConnected: 127.0.0.1:{client}\nDisconnected: 127.0.0.1:{client}\n", run.Out, StringComparison.Ordinal);
         Assert.Contains("'hail', which is not one of clear, ", run.Error, StringComparison.Ordinal);
     }
@@ -96,42 +111,29 @@ public sealed class ServeCommandTests
     public void Impossible_option_value_is_refused(string option, string value, string message) =>
         CliRun.Of("serve", option, value).AssertFailed(ExitCode.Usage, message);
 
-    /// <summary>
-    /// Connects, sends a weather that the game does not have, and waits for the end of the connection; returns its own port.
-    /// </summary>
-    private static async Task<int> HailAsync(int port, Task serve)
+    /// <summary>Connects as soon as the game listens.</summary>
+    private static async Task<SocketClient> ConnectAsync(IPEndPoint at, Task serve)
     {
         while (true)
         {
-            using var connection = new TcpClient();
             try
             {
-                await connection.ConnectAsync(IPAddress.Loopback, port);
+                return new SocketClient(at);
             }
             catch (SocketException) when (!serve.IsCompleted)
             {
                 await Task.Delay(20);
-                continue;
             }
-
-            NetworkStream stream = connection.GetStream();
-            await SendAsync(stream, """{"type":"hello","version":1}""");
-
-            // Long enough for a tick of the game to see the connection.
-            await Task.Delay(300);
-            await SendAsync(stream, """{"type":"environment","weather":"hail"}""");
-            byte[] answer = new byte[65_536];
-            while (await stream.ReadAsync(answer) > 0)
-            {
-            }
-
-            return ((IPEndPoint)connection.Client.LocalEndPoint!).Port;
         }
     }
 
-    private static async Task SendAsync(NetworkStream stream, string json)
+    /// <summary>Waits until the game has finished a tick with this client: the tick of the first frame has when the second comes.</summary>
+    private static void AwaitTick(SocketClient client)
     {
-        byte[] header = Encoding.UTF8.GetBytes(json);
-        await stream.WriteAsync((byte[])[0, 0, 0, (byte)header.Length, 0, 0, 0, 0, .. header]);
+        for (int frame = 0; frame < 2; frame++)
+        {
+            client.Send("""{"type":"requestFrame"}""");
+            Assert.Equal("frame", client.Receive().Header.GetProperty("type").GetString());
+        }
     }
 }

@@ -26,19 +26,8 @@ public sealed class FuzzCorpus : IDisposable
         Directory.CreateDirectory(_folder.PathOf("maps"));
         File.Copy(_folder.PathOf("session/masks/00000000.png"), _folder.PathOf("maps/0.png"));
         File.Copy(_folder.PathOf("session/masks/00000001.png"), _folder.PathOf("maps/1.png"));
-        Directory.CreateDirectory(_folder.PathOf("survey/photos"));
-        _folder.File("survey/spaces.csv", "prop_sign_road_01a,-949234773,sign,STOP,R1-1,0,-0.5,-0.04,3,0.5,-0.06,1.5,-y,measured,a test\n");
-        _folder.File("survey/photos.csv", "file,model,x,y,z,pitch,roll,yaw,verticalFov\na.png,prop_sign_road_01a,0,-3,2,0,0,0,50\n");
+        FuzzTexts.WriteTo(_folder.Path);
         File.Copy(_folder.PathOf("maps/0.png"), _folder.PathOf("survey/photos/a.png"));
-        _folder.File("points.csv", "0,5,0\n1.5,20,-3\n");
-        _folder.File("vehicles.csv", "10,20,0,90\n-5,3,0,0,12\n");
-        _folder.File("lens.txt", "FocalScale = 1.1\nCentreOffsetX = 0.01\nCentreOffsetY = 0\nK1 = 0.05\nK2 = 0\n");
-        _folder.File("boxes.json", """
-            {"camera": {"position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 50, "width": 80, "height": 60},
-             "cuboids": [{"name": "a", "centre": [0, 10, 0], "halfExtents": [1, 2, 1], "rotation": [0, 0, 30]}]}
-            """);
-        _folder.File("GtaDataHarvester.log", "2026-01-01 10:00:00 GtaDataHarvester 1.0.0, API v3.6.0, game 1.0.3095.0\n2026-01-01 10:00:01 "
-            + "Harvest started.\n");
         foreach (string file in Directory.EnumerateFiles(_folder.Path, "*", SearchOption.AllDirectories))
         {
             _files.Add(Path.GetRelativePath(_folder.Path, file), File.ReadAllBytes(file));

@@ -1,12 +1,34 @@
+using Harvester.Cli.Boxes;
+using Harvester.Cli.Commands;
+using Harvester.Cli.Faces;
+using Harvester.Cli.Relabelling;
+using Harvester.Datasets.Diagnosis;
+using Harvester.Datasets.Exports.Assembly;
+using Harvester.Datasets.Exports.Validation;
+using Harvester.Datasets.Files;
+using Harvester.Datasets.Images;
+using Harvester.Datasets.Roads;
+using Harvester.Datasets.Sessions;
+using Harvester.Datasets.Statistics;
+using Harvester.Datasets.Validation;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Roads;
+using Harvester.Sessions.Faces;
+
 namespace Harvester.Cli.Tests.Hostile;
 
 /// <summary>A kind of input file.</summary>
 /// <param name="Name">Its name, which also names the folder of kept inputs.</param>
 /// <param name="File">The file to damage, in the folder of the corpus.</param>
+/// <param name="Read">Reads it in the test's process, from the folder of the corpus, without a command line.</param>
 /// <param name="Commands">What reads it; {0} is the folder of the corpus, and output goes to {0}/out.</param>
-internal sealed record FuzzKind(string Name, string File, params string[] Commands)
+internal sealed record FuzzKind(string Name, string File, Action<string> Read, params string[] Commands)
 {
     private const string Relabel = "relabel {0}/session --no-report --out {0}/out";
+    private const string Project = "project --position 0,0,0 --rotation 0,0,0 --fov 50 --size 80x60 --points {0}/points.csv";
+    private const string Merge = "merge {0}/shard {0}/shard2 --out {0}/out";
 
     /// <summary>Whether invalid lines are ignored by design, so that nothing is ever rejected.</summary>
     public bool IsReadWhatever { get; init; }
@@ -14,45 +36,134 @@ internal sealed record FuzzKind(string Name, string File, params string[] Comman
     /// <summary>All kinds.</summary>
     public static IReadOnlyList<FuzzKind> All { get; } =
     [
-        new("session", "session/session.json", "validate {0}/session", "stats {0}/session", "report {0}/session", Relabel,
+        new("session", "session/session.json", ValidateSession, "validate {0}/session", "stats {0}/session", "report {0}/session", Relabel,
             Export("csv"), "doctor {0}/session"),
-        new("labels", "session/labels.jsonl", [
+        new("labels", "session/labels.jsonl", ReadLabels, [
             "validate {0}/session", "stats {0}/session", "report {0}/session --out {0}/out.html", "report {0}/session --still 0 --out "
                 + "{0}/out.png", Relabel, "masks import {0}/session {0}/maps",
             .. "csv coco coco-panoptic yolo kitti kitti-tracking voc cityscapes webdataset openlane tusimple deepdriving".Split(' ')
                 .Select(Export),
         ]),
-        new("scene", "session/scenes/00000000.json", "validate {0}/session", Relabel),
-        new("roads", "session/scenes/roads.csv", "validate {0}/session",
-            Relabel, "roads info {0}/session/scenes/roads.csv", "roads map {0}/session/scenes/roads.csv --out {0}/out.svg"),
-        new("faces", "session/scenes/spaces.csv", "validate {0}/session", "spaces check {0}/session/scenes/spaces.csv",
-            "spaces list {0}/session/scenes/spaces.csv", "spaces gallery {0}/session/scenes/spaces.csv --out {0}/out.html"),
-        new("png", "session/frames/00000000.png", "validate {0}/session", "report {0}/session --still 0 --out {0}/out.png",
-            "export {0}/session --format csv --image-format bmp --out {0}/out", Export("deepdriving")),
-        new("mask", "session/masks/00000000.png", "validate {0}/session", Export("coco"), Export("cityscapes"), Relabel),
-        new("map", "maps/0.png", "masks import {0}/session {0}/maps", "masks import {0}/session {0}/maps --match"),
-        new("jpg", "jpg/frames/00000000.jpg", "validate {0}/jpg", "report {0}/jpg --still 0 --out {0}/out.png"),
-        new("bmp", "bmp/frames/00000000.bmp", "validate {0}/bmp", "report {0}/bmp --still 0 --out {0}/out.png"),
-        new("manifest", "csv/export.json", "validate {0}/csv"),
-        new("csv-frames", "csv/frames.csv", "validate {0}/csv"),
-        new("csv-objects", "csv/objects.csv", "validate {0}/csv"),
-        new("coco", "coco/annotations/instances_train.json", "validate {0}/coco"),
-        new("panoptic", "coco-panoptic/annotations/panoptic_train.json", "validate {0}/coco-panoptic"),
-        new("kitti", "kitti/training/label_2/000000.txt", "validate {0}/kitti"),
-        new("voc", "voc/Annotations/00000000.xml", "validate {0}/voc"),
-        new("yolo", "yolo/labels/train/00000000.txt", "validate {0}/yolo"),
-        new("webdataset", "webdataset/train-000000.tar", "validate {0}/webdataset"),
-        new("plan", "shard/.export/plan.json", "merge {0}/shard {0}/shard2 --out {0}/out", "validate {0}/shard"),
-        new("journal", "shard/.export/journal-1-of-2.jsonl", "merge {0}/shard {0}/shard2 --out {0}/out"),
-        new("points", "points.csv", "project --position 0,0,0 --rotation 0,0,0 --fov 50 --size 80x60 --points {0}/points.csv"),
-        new("vehicles", "vehicles.csv", "lanes --roads {0}/session/scenes/roads.csv --position 0,0,0 --heading 0 --vehicles "
+        new("manifest", "session/manifest.jsonl", ValidateSession, "validate {0}/session", Relabel, "repair {0}/session --out {0}/out",
+            "masks import {0}/session {0}/maps", Export("csv")),
+        new("scene", "session/scenes/00000000.json", ValidateSession, "validate {0}/session", Relabel),
+        Roads("roads", "session/scenes/roads.csv", "validate {0}/session", Relabel),
+        Roads("ipl", "paths.ipl"),
+        Roads("paths-xml", "paths.xml"),
+        Roads("ynd", "nodes.ynd.xml"),
+        Roads("road-dump", "nodes.json"),
+        new("faces", "session/scenes/spaces.csv", folder => ReadFaces(In(folder, "session/scenes/spaces.csv")),
+            "validate {0}/session", "spaces check {0}/session/scenes/spaces.csv", "spaces list {0}/session/scenes/spaces.csv",
+            "spaces gallery {0}/session/scenes/spaces.csv --out {0}/out.html"),
+        Picture("png", "session", "png", "export {0}/session --format csv --image-format bmp --out {0}/out", Export("deepdriving")),
+        new("mask", "session/masks/00000000.png", ValidateSession, "validate {0}/session", Export("coco"), Export("cityscapes"), Relabel),
+        new("map", "maps/0.png", folder => PngDecoder.ReadInstanceMap(In(folder, "maps/0.png")), "masks import {0}/session {0}/maps",
+            "masks import {0}/session {0}/maps --match"),
+        Picture("jpg", "jpg", "jpg"),
+        Picture("bmp", "bmp", "bmp"),
+        Dataset("export", "csv", "export.json"),
+        Dataset("dataset-manifest", "csv", "manifest.jsonl"),
+        Dataset("csv-frames", "csv", "frames.csv"),
+        Dataset("csv-objects", "csv", "objects.csv"),
+        Dataset("coco", "coco", "annotations/instances_train.json"),
+        Dataset("panoptic", "coco-panoptic", "annotations/panoptic_train.json"),
+        Dataset("kitti", "kitti", "training/label_2/000000.txt"),
+        Dataset("voc", "voc", "Annotations/00000000.xml"),
+        Dataset("yolo", "yolo", "labels/train/00000000.txt"),
+        Dataset("webdataset", "webdataset", "train-000000.tar"),
+        new("plan", "shard/.export/plan.json", MergeShards, Merge, "validate {0}/shard"),
+        new("journal", "shard/.export/journal-1-of-2.jsonl", MergeShards, Merge),
+        new("points", "points.csv", ReadPoints, Project),
+        new("vehicles", "vehicles.csv", ReadVehicles, "lanes --roads {0}/session/scenes/roads.csv --position 0,0,0 --heading 0 --vehicles "
             + "{0}/vehicles.csv"),
-        new("lens", "lens.txt", "project --position 0,0,0 --rotation 0,0,0 --fov 50 --size 80x60 --points {0}/points.csv --calibration "
-            + "{0}/lens.txt"),
-        new("boxes", "boxes.json", "boxes {0}/boxes.json"),
-        new("log", "GtaDataHarvester.log", "doctor {0}/GtaDataHarvester.log"),
-        new("photos", "survey/photos.csv", "spaces gallery {0}/survey --out {0}/out.html") { IsReadWhatever = true },
+        new("lens", "lens.txt", folder => LensFile.Read(In(folder, "lens.txt")), $"{Project} --calibration {{0}}/lens.txt"),
+        new("boxes", "boxes.json", folder => BoxSceneReader.Read(new FileInfo(In(folder, "boxes.json"))), "boxes {0}/boxes.json"),
+        new("log", "GtaDataHarvester.log", folder => Doctor.Examine(In(folder, "GtaDataHarvester.log")),
+            "doctor {0}/GtaDataHarvester.log"),
+        new("photos", "survey/photos.csv", folder =>
+            new FaceGallery(ReadFaces(In(folder, "survey/spaces.csv")), In(folder, "survey")).Write(Stream.Null),
+            "spaces gallery {0}/survey --out {0}/out.html")
+        {
+            IsReadWhatever = true,
+        },
     ];
 
+    /// <summary>All names, as cases of a theory.</summary>
+    public static TheoryData<string> Names => [.. All.Select(kind => kind.Name)];
+
+    /// <summary>The kind of a name.</summary>
+    public static FuzzKind Of(string name) => All.Single(kind => kind.Name == name);
+
+    /// <summary>What is against the promise in reading; null for nothing.</summary>
+    public string? FaultOf(string folder)
+    {
+        try
+        {
+            Read(folder);
+            return null;
+        }
+        catch (Exception e) when (e is DatasetFormatException or IOException or UnauthorizedAccessException)
+        {
+            return e.Message.Length > 0 ? null : $"{e.GetType().Name} without a message";
+        }
+        catch (Exception e)
+        {
+            return $"{e.GetType().Name}: {e.Message} {e.StackTrace?.Split('\n')[0].Trim()}";
+        }
+    }
+
+    private static FuzzKind Dataset(string name, string dataset, string file) => new(
+        name, $"{dataset}/{file}", folder => DatasetValidator.Validate(In(folder, dataset)), $"validate {{0}}/{dataset}");
+
+    private static FuzzKind Roads(string name, string file, params string[] more) => new(
+        name, file, folder => RoadImporter.Import(In(folder, file)),
+        [$"roads info {{0}}/{file}", $"roads map {{0}}/{file} --out {{0}}/out.svg", .. more]);
+
+    private static FuzzKind Picture(string name, string session, string extension, params string[] more)
+    {
+        string file = $"{session}/frames/00000000.{extension}";
+        return new FuzzKind(
+            name, file, folder => PictureReader.Read(In(folder, file)),
+            [$"validate {{0}}/{session}", $"report {{0}}/{session} --still 0 --out {{0}}/out.png", .. more]);
+    }
+
     private static string Export(string format) => $"export {{0}}/session --format {format} --out {{0}}/out";
+
+    private static void ValidateSession(string folder) => SessionValidator.Validate(new SessionReader(In(folder, "session")));
+
+    private static void ReadLabels(string folder)
+    {
+        ValidateSession(folder);
+        SessionStatistics.Of(new SessionReader(In(folder, "session")).ReadLabels());
+    }
+
+    private static FaceTable ReadFaces(string path) => FaceFile.ReadValid(path, static _ => { });
+
+    private static void MergeShards(string folder)
+    {
+        string merged = In(folder, "merged");
+        if (Directory.Exists(merged))
+        {
+            Directory.Delete(merged, recursive: true);
+        }
+
+        DatasetMerger.Merge([In(folder, "shard"), In(folder, "shard2")], merged, ImageTransfer.Link);
+    }
+
+    private static void ReadPoints(string folder)
+    {
+        var intrinsics = new CameraIntrinsics(50, new ImageSize(80, 60), 4.0 / 3, 0.1, Lens.Ideal);
+        var camera = new Camera(new Pose(Vector3D.Zero, Axes.FromHeading(0)), intrinsics);
+        ProjectCommand.Project(camera, InputFile.OpenText(In(folder, "points.csv")), "points.csv", TextWriter.Null);
+    }
+
+    private static void ReadVehicles(string folder)
+    {
+        RoadNetwork network = RoadImporter.Import(In(folder, "session/scenes/roads.csv")).Network;
+        var observer = new LaneObserver(new RoadCurves(network), new LaneModel(network), LookAhead.Thesis);
+        TrafficVehicle[] vehicles = LanesCommand.ReadVehicles(new FileInfo(In(folder, "vehicles.csv")));
+        LanesCommand.TextOf(observer.Observe(Vector3D.Zero, headingDegrees: 0, speed: 10, length: 4.5, vehicles, previous: null));
+    }
+
+    private static string In(string folder, string name) => Path.Combine(folder, name);
 }

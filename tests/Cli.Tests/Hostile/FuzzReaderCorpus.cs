@@ -17,7 +17,7 @@ public sealed class FuzzReaderCorpus : IDisposable
     public FuzzReaderCorpus()
     {
         Directory.CreateDirectory(Origin);
-        Write("roads.csv", WritingCommand.Roads);
+        File.WriteAllText(PathOf("roads.csv"), WritingCommand.Roads);
         foreach ((string name, string format) in new[] { ("session", "png"), ("jpg", "jpg"), ("bmp", "bmp") })
         {
             Run($"harvest --out {{0}}/{name} --frames 1 {Small} --image-format {format}");
@@ -34,22 +34,11 @@ public sealed class FuzzReaderCorpus : IDisposable
         File.Move(PathOf("roads.csv"), PathOf("session/scenes/roads.csv"));
         Directory.CreateDirectory(PathOf("maps"));
         File.Copy(PathOf("session/masks/00000000.png"), PathOf("maps/0.png"));
-        Directory.CreateDirectory(PathOf("survey/photos"));
-        Write("survey/spaces.csv", "prop_sign_road_01a,-949234773,sign,STOP,R1-1,0,-0.5,-0.04,3,0.5,-0.06,1.5,-y,measured,a test\n");
-        Write("survey/photos.csv", "file,model,x,y,z,pitch,roll,yaw,verticalFov\na.png,prop_sign_road_01a,0,-3,2,0,0,0,50\n");
+        FuzzTexts.WriteTo(Origin);
         File.Copy(PathOf("maps/0.png"), PathOf("survey/photos/a.png"));
-        Write("points.csv", "0,5,0\n1.5,20,-3\n");
-        Write("vehicles.csv", "10,20,0,90\n-5,3,0,0,12\n");
-        Write("lens.txt", "FocalScale = 1.1\nCentreOffsetX = 0.01\nCentreOffsetY = 0\nK1 = 0.05\nK2 = 0\n");
-        Write("boxes.json", """
-            {"camera": {"position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 50, "width": 80, "height": 60},
-             "cuboids": [{"name": "a", "centre": [0, 10, 0], "halfExtents": [1, 2, 1], "rotation": [0, 0, 30]}]}
-            """);
-        Write("GtaDataHarvester.log", "2026-01-01 10:00:00 GtaDataHarvester 1.0.0, API v3.6.0, game 1.0.3095.0\n2026-01-01 10:00:01 "
-            + "Harvest started.\n");
 
         // A reader that refused the sound file would prove nothing of damaged ones.
-        Assert.All(FuzzReader.All, reader => reader.Read(Origin));
+        Assert.All(FuzzKind.All, kind => kind.Read(Origin));
         Directory.Delete(PathOf("merged"), recursive: true);
     }
 
@@ -72,11 +61,9 @@ public sealed class FuzzReaderCorpus : IDisposable
     }
 
     /// <summary>The sound file of a kind.</summary>
-    internal byte[] Sound(FuzzReader reader) => File.ReadAllBytes(PathOf(reader.File));
+    internal byte[] Sound(FuzzKind kind) => File.ReadAllBytes(PathOf(kind.File));
 
     private string PathOf(string name) => Path.Combine(Origin, name);
-
-    private void Write(string name, string content) => File.WriteAllText(PathOf(name), content);
 
     private void Run(string command)
     {

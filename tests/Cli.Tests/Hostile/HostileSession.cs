@@ -49,7 +49,7 @@ internal sealed class HostileSession : IDisposable
     /// <summary>Runs a command that must end, with a documented code and one line of error.</summary>
     public static CliRun Run(params string[] arguments)
     {
-        Task<CliRun> run = Task.Run(() => CliRun.Of(arguments));
+        Task<CliRun> run = CliRun.BesideAsync(arguments);
         Assert.True(run.Wait(Patience), $"'{string.Join(' ', arguments)}' does not end");
         return run.Result;
     }

@@ -22,6 +22,7 @@ public sealed class PipeTests(SmallSession session) : IClassFixture<SmallSession
     [InlineData("frames/00000000.png", "export", "--format", "csv", "--out", "OUT")]
     [InlineData("frames/00000000.png", "export", "--format", "webdataset", "--out", "OUT")]
     [InlineData("frames/00000000.png", "relabel", "--no-report", "--out", "OUT")]
+    [InlineData("frames/00000000.png", "repair", "--out", "OUT")]
     [InlineData("masks/00000000.png", "validate")]
     [InlineData("masks/00000000.png", "export", "--format", "coco", "--out", "OUT")]
     [InlineData("scenes/00000000.json", "validate")]

@@ -58,7 +58,7 @@ internal sealed partial class FaultDriver
 
     /// <summary>
     /// Each operation fails with one error and kills the command once. The first of each kind on each kind of file fails with all errors:
-    /// the frames after the first are written as the first. A harvest takes long and shares its files with other commands: one error each.
+    /// the frames after the first are written as the first.
     /// </summary>
     private void RunFaults()
     {
@@ -66,7 +66,7 @@ internal sealed partial class FaultDriver
         foreach ((int index, FileOperation operation) in _operations.Index())
         {
             bool isNew = kinds.Add($"{operation.Kind} {Digits().Replace(operation.Path, "#")}");
-            foreach (int error in isNew && !_trial.Command.IsHarvest ? Errors : [Errors[index % Errors.Length]])
+            foreach (int error in isNew ? Errors : [Errors[index % Errors.Length]])
             {
                 Check(new Fault(operation, error));
             }

@@ -22,7 +22,9 @@ public sealed class FaultInjectionTests(ITestOutputHelper output) : IDisposable
             WritingCommand.All.OrderByDescending(command => command.BuildsWorld).Select(command => command.Name));
         var reports = new ConcurrentQueue<string>();
         Task.WaitAll([.. Enumerable.Range(0, Environment.ProcessorCount)
-            .Select(driver => Task.Run(() => Drive(library, _folder.PathOf($"work-{driver}"), names, reports)))]);
+            .Select(driver => Task.Factory.StartNew(
+                () => Drive(library, _folder.PathOf($"work-{driver}"), names, reports), CancellationToken.None,
+                TaskCreationOptions.LongRunning, TaskScheduler.Default))]);
         output.WriteLine(string.Join('\n', reports));
 
         Assert.Equal(WritingCommand.All.Count, reports.Count);

@@ -11,11 +11,9 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
     /// <summary>Whether it replaces something that must be whole until the new is.</summary>
     public bool Replaces => Before.Length == 1;
 
-    /// <summary>Whether it builds a world and renders.</summary>
-    public bool IsHarvest => Words.StartsWith("harvest ", StringComparison.Ordinal);
-
     /// <summary>Whether it builds a world, which takes longer than all else.</summary>
-    public bool BuildsWorld => IsHarvest || Words.StartsWith("drive ", StringComparison.Ordinal);
+    public bool BuildsWorld =>
+        Words.StartsWith("harvest ", StringComparison.Ordinal) || Words.StartsWith("drive ", StringComparison.Ordinal);
 
     /// <summary>A straight road, the file roads.csv of the inputs: its world is built in a fraction of the time of a town.</summary>
     public static string Roads { get; } =

@@ -25,7 +25,7 @@ static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static char root[PATH_MAX], wanted_kind[32], wanted_path[PATH_MAX], recorded[LOG_SIZE];
 static size_t recorded_length;
 static int is_on, wanted_number, wanted_error, ending, met, has_fired, is_dead, has_exchange = 1;
-static char *files[MAX_FILES];
+static char *files[MAX_FILES], is_read_only[MAX_FILES];
 
 #define REAL(name) ({ static __typeof__(name) *real; if (!real) real = (__typeof__(name) *)dlsym(RTLD_NEXT, #name); real; })
 
@@ -52,7 +52,7 @@ static int fails(const char *kind, const char *path) {
   int failing = 0;
   if (!is_on || !is_below(path)) return 0;
   pthread_mutex_lock(&lock);
-  shorten(path + strlen(root), name);
+  shorten(path[strlen(root)] ? path + strlen(root) : ".", name);
   if (is_dead) {
     errno = EIO;
     failing = strcmp(kind, "open") != 0;
@@ -99,8 +99,15 @@ int fault_end(void) {
 
 const char *fault_operations(void) { return recorded; }
 
+// The name of a folder ends with a slash.
 static int opened(int descriptor, const char *path, int flags) {
-  if (descriptor >= 0) remember(descriptor, is_on && (flags & O_ACCMODE) != O_RDONLY && is_below(path) ? path : NULL);
+  char name[PATH_MAX];
+  struct stat status;
+  if (descriptor < 0 || descriptor >= MAX_FILES) return descriptor;
+  int is_folder = is_on && !fstat(descriptor, &status) && S_ISDIR(status.st_mode);
+  snprintf(name, sizeof name, "%s%s", path, is_folder && path[strlen(path) - 1] != '/' ? "/" : "");
+  remember(descriptor, is_on && is_below(name) ? name : NULL);
+  is_read_only[descriptor] = (flags & O_ACCMODE) == O_RDONLY;
   return descriptor;
 }
 
@@ -148,13 +155,17 @@ int fdatasync(int descriptor) { return fails("flush", file(descriptor)) ? -1 : R
 
 int dup(int descriptor) {
   int second = REAL(dup)(descriptor);
-  if (second >= 0) remember(second, file(descriptor));
+  if (second >= 0 && second < MAX_FILES && descriptor < MAX_FILES) {
+    remember(second, file(descriptor));
+    is_read_only[second] = is_read_only[descriptor];
+  }
   return second;
 }
 
+// Nothing is lost when what was only read or flushed cannot be closed.
 int close(int descriptor) {
   const char *path = file(descriptor);
-  int failing = path && fails("close", path), error = errno;
+  int failing = path && !is_read_only[descriptor] && fails("close", path), error = errno;
   remember(descriptor, NULL);
   int code = REAL(close)(descriptor);
   if (!failing) return code;

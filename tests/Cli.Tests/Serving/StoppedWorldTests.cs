@@ -29,7 +29,9 @@ public sealed class StoppedWorldTests
             game, new FixedRoads(game.Roads, "simulation"), new DrivingOptions { Picture = picture }, bridge,
             static () => new DeepDrivingController(), isAssisted: true);
         using CancellationTokenSource ending = new();
-        Task<DrivingStatus> serving = Task.Run(() => new ServedGame(game, bridged).Run(double.PositiveInfinity, ending.Token));
+        Task<DrivingStatus> serving = Task.Factory.StartNew(
+            () => new ServedGame(game, bridged).Run(double.PositiveInfinity, ending.Token), CancellationToken.None,
+            TaskCreationOptions.LongRunning, TaskScheduler.Default);
         await File.WriteAllTextAsync(folder.PathOf("command.json"), """{"type":"pause","paused":true}""");
         DateTime deadline = DateTime.UtcNow + Ample;
         while (!game.IsFrozen)

@@ -16,8 +16,8 @@ public sealed class SimulatedSession : IDisposable
 
     public SimulatedSession()
     {
-        var game = new SimulatedGame(new SimulationOptions { Seed = 3, WindowAspect = 4.0 / 3 });
-        using var writer = new SessionWriter(Folder, new SessionOrigin { Game = "simulation", Tool = "test", Seed = 3 });
+        var game = new SimulatedGame(new SimulationOptions { Seed = 8, WindowAspect = 4.0 / 3 });
+        using var writer = new SessionWriter(Folder, new SessionOrigin { Game = "simulation", Tool = "test", Seed = 8 });
         using var session = new HarvestSession(
             new HarvestOptions { Image = new ImageSize(200, 150), MaxFrames = Frames, RateHz = 2, RangeMetres = 80, Masks = true },
             game.Ports with { Roads = new FixedRoads(game.Roads, "simulation") },

@@ -24,7 +24,14 @@ internal static class ComparedLabels
         }))];
 
     public static ObjectLabel WithoutOcclusion(ObjectLabel item) =>
-        item with { OccludedFraction = null, OcclusionMethod = OcclusionMethod.None, Box2DVisible = null };
+        WithoutVisibleJoints(item) with { OccludedFraction = null, OcclusionMethod = OcclusionMethod.None, Box2DVisible = null };
+
+    /// <summary>A label without what rays tell of its joints.</summary>
+    public static ObjectLabel WithoutVisibleJoints(ObjectLabel item) => item.Joints is not { } joints ? item : item with
+    {
+        Joints = new JointsLabel(
+            [.. joints.Joints.Select(joint => joint with { Visibility = JointVisibility.Unknown })], joints.Box),
+    };
 
     /// <summary>The measured part of the lanes, without what only rays or the game provide: hidden points and paint.</summary>
     public static LanesLabel Measured(LanesLabel lanes) => lanes with

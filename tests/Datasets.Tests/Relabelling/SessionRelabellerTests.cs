@@ -43,10 +43,10 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     [Fact]
     public void Relabel_with_range_classes_and_sizes_equals_a_harvest()
     {
-        ObjectClass[] classes = [ObjectClass.Car, ObjectClass.Sign];
+        ObjectClass[] classes = [ObjectClass.Car, ObjectClass.Truck, ObjectClass.Sign];
         SessionReader harvested = drive.Harvest("narrow", RecordedDrive.Options with
         {
-            RangeMetres = 70,
+            RangeMetres = 35,
             Classes = classes,
             MinBoxAreaPixels = 40,
             MinBoxSidePixels = 5,
@@ -55,7 +55,7 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
 
         SessionReader made = Relabel(drive.Session, new RelabelOptions
         {
-            RangeMetres = 70,
+            RangeMetres = 35,
             Classes = classes,
             MinBoxAreaPixels = 40,
             MinBoxSidePixels = 5,
@@ -70,8 +70,9 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
             frame => Assert.Superset(Seen(frame.First), Seen(frame.Second)));
         Assert.Contains(made.ReadLabels(), label => label.IgnoreRegions.Any(region => !IsBeyondBoth(region)));
         Assert.NotEqual(ComparedLabels.Of(drive.Session), ComparedLabels.Of(made));
-        Assert.Equal(["car", "sign"], SessionHeader(made).GetProperty("classes").EnumerateArray().Select(name => name.GetString()));
-        Assert.Equal(70, SessionHeader(made).GetProperty("options").GetProperty("rangeMetres").GetDouble());
+        Assert.Equal(
+            ["car", "truck", "sign"], SessionHeader(made).GetProperty("classes").EnumerateArray().Select(name => name.GetString()));
+        Assert.Equal(35, SessionHeader(made).GetProperty("options").GetProperty("rangeMetres").GetDouble());
     }
 
     [Fact]
@@ -79,7 +80,10 @@ public sealed class SessionRelabellerTests(RecordedDrive drive) : IClassFixture<
     {
         SessionReader made = Relabel(drive.Session, new RelabelOptions { MaxOccludedFraction = 1, Roads = drive.Roads });
 
-        Assert.Equal(ComparedLabels.Of(drive.FullSession), ComparedLabels.Of(made));
+        // No rays were cast for the joints of people who were not listed.
+        var listed = drive.Session.ReadLabels().SelectMany(label => label.Objects).Select(item => item.Box3D.Centre).ToHashSet();
+        ObjectLabel Known(ObjectLabel item) => listed.Contains(item.Box3D.Centre) ? item : ComparedLabels.WithoutVisibleJoints(item);
+        Assert.Equal(ComparedLabels.Of(drive.FullSession, Known), ComparedLabels.Of(made, Known));
         Assert.True(drive.FullSession.ReadLabels().Sum(label => label.Objects.Count) > drive.Session.ReadLabels().Sum(
             label => label.Objects.Count));
     }

@@ -61,6 +61,8 @@ public sealed class DamagedSession : IDisposable
     {
         foreach ((string file, byte[] bytes) in _files)
         {
+            // A link in its place would be followed.
+            File.Delete(file);
             File.WriteAllBytes(file, bytes);
         }
 

@@ -47,6 +47,19 @@ public sealed class SessionRepairerTests(DamagedSession session) : IClassFixture
         Assert.Contains($"'{name}' is missing", Assert.Single(_reported), StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData("frames/00000001.png")]
+    [InlineData("masks/00000001.png")]
+    [InlineData("scenes/00000001.json")]
+    public void Frame_with_a_file_outside_the_session_is_lost(string name)
+    {
+        File.Move(session.PathOf(name), Path.Combine(session.Folder, "..", "outside"), overwrite: true);
+        File.CreateSymbolicLink(session.PathOf(name), Path.Combine("..", "..", "outside"));
+
+        Assert.Equal(new SessionRepair(2, 1, false), Repair());
+        Assert.Contains("points outside", Assert.Single(_reported), StringComparison.Ordinal);
+    }
+
     [Fact]
     public void Damaged_frame_number_costs_only_its_own_frame()
     {

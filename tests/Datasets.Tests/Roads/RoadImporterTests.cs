@@ -102,7 +102,7 @@ public sealed class RoadImporterTests : IDisposable
 
         RoadImport import = RoadImporter.Import(_file);
 
-        Assert.Equal("1 links lead to cells without a file and were left out.", Assert.Single(import.Notes));
+        Assert.Equal("links to cells without a file, left out: 1.", Assert.Single(import.Notes));
         Assert.Single(import.Network.Links);
     }
 

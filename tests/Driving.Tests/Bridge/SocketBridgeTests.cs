@@ -111,6 +111,7 @@ public sealed class SocketBridgeTests
         {
             client.Send(nonsense);
             Assert.Equal("error", client.Receive().Header.GetProperty("type").GetString());
+            Assert.NotNull(bridge.Problem);
             Assert.True(client.IsCutOff());
         }
 
@@ -118,7 +119,6 @@ public sealed class SocketBridgeTests
         next.Send("""{"type":"requestFrame"}""");
 
         Assert.IsType<RequestFrameMessage>(Frames.AwaitWord(bridge));
-        Assert.NotNull(bridge.Problem);
     }
 
     [Fact]
@@ -173,7 +173,6 @@ public sealed class SocketBridgeTests
         client.Send(where == "type" ? $"{{\"type\":\"{text}\"}}" : $"{{\"{text}\":1,\"{text}\":2}}");
 
         Assert.Contains("'a?b???xxx", client.Receive().Header.GetProperty("reason").GetString(), StringComparison.Ordinal);
-        Frames.Await(() => bridge.Problem is not null, "the problem");
         Assert.InRange(bridge.Problem!.Length, 1, 250);
         Assert.DoesNotContain(bridge.Problem, letter => char.IsControl(letter) || letter == '\u2028');
     }

@@ -109,7 +109,8 @@ public sealed class ClientDriverTests
         using SocketLink link = new("127.0.0.1", game.Port, null, Ample);
         ClientDriver driver = new(link, static () => new StandingController(), Ample, TimeProvider.System);
         game.Say(FakeGame.Frame(1));
-        var driving = Task.Run(() => driver.Run(null, 60, default));
+        Task driving = Task.Factory.StartNew(
+            () => driver.Run(null, 60, default), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
         game.Hear();
         game.Hear();
         Assert.Contains("\"controls\"", game.Hear(), StringComparison.Ordinal);

@@ -61,6 +61,9 @@ internal sealed class GameEntity
     /// <summary>The shape that rays hit; null for its box.</summary>
     public Mesh? Shape { get; init; }
 
+    /// <summary>The joints of a person, in the world; null if its model has not the bones of people.</summary>
+    public Skeleton? Skeleton { get; set; }
+
     /// <summary>Bones by number, in the model's frame: traffic_light_0 and on.</summary>
     public IReadOnlyList<Vector3D> Bones { get; init; } = [];
 }

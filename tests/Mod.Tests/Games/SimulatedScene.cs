@@ -134,6 +134,7 @@ internal sealed class SimulatedScene
             ModelMax = entity.ModelMax,
             Velocity = entity.Velocity,
             HeightAboveGround = heightAboveGround,
+            Skeleton = entity.Skeleton,
         };
     }
 }

@@ -14,6 +14,9 @@ internal sealed class SinglePrecisionWorld(IWorld world, FaceTable faces) : IWor
 {
     private const double BeyondAll = 1e6;
 
+    /// <summary>The mod reads no joints farther from the camera, metres.</summary>
+    private const double JointRange = 100;
+
     public long GameFrame => world.GameFrame;
 
     public double TimeSeconds => Milliseconds * 0.001;
@@ -51,6 +54,7 @@ internal sealed class SinglePrecisionWorld(IWorld world, FaceTable faces) : IWor
                 ModelMin = Round(entity.ModelMin),
                 ModelMax = Round(entity.ModelMax),
                 Velocity = Round(entity.Velocity),
+                Skeleton = (Round(entity.Pose).Position - centre).Length < JointRange ? Round(entity.Skeleton) : null,
             })
             .Where(entity => (entity.Pose.Position - centre).Length < range)
             .ToArray();
@@ -67,6 +71,19 @@ internal sealed class SinglePrecisionWorld(IWorld world, FaceTable faces) : IWor
         .Select(entity => entity.Class == ObjectClass.Pedestrian ? entity with { Model = $"0x{ModelHash.Of(entity.Model):X8}" } : entity);
 
     public static Vector3D Round(Vector3D vector) => new((float)vector.X, (float)vector.Y, (float)vector.Z);
+
+    /// <summary>The game has no bone at the crown: it follows from the rounded bones of neck and head.</summary>
+    private static Skeleton? Round(Skeleton? skeleton)
+    {
+        if (skeleton is null)
+        {
+            return null;
+        }
+
+        Vector3D[] joints = [.. skeleton.Joints.Select(Round)];
+        joints[0] = joints[1] + (joints[1] - joints[2]);
+        return new Skeleton(joints);
+    }
 
     private static Pose Round(Pose pose) => new(
         Round(pose.Position), Axes.FromVectors(Round(pose.Axes.Right), Round(pose.Axes.Forward), Round(pose.Axes.Up)));

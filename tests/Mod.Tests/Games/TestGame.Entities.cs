@@ -11,6 +11,8 @@ internal sealed partial class TestGame
     {
         _natives[Hash.PLAYER_PED_ID] = _ => Player;
         _natives[Hash.IS_PED_HUMAN] = a => Entities[(int)a[0]].Name != "a_c_deer";
+        _natives[Hash.GET_PED_BONE_INDEX] = a => JointOf((int)a[0], (int)a[1]) is null ? -1 : (int)a[1] % 100;
+        _natives[Hash.GET_PED_BONE_COORDS] = a => ToGame(JointOf((int)a[0], (int)a[1]) ?? default);
         _natives[Hash.DOES_ENTITY_EXIST] = a => Entities.ContainsKey((int)a[0]);
         _natives[Hash.GET_ENTITY_TYPE] = a => Entities.TryGetValue((int)a[0], out GameEntity? entity)
             ? entity.Pool switch { PoolKind.Peds => 1, PoolKind.Vehicles => 2, _ => 3 }
@@ -45,4 +47,7 @@ internal sealed partial class TestGame
             }
         });
     }
+
+    private Vector3D? JointOf(int ped, int bone) =>
+        Entities.TryGetValue(ped, out GameEntity? entity) && PedBoneIds.JointOf(bone) is { } joint ? entity.Skeleton?[joint] : null;
 }

@@ -14,7 +14,7 @@ public sealed class JsonLabelWriterTests
     {
         string expected =
             """{"frame":3,"gameFrame":120,"timeSeconds":1.983333,"lagFrames":0,"lagSeconds":0,"image":"frames/00000003.png","mask":null"""
-                + ""","pixelMap":null,"rays":{"total":231,"map":0,"occlusion":130,"faces":64,"ignoreRegions":17,"lanes":20},"""
+                + ""","pixelMap":null,"rays":{"total":231,"map":0,"occlusion":130,"faces":64,"ignoreRegions":17,"lanes":20,"joints":0},"""
             + """ "camera":{"position":[1,-2.5,3],"right":[1,0,0],"forward":[0,1,0],"up":[0,0,1],"verticalFovDegrees":50""".TrimStart()
             + ""","width":800,"height":600,"windowAspect":1.777777778,"nearClip":0.15,"fx":482.507,"fy":643.352076,"cx":400,"cy":300"""
             + ""","distortion":{"focalScale":1.008,"k1":-0.02,"k2":0}},"""
@@ -119,7 +119,7 @@ public sealed class JsonLabelWriterTests
             new EnvironmentState("clear", new TimeSpan(7, 5, 9)),
             [light, motorcycle])
         {
-            Rays = new RayCounts(0, 130, 64, 17, 20),
+            Rays = new RayCounts(0, 130, 64, 17, 20, 0),
             IgnoreRegions = [new IgnoreRegion(IgnoreReason.BeyondRange, ObjectClass.Truck, new Box2D(700.5, 290, 720.125, 305), 157.23456)],
         };
     }

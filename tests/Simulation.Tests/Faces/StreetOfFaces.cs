@@ -172,7 +172,7 @@ internal sealed class StreetOfFaces : IWorld, IScreen, IPause, IClock, IRayCaste
 
         _entities = entities;
         string weather = OneOf([.. WeatherNames.All.Where(name => name is not ("foggy" or "blizzard"))]);
-        var lighting = Weather.LightingOf(weather, TimeSpan.FromHours(Between(0, 24)));
+        var lighting = Weather.LightingOf(weather, 121, TimeSpan.FromHours(Between(0, 24)));
         _drawn.Lighting = lighting;
         _hit.SetDynamic(
             _entities.Select(entity => new MeshInstance(entity.Model.Variant(entity.Variant), entity.State.Pose, entity.State.Handle)));

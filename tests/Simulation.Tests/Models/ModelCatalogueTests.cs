@@ -15,10 +15,11 @@ public sealed class ModelCatalogueTests
     [Fact]
     public void Vehicles_are_the_games_models_of_every_class()
     {
-        Assert.Equal(49, Catalogue.Vehicles.Count);
+        Assert.Equal(63, Catalogue.Vehicles.Count);
         ObjectClass[] classes =
         [
             ObjectClass.Car, ObjectClass.Truck, ObjectClass.Bus, ObjectClass.Motorcycle, ObjectClass.Bicycle, ObjectClass.Trailer,
+            ObjectClass.Other,
         ];
         Assert.All(classes, expected => Assert.Contains(Catalogue.Vehicles, model => model.Class == expected));
 

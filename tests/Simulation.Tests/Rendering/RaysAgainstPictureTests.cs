@@ -67,6 +67,53 @@ public sealed class RaysAgainstPictureTests
         Assert.Null(rays.Cast(north, 18.9, 1));
     }
 
+    [Theory]
+    [InlineData(1, 0)]
+    [InlineData(-1, 0)]
+    [InlineData(0, 1)]
+    [InlineData(0, -1)]
+    [InlineData(1, 1)]
+    public void Cast_along_a_face_hits_the_edge_it_starts_at(double x, double z)
+    {
+        Mesh box = new MeshBuilder().AddBox(new(-1, -1, -1), new(1, 1, 1), TestScene.White).Build();
+        var scene = new RenderScene([new(box, new Pose(new(0, 10, 0), Axes.Identity), 0)]);
+
+        Assert.Equal(
+            new RayHit(9, RayHit.World),
+            new SceneRayCaster(scene).Cast(new Ray(new(x, 0, z), new Vector3D(0, 1, 0)), 100, RayHit.World));
+    }
+
+    [Fact]
+    public void Cast_along_a_face_through_the_origin_hits_its_edge()
+    {
+        Mesh box = new MeshBuilder().AddBox(new(-1, -1, -1), new(0, 1, 1), TestScene.White).Build();
+        var scene = new RenderScene([new(box, new Pose(new(0, 10, 0), Axes.Identity), 0)]);
+
+        Assert.Equal(
+            new RayHit(9, RayHit.World),
+            new SceneRayCaster(scene).Cast(new Ray(new(0, 0, 0.5), new Vector3D(0, 1, 0)), 100, RayHit.World));
+    }
+
+    [Fact]
+    public void Cast_at_several_shapes_at_once_hits_the_first()
+    {
+        // All have a face at y = 9, but their boxes differ. Sizes and rays are such that nothing is rounded.
+        MeshInstance[] boxes = [.. Enumerable.Range(1, 12).Select(i => new MeshInstance(
+            new MeshBuilder().AddBox(new(-1 << i, 9, -1 << i), new(1 << i, 9 + (1 << i), 1 << i), TestScene.White).Build(),
+            new Pose(Vector3D.Zero, Axes.Identity),
+            i))];
+        var scene = new RenderScene([]);
+        scene.SetDynamic(boxes);
+        var rays = new SceneRayCaster(scene);
+
+        for (double x = -1; x <= 1; x += 0.125)
+        {
+            Assert.Equal(
+                new RayHit(9, scene.Dynamic.Instances[0].Handle),
+                rays.Cast(new Ray(new(x, 0, 0.25), new Vector3D(0, 1, 0)), 100, RayHit.World));
+        }
+    }
+
     [Fact]
     public void Cast_hits_the_nearest_triangle()
     {

@@ -133,7 +133,7 @@ public sealed class RendererTests
         RenderTarget Picture()
         {
             RenderScene scene = TestScene.Seeded(4);
-            scene.Lighting = Weather.LightingOf(weather, TimeSpan.FromHours(hour)) with { PrecipitationSeed = 9 };
+            scene.Lighting = Weather.LightingOf(weather, 121, TimeSpan.FromHours(hour)) with { PrecipitationSeed = 9 };
             scene.Lights = [LightSource.StreetLamp(new(0, 12, 6)), LightSource.Headlights(new(0, 1, 0), new(0, 1, 0))];
             return TestScene.Render(scene, TestScene.SeededCamera(4));
         }
@@ -152,7 +152,7 @@ public sealed class RendererTests
         RenderScene scene = TestScene.Seeded(4);
         RenderTarget day = TestScene.Render(scene, TestScene.Camera);
         double dayBrightness = day.Colour.Average(value => value);
-        scene.Lighting = Weather.LightingOf("clear", TimeSpan.FromHours(23));
+        scene.Lighting = Weather.LightingOf("clear", 121, TimeSpan.FromHours(23));
         RenderTarget night = TestScene.Render(scene, TestScene.Camera);
 
         Assert.True(night.Colour.Average(value => value) < dayBrightness / 3, "A night is darker than a third of the day.");

@@ -39,7 +39,7 @@ public class WeatherTests
     private static byte[] PictureOf(string weather)
     {
         RenderScene scene = TestScene.Seeded(4);
-        scene.Lighting = Weather.LightingOf(weather, TimeSpan.FromHours(12));
+        scene.Lighting = Weather.LightingOf(weather, 121, TimeSpan.FromHours(12));
         return TestScene.Render(scene, TestScene.Camera).Colour;
     }
 }

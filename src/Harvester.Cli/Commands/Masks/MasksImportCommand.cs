@@ -46,7 +46,7 @@ internal static class MasksImportCommand
             using FolderLock held = FolderLock.Take(session);
             MaskNumbers numbers = parsed.GetValue(match) ? MaskNumbers.Overlap : MaskNumbers.Ids;
             MaskImport done = MaskImporter.Import(
-                RecordedSessions.Open(terminal, session),
+                RecordedSessions.Open(terminal, session, cancellation),
                 parsed.GetRequiredValue(maps),
                 numbers,
                 RewriteReport,

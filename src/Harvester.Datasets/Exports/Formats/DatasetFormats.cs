@@ -5,6 +5,7 @@ using Harvester.Datasets.Exports.Formats.Cityscapes;
 using Harvester.Datasets.Exports.Formats.Coco;
 using Harvester.Datasets.Exports.Formats.Csv;
 using Harvester.Datasets.Exports.Formats.DeepDriving;
+using Harvester.Datasets.Exports.Formats.Jta;
 using Harvester.Datasets.Exports.Formats.Kitti;
 using Harvester.Datasets.Exports.Formats.Lanes;
 using Harvester.Datasets.Exports.Formats.Voc;
@@ -38,6 +39,14 @@ public static class DatasetFormats
         new("coco-panoptic", "COCO panoptic segmentation", options => new CocoPanopticWriter(options))
         {
             NeedsMasks = true, HasNames = true, HasSubclasses = true, HasParts = true, Check = CocoPanopticCheck.Problems,
+        },
+        new("coco-keypoints", "COCO keypoints of people", options => new CocoKeypointsWriter(options))
+        {
+            UsesMasks = true, Check = CocoKeypointsCheck.Problems,
+        },
+        new("jta", "JTA's layout of joints: a sequence for each session", _ => new JtaWriter())
+        {
+            NeedsRectilinear = true, KeepsSessions = true, Check = JtaCheck.Problems,
         },
         new("yolo", "Ultralytics YOLO, boxes", options => new YoloWriter(options))
         {

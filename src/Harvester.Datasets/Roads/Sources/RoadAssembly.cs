@@ -84,10 +84,10 @@ internal sealed class RoadAssembly
     public RoadImport Finish(string format, params IEnumerable<string> furtherNotes)
     {
         var notes = new List<string>(furtherNotes);
-        Note(notes, _leadOutside, "links lead to cells without a file and were left out");
-        Note(notes, _contradictions, "links have contradictory data at their two ends; the data read first was used");
-        Note(notes, _repetitions, "links occur twice and were imported once");
-        Note(notes, _loops, "links lead from a node to itself and were left out");
+        Note(notes, _leadOutside, "links to cells without a file, left out");
+        Note(notes, _contradictions, "links with contradictory data at their two ends, of which the data read first was used");
+        Note(notes, _repetitions, "links that occur twice, imported once");
+        Note(notes, _loops, "links from a node to itself, left out");
         return new RoadImport(new RoadNetwork(_nodes, _links), format, notes);
     }
 
@@ -95,7 +95,7 @@ internal sealed class RoadAssembly
     {
         if (count > 0)
         {
-            notes.Add(string.Create(CultureInfo.InvariantCulture, $"{count} {what}."));
+            notes.Add(string.Create(CultureInfo.InvariantCulture, $"{what}: {count}."));
         }
     }
 

@@ -22,14 +22,18 @@ internal static class CocoJson
     /// <param name="options">The options.</param>
     /// <param name="stuff">Categories that are not objects.</param>
     public static IEnumerable<AggregateFile> Files(string kind, ExportOptions options, params IEnumerable<Stuff> stuff) =>
-        options.Splits.Splits.Select(split => new AggregateFile(
+        Files(kind, options.Splits, Categories(options, stuff));
+
+    /// <summary>As above, with the list of categories as JSON.</summary>
+    public static IEnumerable<AggregateFile> Files(string kind, SplitPlan splits, string categories) =>
+        splits.Splits.Select(split => new AggregateFile(
         $"annotations/{kind}_{split.Name}.json",
         [
             AggregateSection.Literal("{\"info\":" + Info + ",\"licenses\":[],\"images\":[\n"),
             AggregateSection.Joined($"images {split.Name}", ",\n"),
             AggregateSection.Literal("\n],\"annotations\":[\n"),
             AggregateSection.Joined($"annotations {split.Name}", ",\n"),
-            AggregateSection.Literal("\n],\"categories\":" + Categories(options, stuff) + "}\n"),
+            AggregateSection.Literal("\n],\"categories\":" + categories + "}\n"),
         ]));
 
     /// <summary>The list of categories.</summary>

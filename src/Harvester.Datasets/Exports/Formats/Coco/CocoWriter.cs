@@ -11,12 +11,6 @@ namespace Harvester.Datasets.Exports.Formats.Coco;
 /// <summary>Writes COCO instances: images by split, and an annotation file per split. See docs/exports/coco.md.</summary>
 internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
 {
-    /// <summary>Object ids have 16 bits, so frame and object give an annotation id that does not depend on filters and shards.</summary>
-    private const long IdsPerFrame = 1 << 17;
-
-    /// <summary>Ids of ignore regions begin above all object ids.</summary>
-    private const int FirstRegion = 1 << 16;
-
     public WrittenObjects Write(ExportFrame frame, FrameOutput output)
     {
         string file = frame.Name + frame.ImageExtension;
@@ -42,7 +36,7 @@ internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
             if (region.Class is { } kind)
             {
                 CocoSegmentation segmentation = CocoSegmentation.OfRegion(region, frame);
-                int id = region.Label?.Id ?? FirstRegion + ignored;
+                int id = region.Label?.Id ?? CocoIds.FirstRegion + ignored;
                 output.Part($"annotations {frame.Split}",
                     Annotation(frame, id, kind, region.Box, isCrowd: true, segmentation, region.Label));
                 ignored++;
@@ -59,7 +53,7 @@ internal sealed class CocoWriter(ExportOptions options) : IDatasetWriter
             JsonLine.Of(json =>
     {
         json.WriteStartObject();
-        json.WriteNumber("id", (frame.Index * IdsPerFrame) + id);
+        json.WriteNumber("id", CocoIds.Of(frame, id));
         json.WriteNumber("image_id", frame.Index);
         json.WriteNumber("category_id", kind.Category);
         json.Numbers("bbox", [box.XMin, box.YMin, box.Width, box.Height], CocoJson.PixelDecimals);

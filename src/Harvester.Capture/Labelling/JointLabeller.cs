@@ -1,0 +1,58 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Visibility;
+using Harvester.Sessions.Labels;
+using Harvester.Sessions.Scenes;
+
+namespace Harvester.Capture.Labelling;
+
+/// <summary>Labels the joints of the listed people, with one ray per joint in the image.</summary>
+internal sealed class JointLabeller(LabellingOptions options, FrameRays rays)
+{
+    /// <summary>Labels the people of a frame in steps, one person each.</summary>
+    /// <param name="draft">The frame with its objects, which receive their joints, and their ids.</param>
+    /// <param name="mayCastRays">Called before each person; if it returns false, visibility is unknown.</param>
+    public IEnumerable<bool> Label(FrameDraft draft, Func<bool> mayCastRays)
+    {
+        var found = new Dictionary<int, JointsLabel>();
+        var listed = new HashSet<int>(draft.Objects.Select(label => label.Id));
+        foreach (EntityState entity in draft.Snapshot.Entities)
+        {
+            if (entity.Skeleton is { } skeleton && draft.Ids.TryGetValue(entity.Handle, out int id) && listed.Contains(id))
+            {
+                found[id] = mayCastRays() && rays.Left >= Skeleton.Count
+                    ? LabelOf(draft, entity)
+                    : JointLabels.Of(draft.Camera, skeleton, static _ => JointVisibility.Unknown);
+                yield return true;
+            }
+        }
+
+        draft.Update(label => found.TryGetValue(label.Id, out JointsLabel? joints) ? label with { Joints = joints } : label);
+    }
+
+    private JointsLabel LabelOf(FrameDraft draft, EntityState entity) =>
+        JointLabels.Of(draft.Camera, entity.Skeleton!, joint => VisibilityOf(draft.Camera, entity, joint, draft.Snapshot.Ego.Handle));
+
+    /// <summary>
+    /// Whether a joint is visible. Joints lie inside the body: a ray that meets the person within the depth of the joint below its own
+    /// surface has met that surface.
+    /// </summary>
+    private JointVisibility VisibilityOf(Camera camera, EntityState entity, Joint joint, int egoHandle)
+    {
+        Vector3D toJoint = entity.Skeleton![joint] - camera.Pose.Position;
+        double distance = toJoint.Length;
+        if (distance > options.RayReachMetres)
+        {
+            return JointVisibility.Unknown;
+        }
+
+        RayHit? hit = rays.Cast(new Ray(camera.Pose.Position, toJoint), distance, egoHandle);
+        return hit is not { } first ? JointVisibility.Visible
+            : first.Entity != entity.Handle ? JointVisibility.Occluded
+            : distance - first.Distance <= JointSizes.Depths[(int)joint] ? JointVisibility.Visible
+            : JointVisibility.SelfOccluded;
+    }
+}

@@ -1,0 +1,28 @@
+using System.CommandLine;
+using Harvester.Cli.Terminals;
+using Harvester.Simulation.Rendering;
+
+namespace Harvester.Cli.Arguments;
+
+/// <summary>--detail: how much of the light pictures show.</summary>
+internal static class DetailOption
+{
+    private const string Plain = "plain";
+    private const string Full = "full";
+
+    public static Option<string> Create() => new("--detail")
+    {
+        Description = $"Light of the simulated game: {Plain}, or {Full} with shadows, which takes longer; labels are the same",
+        HelpName = "LEVEL",
+        DefaultValueFactory = _ => Plain,
+    };
+
+    /// <summary>The level that a value names.</summary>
+    /// <exception cref="UsageException">The value is not a level.</exception>
+    public static Detail Parse(string value) => value switch
+    {
+        Plain => Detail.Plain,
+        Full => Detail.Full,
+        _ => throw new UsageException($"--detail takes {Plain} or {Full}, not '{value}'."),
+    };
+}

@@ -1,0 +1,78 @@
+using System;
+using System.CommandLine;
+using System.Globalization;
+using Harvester.Capture.Labelling;
+using Harvester.Cli.Terminals;
+using Harvester.Simulation.Settings;
+
+namespace Harvester.Cli.Arguments;
+
+/// <summary>The options that set how much happens in a simulated world.</summary>
+internal sealed class VarietyOptions
+{
+    private const int UsualPlaces = 10;
+    private const int UsualFramesOfPlace = 10;
+    private const int MostPlaces = 10_000;
+    private const double MostWander = 3;
+    private const double MostLaneChanges = 5;
+    private const double MostTraffic = 4;
+    private const double MostPedestrians = 5;
+    private const double MostParked = 2.5;
+
+    private readonly Option<double> _wander = Factor("--wander", "how far and how often the car leaves the middle of its lane", MostWander);
+    private readonly Option<double> _laneChanges = Factor("--lane-changes", "the number of lane changes and overtakings", MostLaneChanges);
+    private readonly Option<double> _traffic = Factor("--traffic", "the number of moving vehicles", MostTraffic);
+    private readonly Option<double> _pedestrians = Factor("--pedestrians", "the number of people on foot", MostPedestrians);
+    private readonly Option<double> _parked = Factor("--parked", "the number of parked vehicles", MostParked);
+
+    private readonly Option<int?> _places = ValueParsers.Optional<int>(
+        "--places",
+        "N",
+        "Number of places to visit, all over the road network [default: 10; fewer for less than 100 frames; 1 with --near]",
+        text => ValueParsers.Number(text) is >= 1 and <= MostPlaces and var places && places == Math.Floor(places) ? (int)places : null,
+        $"a whole number from 1 to {MostPlaces}");
+
+    /// <summary>Adds the options to a command.</summary>
+    public void AddTo(Command command)
+    {
+        foreach (Option option in new Option[] { _places, _wander, _laneChanges, _traffic, _pedestrians, _parked })
+        {
+            command.Options.Add(option);
+        }
+    }
+
+    /// <summary>The places of a harvest.</summary>
+    /// <param name="parsed">The command line.</param>
+    /// <param name="frames">Number of frames.</param>
+    /// <param name="isNear">Whether the place to start from is given.</param>
+    /// <exception cref="UsageException">There are more places than frames.</exception>
+    public PlaceSequence Places(ParseResult parsed, int frames, bool isNear)
+    {
+        int usual = isNear ? 1 : Math.Clamp(frames / UsualFramesOfPlace, 1, UsualPlaces);
+        int places = parsed.GetValue(_places) ?? usual;
+        return places <= frames ? new PlaceSequence(frames, places)
+            : throw new UsageException($"--places {places} needs at least as many --frames, not {frames}.");
+    }
+
+    /// <summary>Options of a simulation with the given factors; all others have their defaults.</summary>
+    public SimulationOptions Parse(ParseResult parsed) => new()
+    {
+        Wander = parsed.GetValue(_wander),
+        LaneChanges = parsed.GetValue(_laneChanges),
+        TrafficDensity = parsed.GetValue(_traffic),
+        PedestrianDensity = parsed.GetValue(_pedestrians),
+        ParkedDensity = parsed.GetValue(_parked),
+    };
+
+    private static Option<double> Factor(string name, string what, double most)
+    {
+        Option<double> option = ValueParsers.Number(
+            name,
+            "F",
+            $"Factor on {what}; 0 for none",
+            value => value >= 0 && value <= most,
+            string.Create(CultureInfo.InvariantCulture, $"a number from 0 to {most}"));
+        option.DefaultValueFactory = _ => 1;
+        return option;
+    }
+}

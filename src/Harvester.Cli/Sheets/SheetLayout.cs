@@ -1,0 +1,52 @@
+using System;
+using Harvester.Cli.Terminals;
+using Harvester.Geometry.Cameras;
+
+namespace Harvester.Cli.Sheets;
+
+/// <summary>Where the tiles of a contact sheet lie: row by row, each picture with its caption below.</summary>
+internal sealed record SheetLayout
+{
+    private const int Gap = 4;
+
+    /// <summary>Widest and highest sheet, pixels: what all viewers of pictures open.</summary>
+    private const int MaxSide = 16384;
+
+    private SheetLayout(ImageSize tile, int columns, int rows)
+    {
+        Tile = tile;
+        Columns = columns;
+        Sheet = new ImageSize((columns * (tile.Width + Gap)) + Gap, (rows * (tile.Height + CaptionFont.LineHeight)) + Gap);
+    }
+
+    /// <summary>Size of a picture, pixels.</summary>
+    public ImageSize Tile { get; }
+
+    /// <summary>Tiles of a row.</summary>
+    public int Columns { get; }
+
+    /// <summary>Size of the sheet, pixels.</summary>
+    public ImageSize Sheet { get; }
+
+    /// <summary>
+    /// A row per place if places have several tiles, otherwise about as many rows as columns.
+    /// </summary>
+    /// <exception cref="UsageException">The sheet would be too large.</exception>
+    public static SheetLayout Of(SheetPlan plan)
+    {
+        long moments = (long)plan.Weathers.Count * plan.Times.Count * plan.Seconds.Count;
+        long columns = moments > 1 ? moments : (int)Math.Ceiling(Math.Sqrt(plan.Places.Count));
+        long rows = ((plan.Places.Count * moments) + columns - 1) / columns;
+        long width = (columns * (plan.Tile.Width + Gap)) + Gap;
+        long height = (rows * (plan.Tile.Height + CaptionFont.LineHeight)) + Gap;
+        return Math.Max(width, height) <= MaxSide
+            ? new SheetLayout(plan.Tile, (int)columns, (int)rows)
+            : throw new UsageException(
+                $"The sheet would have {width} x {height} pixels, more than {MaxSide} a side; give fewer tiles or a smaller --size.");
+    }
+
+    /// <summary>Upper left corner of a tile's picture, pixels.</summary>
+    public (int Left, int Top) CornerOf(int tile) => (
+        Gap + (tile % Columns * (Tile.Width + Gap)),
+        Gap + (tile / Columns * (Tile.Height + CaptionFont.LineHeight)));
+}

@@ -1,0 +1,69 @@
+using System;
+using System.Threading.Tasks;
+using Harvester.Geometry.Cameras;
+using Harvester.Sessions.Imaging;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Quirks;
+using Harvester.Simulation.Rendering;
+
+namespace Harvester.Simulation.Game;
+
+/// <summary>
+/// Draws pictures of moments, one at a time: at once, or on another thread while the world moves on. A picture depends on its moment and
+/// on the static world only. All calls come from one thread.
+/// </summary>
+/// <param name="world">The scene whose static part is drawn.</param>
+/// <param name="lens">The lens of the camera.</param>
+/// <param name="detail">How much of the light is shown.</param>
+internal sealed class PicturePainter(RenderScene world, RenderLens lens, Detail detail)
+{
+    private readonly Renderer _renderer = new(detail);
+    private RenderTarget? _picture;
+    private long _state = -1;
+    private Task _last = Task.CompletedTask;
+
+    /// <summary>Draws a moment, with the handle and depth of each pixel. The result is overwritten by the next picture.</summary>
+    public RenderTarget Paint(Moment moment, ImageSize size)
+    {
+        // A failure of an earlier picture belongs to whoever grabbed that.
+        Task.WaitAny(_last);
+        return PaintNow(moment, moment.SceneIn(world), size);
+    }
+
+    /// <summary>Draws a moment on another thread, after the pictures that were asked for before.</summary>
+    /// <returns>Ends when the picture is drawn, or with the failure of drawing it.</returns>
+    public Task PaintLater(Moment moment, PixelBuffer target)
+    {
+        RenderScene scene = moment.SceneIn(world);
+        _last = _last.ContinueWith(
+            _ => Copy(PaintNow(moment, scene, target.Size), target), TaskScheduler.Default);
+        return _last;
+    }
+
+    /// <summary>Copies the colours of a picture.</summary>
+    public static void Copy(RenderTarget picture, PixelBuffer target) =>
+        Buffer.BlockCopy(picture.Colour, 0, target.Bytes, 0, target.Bytes.Length);
+
+    private RenderTarget PaintNow(Moment moment, RenderScene scene, ImageSize size)
+    {
+        if (_picture is null || _picture.Width != size.Width || _picture.Height != size.Height)
+        {
+            _picture = new RenderTarget(size.Width, size.Height);
+            _state = -1;
+        }
+
+        if (_state != moment.State)
+        {
+            _state = -1;
+            CameraState camera = moment.Truth.Camera;
+            RenderCamera eye = new(camera.Pose, camera.VerticalFovDegrees, camera.WindowAspect, camera.NearClip, size.Width, size.Height)
+            {
+                Lens = lens,
+            };
+            _renderer.Render(scene, eye, _picture);
+            _state = moment.State;
+        }
+
+        return _picture;
+    }
+}

@@ -1,0 +1,89 @@
+namespace Harvester.Cli.Tests.Hostile;
+
+/// <summary>The input files of a corpus that no command writes.</summary>
+internal static class FuzzTexts
+{
+    private static readonly (string Name, string Content)[] All =
+    [
+        ("survey/spaces.csv", "prop_sign_road_01a,-949234773,sign,STOP,R1-1,0,-0.5,-0.04,3,0.5,-0.06,1.5,-y,measured,a test\n"),
+        ("survey/photos.csv", "file,model,x,y,z,pitch,roll,yaw,verticalFov\na.png,prop_sign_road_01a,0,-3,2,0,0,0,50\n"),
+        ("points.csv", "0,5,0\n1.5,20,-3\n"),
+        ("vehicles.csv", "10,20,0,90\n-5,3,0,0,12\n"),
+        ("lens.txt", "FocalScale = 1.1\nCentreOffsetX = 0.01\nCentreOffsetY = 0\nK1 = 0.05\nK2 = 0\n"),
+        ("boxes.json", """
+            {"camera": {"position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 50, "width": 80, "height": 60},
+             "cuboids": [{"name": "a", "centre": [0, 10, 0], "halfExtents": [1, 2, 1], "rotation": [0, 0, 30]}]}
+            """),
+        ("GtaDataHarvester.log", "2026-01-01 10:00:00 GtaDataHarvester 1.0.0, API v3.6.0, game 1.0.3095.0\n"
+            + "2026-01-01 10:00:01 Harvest started.\n"),
+        ("paths.ipl", """
+            version
+            end
+            vnod
+            0, -200, 30, 0, 0, 0, 1, 0, 0.5, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
+            0, 0, 30, 0, 0, 0, 2, 15, 1, 305419896, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0
+            end
+            link
+            0, 1, -1, 2, 1, 3
+            end
+
+            """),
+        ("paths.xml", """
+            <?xml version="1.0"?>
+            <scene><objects>
+            <object class="vehiclenode" guid="{0}"><transform><object><position x="0" y="-200" z="30" /></object></transform>
+            <attributes><attribute name="Density" value="0.5" /><attribute name="Streetname" value="hash_12345678" /></attributes></object>
+            <object class="vehiclenode" guid="{1}"><transform><object><position x="0" y="0" z="30" /></object></transform>
+            <attributes><attribute name="Speed" value="2" /><attribute name="Highway" value="true" /></attributes></object>
+            <object class="vehiclelink" guid="{l}"><transform />
+            <attributes><attribute name="Width" value="2" /><attribute name="Lanes In" value="2" /></attributes>
+            <children /><references><ref guid="{0}" /><ref guid="{1}" /></references></object>
+            </objects></scene>
+
+            """),
+        ("nodes.ynd.xml", """
+            <?xml version="1.0" encoding="UTF-8"?>
+            <NodeDictionary>
+             <VehicleNodeCount value="2" />
+             <PedNodeCount value="0" />
+             <Nodes>
+              <Item><AreaID value="495" /><NodeID value="0" /><StreetName>hash_12345678</StreetName>
+               <Position x="0" y="-200" z="30" />
+               <Flags0 value="0" /><Flags1 value="0" /><Flags2 value="64" /><Flags3 value="0" /><Flags4 value="8" /><Flags5 value="2" />
+               <Links><Item><ToAreaID value="495" /><ToNodeID value="1" />
+                <Flags0 value="0" /><Flags1 value="0" /><Flags2 value="36" /><LinkLength value="200" /></Item></Links></Item>
+              <Item><AreaID value="495" /><NodeID value="1" /><StreetName>hash_12345678</StreetName>
+               <Position x="0" y="-10" z="30" />
+               <Flags0 value="0" /><Flags1 value="0" /><Flags2 value="0" /><Flags3 value="0" /><Flags4 value="8" /><Flags5 value="2" />
+               <Links><Item><ToAreaID value="495" /><ToNodeID value="0" />
+                <Flags0 value="0" /><Flags1 value="0" /><Flags2 value="36" /><LinkLength value="200" /></Item></Links></Item>
+             </Nodes>
+            </NodeDictionary>
+
+            """),
+        ("nodes.json", """
+            [{"AreaId": 495, "Nodes": [
+              {"Id": 0, "StreetName": "0", "IsValidForGps": true, "IsJunction": false, "IsFreeway": true, "IsGravelRoad": false,
+               "IsBackroad": false, "IsOnWater": false, "IsPedCrossway": false, "TrafficlightExists": false, "LeftTurnNoReturn": false,
+               "RightTurnNoReturn": false, "Position": {"X": 0, "Y": -200, "Z": 30}, "ConnectedNodes": [{"Node":
+              {"Id": 1, "StreetName": "0", "IsValidForGps": true, "IsJunction": false, "IsFreeway": true, "IsGravelRoad": false,
+               "IsBackroad": false, "IsOnWater": false, "IsPedCrossway": false, "TrafficlightExists": false, "LeftTurnNoReturn": false,
+               "RightTurnNoReturn": false, "Position": {"X": 0, "Y": -10, "Z": 30}, "ConnectedNodes": null},
+               "LaneCountForward": 2, "LaneCountBackward": 1}]},
+              {"Id": 1, "StreetName": "0", "IsValidForGps": true, "IsJunction": false, "IsFreeway": true, "IsGravelRoad": false,
+               "IsBackroad": false, "IsOnWater": false, "IsPedCrossway": false, "TrafficlightExists": false, "LeftTurnNoReturn": false,
+               "RightTurnNoReturn": false, "Position": {"X": 0, "Y": -10, "Z": 30}, "ConnectedNodes": []}]}]
+
+            """),
+    ];
+
+    /// <summary>Writes them into a folder.</summary>
+    public static void WriteTo(string folder)
+    {
+        Directory.CreateDirectory(Path.Combine(folder, "survey", "photos"));
+        foreach ((string name, string content) in All)
+        {
+            File.WriteAllText(Path.Combine(folder, name), content);
+        }
+    }
+}

@@ -1,0 +1,70 @@
+using Harvester.Geometry;
+using Harvester.Sessions.Scenes;
+using Harvester.Simulation.Models;
+using Harvester.Simulation.Rendering;
+using Harvester.Simulation.Settings;
+using Harvester.Simulation.World;
+
+namespace Harvester.Simulation.Tests.World;
+
+public sealed class PopulationTests
+{
+    private static readonly ObjectClass[] Driving =
+        [ObjectClass.Car, ObjectClass.Truck, ObjectClass.Bus, ObjectClass.Motorcycle, ObjectClass.Bicycle];
+
+    [Fact]
+    public void Ordinary_world_has_every_class_of_objects()
+    {
+        SimulatedWorld world = new(new SimulationOptions { Seed = 1 });
+        ObjectClass[] present = [.. world.EntitiesNear(Vector3D.Zero, double.PositiveInfinity).Select(entity => entity.Class).Distinct()];
+        Assert.Equal(Enum.GetValues<ObjectClass>(), present.Order());
+    }
+
+    [Fact]
+    public void Most_of_the_traffic_is_cars_and_no_class_is_rare()
+    {
+        // Of about 200 vehicles; a share of 5 % is missed by half with a probability below 5 %, so three worlds are counted together.
+        ObjectClass[] drawn = [.. Enumerable.Range(1, 3).SelectMany(seed =>
+            new SimulatedWorld(new SimulationOptions { Seed = seed }).Vehicles.Skip(1).Select(vehicle => vehicle.Model.Class))];
+        Assert.True(drawn.Length > 300, $"{drawn.Length} vehicles");
+        Assert.InRange(drawn.Count(kind => kind == ObjectClass.Car) / (double)drawn.Length, 0.6, 0.82);
+        Assert.All(Driving, kind => Assert.InRange(drawn.Count(other => other == kind) / (double)drawn.Length, 0.02, 0.82));
+    }
+
+    [Fact]
+    public void Two_wheelers_in_traffic_have_riders_above_their_boxes()
+    {
+        SimulatedWorld world = new(new SimulationOptions { Seed = 1 });
+        EntityState[] ridden = [.. world.EntitiesNear(Vector3D.Zero, double.PositiveInfinity).Where(entity => entity.HasRider == true)];
+        Assert.NotEmpty(ridden);
+        MeshInstance[] drawn = [.. world.MovingNear(Vector3D.Zero, double.PositiveInfinity)];
+        foreach (EntityState machine in ridden)
+        {
+            MeshInstance rider = Assert.Single(drawn, instance => instance.Handle == 0 && instance.Pose == machine.Pose);
+            Assert.InRange(rider.Mesh.Max.Z, machine.ModelMax.Z + 0.2, machine.ModelMax.Z + 1.2);
+            Assert.True(rider.Mesh.Min.Z >= machine.ModelMin.Z, $"The feet of the rider of {machine.Model} are below the ground.");
+        }
+    }
+
+    [Fact]
+    public void Parked_two_wheelers_have_no_riders()
+    {
+        SimulatedWorld world = new(new SimulationOptions { Seed = 1 });
+        HashSet<int> driving = [.. world.Vehicles.Select(vehicle => vehicle.Handle)];
+        EntityState[] parked = [.. world.EntitiesNear(Vector3D.Zero, double.PositiveInfinity)
+            .Where(entity => VehicleClasses.HaveRiders(entity.Class) && !driving.Contains(entity.Handle))];
+        Assert.NotEmpty(parked);
+        Assert.All(parked, entity => Assert.False(entity.HasRider));
+    }
+
+    [Fact]
+    public void Classes_of_models_are_those_of_the_game()
+    {
+        // The classes of the game by their numbers, for models whose class the list of exceptions does not decide.
+        (string Model, int GameClass)[] known = [("rebel2", 9), ("tropic", 14), ("squalo", 14), ("hexer", 8), ("cruiser", 13),
+            ("tanker", 11),
+            ("trailerlogs", 11), ("rocoto", 2), ("pony", 12), ("banshee", 6)];
+        Assert.All(known, pair => Assert.Equal(
+            VehicleClasses.Of(ModelHash.Of(pair.Model), pair.GameClass), ModelCatalogue.Shared[pair.Model].Class));
+    }
+}
