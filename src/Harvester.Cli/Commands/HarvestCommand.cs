@@ -176,7 +176,7 @@ internal sealed class HarvestCommand
         if (outcome.Fault is { } fault)
         {
             terminal.WriteError(output.KeepsFormer
-                ? $"{fault.Replace(written, plan.Folder, StringComparison.Ordinal)} The session that was there is unchanged; the new "
+                ? $"{fault.Replace(written, plan.Folder, StringComparison.Ordinal)} The former session is unchanged; the new "
                     + "frames are deleted."
                 : fault);
             return outcome.ExitCode;

@@ -85,7 +85,7 @@ internal sealed class SessionOutput : IDisposable
         else if (_replacement.Complete() is { } former)
         {
             _terminal.WriteError(
-                $"The former session is replaced, but what is left of it cannot be deleted: '{former}'. Delete it yourself.");
+                $"The former session is replaced, but its files in '{former}' cannot be deleted. Delete them yourself.");
         }
 
         _isComplete = true;

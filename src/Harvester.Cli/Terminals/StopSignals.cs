@@ -56,7 +56,7 @@ internal sealed class StopSignals : IDisposable
     private void End()
     {
         Thread.Sleep(Patience);
-        Console.Error.WriteLine("harvester: Stopped in the middle of a piece of work. What was written is whole; give the command again.");
+        Console.Error.WriteLine("harvester: Stopped in the middle of an operation. All written files are complete; run the command again.");
         Environment.Exit(ExitCode);
     }
 }

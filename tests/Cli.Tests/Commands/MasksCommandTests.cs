@@ -53,8 +53,9 @@ public sealed class MasksCommandTests
         Assert.NotEmpty(VisibleFaces(session));
         string maps = folder.PathOf("maps");
         Directory.CreateDirectory(maps);
-        using (FileStream map = File.Create(Path.Combine(maps, "0.png")))
+        foreach (string name in (string[])["0.png", "1.png"])
         {
+            using FileStream map = File.Create(Path.Combine(maps, name));
             new PngEncoder().Write(new InstanceMap(new ImageSize(640, 480)), map);
         }
 
