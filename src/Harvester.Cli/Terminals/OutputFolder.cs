@@ -74,7 +74,7 @@ internal static class OutputFolder
         }
     }
 
-    /// <summary>Whether there is no folder, or nothing but folders in it and the beginning of a mark.</summary>
+    /// <summary>Whether the folder is missing, or holds nothing but folders and an unfinished mark.</summary>
     private static bool HoldsNoFile(string folder) =>
         !Directory.Exists(folder)
         || Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories).All(path =>
