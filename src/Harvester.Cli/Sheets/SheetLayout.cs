@@ -12,7 +12,7 @@ internal sealed record SheetLayout
     /// <summary>Widest and highest sheet, pixels: what all viewers of pictures open.</summary>
     private const int MaxSide = 16384;
 
-    /// <summary>Most pixels of a sheet. With its compressed form and the worlds of its tiles, it then takes up to 0.9 GB of memory.</summary>
+    /// <summary>Most pixels of a sheet. With its compressed form and the worlds of its tiles, it takes up to 0.9 GB.</summary>
     private const long MaxPixels = 50_000_000;
 
     private SheetLayout(ImageSize tile, int columns, int rows)

@@ -16,7 +16,7 @@ internal static class OutputOverInput
         OperatingSystem.IsLinux() ? StringComparison.Ordinal : StringComparison.OrdinalIgnoreCase;
 
     /// <summary>Checks the files that a command line names. Inputs within a folder are checked by the commands.</summary>
-    /// <exception cref="UsageException">The value of --out, with links resolved, is a file that another option or argument names.</exception>
+    /// <exception cref="UsageException">--out, with links resolved, is a file that another option or argument names.</exception>
     /// <exception cref="IOException">A path leads through a cycle of links.</exception>
     public static void Check(ParseResult parsed)
     {

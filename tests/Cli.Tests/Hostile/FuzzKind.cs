@@ -41,8 +41,8 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
     [
         "harvest --out {0}/people --frames 1 --pedestrians 5 --roads {0}/straight.csv --seed 2 --size 64x48 --masks --no-report",
         .. "coco-keypoints jta".Split(' ').Select(format => $"export {{0}}/people --format {format} --out {{0}}/{format}"),
-        .. "csv coco coco-panoptic kitti kitti-tracking voc yolo yolo-segment cityscapes deepdriving tusimple openlane webdataset".Split(' ')
-            .Select(format => $"export {{0}}/session --format {format} --out {{0}}/{format}"),
+        .. "csv coco coco-panoptic kitti kitti-tracking voc yolo yolo-segment cityscapes deepdriving tusimple openlane webdataset"
+            .Split(' ').Select(format => $"export {{0}}/session --format {format} --out {{0}}/{format}"),
     ];
 
     /// <summary>Whether invalid lines are ignored by design, so that nothing is ever rejected.</summary>
