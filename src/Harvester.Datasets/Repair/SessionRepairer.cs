@@ -87,7 +87,7 @@ public sealed class SessionRepairer
 
         var sequence = new SequenceCheck();
         var check = new FrameCheck(_session, info, isQuick: false);
-        foreach (LabelLine[] chunk in _session.ReadLines().Chunk(ChunkLength))
+        foreach (LabelLine[] chunk in _session.ReadLines(DerivedFieldCheck.Problems).Chunk(ChunkLength))
         {
             cancellation.ThrowIfCancellationRequested();
             CheckedLine[] lines = [.. chunk.Select(line => Prepare(line, manifest, sequence, check))];

@@ -171,6 +171,11 @@ public sealed class SimulatedGame
 
     private Moment MomentShown => _toBeShown.TryPeek(out Moment? oldest) ? oldest : Present;
 
+    /// <summary>
+    /// Begins to build the models of all games on another thread. The first game waits for them, or builds them if this was not called.
+    /// </summary>
+    public static void BeginModels() => _ = Task.Run(static () => ModelCatalogue.Shared);
+
     /// <summary>Goes to another place, whose entities have handles of their own, while the time of day stands still.</summary>
     /// <param name="near">Where the ego starts, metres, world x and y.</param>
     /// <exception cref="ArgumentException">No road or no lane lies there.</exception>

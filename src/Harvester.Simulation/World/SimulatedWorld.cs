@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading.Tasks;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
@@ -108,6 +109,7 @@ internal sealed class SimulatedWorld
         {
             const double leastSeconds = 5;
             const double moreSeconds = 10;
+            BuildTrees();
             Advance(leastSeconds + (moreSeconds * new Random(seed).NextDouble()));
         }
     }
@@ -232,6 +234,23 @@ internal sealed class SimulatedWorld
             .Take(most)
             .Select(vehicle => LightSource.Headlights(vehicle.Pose.ToWorld(new Vector3D(0, lampAhead, 0)), vehicle.Pose.Axes.Forward));
         return [.. lamps, .. headlights];
+    }
+
+    /// <summary>
+    /// Begins to build, on another thread, the trees of the meshes around the ego: the first pictures need them, and the traffic, which is
+    /// simulated meanwhile, does not. A mesh whose tree is not ready in time builds it where it is needed.
+    /// </summary>
+    private void BuildTrees()
+    {
+        const double reachMetres = 150;
+        Vector3D place = Ego.Pose.Position;
+        Mesh[] nearest = [.. Scene.Static.Instances.ToArray().Concat(MovingNear(place, reachMetres))
+            .Select(instance => (instance.Mesh, Distance: instance.Mesh.Bounds.MovedBy(instance.Pose).DistanceTo(place)))
+            .Where(each => each.Distance < reachMetres)
+            .OrderBy(each => each.Distance)
+            .Select(each => each.Mesh)
+            .Distinct()];
+        _ = Task.Run(() => Array.ForEach(nearest, static mesh => _ = mesh.Tree));
     }
 
     private VehicleLights LightsOf(Vehicle vehicle) => vehicle.Signals.At(vehicle, TimeSeconds, IsDark);
