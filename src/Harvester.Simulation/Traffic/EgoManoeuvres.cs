@@ -17,12 +17,16 @@ internal sealed class EgoManoeuvres(Vehicle ego, LaneTravel lanes, int seed, dou
     private const double LaneChangesPerSecond = 0.2;
     private const double ShortestDriftSeconds = 1.5;
     private const double LongestDriftSeconds = 5;
+    private const double PromptedDriftSeconds = 3;
 
     /// <summary>Room between the car's side and the border of its lane at which wandering ends, metres.</summary>
     private const double SideRoom = 0.1;
 
     /// <summary>How far the car's middle goes beyond a marking on which it drives, at most, metres.</summary>
     private const double BeyondMarking = 0.3;
+
+    /// <summary>How far the wheels go onto a line that must not be crossed, at most, metres.</summary>
+    private const double OntoLine = 0.12;
 
     /// <summary>Way along the lane that a drift or lane change needs before a junction, metres.</summary>
     private const double JunctionRoom = 30;
@@ -75,6 +79,9 @@ internal sealed class EgoManoeuvres(Vehicle ego, LaneTravel lanes, int seed, dou
         (double gap, _) = Driver.Leader(ego, occupation);
         return gap < FollowMetres + (FollowSeconds * ego.Speed) ? Manoeuvre.Follow : wander > 0 ? Manoeuvre.Wander : Manoeuvre.KeepLane;
     }
+
+    /// <summary>Whether it is still to begin the drift that was asked for.</summary>
+    public bool IsPrompted => _promptedSide != 0;
 
     /// <summary>Asks for a drift onto a marking as soon as there is room for it.</summary>
     /// <param name="side">-1 for a marking to the left, 1 for one to the right.</param>
@@ -254,12 +261,19 @@ internal sealed class EgoManoeuvres(Vehicle ego, LaneTravel lanes, int seed, dou
             ? side > 0 && ego.Path.Road is { IsInner: false, IsUnpaved: false } road
                 && onMarking + ego.Model.Max.X < HalfLane + road.Shoulder
             : laneChanges > 0 && LaneTravel.HasGap(ego, beside, occupation);
+        if (side < 0 && beside is null)
+        {
+            // The middle of the road or its left edge: the wheels reach the line and stay off the lane behind it.
+            within = HalfLane - ego.Model.Max.X + (OntoLine * depth);
+        }
+
         double goal = side * (isOpen && depth > 0.3 && isClear(side * onMarking, JunctionRoom) ? onMarking : within);
         if (isClear(goal, JunctionRoom))
         {
+            double least = IsPrompted ? PromptedDriftSeconds : ShortestDriftSeconds;
             _promptedSide = 0;
             Begin(Manoeuvre.Drift, goal, SidewaysOf(depth));
-            _secondsLeft = ShortestDriftSeconds + ((LongestDriftSeconds - ShortestDriftSeconds) * _random.NextDouble());
+            _secondsLeft = least + ((LongestDriftSeconds - least) * _random.NextDouble());
         }
     }
 

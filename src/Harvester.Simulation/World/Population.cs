@@ -22,6 +22,9 @@ internal sealed class Population
     /// <summary>Around a place that is visited, metres, there are more vehicles and people: most labels are of what is near.</summary>
     private const double NearEgo = 100;
     private const double VehiclesNearEgo = 14;
+
+    /// <summary>As far as the ego gets in half a minute, metres, there are more of the parked vehicles that are rare elsewhere.</summary>
+    private const double ParkedNearEgo = 250;
     private const double BusyFactor = 3;
     private const double AheadFrom = 18;
     private const double AheadTo = 55;
@@ -65,7 +68,7 @@ internal sealed class Population
                 if (_random.NextDouble() < ParkedShare * density)
                 {
                     Model model = _mix.PickParked(
-                        _random, busy is { } place && Horizontal.Distance(walkway.PlaceBeyondKerb(distance, 0), place) < NearEgo);
+                        _random, busy is { } place && Horizontal.Distance(walkway.PlaceBeyondKerb(distance, 0), place) < ParkedNearEgo);
                     double beyondSlot = Math.Max(0, model.Max.Y - model.Min.Y + ParkingGap - ParkingSlot);
                     if (distance + beyondSlot < to)
                     {
@@ -96,7 +99,8 @@ internal sealed class Population
             for (double distance = road.StartTrim + RoadsideSlot; distance < road.Length - road.EndTrim - RoadsideSlot;
                 distance += RoadsideSlot)
             {
-                if (Horizontal.Distance(road.Curve.PositionAt(distance), busy) >= NearEgo || _random.NextDouble() >= LeftShare * density)
+                bool isNear = Horizontal.Distance(road.Curve.PositionAt(distance), busy) < ParkedNearEgo;
+                if (!isNear || _random.NextDouble() >= LeftShare * density)
                 {
                     continue;
                 }

@@ -22,10 +22,13 @@ internal sealed class SimulatedWorld
     private const int SeedStep = 15_485_863;
 
     /// <summary>
-    /// At every second place the ego is asked to drift onto a marking so long before the first frame, so that a session of few frames at
-    /// each place has such frames too.
+    /// At every second place the ego is asked to drift onto a marking, so that a session of few frames at each place has such frames too.
+    /// The first frame is so long after the drift has begun.
     /// </summary>
-    private const double SecondsToMarking = 2.5;
+    private const double SecondsToMarking = 1.5;
+
+    /// <summary>After so long the ego need not drift: it may wait at a light or follow a lane too narrow for it.</summary>
+    private const double MostSecondsToDrift = 25;
 
     private readonly List<Prop> _entities;
     private readonly List<Vehicle> _vehicles;
@@ -127,6 +130,11 @@ internal sealed class SimulatedWorld
             if (place % 2 == 1)
             {
                 Car.Prompt(place % 4 == 1 ? -1 : 1);
+                for (double waited = 0; Car.IsPrompted && waited < MostSecondsToDrift; waited += MaxTick)
+                {
+                    Advance(MaxTick);
+                }
+
                 Advance(SecondsToMarking);
             }
         }

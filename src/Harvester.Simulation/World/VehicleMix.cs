@@ -37,7 +37,7 @@ internal sealed class VehicleMix
     /// <summary>At kerbs near a place that is visited there are more of the classes that do not drive.</summary>
     private static readonly (ObjectClass Class, double Share)[] ParkedNear =
     [
-        (ObjectClass.Car, 0.72), (ObjectClass.Motorcycle, 0.08), (ObjectClass.Trailer, 0.12), (ObjectClass.Other, 0.08),
+        (ObjectClass.Car, 0.7), (ObjectClass.Motorcycle, 0.08), (ObjectClass.Trailer, 0.12), (ObjectClass.Other, 0.1),
     ];
 
     private readonly ILookup<ObjectClass, Model> _models;
