@@ -110,6 +110,7 @@ internal static class Application
         };
         try
         {
+            OutputOverInput.Check(parsed);
             int code = await parsed.InvokeAsync(configuration, cancellation).ConfigureAwait(false);
             await terminal.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
             return code;

@@ -174,6 +174,7 @@ internal sealed class SimulatedHarvest
         Game = "simulation",
         Tool = $"harvester {typeof(SimulatedHarvest).Assembly.GetName().Version!.ToString(3)}",
         Seed = _plan.Seed,
+        Truth = LabelTruths.OfSimulation(_plan.Variety.ReportsTrueOcclusion),
         Settings = [.. Settings()],
     };
 

@@ -17,7 +17,7 @@ public readonly struct JsonFields
     /// </summary>
     private const double MaxMagnitude = 1e12;
 
-    /// <summary>Texts are names, which are kept: as many as a session has objects.</summary>
+    /// <summary>Limit of strings. They are names that stay in memory, one per object of a session.</summary>
     private const int MaxTextCharacters = 4096;
 
     private readonly JsonElement _element;

@@ -142,6 +142,7 @@ public static class FrameLabelParser
             TruncatedFraction = label.Number("truncatedFraction"),
             OccludedFraction = label.OptionalNumber("occludedFraction"),
             OcclusionMethod = label.Name<OcclusionMethod>("occlusionMethod"),
+            TrueOccludedFraction = label.Has("trueOccludedFraction") ? label.Number("trueOccludedFraction") : null,
             Box3D = box3D.Checked(() => new Cuboid(box3D.Vector("centre"), box3D.Vector("halfExtents"), box3D.Axes())),
             DistanceMetres = label.Number("distanceMetres"),
             Velocity = label.Vector("velocity"),

@@ -68,6 +68,7 @@ public sealed class SimulatedGame
             MountedCamera = new MountedCameraPort(this),
             Paint = new PaintPort(this),
             Lights = new LightsPort(this),
+            DrawnOcclusion = options.ReportsTrueOcclusion ? new DrawnOcclusionPort(this) : null,
         };
     }
 
@@ -100,6 +101,8 @@ public sealed class SimulatedGame
     public int Place { get; private set; }
 
     internal Freezing Freezing { get; }
+
+    internal RenderLens Lens => _options.Lens;
 
     internal SimulatedWorld World => _world;
 
@@ -143,7 +146,8 @@ public sealed class SimulatedGame
     private CameraState Camera =>
         new(_world.Ego.Pose.Compose(_mount), _options.VerticalFovDegrees, _options.NearClip, _options.WindowAspect);
 
-    private Moment Present
+    /// <summary>The present moment, which rays meet and which a frozen game shows.</summary>
+    internal Moment Present
     {
         get
         {

@@ -22,6 +22,15 @@ internal sealed class SimulatedWorld
     /// <summary>A prime, so that the seeds of a game's places differ from each other and from those of other games.</summary>
     private const int SeedStep = 15_485_863;
 
+    /// <summary>
+    /// At every second place the ego is asked to drift onto a marking, so that a session of few frames at each place has such frames too.
+    /// The first frame is so long after the drift has begun.
+    /// </summary>
+    private const double SecondsToMarking = 1.5;
+
+    /// <summary>After so long the ego need not drift: it may wait at a light or follow a lane too narrow for it.</summary>
+    private const double MostSecondsToDrift = 25;
+
     private readonly List<Prop> _entities;
     private readonly List<Vehicle> _vehicles;
     private readonly List<Walker> _walkers;
@@ -62,9 +71,18 @@ internal sealed class SimulatedWorld
         ModelCatalogue catalogue = ModelCatalogue.Shared;
         Population population = new(seed, catalogue, handles);
         Placing placing = new(site.Lanes, seed);
-        List<Prop> parked = population.Park(site.Walkways, site.Index, options.ParkedDensity ?? options.TrafficDensity);
-        _vehicles = population.Drive(placing, parked, start, options.IsWarm, options.TrafficDensity);
-        _walkers = population.Walk(site.Walkways, options.IsWarm ? start : null, options.PedestrianDensity);
+        int? visit = options.IsWarm ? place : null;
+        (LanePath Path, double Distance) startOfEgo = placing.StartOfEgo(start, visit);
+        Vector3D? busy = options.IsWarm ? startOfEgo.Path.Line.PositionAt(startOfEgo.Distance) : null;
+        double parkedDensity = options.ParkedDensity ?? options.TrafficDensity;
+        List<Prop> parked = population.Park(site.Walkways, site.Index, busy, parkedDensity);
+        if (busy is { } visited)
+        {
+            parked.AddRange(population.Leave(site.Plan.Roads, site.Index, visited, site.Terrain.HeightAt, parkedDensity));
+        }
+
+        _vehicles = population.Drive(placing, parked, startOfEgo, visit, options.TrafficDensity);
+        _walkers = population.Walk(site.Walkways, busy, options.PedestrianDensity);
         bool isLively = options.Wander > 0 || options.LaneChanges > 0;
         Car = new EgoCar(
             Ego,
@@ -111,6 +129,16 @@ internal sealed class SimulatedWorld
             const double moreSeconds = 10;
             BuildTrees();
             Advance(leastSeconds + (moreSeconds * new Random(seed).NextDouble()));
+            if (place % 2 == 1)
+            {
+                Car.Prompt(place % 4 == 1 ? -1 : 1);
+                for (double waited = 0; Car.IsPrompted && waited < MostSecondsToDrift; waited += MaxTick)
+                {
+                    Advance(MaxTick);
+                }
+
+                Advance(SecondsToMarking);
+            }
         }
     }
 
