@@ -6,6 +6,7 @@ the origin at the upper left corner of the image; the centre of the first pixel 
 
 from __future__ import annotations
 
+import functools
 import math
 from dataclasses import dataclass
 from typing import Any, Iterable, Mapping, Tuple
@@ -18,13 +19,26 @@ Vector = Tuple[float, float, float]
 
 # From the radius where its slope falls to this value, the polynomial of the lens is continued as a straight line.
 _MIN_SLOPE = 0.1
-_NEWTON_STEPS = 60
+# Far beyond the image, where r^5 dominates, a step divides the error by 1.25 only.
+_NEWTON_STEPS = 200
 
 
 def vector(values: Iterable[float]) -> Vector:
     """Three numbers as a vector. Raises ValueError if there are more or fewer."""
     x, y, z = values
     return x, y, z
+
+
+def orthonormal(right: Vector, forward: Vector) -> Array:
+    """Axes as the rows right, forward, up of a matrix. Labels round them; as in the C# library, forward keeps its direction, right is
+    turned square to it, and up follows.
+    """
+    ahead = np.array(forward, dtype=np.float64)
+    ahead /= np.linalg.norm(ahead)
+    side = np.array(right, dtype=np.float64)
+    side -= np.dot(side, ahead) * ahead
+    side /= np.linalg.norm(side)
+    return np.array([side, ahead, np.cross(side, ahead)])
 
 
 def _end_of_polynomial(k1: float, k2: float) -> float:
@@ -154,10 +168,10 @@ class Camera:
         """Vertical focal length of the saved image, pixels."""
         return self.focal_scale * self.height / (2 * math.tan(math.radians(self.vertical_fov_degrees) / 2))
 
-    @property
+    @functools.cached_property
     def axes(self) -> Array:
         """Right, forward and up as the rows of a matrix, which turns world directions into the camera's frame."""
-        return np.array([self.right, self.forward, self.up], dtype=np.float64)
+        return orthonormal(self.right, self.forward)
 
     @property
     def matrix(self) -> Array:

@@ -11,7 +11,7 @@ from typing import Any, Mapping, Optional, Tuple
 
 import numpy as np
 
-from .camera import Array, Camera, Vector, vector
+from .camera import Array, Camera, Vector, orthonormal, vector
 
 Box = Tuple[float, float, float, float]
 
@@ -59,8 +59,7 @@ class Cuboid:
     @property
     def corners(self) -> Array:
         """The eight corners, (8, 3), metres, world."""
-        axes = np.array([self.right, self.forward, self.up])
-        return np.asarray((_CORNERS * self.half_extents) @ axes + np.array(self.centre))
+        return np.asarray((_CORNERS * self.half_extents) @ orthonormal(self.right, self.forward) + np.array(self.centre))
 
 
 @dataclass(frozen=True)
