@@ -14,7 +14,6 @@ Offsets = npt.NDArray[np.int64]
 
 _MANIFEST_LINE = re.compile(rb'^\{"frame":\d+,"label":\{"bytes":(\d+),', re.MULTILINE)
 _LINE_FEED = 10
-_CHUNK = 1 << 24
 # Line ends that are compared with the file before sizes from the manifest are used.
 _PROBES = 256
 
@@ -74,9 +73,8 @@ class LineIndex:
         return offsets if all(self._bytes[int(end) - 1] == _LINE_FEED for end in probed) else None
 
     def _by_scan(self) -> Offsets:
-        data = self._bytes
-        found = [np.zeros(1, np.int64)]
-        for start in range(0, len(data), _CHUNK):
-            chunk = np.frombuffer(data[start:start + _CHUNK], np.uint8)
-            found.append(np.flatnonzero(chunk == _LINE_FEED) + (start + 1))
-        return np.concatenate(found)
+        data, offsets, end = self._bytes, [0], -1
+        # Searching for one byte is the fastest way through a file, faster than an array of all bytes.
+        while (end := data.find(b"\n", end + 1)) >= 0:
+            offsets.append(end + 1)
+        return np.array(offsets, dtype=np.int64)

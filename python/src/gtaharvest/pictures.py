@@ -81,8 +81,9 @@ def _pillow() -> Decoder:
         try:
             with Image.open(io.BytesIO(data)) as picture:
                 picture.load()
-                deep = picture.mode.startswith("I")
-                return np.asarray(picture).astype(np.uint16) if deep else np.asarray(picture if picture.mode == "L" else picture.convert("RGB"))
+                if picture.mode.startswith("I"):
+                    return np.asarray(picture).astype(np.uint16)
+                return np.asarray(picture if picture.mode == "L" else picture.convert("RGB"))
         except (OSError, SyntaxError, Image.DecompressionBombError) as problem:
             raise ValueError(f"Pillow refuses it ({problem})") from problem
 
