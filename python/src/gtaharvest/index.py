@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 Offsets = npt.NDArray[np.int64]
 
-_MANIFEST_LINE = re.compile(rb'^\{"frame":\d+,"label":\{"bytes":(\d+),', re.MULTILINE)
+_MANIFEST_LINE = re.compile(rb'^\{"frame":\d+,"label":\{"bytes":(\d{1,12}),', re.MULTILINE)
 _LINE_FEED = 10
 # Line ends that are compared with the file before sizes from the manifest are used.
 _PROBES = 256

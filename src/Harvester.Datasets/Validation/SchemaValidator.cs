@@ -12,13 +12,13 @@ using Json.Schema;
 namespace Harvester.Datasets.Validation;
 
 /// <summary>
-/// Compares a session with the published JSON Schemas in docs/schema, which have every field and no other. This takes several times as long
-/// as <see cref="SessionValidator"/>, which checks more than a schema can express.
+/// Compares a session with the published JSON Schemas in docs/schema, which have every field and no other. This takes many times as long as
+/// <see cref="SessionValidator"/>, which checks more than a schema can express.
 /// </summary>
 public static class SchemaValidator
 {
     private const string UnknownField = "the field is unknown.";
-    private static readonly EvaluationOptions Listed = new() { OutputFormat = OutputFormat.List };
+    private static readonly EvaluationOptions Detailed = new() { OutputFormat = OutputFormat.Hierarchical };
 
     /// <summary>The differences from the schemas, one for each line at most; empty if there are none.</summary>
     /// <param name="session">The session.</param>
@@ -73,18 +73,33 @@ public static class SchemaValidator
             return "it is not valid JSON.";
         }
 
-        EvaluationResults results = schema.Evaluate(node, Listed);
+        EvaluationResults results = schema.Evaluate(node, Detailed);
         if (results.IsValid)
         {
             return null;
         }
 
         // The innermost value is what is wrong; those around it are only invalid because of it.
-        (string place, string message) = results.Details.Where(static detail => detail.HasErrors)
-            .SelectMany(static detail => detail.Errors!.Select(error =>
-                (detail.InstanceLocation.ToString(), error.Key.Length == 0 ? UnknownField : $"{error.Value}.")))
-            .OrderByDescending(static error => error.Item1.Count(static sign => sign == '/'))
-            .First();
+        (string place, string message) = Errors(results).MaxBy(static error => error.Place.Count(static sign => sign == '/'));
         return $"schema: {(place.Length == 0 ? "" : place[1..] + ": ")}{message}";
+    }
+
+    /// <summary>The errors of a result. A valid one may have invalid parts: the alternatives that were not taken.</summary>
+    private static IEnumerable<(string Place, string Message)> Errors(EvaluationResults results)
+    {
+        if (results.IsValid)
+        {
+            yield break;
+        }
+
+        foreach ((string keyword, string message) in results.Errors ?? new Dictionary<string, string>())
+        {
+            yield return (results.InstanceLocation.ToString(), keyword.Length == 0 ? UnknownField : $"{message}.");
+        }
+
+        foreach ((string, string) error in results.Details.SelectMany(Errors))
+        {
+            yield return error;
+        }
     }
 }
