@@ -61,6 +61,13 @@ def test_boxes_of_the_labels_enclose_projected_cuboids_and_masks(harvests: Path)
     assert checked > 100
 
 
+def test_true_occlusion_is_read(harvests: Path) -> None:
+    fractions = [item.true_occluded_fraction for frame in open_session(harvests / "masks") for item in frame.objects]
+    known = [fraction for fraction in fractions if fraction is not None]
+    assert len(known) > 50 and any(fraction > 0 for fraction in known) and max(known) <= 1
+    assert all(item.true_occluded_fraction is None for frame in open_session(harvests / "shard") for item in frame.objects)
+
+
 @pytest.mark.parametrize("name", ["masks", "jpeg", "shard", "relabelled", "repaired"])
 def test_every_session_is_read_whole(harvests: Path, name: str) -> None:
     session = open_session(harvests / name)

@@ -129,6 +129,7 @@ class ObjectLabel:
     occluded_fraction: Optional[float]
     occlusion_method: str
     visible_fraction: Optional[float]
+    true_occluded_fraction: Optional[float]
     box3d: Cuboid
     distance_metres: float
     velocity: Vector
@@ -146,7 +147,8 @@ class ObjectLabel:
             (item["box2d"][0], item["box2d"][1], item["box2d"][2], item["box2d"][3]),
             (item["box2dAmodal"][0], item["box2dAmodal"][1], item["box2dAmodal"][2], item["box2dAmodal"][3]),
             _box(item["box2dVisible"]), item["truncatedFraction"], item["occludedFraction"], item["occlusionMethod"],
-            item["visibleFraction"], Cuboid.from_json(item["box3d"]), item["distanceMetres"], vector(item["velocity"]),
+            item["visibleFraction"], item.get("trueOccludedFraction"), Cuboid.from_json(item["box3d"]), item["distanceMetres"],
+            vector(item["velocity"]),
             None if space is None else Face.from_json(space),
             None if lights is None else VehicleLights(lights["brake"], lights["left"], lights["right"], lights["head"]),
             _box(item.get("box2dJoints")),

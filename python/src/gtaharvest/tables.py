@@ -40,7 +40,8 @@ def _row(item: ObjectLabel) -> Dict[str, Any]:
         row.update({f"{name}_{side}": None if box is None else box[i] for i, side in enumerate(_BOX)})
     row.update({
         "truncated_fraction": item.truncated_fraction, "occluded_fraction": item.occluded_fraction,
-        "occlusion_method": item.occlusion_method, "visible_fraction": item.visible_fraction, "distance_metres": item.distance_metres})
+        "occlusion_method": item.occlusion_method, "visible_fraction": item.visible_fraction,
+        "true_occluded_fraction": item.true_occluded_fraction, "distance_metres": item.distance_metres})
     for name, vector in (
             ("centre", item.box3d.centre), ("half_extents", item.box3d.half_extents), ("forward", item.box3d.forward),
             ("up", item.box3d.up), ("velocity", item.velocity)):
