@@ -30,8 +30,8 @@ internal static class ValidateCommand
         + "  boxes       boxes lie in the image; calibrations project 3D boxes onto 2D boxes\n"
         + "  order       ids are unique and known; no frame is in two splits; the number of frames is that of export.json\n"
         + "  manifest    every file has the SHA-256 in manifest.jsonl, and no other file is among them\n\n"
-        + "--schema also compares session.json and every label line with the JSON Schemas in docs/schema, and reports fields that these do\n"
-        + "not have. It takes many times as long.\n\n"
+        + "--schema also compares session.json and every label line with the JSON Schemas in docs/schema, and reports fields\n"
+        + "that these do not have. It takes many times as long.\n\n"
         + "Problems are printed one per line; the exit code is 1 if there are any. An unfinished last line is ignored, with a note.\n\n"
         + "Example:\n"
         + "  harvester validate out";
