@@ -8,7 +8,9 @@ namespace Harvester.Cli.Arguments;
 internal static class DetailOption
 {
     private const string Plain = "plain";
-    private const string Full = "full";
+
+    /// <summary>The value for all of the light.</summary>
+    public const string Full = "full";
 
     public static Option<string> Create() => new("--detail")
     {

@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Harvester.Cli.Terminals;
 using Harvester.Geometry.Cameras;
 
@@ -12,12 +13,10 @@ internal sealed record SheetLayout
     /// <summary>Widest and highest sheet, pixels: what all viewers of pictures open.</summary>
     private const int MaxSide = 16384;
 
-    private SheetLayout(ImageSize tile, int columns, int rows)
-    {
-        Tile = tile;
-        Columns = columns;
-        Sheet = new ImageSize((columns * (tile.Width + Gap)) + Gap, (rows * (tile.Height + CaptionFont.LineHeight)) + Gap);
-    }
+    private readonly int _rowHeight;
+
+    private SheetLayout(ImageSize tile, int columns, int rowHeight, ImageSize sheet) =>
+        (Tile, Columns, _rowHeight, Sheet) = (tile, columns, rowHeight, sheet);
 
     /// <summary>Size of a picture, pixels.</summary>
     public ImageSize Tile { get; }
@@ -29,18 +28,23 @@ internal sealed record SheetLayout
     public ImageSize Sheet { get; }
 
     /// <summary>
-    /// A row per place if places have several tiles, otherwise about as many rows as columns.
+    /// With several weathers and several times, a row per place and weather and a column per time. Otherwise a row per place if places have
+    /// several tiles, and about as many rows as columns if they have one.
     /// </summary>
     /// <exception cref="UsageException">The sheet would be too large.</exception>
     public static SheetLayout Of(SheetPlan plan)
     {
-        long moments = (long)plan.Weathers.Count * plan.Times.Count * plan.Seconds.Count;
-        long columns = moments > 1 ? moments : (int)Math.Ceiling(Math.Sqrt(plan.Places.Count));
+        long times = (long)plan.Times.Count * plan.Seconds.Count;
+        long moments = plan.Weathers.Count * times;
+        long columns = plan.Weathers.Count > 1 && times > 1 ? times
+            : moments > 1 ? moments : (int)Math.Ceiling(Math.Sqrt(plan.Places.Count));
         long rows = ((plan.Places.Count * moments) + columns - 1) / columns;
+        int lines = plan.Captions.Max(caption => CaptionFont.LinesOf(caption, plan.Tile.Width).Count);
+        int rowHeight = plan.Tile.Height + CaptionFont.HeightOf(lines);
         long width = (columns * (plan.Tile.Width + Gap)) + Gap;
-        long height = (rows * (plan.Tile.Height + CaptionFont.LineHeight)) + Gap;
+        long height = (rows * rowHeight) + Gap;
         return Math.Max(width, height) <= MaxSide
-            ? new SheetLayout(plan.Tile, (int)columns, (int)rows)
+            ? new SheetLayout(plan.Tile, (int)columns, rowHeight, new ImageSize((int)width, (int)height))
             : throw new UsageException(
                 $"The sheet would have {width} x {height} pixels, more than {MaxSide} a side; give fewer tiles or a smaller --size.");
     }
@@ -48,5 +52,5 @@ internal sealed record SheetLayout
     /// <summary>Upper left corner of a tile's picture, pixels.</summary>
     public (int Left, int Top) CornerOf(int tile) => (
         Gap + (tile % Columns * (Tile.Width + Gap)),
-        Gap + (tile / Columns * (Tile.Height + CaptionFont.LineHeight)));
+        Gap + (tile / Columns * _rowHeight));
 }

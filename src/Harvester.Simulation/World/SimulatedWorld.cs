@@ -218,8 +218,8 @@ internal sealed class SimulatedWorld
     /// <summary>The nearest street lamps and headlights, which light the scene at night.</summary>
     public List<LightSource> LightsNear(Vector3D eye)
     {
-        const double range = 90;
-        const int most = 14;
+        const double range = 120;
+        const int most = 18;
         const double lampAhead = 2;
         IEnumerable<LightSource> lamps = _lamps
             .Where(lamp => (lamp - eye).Length < range)
