@@ -57,7 +57,6 @@ internal static class SheetCamera
                 Props = plan.Props,
                 Weather = weather,
                 Detail = plan.Detail,
-                IsWarm = true,
                 TimeOfDay = time,
                 IsTimeOfDayFixed = true,
                 VerticalFovDegrees = plan.FovDegrees,

@@ -10,6 +10,9 @@ internal sealed class PixelShader
     /// <summary>How much of a vehicle's roof and bonnet snow covers, where it covers the ground.</summary>
     private const float SnowOnPaint = 0.5f;
 
+    /// <summary>Where asphalt has no lanes, in junctions, wheels run everywhere, but less.</summary>
+    private const float EverywhereInJunctions = 0.4f;
+
     /// <summary>Snow covers so much of what lies level where lighting and detail are plain.</summary>
     private const float PlainSnow = 0.7f;
 
@@ -109,7 +112,8 @@ internal sealed class PixelShader
 
             if (isGround)
             {
-                Vector256<float> tracks = _shadows is not null && triangle.Lanes.HasLanes ? triangle.Lanes.TracksAt(place) : Wide.Zero;
+                Vector256<float> tracks = _shadows is null ? Wide.Zero : triangle.Lanes.HasLanes ? triangle.Lanes.TracksAt(place)
+                    : Vector256.Create(EverywhereInJunctions);
                 Vector256<float> distance = Vector256.Create(row.Depths, column) * Vector256.Create(row.Stretch, column);
                 own = WideVector.Of(colour) * _ground.GrainAt(place, distance, surface, tracks);
                 own = isMarked ? Marked(own, row.Number, column) : own;

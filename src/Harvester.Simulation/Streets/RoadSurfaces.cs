@@ -13,10 +13,12 @@ internal sealed class RoadSurfaces(
     public void Build()
     {
         RoadSides sides = new(index, terrain, levels, asphalt, mesh);
+        TunnelBuilder tunnels = new(index, asphalt, mesh);
         foreach (Road road in plan.Roads)
         {
             Pave(road);
             sides.Build(road);
+            tunnels.Build(road);
         }
 
         foreach (Junction junction in plan.Junctions.Where(junction => junction.Arms.Count != 2 || junction.IsCorner))

@@ -120,7 +120,6 @@ public sealed class RoadLookTests
         ]);
         var scene = new RenderScene([TestScene.AtOrigin(road, 0)]) { Lighting = lighting with { FogDensity = 0 }, Lights = lights };
 
-        // Falling flakes are not what is looked at.
         var target = new RenderTarget(TestScene.Width, TestScene.Height);
         new Renderer(detail).Render(scene, TestScene.Camera, target);
         return target;
