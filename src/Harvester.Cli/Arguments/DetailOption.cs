@@ -14,7 +14,7 @@ internal static class DetailOption
 
     public static Option<string> Create() => new("--detail")
     {
-        Description = $"Light of the simulated game: {Plain}, or {Full} with shadows, which takes longer; labels are the same",
+        Description = $"Pictures of the simulated game: {Plain}, or {Full} with shadows, worn and wet roads; labels are the same",
         HelpName = "LEVEL",
         DefaultValueFactory = _ => Plain,
     };

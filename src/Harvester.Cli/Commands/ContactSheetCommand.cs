@@ -30,10 +30,10 @@ internal sealed class ContactSheetCommand
     private const double MaxSeconds = 600;
 
     private const string Notes =
-        "There is a tile for each place, weather, time of day and moment, with a caption. With several weathers and several times, each\n"
-        + "place has a row per weather and a column per time. The camera is that of a harvest. The places are those of --list, then those of\n"
-        + "--at, then --places; without any, the middle of the road network. The file of --list has one name,x,y a line, in metres. The\n"
-        + "same options and seed give the same bytes.\n\n"
+        "There is a tile for each place, weather, time of day and moment, with a caption. With several weathers and several times,\n"
+        + "each place has a row per weather and a column per time. The camera is that of a harvest. The places are those of --list,\n"
+        + "then those of --at, then --places; without any, the middle of the road network. The file of --list has one name,x,y a line,\n"
+        + "in metres. The same options and seed give the same bytes.\n\n"
         + "Examples:\n"
         + "  harvester contact-sheet --out town.png --weather clear --weather rain --time 12:00 --time 22:00\n"
         + "  harvester contact-sheet --out streets.png --roads nodes.zip --list data/places.csv\n"

@@ -28,7 +28,7 @@ internal sealed class GroundLook
     private const float MostBleaching = 0.42f;
 
     /// <summary>How much darker asphalt is where wheels run.</summary>
-    private const float TrackDarkness = 0.24f;
+    private const float TrackDarkness = 0.16f;
 
     /// <summary>Old asphalt has cracks, along lines on which a noise is in the middle of its range.</summary>
     private const double CracksPerMetre = 0.9;

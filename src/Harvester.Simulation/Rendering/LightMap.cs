@@ -64,13 +64,17 @@ internal sealed class LightMap
         return light * (Vector256.Create(_night) / (Wide.One + (Vector256.Create(Exposure) * most)));
     }
 
-    /// <summary>The pixels that the sphere of a lamp's light may cover.</summary>
+    /// <summary>The pixels that the light of a lamp may cover: those of a sphere around it or, if its cone is narrow, around the cone.</summary>
     private static PixelRectangle ReachOf(LightSource light, View view)
     {
+        const double narrow = 0.71;
         RenderCamera camera = view.Camera;
-        Vector3D centre = camera.Pose.ToLocal(light.Position);
-        double nearest = centre.Y - light.RangeMetres;
-        if (centre.Y + light.RangeMetres < camera.NearClip)
+        double range = light.ConeCosine > narrow ? light.RangeMetres / (2 * light.ConeCosine) : light.RangeMetres;
+        Vector3D middle = light.ConeCosine > narrow ? light.Position + (light.Direction * range) : light.Position;
+        Vector3D centre = camera.Pose.ToLocal(middle);
+        double nearest = centre.Y - range;
+        double farthest = centre.Y + range;
+        if (farthest < camera.NearClip)
         {
             return default;
         }
@@ -80,10 +84,10 @@ internal sealed class LightMap
             return new PixelRectangle(0, 0, camera.Width, camera.Height);
         }
 
-        double left = Math.Min((centre.X - light.RangeMetres) / nearest, (centre.X - light.RangeMetres) / (centre.Y + light.RangeMetres));
-        double right = Math.Max((centre.X + light.RangeMetres) / nearest, (centre.X + light.RangeMetres) / (centre.Y + light.RangeMetres));
-        double low = Math.Min((centre.Z - light.RangeMetres) / nearest, (centre.Z - light.RangeMetres) / (centre.Y + light.RangeMetres));
-        double high = Math.Max((centre.Z + light.RangeMetres) / nearest, (centre.Z + light.RangeMetres) / (centre.Y + light.RangeMetres));
+        double left = Math.Min((centre.X - range) / nearest, (centre.X - range) / farthest);
+        double right = Math.Max((centre.X + range) / nearest, (centre.X + range) / farthest);
+        double low = Math.Min((centre.Z - range) / nearest, (centre.Z - range) / farthest);
+        double high = Math.Max((centre.Z + range) / nearest, (centre.Z + range) / farthest);
         return view.PixelsIn(
             camera.CentreX + (camera.FocalX * left),
             camera.CentreY - (camera.FocalY * high),
@@ -115,6 +119,11 @@ internal sealed class LightMap
             towards *= Wide.One / distance;
             Vector256<float> inCone = Wide.Fraction(
                 (-towards.Dot(WideVector.Of(_direction)) - Vector256.Create(_cone)) * Vector256.Create(2.5f / (1 - _cone)));
+            if ((isLit & inCone) == Wide.Zero)
+            {
+                return light;
+            }
+
             Vector256<float> facing = Vector256.Create(_grazing)
                 + (Vector256.Create(1 - _grazing) * Vector256.MaxNative(towards.Dot(WideVector.Of(normal)), Wide.Zero));
             return light + (WideVector.Of(_colour) * (isLit & (inCone * facing * fade * fade

@@ -57,7 +57,8 @@ public static class Weather
         double dusk = Math.Max(0, 1 - (Math.Abs(height + 0.02) / 0.16)) * direct;
         Rgb horizon = new Rgb(188, 210, 230).Towards(new(206, 176, 160), low * 0.8 * direct).Towards(Grey, clouds * 0.75)
             .Towards(new(214, 150, 128), 0.6 * dusk);
-        Rgb zenith = new Rgb(66, 122, 196).Towards(new(74, 92, 150), low * 0.6).Towards(new(52, 66, 122), 0.7 * dusk).Towards(Grey.Scaled(0.9), clouds * 0.85);
+        Rgb zenith = new Rgb(66, 122, 196).Towards(new(74, 92, 150), low * 0.6)
+            .Towards(new(52, 66, 122), 0.7 * dusk).Towards(Grey.Scaled(0.9), clouds * 0.85);
         Rgb ambient = new Rgb(100, 110, 128).Towards(new(122, 124, 128), clouds)
             .Towards(new(172, 175, 182), 0.6 * snow);
         Rgb sun = new Rgb(170, 160, 142).Towards(new(190, 112, 56), low).Scaled(Math.Clamp((height + 0.02) / 0.12, 0, 1) * direct);

@@ -57,8 +57,8 @@ internal readonly record struct LaneLayout(int Forward, int Backward, double Lan
     }
 
     /// <summary>
-    /// An offset counted in lanes, with the range in which lanes lie: from the road's line to both sides, or from the left edge of a one-way
-    /// road. On a road with more lanes one way than the other the range is that of the wider side.
+    /// An offset counted in lanes, with the range in which lanes lie: from the road's line to both sides, or from the left edge of a
+    /// one-way road. On a road with more lanes one way than the other the range is that of the wider side.
     /// </summary>
     public LaneOffsets InLanes(double offset)
     {

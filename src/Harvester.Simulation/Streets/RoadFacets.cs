@@ -59,7 +59,10 @@ internal sealed class RoadFacets
     /// </summary>
     public IEnumerable<(RoadFacet Facet, double From, double Left, double Right)> All() => _pieces.SelectMany((piece, number) =>
         Enumerable.Range(1, piece.Near.Length - 1).Select(column => (
-            Facet(piece, column), _stations[number], OffsetOf(column - 1, piece.Near.Length - 1), OffsetOf(column, piece.Near.Length - 1))));
+            Facet(piece, column),
+            _stations[number],
+            OffsetOf(column - 1, piece.Near.Length - 1),
+            OffsetOf(column, piece.Near.Length - 1))));
 
     /// <summary>The point of the asphalt at a distance along the road and an offset to the right of its line, metres, world.</summary>
     public Vector3D At(double distance, double rightOffset)
