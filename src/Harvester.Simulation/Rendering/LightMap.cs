@@ -64,7 +64,7 @@ internal sealed class LightMap
         return light * (Vector256.Create(_night) / (Wide.One + (Vector256.Create(Exposure) * most)));
     }
 
-    /// <summary>The pixels that the light of a lamp may cover: those of a sphere around it or, if its cone is narrow, around the cone.</summary>
+    /// <summary>The pixels that a lamp may light: those of a sphere around it or, if its cone is narrow, around the cone.</summary>
     private static PixelRectangle ReachOf(LightSource light, View view)
     {
         const double narrow = 0.71;
