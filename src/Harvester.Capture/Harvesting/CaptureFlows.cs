@@ -39,6 +39,7 @@ internal sealed class CaptureFlows(
         {
             Lanes = game.Roads is { } roads ? new LaneLabeller(roads, game.Paint, rays, registry) : null,
             Faces = options.Faces is { } faces ? new FaceLabeller(faces, options, rays, game.Lights, registry) : null,
+            DrawnOcclusion = game.DrawnOcclusion,
         };
     }
 }

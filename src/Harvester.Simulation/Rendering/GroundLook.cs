@@ -1,4 +1,3 @@
-using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 using Harvester.Geometry;
@@ -18,7 +17,7 @@ internal sealed class GroundLook
     /// <summary>Farther away than this patches are finer than the pixels, metres.</summary>
     private const float PatchReachMetres = 110;
 
-    /// <summary>Where the noise of patches is above this, asphalt has been mended and is darker.</summary>
+    /// <summary>Where the noise of patches is above this, asphalt has been patched and is darker.</summary>
     private const float PatchFrom = 0.66f;
     private const float PatchEdge = 40;
     private const float PatchDarkness = 0.16f;
