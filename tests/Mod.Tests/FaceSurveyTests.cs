@@ -227,7 +227,7 @@ public sealed class SpaceSurveyTests
         driver.Until(() => driver.Game.Objects.Any(prop => prop.Name == Light));
 
         driver.Game.Entities.Remove(driver.Game.HandleOf(driver.Game.Objects.Single()));
-        driver.UntilMessage("the game took");
+        driver.UntilMessage("the game removed");
         Assert.DoesNotContain(driver.Game.Notifications, message => message.Contains("are surveyed", StringComparison.Ordinal));
         driver.Press(Keys.Multiply);
         driver.UntilMessage("All 109 models are surveyed: 3 faces");

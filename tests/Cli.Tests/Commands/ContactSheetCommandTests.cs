@@ -179,7 +179,8 @@ public sealed class ContactSheetCommandTests : IDisposable
     }
 
     /// <summary>Brightness of the first row of a tile.</summary>
-    private static double Sky(byte[] tile) => tile.Take(TileWidth * 3).Average(value => (double)value);
+    /// <summary>Brightness of the middle third of the uppermost row: the sky over the road, between the buildings beside it.</summary>
+    private static double Sky(byte[] tile) => tile.Skip(TileWidth).Take(TileWidth).Average(value => (double)value);
 
     private static byte[] Cut(byte[] rgb, int width, int column, int row)
     {

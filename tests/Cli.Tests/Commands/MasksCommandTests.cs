@@ -14,13 +14,15 @@ public sealed class MasksCommandTests
     private const double RaysAndPixels = 0.1;
 
     [Theory]
-    [InlineData(false)]
-    [InlineData(true)]
-    public void Importing_a_sessions_own_masks_keeps_visible_boxes_and_faces(bool match)
+    [InlineData(false, "1")]
+    [InlineData(true, "1")]
+    [InlineData(false, "4")]
+    [InlineData(true, "4")]
+    public void Importing_a_sessions_own_masks_keeps_visible_boxes_and_faces(bool match, string seed)
     {
         using var folder = new TemporaryFolder();
         string session = folder.PathOf("session");
-        SharedHarvest.CopyTo(session, "--frames", "2", "--seed", "2", "--masks", "--no-report", "--size", "640x480");
+        SharedHarvest.CopyTo(session, "--frames", "2", "--seed", seed, "--masks", "--no-report", "--size", "640x480");
         string maps = folder.PathOf("maps");
         Directory.CreateDirectory(maps);
         foreach (string mask in Directory.GetFiles(Path.Combine(session, "masks")))
