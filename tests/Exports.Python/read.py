@@ -12,6 +12,8 @@ import numpy as np
 from PIL import Image
 from torchvision.datasets import Cityscapes, Kitti, VOCDetection
 
+import mcap
+
 VANS = ("minivan", "speedo", "boxville")
 
 
@@ -263,12 +265,66 @@ def read_csv(folder, labels):
     assert [(row["frame"], row["id"], row["class"], row["name"], row["parent"]) for row in rows] == expected
 
 
+def rotated(quaternion, vector):
+    """A vector turned by a unit quaternion: v + 2w (u x v) + 2 u x (u x v)."""
+    u = np.array([quaternion.x, quaternion.y, quaternion.z])
+    once = np.cross(u, vector)
+    return np.array(vector) + 2 * quaternion.w * once + 2 * np.cross(u, once)
+
+
+def position_of(vector):
+    return np.array([vector.x, vector.y, vector.z])
+
+
+def read_mcap(folder, labels):
+    messages = mcap.read(os.path.join(folder, "mcap", "train", "0000.mcap"))
+    for number, label in enumerate(labels):
+        at = {topic: all_of[number][1] for topic, all_of in messages.items() if len(all_of) == len(labels)}
+        assert all(all_of[number][0] == round(label["timeSeconds"] * 1e9) for all_of in messages.values() if len(all_of) == len(labels))
+        image = np.array(Image.open(io.BytesIO(at["/camera/image"].data)))
+        assert at["/camera/image"].format == "png"
+        assert np.array_equal(image, np.array(Image.open(os.path.join(folder, "session", label["image"]))))
+
+        # A corner of a cuboid, through the transform and the calibration of the messages, is the corner of the session's camera.
+        calibration, camera = at["/camera/calibration"], label["camera"]
+        matrix = np.array(calibration.K).reshape(3, 3)
+        assert (calibration.width, calibration.height) == size_of(label)
+        pose = next(item for item in at["/tf"].transforms if item.child_frame_id == "camera")
+        cubes = {int(entity.id): entity.cubes[0] for entity in at["/objects"].entities}
+        whole = [item for item in label["objects"] if item["id"] in cubes]
+        assert whole and len(cubes) == len(whole)
+        for item in whole:
+            cube, box = cubes[item["id"]], item["box3d"]
+            corner = position_of(cube.pose.position) + rotated(cube.pose.orientation, position_of(cube.size) / 2)
+            x, y, z = (np.array(box[axis]) for axis in ("right", "forward", "up"))
+            right, forward, up = box["halfExtents"]
+            assert np.allclose(corner, box["centre"] + forward * y - right * x + up * z, atol=1e-4)
+            away = corner - np.array(camera["position"])
+            ahead = np.dot(away, camera["forward"])
+            if ahead > 1:
+                turned = pose.rotation
+                turned.x, turned.y, turned.z = -turned.x, -turned.y, -turned.z
+                seen = matrix @ rotated(turned, corner - position_of(pose.translation))
+                turned.x, turned.y, turned.z = -turned.x, -turned.y, -turned.z
+                column = camera["cx"] + camera["fx"] * np.dot(away, camera["right"]) / ahead
+                row = camera["cy"] - camera["fy"] * np.dot(away, camera["up"]) / ahead
+                assert np.allclose(seen[:2] / seen[2], [column, row], atol=0.05)
+        loops = [points for points in at["/camera/annotations"].points if points.type == 2]
+        assert len(loops) == len(whole)
+    known = [label for label in labels if label["lanes"]["status"] == "known"]
+    assert len(messages["/indicators"]) == len(known)
+    for label, (_, message) in zip(known, messages["/indicators"]):
+        for name, value in label["lanes"]["indicators"].items():
+            if name != "valid" and message.HasField(name):
+                assert abs(getattr(message, name) - value) < 1e-6
+
+
 if __name__ == "__main__":
     root = sys.argv[1]
     session = labels_of(root)
     readers = (
         read_kitti, read_cityscapes, read_voc, read_jpeg, read_coco, read_coco_polygons, read_panoptic, read_yolo, read_yolo_outlines,
-        read_deepdriving, read_webdataset, read_openlane, read_tusimple, read_csv,
+        read_deepdriving, read_webdataset, read_openlane, read_tusimple, read_csv, read_mcap,
     )
     for reader in readers:
         reader(root, session)

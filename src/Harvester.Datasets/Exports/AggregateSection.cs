@@ -1,3 +1,7 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+
 namespace Harvester.Datasets.Exports;
 
 /// <summary>
@@ -29,6 +33,9 @@ public sealed record AggregateSection
     /// <summary>Whether the parts are names of staged files, whose content is inserted.</summary>
     public bool AreFiles { get; }
 
+    /// <summary>Writes a file around the content of staged files; null if the section is written part by part.</summary>
+    public Action<Stream, IEnumerable<byte[]>>? WriteContainer { get; private init; }
+
     /// <summary>A fixed text.</summary>
     public static AggregateSection Literal(string text) => new(text, null, "", "", false);
 
@@ -40,4 +47,10 @@ public sealed record AggregateSection
 
     /// <summary>The content of staged files, concatenated.</summary>
     public static AggregateSection Files(string part) => new("", part, "", "", true);
+
+    /// <summary>The content of staged files in a container with an index, which is written when all of them are known.</summary>
+    /// <param name="part">Name of the parts.</param>
+    /// <param name="write">Writes the container; it gets the files one after another, so that it can hold one at a time.</param>
+    public static AggregateSection Container(string part, Action<Stream, IEnumerable<byte[]>> write) =>
+        new("", part, "", "", true) { WriteContainer = write };
 }

@@ -135,13 +135,13 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData(
         "--classes",
         "car",
-        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, webdataset, csv")]
+        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, webdataset, mcap, csv")]
     [InlineData(
         "--min-visible",
         "0.2",
-        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, webdataset, csv")]
-    [InlineData("--parts", "none", "coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, webdataset, csv")]
-    [InlineData("--boxes", "cuboid", "kitti, kitti-tracking, coco, yolo, voc")]
+        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, webdataset, mcap, csv")]
+    [InlineData("--parts", "none", "coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, webdataset, mcap, csv")]
+    [InlineData("--boxes", "cuboid", "kitti, kitti-tracking, coco, yolo, voc, mcap")]
     [InlineData("--subclasses", "mutcd,light", "coco, coco-panoptic, yolo, yolo-segment, voc")]
     [InlineData(
         "--images",

@@ -163,6 +163,14 @@ internal static class DatasetAssembly
         foreach (AggregateSection section in file.Sections)
         {
             writer.Write(section.Text);
+            if (section.WriteContainer is { } writeContainer)
+            {
+                writer.Flush();
+                writeContainer(stream, parts.Read(section.Part!).Select(
+                    part => InputFile.ReadAllBytes(folder.PathOf(part), InputFile.MaxPictureBytes)));
+                continue;
+            }
+
             bool isFirst = true;
             foreach (string part in section.Part is null ? [] : parts.Read(section.Part))
             {

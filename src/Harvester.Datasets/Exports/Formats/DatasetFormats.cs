@@ -8,6 +8,7 @@ using Harvester.Datasets.Exports.Formats.DeepDriving;
 using Harvester.Datasets.Exports.Formats.Jta;
 using Harvester.Datasets.Exports.Formats.Kitti;
 using Harvester.Datasets.Exports.Formats.Lanes;
+using Harvester.Datasets.Exports.Formats.Mcap;
 using Harvester.Datasets.Exports.Formats.Voc;
 using Harvester.Datasets.Exports.Formats.WebDataset;
 using Harvester.Datasets.Exports.Formats.Yolo;
@@ -76,6 +77,11 @@ public static class DatasetFormats
         {
             UsesMasks = true, KeepsUndetermined = true, HasParts = true, DefaultParts = PartSelection.All, KeepsImages = false,
                 Check = WebDatasetCheck.Problems,
+        },
+        new("mcap", "MCAP recordings with Foxglove's messages: a file for each session", _ => new McapWriter())
+        {
+            UsesMasks = true, HasBoxes = true, HasBoxesBeyondImage = true, HasParts = true, KeepsImages = false, KeepsSessions = true,
+            Check = McapCheck.Problems,
         },
         new("csv", "Flat tables of frames and objects", options => new CsvDatasetWriter(options))
         {

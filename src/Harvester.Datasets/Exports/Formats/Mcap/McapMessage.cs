@@ -1,0 +1,6 @@
+namespace Harvester.Datasets.Exports.Formats.Mcap;
+
+/// <summary>A message of a channel.</summary>
+/// <param name="Channel">The channel.</param>
+/// <param name="Content">The protobuf message.</param>
+internal sealed record McapMessage(McapChannel Channel, byte[] Content);
