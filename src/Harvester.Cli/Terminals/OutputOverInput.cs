@@ -21,7 +21,7 @@ internal static class OutputOverInput
     public static void Check(ParseResult parsed)
     {
         OptionResult[] options = [.. parsed.CommandResult.Children.OfType<OptionResult>()];
-        string? output = options.FirstOrDefault(option => option.Option.Name == Output)?.Tokens.FirstOrDefault()?.Value;
+        string? output = options.FirstOrDefault(option => option.Option.Name == Output)?.Tokens is [var word, ..] ? word.Value : null;
         if (output is null || !File.Exists(output))
         {
             return;
@@ -30,7 +30,7 @@ internal static class OutputOverInput
         string target = InnerPath.Resolve(output);
         bool isInput = options.Where(option => option.Option.Name != Output).SelectMany(option => option.Tokens)
             .Concat(parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(argument => argument.Tokens))
-            .Any(word => File.Exists(word.Value) && InnerPath.Resolve(word.Value).Equals(target, PathComparison));
+            .Any(named => File.Exists(named.Value) && InnerPath.Resolve(named.Value).Equals(target, PathComparison));
         if (isInput)
         {
             throw new UsageException($"{Output} '{output}' would replace an input of the command. Name another file.");

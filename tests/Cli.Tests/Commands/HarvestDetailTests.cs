@@ -1,5 +1,4 @@
 using Harvester.Cli.Terminals;
-using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Commands;
 

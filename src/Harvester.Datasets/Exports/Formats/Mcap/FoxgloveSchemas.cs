@@ -18,7 +18,7 @@ internal static class FoxgloveSchemas
 {
     private const string Package = "foxglove";
 
-    private static readonly IReadOnlyDictionary<string, FileDescriptorProto> Files = Describe();
+    private static readonly Dictionary<string, FileDescriptorProto> Files = Describe();
 
     /// <summary>Full names of the messages of the channels, each once.</summary>
     public static IReadOnlyList<string> Names { get; } =

@@ -1,10 +1,9 @@
-using System.Collections.Generic;
 using System.Linq;
 using Google.Protobuf.Reflection;
-using TimestampReflection = Google.Protobuf.WellKnownTypes.TimestampReflection;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
 using static Google.Protobuf.Reflection.FieldDescriptorProto.Types;
+using TimestampReflection = Google.Protobuf.WellKnownTypes.TimestampReflection;
 
 namespace Harvester.Datasets.Exports.Formats.Mcap;
 

@@ -8,7 +8,7 @@ namespace Harvester.Datasets.Exports.Formats.Mcap;
 /// <summary>
 /// Writes the fields of a protobuf message by their numbers. As proto3 requires, numbers that are 0 and empty texts are left out.
 /// </summary>
-internal sealed class ProtoMessage
+internal sealed class ProtoMessage : IDisposable
 {
     private readonly MemoryStream _bytes = new();
     private readonly CodedOutputStream _output;
@@ -18,10 +18,16 @@ internal sealed class ProtoMessage
     /// <summary>The bytes of a message.</summary>
     public static byte[] Of(Action<ProtoMessage> write)
     {
-        var message = new ProtoMessage();
+        using var message = new ProtoMessage();
         write(message);
         message._output.Flush();
         return message._bytes.ToArray();
+    }
+
+    public void Dispose()
+    {
+        _output.Dispose();
+        _bytes.Dispose();
     }
 
     public ProtoMessage Number(int field, double value) => value == 0 ? this : NumberOrZero(field, value);
