@@ -41,7 +41,7 @@ public sealed class HarvestOnRealRoadsTests
 
         CliRun.Of(
             "harvest", "--out", session, "--frames", "30", "--hz", "1", "--size", "400x300", "--classes", "trafficLight", "--no-report",
-            "--roads", RealWorldFactAttribute.PathOf("nodes.zip")!, "--props", lights, "--near", "0,-1000");
+            "--roads", RealWorldFactAttribute.PathOf("nodes.zip")!, "--props", lights, "--near", "0,-1000", "--range", "200");
 
         // The heads of a light are objects of their own, beside the light that carries them.
         ObjectLabel[] labels =
