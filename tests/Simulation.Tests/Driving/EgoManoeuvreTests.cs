@@ -22,7 +22,7 @@ public sealed class EgoManoeuvreTests
     {
         SimulatedGame game = new(Lively(seed) with { TrafficDensity = 2, PedestrianDensity = 3 });
         double metres = 0;
-        Run(game, 180, () =>
+        Run(game, 240, () =>
         {
             EgoState ego = game.Ports.World.ReadEgo();
             metres += ego.Velocity.Length * Tick;
