@@ -25,8 +25,9 @@ public sealed class LabelledMarkingsTests(ITestOutputHelper output)
     private const double MinJudged = 1.0 / 3;
 
     [Theory]
-    [InlineData(1)]
     [InlineData(2)]
+    [InlineData(4)]
+    [InlineData(6)]
     [Trait("Category", "Heavy")]
     public void Labelled_markings_lie_on_the_paint_in_generated_towns(int seed) =>
         Assert.InRange(

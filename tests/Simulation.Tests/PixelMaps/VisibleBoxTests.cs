@@ -19,17 +19,24 @@ public sealed class VisibleBoxTests(ITestOutputHelper output)
     private const int LargePixels = 256;
 
     private const double TolerancePixels = 2;
-    private const double MinIou = 0.95;
 
-    /// <summary>What an object shows through a slit in what hides it, a few pixels of one column or row, is hit by chance only.</summary>
-    private const double MaxOffset = 0.01;
+    /// <summary>
+    /// The worst object of 150 to 300, as measured since people have limbs and two-wheelers have riders; it was 0.95 with plain shapes.
+    /// </summary>
+    private const double MinIou = 0.93;
+
+    /// <summary>
+    /// What an object shows through a slit in what hides it, a few pixels of one column or row, is hit by chance only. It was 0.01 with
+    /// plain shapes; limbs and riders leave more slits.
+    /// </summary>
+    private const double MaxOffset = 0.02;
 
     [Fact]
     public void Box_is_around_the_visible_pixels() => Judge(800, 600, [17], maxRayFraction: 0.0125);
 
     [Theory]
     [Trait("Category", "Heavy")]
-    [InlineData(800, 600, 0.0105)]
+    [InlineData(800, 600, 0.011)]
     [InlineData(1920, 1080, 0.005)]
     public void Box_is_around_the_visible_pixels_in_20_frames(int width, int height, double maxRayFraction) =>
         Judge(width, height, [15, 17, 3, 5], maxRayFraction);
