@@ -28,7 +28,7 @@ internal sealed class AssistedCar(SimulatedGame game, IRoads roads, Func<bool> i
     public void Drive(DrivingControls controls)
     {
         LaneObservation? seen = _lanes.Observe(game.Ports.World.ReadEgo(), [])?.Seen;
-        IsByClient = _handover.Decide(seen, game.MustEgoGiveWay) || !isClientAlive();
+        IsByClient = _handover.Decide(seen, game.NeedsOwnDriver) || !isClientAlive();
         if (IsByClient)
         {
             _car.Drive(controls);

@@ -4,8 +4,8 @@ using Harvester.Geometry.Lanes;
 namespace Harvester.Cli.Driving;
 
 /// <summary>
-/// Decides who drives: the controller where the lanes are known and the car need not give way, otherwise the built-in driver. The built-in
-/// driver hands back once the car is near the centre of its lane and nearly parallel to it. At first, the controller drives.
+/// Decides who drives: the controller where the indicators show the lanes in which the car is and what it has to do, otherwise the built-in
+/// driver. That hands back once the car is near the centre of its lane and nearly parallel to it. At first, the controller drives.
 /// </summary>
 internal sealed class Handover
 {
@@ -13,17 +13,32 @@ internal sealed class Handover
     private const double MaxAngle = 0.15;
     private const double MaxOffset = 0.8;
 
+    /// <summary>
+    /// Metres by which the lanes at the look-ahead point may lie beside those at the car. Farther to the side are the lanes behind a
+    /// junction, towards which the car must not steer before it.
+    /// </summary>
+    private const double MaxShift = 0.5;
+
     /// <summary>Whether the controller drives.</summary>
     public bool IsToController { get; private set; } = true;
 
     /// <summary>Decides for the current moment.</summary>
     /// <param name="seen">The lanes now; null if there is no road.</param>
-    /// <param name="mustGiveWay">Whether the car must stop at a line ahead, which no indicator shows.</param>
-    public bool Decide(LaneObservation? seen, bool mustGiveWay)
+    /// <param name="needsOwnDriver">Whether no indicator shows what the car has to do, as in junctions.</param>
+    public bool Decide(LaneObservation? seen, bool needsOwnDriver)
     {
-        IsToController = seen is { Status: LaneStatus.Known } && !mustGiveWay && (IsToController || IsInLane(seen.IndicatorsAtCar));
+        IsToController = seen is { Status: LaneStatus.Known } && !needsOwnDriver && !AreLanesShifted(seen)
+            && (IsToController || IsInLane(seen.IndicatorsAtCar));
         return IsToController;
     }
+
+    private static bool AreLanesShifted(LaneObservation seen) =>
+        IsShifted(seen.IndicatorsAtCar.ToMarkingML, seen.Indicators.ToMarkingML)
+        || IsShifted(seen.IndicatorsAtCar.ToMarkingMR, seen.Indicators.ToMarkingMR)
+        || IsShifted(seen.IndicatorsAtCar.ToMarkingM, seen.Indicators.ToMarkingM);
+
+    private static bool IsShifted(Indicator here, Indicator there) =>
+        here.IsValid != there.IsValid || (here.IsValid && Math.Abs(here.Value - there.Value) > MaxShift);
 
     private static bool IsInLane(LaneIndicators at) =>
         Math.Abs(at.Angle.Value) < MaxAngle

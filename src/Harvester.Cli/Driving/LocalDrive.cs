@@ -41,7 +41,7 @@ internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IControl
             if (tick % TicksPerControl == 0)
             {
                 LaneObservation? seen = Look(game.Ports.World.ReadEgo());
-                isByController = _handover.Decide(seen, game.MustEgoGiveWay);
+                isByController = _handover.Decide(seen, game.NeedsOwnDriver);
                 controls = _controller.Drive(StateOf(seen));
             }
 

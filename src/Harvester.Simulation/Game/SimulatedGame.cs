@@ -85,9 +85,10 @@ public sealed class SimulatedGame
     public bool IsFrozen => Freezing.IsStanding;
 
     /// <summary>
-    /// Whether the ego must stop at a line ahead, for a light or to give way. Its built-in driver does; an external driver need not.
+    /// Whether no indicator shows what the ego has to do: in a junction, and where it must stop at a line ahead, for a light or to give way.
+    /// Its built-in driver knows; an external driver does not.
     /// </summary>
-    public bool MustEgoGiveWay => _world.MustEgoGiveWay;
+    public bool NeedsOwnDriver => _world.NeedsOwnDriver;
 
     /// <summary>
     /// The camera's pose on the car: by default 2 m ahead of its origin and 0.4 m above it. A change takes effect in the next tick.

@@ -10,6 +10,9 @@ internal sealed class LaneGraph
     /// <summary>Paths closer together than this conflict, metres: a truck's width with a little room.</summary>
     private const double ConflictDistance = 3.2;
 
+    /// <summary>Paths that cross at heights farther apart than this do not conflict, metres: one passes over the other.</summary>
+    private const double SameLevel = 4;
+
     private const double MaxTurn = 2.4;
     private const double StraightAtMost = 0.6;
 
@@ -40,6 +43,7 @@ internal sealed class LaneGraph
             Connect(junction, lanes);
         }
 
+        FindConflicts();
         MarkDeadEnds();
     }
 
@@ -47,7 +51,6 @@ internal sealed class LaneGraph
 
     private void Connect(Junction junction, Dictionary<(Road, bool), List<LanePath>> lanes)
     {
-        int first = _paths.Count;
         foreach (RoadArm arm in junction.Arms)
         {
             List<LanePath> incoming = lanes[(arm.Road, !arm.AtStart)];
@@ -65,8 +68,6 @@ internal sealed class LaneGraph
                 }
             }
         }
-
-        FindConflicts(_paths.GetRange(first, _paths.Count - first));
     }
 
     /// <summary>
@@ -87,13 +88,19 @@ internal sealed class LaneGraph
             ? Math.Max(0, exitLanes - lanes + lane)
             : Math.Min(lane, exitLanes - 1);
 
-    private static void FindConflicts(List<LanePath> ways)
+    /// <summary>
+    /// Finds the ways through junctions that conflict: of the same junction, and of junctions so close together that their ways overlap.
+    /// </summary>
+    private void FindConflicts()
     {
+        List<LanePath> ways = [.. _paths.Where(path => path.Junction is not null).OrderBy(path => West(path))];
+        double longest = ways.Select(way => way.Length).DefaultIfEmpty().Max();
         for (int i = 0; i < ways.Count; i++)
         {
-            for (int j = i + 1; j < ways.Count; j++)
+            for (int j = i + 1; j < ways.Count && West(ways[j]) - West(ways[i]) < longest + ConflictDistance; j++)
             {
-                if (ways[i].Previous[0] != ways[j].Previous[0] && AreNear(ways[i], ways[j]))
+                if (!AreSuccessive(ways[i], ways[j]) && !AreSuccessive(ways[j], ways[i])
+                    && ways[i].Previous[0] != ways[j].Previous[0] && AreNear(ways[i], ways[j]))
                 {
                     ways[i].Conflicts.Add(ways[j]);
                     ways[j].Conflicts.Add(ways[i]);
@@ -102,8 +109,15 @@ internal sealed class LaneGraph
         }
     }
 
+    private static double West(LanePath way) => way.Line.Points[0].X;
+
+    /// <summary>Whether a way leads to another by one lane: vehicles drive along both, one behind the other.</summary>
+    private static bool AreSuccessive(LanePath way, LanePath next) => way.Next[0].Next.Contains(next);
+
     private static bool AreNear(LanePath a, LanePath b) =>
-        a.Line.Points.Any(p => b.Line.Points.Any(q => Horizontal.SquaredDistance(p, q) < ConflictDistance * ConflictDistance));
+        Horizontal.Distance(a.Line.Points[0], b.Line.Points[0]) < a.Length + b.Length + ConflictDistance
+        && a.Line.Points.Any(p => b.Line.Points.Any(q =>
+            Horizontal.SquaredDistance(p, q) < ConflictDistance * ConflictDistance && Math.Abs(p.Z - q.Z) < SameLevel));
 
     /// <summary>Marks paths without an end: one continues if one of its followers does; computed backwards from the dead ends.</summary>
     private void MarkDeadEnds()

@@ -8,20 +8,30 @@ namespace Harvester.Simulation.Traffic;
 
 /// <summary>
 /// Decides who may drive into a junction: first come, first served among conflicting paths, with the lights at green and room behind the
-/// junction.
+/// junction. Where the road behind it is too short for the vehicle, the junctions after it must be free as well, because the vehicle would
+/// otherwise stand in the first one.
 /// </summary>
 internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupation occupation)
 {
     private const double BrakingForStop = 2;
     private const double AskEarlier = 8;
     private const double RoomBehind = 2;
-    private const double FlowingSpeed = 2;
+
+    /// <summary>Where the last vehicle behind a junction will have stopped if its driver brakes like this, the next one fits, m/s².</summary>
+    private const double BrakingOfOthers = 3;
 
     /// <summary>After this time at the line a driver is let in: conflicting paths are no longer granted to others.</summary>
     private const double PatienceSeconds = 2;
 
-    private readonly int[] _users = new int[lanes.Paths.Count];
+    /// <summary>
+    /// A driver who has stood on its granted way for this long is held up: others, who wait for it, drive on as far as bodies have room.
+    /// One of them may be what it waits for.
+    /// </summary>
+    private const double HeldUpSeconds = 4;
+
+    private readonly List<Vehicle>?[] _users = new List<Vehicle>?[lanes.Paths.Count];
     private readonly Dictionary<Junction, (Vehicle Vehicle, LanePath Way)> _waiting = [];
+    private readonly Dictionary<LanePath, List<Vehicle>> _bound = [];
 
     /// <summary>
     /// Metres from the vehicle's origin to the line where it has to stop; infinite if its path is free as far as it needs.
@@ -33,15 +43,9 @@ internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupatio
         for (int i = 1; i < vehicle.Route.Count && distance < range; i++)
         {
             LanePath way = vehicle.Route[i];
-            if (way.Junction is not null && !vehicle.Granted.Contains(way))
+            if (way.Junction is not null && !vehicle.Granted.Contains(way) && !MayEnter(vehicle, i, timeSeconds))
             {
-                if (!MayEnter(vehicle, way, timeSeconds))
-                {
-                    return distance;
-                }
-
-                vehicle.Granted.Add(way);
-                _users[way.Index]++;
+                return distance;
             }
 
             distance += way.Length;
@@ -76,31 +80,71 @@ internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupatio
 
     private void Release(Vehicle vehicle, int index)
     {
-        _users[vehicle.Granted[index].Index]--;
+        LanePath way = vehicle.Granted[index];
+        _users[way.Index]!.Remove(vehicle);
         vehicle.Granted.RemoveAt(index);
+        if (_bound.TryGetValue(way.Next[0], out List<Vehicle>? bound))
+        {
+            bound.Remove(vehicle);
+        }
     }
 
-    private bool MayEnter(Vehicle vehicle, LanePath way, double timeSeconds)
+    /// <summary>Grants the way through a junction, with those that it has to be granted with, if all of them are free.</summary>
+    private bool MayEnter(Vehicle vehicle, int index, double timeSeconds)
     {
-        LanePath lane = way.Previous[0];
-        LanePath exit = way.Next[0];
+        List<LanePath> ways = WaysToRoom(vehicle, index);
+        LanePath lane = ways[0].Previous[0];
         RoadArm arm = new(lane.Road!, AtStart: !lane.IsForward);
-        Junction junction = way.Junction!;
-        ReleaseClaim(junction, vehicle);
-
-        if (signals.ColourFor(junction, arm, timeSeconds) != SignalState.Green || !HasRoom(vehicle, exit))
+        LanePath exit = ways[^1].Next[0];
+        ways.ForEach(way => ReleaseClaim(way.Junction!, vehicle));
+        if (signals.ColourFor(ways[0].Junction!, arm, timeSeconds) != SignalState.Green || !HasRoom(vehicle, exit))
         {
             return false;
         }
 
-        bool isFree = way.Conflicts.All(other => _users[other.Index] == 0) && !IsClaimed(junction, way);
-        if (!isFree && vehicle.StandingSeconds > PatienceSeconds)
+        if (ways.TrueForAll(way => IsFree(vehicle, way)))
         {
-            _waiting.TryAdd(junction, (vehicle, way));
+            ways.ForEach(way => Grant(vehicle, way));
+            (_bound.TryGetValue(exit, out List<Vehicle>? bound) ? bound : _bound[exit] = []).Add(vehicle);
+            return true;
         }
 
-        return isFree;
+        if (vehicle.StandingSeconds > PatienceSeconds)
+        {
+            ways.ForEach(way => _waiting.TryAdd(way.Junction!, (vehicle, way)));
+        }
+
+        return false;
     }
+
+    /// <summary>The ways through junctions from one of the route on, up to the first road on which the vehicle has room.</summary>
+    private static List<LanePath> WaysToRoom(Vehicle vehicle, int index)
+    {
+        List<LanePath> ways = [vehicle.Route[index]];
+        double needed = vehicle.Length + RoomBehind;
+        for (int i = index + 1; i + 1 < vehicle.Route.Count && vehicle.Route[i].Length < needed; i += 2)
+        {
+            ways.Add(vehicle.Route[i + 1]);
+        }
+
+        return ways;
+    }
+
+    private void Grant(Vehicle vehicle, LanePath way)
+    {
+        if (!vehicle.Granted.Contains(way))
+        {
+            vehicle.Granted.Add(way);
+            (_users[way.Index] ??= []).Add(vehicle);
+        }
+    }
+
+    private bool IsFree(Vehicle vehicle, LanePath way) =>
+        vehicle.Granted.Contains(way)
+        || (way.Conflicts.TrueForAll(other => !IsUsed(other, vehicle)) && !IsClaimed(vehicle, way));
+
+    private bool IsUsed(LanePath way, Vehicle asking) =>
+        _users[way.Index] is { } users && users.Exists(user => user != asking && user.StandingSeconds < HeldUpSeconds);
 
     private void ReleaseClaim(Junction junction, Vehicle vehicle)
     {
@@ -110,19 +154,31 @@ internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupatio
         }
     }
 
-    private bool IsClaimed(Junction junction, LanePath way) =>
-        _waiting.TryGetValue(junction, out (Vehicle Vehicle, LanePath Way) first) && way.Conflicts.Contains(first.Way);
+    /// <summary>
+    /// Whether a driver who has waited longer is let in first. Without the comparison, two drivers with claims to two junctions that both
+    /// need would wait for each other.
+    /// </summary>
+    private bool IsClaimed(Vehicle vehicle, LanePath way) =>
+        _waiting.TryGetValue(way.Junction!, out (Vehicle Vehicle, LanePath Way) first)
+        && way.Conflicts.Contains(first.Way)
+        && first.Vehicle.StandingSeconds >= vehicle.StandingSeconds;
 
+    /// <summary>Whether a lane behind a junction has room for the vehicle and for those that are on their way to it.</summary>
     private bool HasRoom(Vehicle vehicle, LanePath exit)
     {
-        List<Vehicle> ahead = occupation.On(exit);
-        if (ahead.Count == 0)
+        double needed = vehicle.Length + RoomBehind;
+        if (_bound.TryGetValue(exit, out List<Vehicle>? bound))
         {
-            return true;
+            needed += bound.Where(other => other != vehicle && other.Path != exit).Sum(other => other.Length + RoomBehind);
         }
 
-        Vehicle last = ahead.MinBy(other => other.DistanceOn(exit))!;
-        double room = last.DistanceOn(exit) - last.RearOverhang - RoomBehind;
-        return last == vehicle || last.Speed > FlowingSpeed || room > vehicle.FrontOverhang + vehicle.RearOverhang;
+        Vehicle? last = occupation.On(exit).Where(other => other != vehicle).MinBy(other => other.DistanceOn(exit));
+        if (last is null)
+        {
+            return exit.Length >= needed || bound is not { Count: > 0 };
+        }
+
+        double speed = last.SpeedOn(exit);
+        return last.DistanceOn(exit) - last.RearOverhang + (speed * speed / (2 * BrakingOfOthers)) > needed;
     }
 }

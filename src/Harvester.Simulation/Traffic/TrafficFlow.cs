@@ -13,6 +13,9 @@ internal sealed class TrafficFlow
     public const double Clearance = 0.15;
 
     private const double LookAhead = 1;
+
+    /// <summary>Of an ego that is held by its brakes, also on a steep road, m/s².</summary>
+    private const double HoldingAcceleration = -4;
     private const double StuckSeconds = 40;
     private const double EgoPatienceSeconds = 12;
     private const double EgoSurroundings = 30;
@@ -74,10 +77,10 @@ internal sealed class TrafficFlow
             if (vehicle == Ego && _egoCar.IsLoose)
             {
                 _egoCar.Decide(seconds, _occupation, place => IsTaken(vehicle, place));
-                double room = vehicle.Speed * seconds;
-                if (!_egoCar.IsDriven && room > 0 && (!IsFree(vehicle, room, walkersOnRoad) || MeetsWalker(vehicle, walkersOnRoad)))
+                if (!_egoCar.IsDriven && IsEgoBlocked(acceleration, seconds, walkersOnRoad))
                 {
                     _egoCar.Stop();
+                    acceleration = Math.Min(acceleration, HoldingAcceleration);
                 }
 
                 _egoCar.Advance(seconds, acceleration, room => IsTaken(vehicle, vehicle.Footprint.Grown(room)));
@@ -100,8 +103,7 @@ internal sealed class TrafficFlow
 
     private void Advance(Vehicle vehicle, double acceleration, double seconds, BodyIndex<Walker> walkersOnRoad)
     {
-        double speed = Math.Max(0, vehicle.Speed + (acceleration * seconds));
-        double metres = (vehicle.Speed + speed) / 2 * seconds;
+        (double metres, double speed) = Step(vehicle, acceleration, seconds);
         if (metres > 0 && IsFree(vehicle, metres, walkersOnRoad))
         {
             vehicle.Advance(metres);
@@ -113,6 +115,18 @@ internal sealed class TrafficFlow
             vehicle.Speed = 0;
             vehicle.StandingSeconds += seconds;
         }
+    }
+
+    private bool IsEgoBlocked(double acceleration, double seconds, BodyIndex<Walker> walkersOnRoad)
+    {
+        (double metres, _) = Step(Ego, acceleration, seconds);
+        return metres > 0 && (!IsFree(Ego, metres, walkersOnRoad) || MeetsWalker(Ego, walkersOnRoad));
+    }
+
+    private static (double Metres, double Speed) Step(Vehicle vehicle, double acceleration, double seconds)
+    {
+        double speed = Math.Max(0, vehicle.Speed + (acceleration * seconds));
+        return ((vehicle.Speed + speed) / 2 * seconds, speed);
     }
 
     private void Replace(Vehicle vehicle)

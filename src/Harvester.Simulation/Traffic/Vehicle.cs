@@ -83,6 +83,8 @@ internal sealed class Vehicle
 
     public double RearOverhang => -Model.Min.Y;
 
+    public double Length => FrontOverhang + RearOverhang;
+
     public bool CanGoOn => _route.Count > 1 || Path.Next.Count > 0;
 
     public void PutOn(LanePath path, double distance)

@@ -169,8 +169,8 @@ internal sealed class SimulatedWorld
         Motion = _motion.Motion,
     };
 
-    /// <summary>Whether the ego has to stop at a line ahead.</summary>
-    public bool MustEgoGiveWay => _traffic.MustEgoGiveWay;
+    /// <summary>Whether the ego is on its way through a junction or has to stop at a line ahead.</summary>
+    public bool NeedsOwnDriver => Ego.Path.Junction is not null || _traffic.MustEgoGiveWay;
 
     public IReadOnlyList<Vehicle> Vehicles => _vehicles;
 
