@@ -90,12 +90,12 @@ internal sealed class TrafficFlow
                 Advance(vehicle, acceleration, seconds, walkersOnRoad);
             }
 
-            vehicle.Signals.Tick(vehicle.Speed, seconds);
             if (HasToLeave(vehicle))
             {
                 Replace(vehicle);
             }
 
+            vehicle.Signals.Tick(vehicle.Speed, seconds);
             _rightOfWay.ReleasePassed(vehicle);
             _index.Move(vehicle, before, vehicle.Pose.Position);
         }

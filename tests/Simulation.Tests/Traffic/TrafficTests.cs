@@ -1,3 +1,4 @@
+using Harvester.Geometry;
 using Harvester.Simulation.Settings;
 using Harvester.Simulation.Streets;
 using Harvester.Simulation.Traffic;
@@ -42,6 +43,38 @@ public class TrafficTests
         }
 
         Assert.True(judged > 1000, $"Only {judged} places judged.");
+    }
+
+    /// <summary>
+    /// A vehicle waits at a light for at most 13 s, and for a queue a few times that. One that stands for 40 s is placed elsewhere: it was
+    /// stuck. Nobody can drive on at all where vehicles in a junction wait for each other.
+    /// </summary>
+    [Theory]
+    [Trait("Category", "Heavy")]
+    [InlineData(1)]
+    [InlineData(3)]
+    [InlineData(8)]
+    public void Tick_few_vehicles_get_stuck_in_two_minutes(int seed)
+    {
+        const double mostOfAll = 0.1;
+        const double jumpMetres = 30;
+        SimulatedWorld world = new(new SimulationOptions { Seed = seed });
+        Vector3D[] before = [.. world.Vehicles.Select(vehicle => vehicle.Pose.Position)];
+        double[] stood = new double[before.Length];
+        int stuck = 0;
+        for (double time = 0; time < 120; time += 0.5)
+        {
+            world.Advance(0.5);
+            for (int i = 0; i < before.Length; i++)
+            {
+                Vector3D now = world.Vehicles[i].Pose.Position;
+                stuck += (now - before[i]).Length > jumpMetres && stood[i] > 10 ? 1 : 0;
+                stood[i] = now == before[i] ? stood[i] + 0.5 : 0;
+                before[i] = now;
+            }
+        }
+
+        Assert.True(stuck < mostOfAll * before.Length, $"{stuck} of {before.Length} vehicles got stuck.");
     }
 
     private static void AssertApart(IReadOnlyList<Vehicle> vehicles)
