@@ -1,0 +1,61 @@
+using Harvester.Cli.Driving;
+using Harvester.Geometry.Lanes;
+using Harvester.Geometry.Roads;
+
+namespace Harvester.Cli.Tests.Driving;
+
+public sealed class HandoverTests
+{
+    [Fact]
+    public void Decide_controller_drives_in_known_lanes() =>
+        Assert.True(new Handover().Decide(Seen(InLane(0), InLane(0)), needsOwnDriver: false));
+
+    [Fact]
+    public void Decide_own_driver_takes_over_where_it_is_needed()
+    {
+        Handover handover = new();
+        Assert.False(handover.Decide(Seen(InLane(0), InLane(0)), needsOwnDriver: true));
+        Assert.True(handover.Decide(Seen(InLane(0), InLane(0)), needsOwnDriver: false));
+    }
+
+    [Theory]
+    [InlineData(-2.7)]
+    [InlineData(0.6)]
+    public void Decide_own_driver_takes_over_where_lanes_shift(double shift)
+    {
+        Handover handover = new();
+        Assert.False(handover.Decide(Seen(InLane(0), InLane(shift)), needsOwnDriver: false));
+        Assert.True(handover.Decide(Seen(InLane(0), InLane(0)), needsOwnDriver: false));
+    }
+
+    [Fact]
+    public void Decide_a_marking_ahead_of_a_car_in_its_lane_is_a_shift() =>
+        Assert.False(new Handover().Decide(Seen(InLane(0), LaneIndicators.Unknown), needsOwnDriver: false));
+
+    [Theory]
+    [InlineData(0.7, true)]
+    [InlineData(0.9, false)]
+    public void Decide_hands_back_near_the_middle_of_the_lane(double offset, bool isHandedBack)
+    {
+        Handover handover = new();
+        handover.Decide(Seen(InLane(0), InLane(0)), needsOwnDriver: true);
+        Assert.Equal(isHandedBack, handover.Decide(Seen(InLane(offset), InLane(offset)), needsOwnDriver: false));
+    }
+
+    /// <summary>A car in a lane 5.4 m wide.</summary>
+    /// <param name="centre">Middle of the lane, metres to the right of the car.</param>
+    private static LaneIndicators InLane(double centre) => LaneIndicators.Unknown with
+    {
+        Angle = Indicator.Of(0),
+        ToMarkingML = Indicator.Of(centre - 2.7),
+        ToMarkingMR = Indicator.Of(centre + 2.7),
+    };
+
+    private static LaneObservation Seen(LaneIndicators here, LaneIndicators there) => new()
+    {
+        Status = LaneStatus.Known,
+        Match = new RoadMatch { Outcome = RoadMatchOutcome.Matched },
+        IndicatorsAtCar = here,
+        Indicators = there,
+    };
+}
