@@ -9,9 +9,14 @@ namespace Harvester.Cli.Driving;
 /// </summary>
 internal sealed class Handover
 {
-    // Radians between car and lane, and metres from the centre of the lane, up to which the built-in driver hands back.
+    /// <summary>Radians between car and lane up to which the built-in driver hands back.</summary>
     private const double MaxAngle = 0.15;
-    private const double MaxOffset = 0.8;
+
+    /// <summary>
+    /// Distance from the centre of the lane, in lane widths, up to which the built-in driver hands back: 0.8 m in an ordinary lane. With the
+    /// angle, a car 2 m wide is then still within a lane of 4 m.
+    /// </summary>
+    private const double MaxOffset = 0.15;
 
     /// <summary>
     /// Metres by which the lanes at the look-ahead point may lie beside those at the car. Farther to the side are the lanes behind a
@@ -43,5 +48,5 @@ internal sealed class Handover
     private static bool IsInLane(LaneIndicators at) =>
         Math.Abs(at.Angle.Value) < MaxAngle
         && at.ToMarkingML.IsValid
-        && Math.Abs(at.ToMarkingML.Value + at.ToMarkingMR.Value) / 2 < MaxOffset;
+        && Math.Abs(at.ToMarkingML.Value + at.ToMarkingMR.Value) / 2 < MaxOffset * (at.ToMarkingMR.Value - at.ToMarkingML.Value);
 }

@@ -33,22 +33,26 @@ public sealed class HandoverTests
         Assert.False(new Handover().Decide(Seen(InLane(0), LaneIndicators.Unknown), needsOwnDriver: false));
 
     [Theory]
-    [InlineData(0.7, true)]
-    [InlineData(0.9, false)]
-    public void Decide_hands_back_near_the_middle_of_the_lane(double offset, bool isHandedBack)
+    [InlineData(5.4, 0.75, true)]
+    [InlineData(5.4, 0.85, false)]
+    [InlineData(4, 0.55, true)]
+    [InlineData(4, 0.65, false)]
+    public void Decide_hands_back_near_the_middle_of_the_lane(double width, double offset, bool isHandedBack)
     {
         Handover handover = new();
         handover.Decide(Seen(InLane(0), InLane(0)), needsOwnDriver: true);
-        Assert.Equal(isHandedBack, handover.Decide(Seen(InLane(offset), InLane(offset)), needsOwnDriver: false));
+        LaneIndicators lanes = InLane(offset, width);
+        Assert.Equal(isHandedBack, handover.Decide(Seen(lanes, lanes), needsOwnDriver: false));
     }
 
-    /// <summary>A car in a lane 5.4 m wide.</summary>
+    /// <summary>A car in a lane.</summary>
     /// <param name="centre">Middle of the lane, metres to the right of the car.</param>
-    private static LaneIndicators InLane(double centre) => LaneIndicators.Unknown with
+    /// <param name="width">Its width, metres.</param>
+    private static LaneIndicators InLane(double centre, double width = 5.4) => LaneIndicators.Unknown with
     {
         Angle = Indicator.Of(0),
-        ToMarkingML = Indicator.Of(centre - 2.7),
-        ToMarkingMR = Indicator.Of(centre + 2.7),
+        ToMarkingML = Indicator.Of(centre - (width / 2)),
+        ToMarkingMR = Indicator.Of(centre + (width / 2)),
     };
 
     private static LaneObservation Seen(LaneIndicators here, LaneIndicators there) => new()
