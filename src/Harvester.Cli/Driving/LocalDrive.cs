@@ -42,9 +42,7 @@ internal sealed class LocalDrive(SimulatedGame game, IRoads roads, Func<IControl
             {
                 LaneObservation? seen = Look(game.Ports.World.ReadEgo());
                 isByController = _handover.Decide(seen, game.NeedsOwnDriver);
-
-                // What it would see in a turn through a junction misleads it about the road behind: it begins anew when it takes over.
-                controls = _controller.Drive(StateOf(isByController ? seen : null));
+                controls = _controller.Drive(StateOf(seen));
             }
 
             if (isByController)
