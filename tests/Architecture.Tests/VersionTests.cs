@@ -36,7 +36,8 @@ public sealed partial class VersionTests
     [Fact]
     public void Newest_section_of_the_changelog_is_no_future_version()
     {
-        Version current = Version.Parse((string)XDocument.Load(Path.Combine(Repository.Root, "build", "Version.props")).Descendants("Version").Single());
+        XDocument properties = XDocument.Load(Path.Combine(Repository.Root, "build", "Version.props"));
+        Version current = Version.Parse((string)properties.Descendants("Version").Single());
         Version[] released = [.. Sections().Skip(1).Select(Version.Parse)];
 
         Assert.All(released, version => Assert.True(version <= current));
@@ -52,8 +53,8 @@ public sealed partial class VersionTests
     private static IEnumerable<string> FilesLike(string pattern) =>
         Directory.EnumerateFiles(Repository.Root, pattern, SearchOption.AllDirectories).Where(IsSource);
 
-    private static bool IsSource(string path) =>
-        !Path.GetRelativePath(Repository.Root, path).Split(Path.DirectorySeparatorChar).Any(part => part is "bin" or "obj" or "artifacts" or "out");
+    private static bool IsSource(string path) => !Path.GetRelativePath(Repository.Root, path).Split(Path.DirectorySeparatorChar)
+        .Any(part => part is "bin" or "obj" or "artifacts" or "out");
 
     [GeneratedRegex(@"<(Package|Assembly|File|Informational)?Version(Prefix)?>\d|^(__)?version(__)? = ""\d", RegexOptions.Multiline)]
     private static partial Regex DefinesVersion();
