@@ -53,8 +53,9 @@ public sealed partial class VersionTests
     private static IEnumerable<string> FilesLike(string pattern) =>
         Directory.EnumerateFiles(Repository.Root, pattern, SearchOption.AllDirectories).Where(IsSource);
 
+    /// <summary>Without what is built, and without the stand-in in ref, whose version is that of the API it stands for.</summary>
     private static bool IsSource(string path) => !Path.GetRelativePath(Repository.Root, path).Split(Path.DirectorySeparatorChar)
-        .Any(part => part is "bin" or "obj" or "artifacts" or "out");
+        .Any(part => part is "bin" or "obj" or "artifacts" or "out" or "ref");
 
     [GeneratedRegex(@"<(Package|Assembly|File|Informational)?Version(Prefix)?>\d|^(__)?version(__)? = ""\d", RegexOptions.Multiline)]
     private static partial Regex DefinesVersion();

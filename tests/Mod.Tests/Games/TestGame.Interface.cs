@@ -74,8 +74,8 @@ internal sealed partial class TestGame
         Do(Hash.DRAW_RECT, a =>
         {
             float x = (float)a[0], y = (float)a[1], width = (float)a[2], height = (float)a[3];
-            Drawn.Add(new DrawnRectangle(
-                new Box2D(x - (width / 2), y - (height / 2), x + (width / 2), y + (height / 2)), new Colour((int)a[4], (int)a[5], (int)a[6])));
+            var place = new Box2D(x - (width / 2), y - (height / 2), x + (width / 2), y + (height / 2));
+            Drawn.Add(new DrawnRectangle(place, new Colour((int)a[4], (int)a[5], (int)a[6])));
         });
         Do(Hash.ADD_TEXT_COMPONENT_SUBSTRING_PLAYER_NAME, a =>
         {
