@@ -13,6 +13,9 @@ internal sealed class ProtoMessage : IDisposable
     private readonly MemoryStream _bytes = new();
     private readonly CodedOutputStream _output;
 
+    // Messages within this one are written one after another, thousands in a frame with lanes, so one buffer serves them all.
+    private ProtoMessage? _inner;
+
     private ProtoMessage() => _output = new CodedOutputStream(_bytes);
 
     /// <summary>The bytes of a message.</summary>
@@ -26,6 +29,7 @@ internal sealed class ProtoMessage : IDisposable
 
     public void Dispose()
     {
+        _inner?.Dispose();
         _output.Dispose();
         _bytes.Dispose();
     }
@@ -83,14 +87,21 @@ internal sealed class ProtoMessage : IDisposable
         return this;
     }
 
-    public ProtoMessage Bytes(int field, byte[] bytes)
+    public ProtoMessage Bytes(int field, ReadOnlyMemory<byte> bytes)
     {
         _output.WriteTag(field, WireFormat.WireType.LengthDelimited);
         _output.WriteBytes(UnsafeByteOperations.UnsafeWrap(bytes));
         return this;
     }
 
-    public ProtoMessage Message(int field, Action<ProtoMessage> write) => Bytes(field, Of(write));
+    public ProtoMessage Message(int field, Action<ProtoMessage> write)
+    {
+        _inner ??= new ProtoMessage();
+        _inner._bytes.SetLength(0);
+        write(_inner);
+        _inner._output.Flush();
+        return Bytes(field, _inner._bytes.GetBuffer().AsMemory(0, (int)_inner._bytes.Length));
+    }
 
     public ProtoMessage Messages<T>(int field, IEnumerable<T> items, Action<ProtoMessage, T> write)
     {
