@@ -11,6 +11,7 @@ internal static class McapChunk
 {
     private const int IndexEntryBytes = 2 * sizeof(ulong);
     private const int MessageHeadBytes = McapRecord.HeadLength + sizeof(ushort) + sizeof(uint) + (2 * sizeof(ulong));
+    private const int ChunkHeadBytes = McapRecord.HeadLength + (4 * sizeof(ulong)) + (2 * sizeof(uint));
 
     /// <summary>Writes the records of a moment, as they stand in the file.</summary>
     /// <param name="target">Where to.</param>
@@ -24,14 +25,14 @@ internal static class McapChunk
         foreach (McapMessage message in messages)
         {
             offsets.Add((message.Channel, records.Length));
-            using var record = new McapRecord(McapOpcode.Message);
+            using var record = new McapRecord(McapOpcode.Message, message.Content.Length + MessageHeadBytes);
             record.UInt16(message.Channel.Id).UInt32(sequence).UInt64(nanoseconds).UInt64(nanoseconds).Bytes(message.Content)
                 .WriteTo(records);
         }
 
         byte[] content = records.GetBuffer();
         int length = (int)records.Length;
-        using var chunk = new McapRecord(McapOpcode.Chunk);
+        using var chunk = new McapRecord(McapOpcode.Chunk, length + ChunkHeadBytes);
         chunk.UInt64(nanoseconds).UInt64(nanoseconds).UInt64(length).UInt32(Crc32.Append(0, content, length))
             .Text("").UInt64(length).Bytes(content.AsSpan(0, length)).WriteTo(target);
         foreach (IGrouping<int, (McapChannel Channel, long Offset)> channel in offsets.GroupBy(entry => entry.Channel.Id))

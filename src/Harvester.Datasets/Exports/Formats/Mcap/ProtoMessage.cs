@@ -10,18 +10,24 @@ namespace Harvester.Datasets.Exports.Formats.Mcap;
 /// </summary>
 internal sealed class ProtoMessage : IDisposable
 {
-    private readonly MemoryStream _bytes = new();
+    private readonly MemoryStream _bytes;
     private readonly CodedOutputStream _output;
 
     // Messages within this one are written one after another, thousands in a frame with lanes, so one buffer serves them all.
     private ProtoMessage? _inner;
 
-    private ProtoMessage() => _output = new CodedOutputStream(_bytes);
+    private ProtoMessage(int capacity)
+    {
+        _bytes = new MemoryStream(capacity);
+        _output = new CodedOutputStream(_bytes);
+    }
 
     /// <summary>The bytes of a message.</summary>
-    public static byte[] Of(Action<ProtoMessage> write)
+    /// <param name="write">Writes the message.</param>
+    /// <param name="capacity">Number of bytes to make room for.</param>
+    public static byte[] Of(Action<ProtoMessage> write, int capacity = 0)
     {
-        using var message = new ProtoMessage();
+        using var message = new ProtoMessage(capacity);
         write(message);
         message._output.Flush();
         return message._bytes.ToArray();
@@ -96,7 +102,7 @@ internal sealed class ProtoMessage : IDisposable
 
     public ProtoMessage Message(int field, Action<ProtoMessage> write)
     {
-        _inner ??= new ProtoMessage();
+        _inner ??= new ProtoMessage(0);
         _inner._bytes.SetLength(0);
         write(_inner);
         _inner._output.Flush();
