@@ -103,7 +103,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("motchallenge", "motchallenge", "MOT17-train/session-0000/gt/gt.txt"),
         Dataset("motchallenge-sequence", "motchallenge", "MOT17-train/session-0000/seqinfo.ini"),
         Dataset("openlabel", "openlabel", "labels/train/0000.json"),
-        Dataset("culane", "culane", "session-0000/00000000.lines.txt"),
+        Dataset("culane", "culane", "list/train.txt"),
         Dataset("culane-truth", "culane", "list/train_gt.txt"),
         Dataset("imagefolder", "imagefolder", "data/train/metadata.jsonl"),
         new("plan", "shard/.export/plan.json", MergeShards, Merge, "validate {0}/shard"),
