@@ -20,10 +20,12 @@ internal sealed class CaptureFlows(
         return options.Freeze
             ? new FrozenFlow(options, game, reader, labeller, pool, budget, counters, calls)
             {
-                TakesNext = () => options.Shard.Takes(sink.FirstFrame + counters.Taken),
+                TakesNext = () => Takes(sink.FirstFrame + counters.Taken),
             }
             : new LiveFlow(game, reader, labeller, pool, budget, counters, lag ?? throw LagUnknown());
     }
+
+    private bool Takes(int frame) => frame > options.RecordedThrough && options.Shard.Takes(frame);
 
     private static HarvestFaultException LagUnknown() =>
         new(new CaptureFault(
