@@ -98,7 +98,7 @@ internal sealed class OpenLabelCheck
             : systems.Fields(OpenLabelStream.World).Text("parent").Length > 0 || systems.Names.Any(system =>
                 system != OpenLabelStream.World && systems.Fields(system).Text("parent") != OpenLabelStream.World)
                 ? $"the coordinate systems are not {OpenLabelStream.World} and others within it."
-            : !(matrix[0] > 0 && matrix[5] > 0) || !matrix[8..].SequenceEqual([0, 0, 1, 0])
+            : !(matrix[0] > 0 && matrix[5] > 0) || !matrix.AsSpan(8).SequenceEqual([0, 0, 1, 0])
                 || matrix[1] != 0 || matrix[3] != 0 || matrix[4] != 0 || matrix[7] != 0
                 ? "camera_matrix is not the matrix of a camera."
             : null;
