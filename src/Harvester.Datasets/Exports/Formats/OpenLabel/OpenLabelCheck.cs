@@ -140,7 +140,10 @@ internal sealed class OpenLabelCheck
         document.RawText("frame_intervals") != _frames.ToString() ? $"frame_intervals is not {_frames}."
             : document.Fields("contexts").Names.Any() ? null : "it has no contexts.");
 
-    private string? ObjectProblem(string text) => text.Length == 0 && _seen.Count == 0 ? null : FrameLines.ProblemOf("{" + Trimmed(text) + "}", document =>
+    private string? ObjectProblem(string text) =>
+        text.Length == 0 && _seen.Count == 0 ? null : FrameLines.ProblemOf("{" + Trimmed(text) + "}", ListedProblem);
+
+    private string? ListedProblem(JsonFields document)
     {
         if (document.Names.ToArray() is not [var key] || !int.TryParse(key, out int id)
             || !_seen.TryGetValue(id, out FrameIntervals? frames))
@@ -154,7 +157,7 @@ internal sealed class OpenLabelCheck
             : item.RawText("frame_intervals") != frames.ToString()
                 ? $"frame_intervals of object {id} is not {frames}, the frames that have it."
             : null;
-    });
+    }
 
     private static string Trimmed(string text) => text.EndsWith(',') ? text[..^1] : text;
 }
