@@ -13,8 +13,8 @@ internal sealed class Handover
     private const double MaxAngle = 0.15;
 
     /// <summary>
-    /// Distance from the centre of the lane, in lane widths, up to which the built-in driver hands back: 0.8 m in an ordinary lane. With the
-    /// angle, a car 2 m wide is then still within a lane of 4 m.
+    /// Distance from the centre of the lane, in lane widths, up to which the built-in driver hands back: 0.8 m in an ordinary lane. With
+    /// the angle, a car 2 m wide is then still within a lane of 4 m.
     /// </summary>
     private const double MaxOffset = 0.15;
 

@@ -85,8 +85,8 @@ public sealed class SimulatedGame
     public bool IsFrozen => Freezing.IsStanding;
 
     /// <summary>
-    /// Whether no indicator shows what the ego has to do: in a junction, and where it must stop at a line ahead, for a light or to give way.
-    /// Its built-in driver knows; an external driver does not.
+    /// Whether no indicator shows what the ego has to do: in a junction, and where it must stop at a line ahead, for a light or to give
+    /// way. Its built-in driver knows; an external driver does not.
     /// </summary>
     public bool NeedsOwnDriver => _world.NeedsOwnDriver;
 

@@ -4,8 +4,8 @@ using System.Linq;
 namespace Harvester.Simulation.Models;
 
 /// <summary>
-/// Capital letters, digits and punctuation made of straight strokes, for the faces of signs and for captions. Strokes lead through points of
-/// a grid: column 0 to 2 from the left and row 0 to 4 from the bottom.
+/// Capital letters, digits and punctuation made of straight strokes, for the faces of signs and for captions. Strokes lead through points
+/// of a grid: column 0 to 2 from the left and row 0 to 4 from the bottom.
 /// </summary>
 public static class StrokeGlyphs
 {

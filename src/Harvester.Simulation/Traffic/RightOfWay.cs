@@ -17,7 +17,7 @@ internal sealed class RightOfWay(LaneGraph lanes, Signals signals, LaneOccupatio
     private const double AskEarlier = 8;
     private const double RoomBehind = 2;
 
-    /// <summary>Where the last vehicle behind a junction will have stopped if its driver brakes like this, the next one fits, m/s².</summary>
+    /// <summary>The next vehicle may take the room behind the last one where that will have stopped if it brakes like this, m/s².</summary>
     private const double BrakingOfOthers = 3;
 
     /// <summary>After this time at the line a driver is let in: conflicting paths are no longer granted to others.</summary>
