@@ -22,9 +22,9 @@ public sealed class VehicleLightsTests
     [InlineData(10)]
     public void Brake_lights_follow_the_speeds_of_the_vehicles(int seed)
     {
-        // Between these changes of speed, both answers are right: the engine slows a vehicle too, and the lamps stay on for a moment. A
-        // step is two ticks of 0.05 s. If a vehicle brakes in one of them, by 0.5 m/s² or more, and gains speed in the other, by at most 2 m/s²,
-        // its speed changes by at most 0.05 s * (2 - 0.5) m/s² = 0.075 m/s.
+        // Between these changes of speed, both answers are right: the engine slows a vehicle too, and the lamps stay on for a moment.
+        // A step is two ticks of 0.05 s. If a vehicle brakes in one of them, by 0.5 m/s² or more, and gains speed in the other, by at most
+        // 2 m/s², its speed changes by at most 0.05 s * (2 - 0.5) m/s² = 0.075 m/s.
         const double clearlySlower = -0.15;
         const double clearlyFaster = 0.075;
         SimulatedWorld world = new(new SimulationOptions { Seed = seed });
