@@ -11,13 +11,15 @@ namespace Harvester.Mod.Tests;
 internal static class Playthrough
 {
     /// <summary>The settings that it needs.</summary>
-    public const string Ini = "[Bridge]\nKind = Folder\nFolder = out/bridge\n[Harvest]\nDriveLights = On\nFreeze = Auto\n";
+    public const string Ini = "[Bridge]\nKind = Folder\nFolder = out/bridge\n[Harvest]\nDriveLights = On\nFreeze = Auto\nMasks = Coded\n";
 
     /// <summary>More than a calibration takes that looks for markers in vain.</summary>
     private const int TicksOfCalibration = 400;
 
     /// <summary>More than both trials take in a world that freezes at once and whose camera moves at once: 34 ticks each.</summary>
     private const int TicksOfFreezeTrials = 80;
+    /// <summary>More than a frame takes whose mask is made from photographs: 16 of two ticks each, and the measurement before.</summary>
+    private const int TicksOfCodedFrame = 120;
     private const string Failed = " failed: ";
     private const string Stopped = " stopped: ";
 
@@ -47,7 +49,7 @@ internal static class Playthrough
         driver.Press(Keys.NumPad1);
         driver.Tick(TicksOfCalibration);
         driver.Press(Keys.J);
-        driver.Tick(TicksOfFreezeTrials + 25);
+        driver.Tick(TicksOfFreezeTrials + TicksOfCodedFrame);
         driver.Press(Keys.J);
         driver.WaitForDisk();
         PlayDrive(driver);

@@ -33,6 +33,7 @@ internal sealed class HarvestCommand
         "docs/dataset-format.md describes the session. The same options and seed give the same bytes. Ctrl+C stops after the current\n"
         + "frame and leaves a valid session. A shard is a session with every N-th frame of the full run, under the same frame numbers and\n"
         + "without a report; harvester merge combines all shards.\n\n"
+        + MaskOption.Notes + "\n\n"
         + QuirkList.Notes + "\n\n"
         + "Examples:\n"
         + "  harvester harvest --out out\n"
@@ -77,7 +78,7 @@ internal sealed class HarvestCommand
 
     private MomentOptions Moment { get; } = new();
 
-    private Option<bool> Masks { get; } = new("--masks") { Description = "Also write instance masks" };
+    private Option<string?> Masks { get; } = MaskOption.Create();
     private Option<int> Rays { get; } = WithDefault(
         ValueParsers.Integer("--rays", "N", "Rays per frame, spent on masks first, then on objects, faces and lanes", 0,
             LabellingOptions.MaxRays),
@@ -260,7 +261,8 @@ internal sealed class HarvestCommand
             RangeMetres = parsed.GetValue(Range),
             IgnoreRangeMetres = parsed.GetValue(IgnoreRange),
             Classes = ClassList.Parse(parsed.GetValue(Classes)),
-            Masks = parsed.GetValue(Masks),
+            Masks = MaskOption.Parse(parsed, Masks) is not null,
+            MaskMethod = MaskOption.Parse(parsed, Masks) ?? MaskMethod.Rays,
             RayBudget = parsed.GetValue(Rays),
             RayReachMetres = parsed.GetValue(RayReach),
             Lens = LensOf.Parse(parsed),

@@ -124,6 +124,7 @@ internal sealed class SimulatedHarvest
         {
             Warnings = [.. session.Warnings.Select(HarvestAdvice.TextOf)],
             Freezing = session.Freezing,
+            Masks = session.MaskComparison,
         };
     }
 
