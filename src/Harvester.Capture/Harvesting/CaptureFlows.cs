@@ -47,6 +47,7 @@ internal sealed class CaptureFlows(
             Comparison = Comparison,
             Lanes = game.Roads is { } roads ? new LaneLabeller(roads, game.Paint, rays, registry) : null,
             Faces = options.Faces is { } faces ? new FaceLabeller(faces, options, rays, game.Lights, registry) : null,
+            DrawnOcclusion = game.DrawnOcclusion,
         };
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 using Harvester.Geometry.Visibility;
@@ -29,6 +30,9 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
 
     /// <summary>Labels faces of signs and heads of traffic lights; null to label none.</summary>
     public FaceLabeller? Faces { get; init; }
+
+    /// <summary>Tells how much of each object the drawing hides; null to leave it open.</summary>
+    public IDrawnOcclusion? DrawnOcclusion { get; init; }
 
     /// <summary>
     /// Labels a snapshot in steps. Each element is null until the work is done; the last is the result. The caller may pause after any step
@@ -81,6 +85,11 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
         foreach (bool _ in _joints.Label(draft, mayCastRays))
         {
             yield return null;
+        }
+
+        if (DrawnOcclusion is { } drawn)
+        {
+            DrawnOcclusions.Add(draft, options.Image, drawn);
         }
 
         draft.Rays = rays.Counts;
