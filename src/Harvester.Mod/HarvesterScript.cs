@@ -61,7 +61,7 @@ public sealed class HarvesterScript : Script
         var calls = new GameCalls(rays);
         var markers = new DrawnMarkers(display);
         var sheets = new DrawnSheets(display);
-        var hidden = new HiddenEntities(new GameShownEntities(), _folder.HiddenPath, _messages);
+        var hidden = new HiddenEntities(new GameShownEntities(), _folder.HiddenPath, _messages, () => _harvest!.IsOn);
         var roads = new GrowingRoads(player.LaneWidthMetres, player.NarrowLaneWidthMetres);
         var vehicles = new GameVehicles();
         var models = new GameModels();

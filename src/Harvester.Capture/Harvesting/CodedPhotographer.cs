@@ -127,6 +127,8 @@ internal sealed class CodedPhotographer(GamePorts game, PixelBufferPool pool, in
             }
         }
 
+        // Everything is shown again in the last picture. The sheets must be gone before rays are cast.
+        game.Sheets?.Clear();
         Pictures = picture is null ? null : new CodedPictures(hidden, code, pictures);
     }
 

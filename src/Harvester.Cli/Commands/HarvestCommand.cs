@@ -254,6 +254,12 @@ internal sealed class HarvestCommand
     private HarvestOptions OptionsOf(ParseResult parsed)
     {
         ImageFormat format = parsed.GetValue(Format) ?? ImageFormat.Png;
+        MaskMethod? masks = MaskOption.Parse(parsed, Masks);
+        if (masks == MaskMethod.Both && parsed.GetValue(ShardOf).Count > 1)
+        {
+            throw new UsageException("--masks both compares the masks of a whole harvest; use it without --shard.");
+        }
+
         return new HarvestOptions
         {
             Image = parsed.GetValue(Size),
@@ -266,8 +272,8 @@ internal sealed class HarvestCommand
             RangeMetres = parsed.GetValue(Range),
             IgnoreRangeMetres = parsed.GetValue(IgnoreRange),
             Classes = ClassList.Parse(parsed.GetValue(Classes)),
-            Masks = MaskOption.Parse(parsed, Masks) is not null,
-            MaskMethod = MaskOption.Parse(parsed, Masks) ?? MaskMethod.Rays,
+            Masks = masks is not null,
+            MaskMethod = masks ?? MaskMethod.Rays,
             RayBudget = parsed.GetValue(Rays),
             RayReachMetres = parsed.GetValue(RayReach),
             Lens = LensOf.Parse(parsed),

@@ -17,7 +17,9 @@ namespace Harvester.Play.Features;
 /// <param name="entities">The game's entities.</param>
 /// <param name="path">The file of the list.</param>
 /// <param name="messages">Says if the list cannot be written.</param>
-public sealed class HiddenEntities(IShownEntities entities, string path, PlayerMessages messages) : IVisibility, ILastingFeature
+/// <param name="isNeeded">Whether a feature may need entities hidden.</param>
+public sealed class HiddenEntities(IShownEntities entities, string path, PlayerMessages messages, Func<bool> isNeeded)
+    : IVisibility, ILastingFeature
 {
     private static readonly TimeSpan MaxWaitForDisk = TimeSpan.FromSeconds(2);
     private readonly HashSet<int> _hidden = [];
@@ -108,11 +110,18 @@ public sealed class HiddenEntities(IShownEntities entities, string path, PlayerM
         _writing = _writing.ContinueWith(_ => File.Delete(path), TaskScheduler.Default);
     }
 
-    /// <summary>Shows what an earlier run of the script has left hidden, once.</summary>
+    /// <summary>
+    /// Shows what an earlier run of the script has left hidden, once, and what the game refused to show when it was no longer needed.
+    /// </summary>
     public void Tick()
     {
         if (_isRestored)
         {
+            if (_announced is not null && !isNeeded())
+            {
+                ShowAll();
+            }
+
             return;
         }
 

@@ -49,31 +49,42 @@ public sealed record AmodalMask(int Left, int Top, int Width, int Height, IReadO
     /// <exception cref="ArgumentException">The runs do not fill the box, or the box lies outside the image.</exception>
     public PixelMap ToMap(ImageSize image)
     {
-        if (Left < 0 || Top < 0 || Width < 1 || Height < 1 || Left > image.Width - Width || Top > image.Height - Height)
+        if (ProblemIn(image) is { } problem)
         {
-            throw new ArgumentException("The box of an amodal mask lies outside the image.");
+            throw new ArgumentException(problem, nameof(image));
         }
 
         var map = new PixelMap(image);
-        long at = 0;
-        long area = (long)Width * Height;
+        int at = 0;
         for (int run = 0; run < Runs.Count; run++)
         {
-            if (Runs[run] < 0 || Runs[run] > area - at)
-            {
-                throw new ArgumentException("The runs of an amodal mask do not fill its box.");
-            }
-
-            for (long end = at + Runs[run]; at < end; at++)
+            for (int end = at + Runs[run]; at < end; at++)
             {
                 if (run % 2 == 1)
                 {
-                    map[Left + (int)(at % Width), Top + (int)(at / Width)] = true;
+                    map[Left + (at % Width), Top + (at / Width)] = true;
                 }
             }
         }
 
-        return at == area ? map : throw new ArgumentException("The runs of an amodal mask do not fill its box.");
+        return map;
+    }
+
+    /// <summary>What is wrong with the mask in an image; null if nothing is.</summary>
+    public string? ProblemIn(ImageSize image)
+    {
+        if (Left < 0 || Top < 0 || Width < 1 || Height < 1 || Left > image.Width - Width || Top > image.Height - Height)
+        {
+            return "The box of amodalMask does not lie in the image.";
+        }
+
+        long sum = 0;
+        foreach (int run in Runs)
+        {
+            sum += Math.Max(0, run);
+        }
+
+        return sum == (long)Width * Height ? null : "The runs of amodalMask do not fill its box.";
     }
 
     private static (int Left, int Top, int Right, int Bottom) BoundsOf(PixelMap pixels)

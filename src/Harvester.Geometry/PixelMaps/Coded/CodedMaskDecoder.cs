@@ -21,7 +21,7 @@ public sealed class CodedMaskDecoder
 
     /// <summary>A pixel whose second best explanation costs less than this more is undetermined, unless its neighbours agree with it.</summary>
     private const double ClearMargin = 6;
-    private const int AgreeingNeighbours = 3;
+    private const int AgreeingNeighbours = 1;
 
     private readonly Camera _camera;
     private readonly ImageSize _image;
@@ -110,7 +110,7 @@ public sealed class CodedMaskDecoder
         var sheets = new SheetMap(_camera, _planes, _order, _first, _last);
         yield return true;
         var separator = new ShadowSeparator(_camera, _noise, _light, sheets);
-        var edges = new EdgeSettler(_stack, _noise, _image.Width);
+        var edges = new EdgeSettler(_stack, _noise, sheets, _image.Width);
         foreach (ObjectPlane plane in _planes)
         {
             separator.Separate(plane, IsFirst);
@@ -228,7 +228,33 @@ public sealed class CodedMaskDecoder
         }
 
         MajorityFilter.Apply(map, (number, column, row) => amodal[number][column, row]);
+        MarkUndetermined(map, undetermined);
         return new CodedMask(map, undetermined, amodal);
+    }
+
+    /// <summary>Takes pixels out of the map whose explanation is hardly better than another, and with which few neighbours agree.</summary>
+    private void MarkUndetermined(InstanceMap map, PixelMap undetermined)
+    {
+        for (int row = 1; row < _image.Height - 1; row++)
+        {
+            for (int column = 1; column < _image.Width - 1; column++)
+            {
+                int pixel = (row * _image.Width) + column;
+                if (_order[pixel] is not null && _margins[pixel] < ClearMargin
+                    && MajorityFilter.CountAround(map.Ids, _image.Width, pixel, map.Ids[pixel]) <= AgreeingNeighbours)
+                {
+                    undetermined[column, row] = true;
+                }
+            }
+        }
+
+        for (int row = 1; row < _image.Height - 1; row++)
+        {
+            for (int column = 1; column < _image.Width - 1; column++)
+            {
+                map[column, row] = undetermined[column, row] ? (ushort)0 : map[column, row];
+            }
+        }
     }
 
     private bool IsFirst(ObjectPlane plane, int pixel) => _order[pixel] is { } order && _planes[order[0]] == plane;

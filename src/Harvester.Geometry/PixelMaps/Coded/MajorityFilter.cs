@@ -35,7 +35,8 @@ internal static class MajorityFilter
         }
     }
 
-    private static int CountAround(ushort[] ids, int width, int pixel, ushort number)
+    /// <summary>The number of pixels among one inside the image and its eight neighbours that have a number.</summary>
+    public static int CountAround(ushort[] ids, int width, int pixel, ushort number)
     {
         int count = 0;
         for (int down = -width; down <= width; down += width)

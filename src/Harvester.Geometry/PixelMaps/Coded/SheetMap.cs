@@ -13,9 +13,11 @@ internal sealed class SheetMap
     private const int TrustedPixels = 8;
 
     /// <summary>Near its border a sheet may lie below a kerb, metres: it is expected to be seen only farther inside.</summary>
-    private const double BorderMetres = 0.75;
+    private const double BorderMetres = 0.25;
 
     private readonly Camera _camera;
+    private readonly byte[][] _objects;
+    private readonly HashSet<ObjectPlane> _own;
     private readonly byte[] _first;
     private readonly byte[] _last;
     private readonly Dictionary<ObjectPlane, List<GroundSheet>> _sheets = [];
@@ -23,6 +25,7 @@ internal sealed class SheetMap
     public SheetMap(Camera camera, IReadOnlyList<ObjectPlane> planes, byte[][] objects, byte[] first, byte[] last)
     {
         _camera = camera;
+        _objects = objects;
         _first = first;
         _last = last;
         List<(GroundSheet Sheet, ObjectPlane Plane)> trusted = [];
@@ -35,6 +38,7 @@ internal sealed class SheetMap
             }
         }
 
+        _own = [.. trusted.Select(each => each.Plane)];
         foreach (ObjectPlane plane in planes)
         {
             _sheets[plane] = [.. trusted.Where(each => each.Plane.IsNear(plane)).Select(each => each.Sheet)];
@@ -68,6 +72,14 @@ internal sealed class SheetMap
 
         Ray ray = _camera.RayThrough(column + 0.5, row + 0.5);
         return sheets.Any(sheet => sheet.IsMet(ray, BorderMetres));
+    }
+
+    /// <summary>Whether a pixel in which nothing changes would show the sheet under an object, and does not: something is there.</summary>
+    public bool IsMissing(ObjectPlane plane, int pixel)
+    {
+        (int column, int row) = (pixel % _camera.Image.Width, pixel / _camera.Image.Width);
+        return _objects[pixel] is null && _own.Contains(plane) && !IsSeen(pixel)
+            && GroundSheet.Under(plane.Target).IsMet(_camera.RayThrough(column + 0.5, row + 0.5), BorderMetres);
     }
 
     private bool IsTrusted(GroundSheet sheet, ObjectPlane plane, byte[][] objects)
