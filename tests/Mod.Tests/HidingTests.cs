@@ -16,10 +16,15 @@ public sealed class HidingTests
     public void Everything_is_shown_after_an_abort_at_any_tick()
     {
         int hidden = 0;
-        for (int ticks = 0; ticks < TicksOfAFrame; ticks += 3)
+        for (int ticks = 0; ticks < TicksOfAFrame; ticks += 4)
         {
             using var driver = Harvesting();
-            driver.Tick(ticks);
+            for (int tick = 0; tick < ticks; tick++)
+            {
+                driver.WaitForDisk();
+                driver.Tick();
+            }
+
             hidden += IsAnyHidden(driver) ? 1 : 0;
             driver.Script.RaiseAborted();
             driver.WaitForDisk();

@@ -18,8 +18,6 @@ internal static class Playthrough
 
     /// <summary>More than both trials take in a world that freezes at once and whose camera moves at once: 34 ticks each.</summary>
     private const int TicksOfFreezeTrials = 80;
-    /// <summary>More than a frame takes whose mask is made from photographs: 16 of two ticks each, and the measurement before.</summary>
-    private const int TicksOfCodedFrame = 120;
     private const string Failed = " failed: ";
     private const string Stopped = " stopped: ";
 
@@ -49,7 +47,8 @@ internal static class Playthrough
         driver.Press(Keys.NumPad1);
         driver.Tick(TicksOfCalibration);
         driver.Press(Keys.J);
-        driver.Tick(TicksOfFreezeTrials + TicksOfCodedFrame);
+        driver.Tick(TicksOfFreezeTrials + 25);
+        driver.Until(() => driver.Game.Calls.Contains(Hash.DRAW_POLY));
         driver.Press(Keys.J);
         driver.WaitForDisk();
         PlayDrive(driver);

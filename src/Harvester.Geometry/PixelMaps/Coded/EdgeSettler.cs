@@ -45,6 +45,7 @@ internal sealed class EdgeSettler(PictureStack stack, NoiseMap noise, SheetMap s
         }
 
         FragmentFilter.FillHoles(plane);
+        _fragments.FillLikes(plane, stack.Picture(0));
     }
 
     private static int NeighboursOf(ObjectPlane plane, int x, int y)

@@ -15,6 +15,10 @@ internal sealed class FragmentFilter(NoiseMap noise, int imageWidth)
     private const int MinHolePixels = 4;
     private const double HoleFraction = 0.015;
 
+    /// <summary>A larger one is filled up to this fraction if its colour differs by no more than this from the object's, grey levels.</summary>
+    private const double LikeFraction = 0.2;
+    private const double LikeLevels = 12;
+
     private static readonly (int Across, int Down)[] Sides = [(-1, 0), (1, 0), (0, -1), (0, 1)];
     private static readonly (int Across, int Down)[] Around = [.. Sides, (-1, -1), (1, -1), (-1, 1), (1, 1)];
 
@@ -43,6 +47,51 @@ internal sealed class FragmentFilter(NoiseMap noise, int imageWidth)
         }
     }
 
+    /// <summary>
+    /// Fills larger places that the object and its shadow enclose, if they have the object's colour at the border: the ground that is seen
+    /// when the object is hidden has that colour too.
+    /// </summary>
+    /// <param name="plane">The plane.</param>
+    /// <param name="picture">The picture with all objects.</param>
+    public void FillLikes(ObjectPlane plane, byte[] picture)
+    {
+        int most = (int)(LikeFraction * plane.State.Count(static state => state == PixelState.Object));
+        foreach (List<int> region in Regions(plane, Sides, static state => state == PixelState.Other))
+        {
+            if (region.Count <= most && !region.Exists(index => IsAtBorder(plane, index)) && IsLikeAround(plane, region, picture))
+            {
+                region.ForEach(index => plane.State[index] = PixelState.Object);
+            }
+        }
+    }
+
+    private bool IsLikeAround(ObjectPlane plane, List<int> region, byte[] picture)
+    {
+        (double difference, int count) = (0, 0);
+        foreach (int index in region)
+        {
+            foreach ((int across, int down) in Sides)
+            {
+                int beside = index + across + (down * plane.Width);
+                if (plane.State[beside] == PixelState.Object)
+                {
+                    int pixel = 3 * PixelOf(plane, index);
+                    var colour = new Vector3D(picture[pixel], picture[pixel + 1], picture[pixel + 2]);
+                    difference += (colour - plane.ColourAt(beside)).Length;
+                    count++;
+                }
+            }
+        }
+
+        return 2 * count > region.Count(index => IsBeside(plane, index)) && difference < LikeLevels * count;
+    }
+
+    private static bool IsBeside(ObjectPlane plane, int index) =>
+        Array.Exists(Sides, side => plane.State[index + side.Across + (side.Down * plane.Width)] != PixelState.Other);
+
+    private int PixelOf(ObjectPlane plane, int index) =>
+        (((index / plane.Width) + plane.Top) * imageWidth) + (index % plane.Width) + plane.Left;
+
     private static bool IsAtBorder(ObjectPlane plane, int index)
     {
         (int x, int y) = (index % plane.Width, index / plane.Width);
@@ -55,7 +104,7 @@ internal sealed class FragmentFilter(NoiseMap noise, int imageWidth)
         foreach (int index in fragment)
         {
             contrast += (plane.ColourAt(index) - plane.BehindAt(index)).Length;
-            variance += noise.At((((index / plane.Width) + plane.Top) * imageWidth) + (index % plane.Width) + plane.Left);
+            variance += noise.At(PixelOf(plane, index));
         }
 
         return contrast / fragment.Count < FaintDeviations * Math.Sqrt(variance / fragment.Count);

@@ -25,6 +25,9 @@ internal sealed class PixelFit
     /// <summary>The price of a farther object in front of a nearer one: it decides between objects of the same colour.</summary>
     private const double ReversePrice = 4;
 
+    /// <summary>Deviations that the best stack may leave, in units of the noise; if they are larger, the noise is taken to be.</summary>
+    private const double MaxExcess = 1.8;
+
     /// <summary>Variance that light reflected between objects may add, as a fraction of the value.</summary>
     private const double LightFraction = 0.01;
 
@@ -71,7 +74,15 @@ internal sealed class PixelFit
         double brightness = _stack.MeanIn(_stack.All).Length * LightFraction;
         _variance = variance + (brightness * brightness / 3);
         Margin = double.PositiveInfinity;
-        FitLevel(0, _stack.All);
+        double rest = FitLevel(0, _stack.All) - (LayerPrice * Best.Count);
+        double excess = rest / (3 * (_stack.Count - 1 - Best.Count));
+        if (Best.Count > 0 && excess > MaxExcess)
+        {
+            // Something else changes, such as a moving texture: a stack must explain more than that.
+            _variance *= excess;
+            Margin = double.PositiveInfinity;
+            FitLevel(0, _stack.All);
+        }
     }
 
     /// <summary>Whether the loaded pixel shows one surface that an object shades.</summary>
