@@ -115,8 +115,8 @@ public sealed class HarvesterScript : Script
             SurveyLines = [() => survey.Line, () => _signs.Line, () => marking.Line]
         };
         var frozen = new FrozenWorld(time, () => _harvest.IsOn || _calibration.IsOn || _drive.IsOn);
-        _features = new FeatureSet(_messages, calls, clock, frozen, hidden, sheets, car, mount, _harvest, lights, _calibration, markers, survey, _signs,
-            marking, unknown, _drive, line, overlay);
+        _features = new FeatureSet(_messages, calls, clock, frozen, hidden, sheets, car, mount, _harvest, lights,
+            _calibration, markers, survey, _signs, marking, unknown, _drive, line, overlay);
         if (player.RoadFile is { } file)
         {
             roads.Prepare(() => RoadSurveyFile.Load(file) ?? throw new FileNotFoundException($"There is no {file}."), "roadFile");

@@ -109,12 +109,14 @@ public sealed class HidingTests
         HarvestTests.Street(driver.Game);
         driver.Press(Keys.J);
         driver.Until(() => Directory.Exists(driver.Output)
-            && Directory.GetFiles(driver.Output, "labels.jsonl", SearchOption.AllDirectories).Any(file => File.ReadAllLines(file).Length > 3));
+            && Directory.GetFiles(driver.Output, "labels.jsonl", SearchOption.AllDirectories)
+                .Any(file => File.ReadAllLines(file).Length > 3));
         driver.Press(Keys.J);
         driver.WaitForDisk();
 
         Assert.Contains(
-            driver.Game.Notifications, message => message.Contains("Masks come from rays: hidden objects still show", StringComparison.Ordinal));
+            driver.Game.Notifications,
+            message => message.Contains("Masks come from rays: hidden objects still show", StringComparison.Ordinal));
         Assert.DoesNotContain("\"pictures\"", driver.Labels()[^1], StringComparison.Ordinal);
     }
 

@@ -18,6 +18,8 @@ internal static class Playthrough
 
     /// <summary>More than both trials take in a world that freezes at once and whose camera moves at once: 34 ticks each.</summary>
     private const int TicksOfFreezeTrials = 80;
+    /// <summary>More than a frame takes whose mask is made from photographs: 16 of two ticks each, and the measurement before.</summary>
+    private const int TicksOfCodedFrame = 150;
     private const string Failed = " failed: ";
     private const string Stopped = " stopped: ";
 
@@ -48,7 +50,7 @@ internal static class Playthrough
         driver.Tick(TicksOfCalibration);
         driver.Press(Keys.J);
         driver.Tick(TicksOfFreezeTrials + 25);
-        driver.Until(() => driver.Game.Calls.Contains(Hash.DRAW_POLY));
+        PhotographAFrame(driver);
         driver.Press(Keys.J);
         driver.WaitForDisk();
         PlayDrive(driver);
@@ -58,6 +60,16 @@ internal static class Playthrough
         driver.WaitForDisk();
         driver.Game.BrokenList = null;
         driver.Press(Keys.O);
+    }
+
+    /// <summary>Waits for the last photograph of a mask; where a native is broken, there may be none.</summary>
+    private static void PhotographAFrame(ScriptDriver driver)
+    {
+        for (int tick = 0; tick < TicksOfCodedFrame && !driver.Game.Calls.Contains(Hash.DRAW_POLY); tick++)
+        {
+            driver.WaitForDisk();
+            driver.Tick();
+        }
     }
 
     private static void SurveySigns(ScriptDriver driver)

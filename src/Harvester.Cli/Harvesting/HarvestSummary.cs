@@ -38,8 +38,9 @@ internal static class HarvestSummary
 
         foreach (MaskAgreement each in outcome.Masks?.Classes ?? [])
         {
+            string compared = Counted.Of(each.Objects, "object");
             terminal.Out.WriteLine(FormattableString.Invariant(
-                $"masks    {JsonName.Of(each.Class)}: rays and photographs agree with an IoU of {each.MeanIou:0.000} ({Counted.Of(each.Objects, "object")})"));
+                $"masks    {JsonName.Of(each.Class)}: rays and photographs agree with an IoU of {each.MeanIou:0.000} ({compared})"));
         }
 
         if (outcome.Masks is { ObjectPixels: > 0 } masks)

@@ -20,7 +20,9 @@ internal sealed class PictureNoise(int seed, GameQuirks quirks)
     private const double CellMetres = 3;
     private const uint MovingOneIn = 10;
 
-    /// <summary>Waves of the moving texture: amplitude in grey levels, length in metres, and what passes from tick to tick, radians.</summary>
+    /// <summary>
+    /// Waves of the moving texture: amplitude in grey levels, length in metres, and what passes from tick to tick, radians.
+    /// </summary>
     private const double WaveLevels = 10;
     private const double WaveMetres = 0.5;
     private const double WaveStep = 0.7;
@@ -46,7 +48,8 @@ internal sealed class PictureNoise(int seed, GameQuirks quirks)
                 double wave = quirks.TexturesMove ? WaveAt(picture, camera, tick, column, row) : 0;
                 for (int channel = 0; channel < 3; channel++)
                 {
-                    ulong bits = Mixed(unchecked((ulong)((((tick * 3) + channel) * picture.Depth.Length) + pixel)) ^ ((ulong)(uint)seed << 40));
+                    long number = (((tick * 3) + channel) * picture.Depth.Length) + pixel;
+                    ulong bits = Mixed(unchecked((ulong)number) ^ ((ulong)(uint)seed << 40));
                     double noise = (BitOperations.PopCount(bits) - MeanBits) / BitDeviation * quirks.PictureNoiseLevels;
                     double value = picture.Colour[(pixel * 3) + channel] + noise + wave;
                     target.Bytes[(pixel * 3) + channel] = (byte)Math.Clamp(Math.Round(value), 0, byte.MaxValue);
@@ -64,7 +67,8 @@ internal sealed class PictureNoise(int seed, GameQuirks quirks)
 
         Vector3D place = camera.Pose.ToWorld(new Vector3D(
             (column + 0.5 - camera.CentreX) / camera.FocalX * depth, depth, -(row + 0.5 - camera.CentreY) / camera.FocalY * depth));
-        long cell = unchecked(((long)Math.Floor(place.X / CellMetres) * 73_856_093) ^ ((long)Math.Floor(place.Y / CellMetres) * 19_349_663));
+        long cell = unchecked(
+            ((long)Math.Floor(place.X / CellMetres) * 73_856_093) ^ ((long)Math.Floor(place.Y / CellMetres) * 19_349_663));
         return Mixed(unchecked((ulong)cell)) % MovingOneIn == 0
             ? WaveLevels * Math.Sin((2 * Math.PI * (place.X + place.Y + place.Z) / WaveMetres) + (WaveStep * tick))
             : 0;

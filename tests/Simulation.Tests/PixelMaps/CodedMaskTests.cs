@@ -73,7 +73,9 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
         Assert.Empty(game.Hidden.Current);
     }
 
-    /// <summary>These seeds were not looked at while the decoder was made; docs/pixel-maps.md has the figures and what is required.</summary>
+    /// <summary>
+    /// These seeds were not looked at while the decoder was made; docs/pixel-maps.md has the figures and what is required.
+    /// </summary>
     [Fact]
     [Trait("Category", "Heavy")]
     public void Masks_agree_with_the_pictures_despite_noise_shadows_and_moving_textures()

@@ -19,7 +19,9 @@ public sealed class CodedMaskDecoder
     private const double ShadowReach = 1.5;
     private const double ShadowPixels = 30;
 
-    /// <summary>A pixel whose second best explanation costs less than this more is undetermined, unless its neighbours agree with it.</summary>
+    /// <summary>
+    /// A pixel whose second best explanation costs less than this more is undetermined, unless its neighbours agree with it.
+    /// </summary>
     private const double ClearMargin = 6;
     private const int AgreeingNeighbours = 1;
 

@@ -30,7 +30,9 @@ internal sealed class EdgeSettler(PictureStack stack, NoiseMap noise, SheetMap s
     private const int FillNeighbours = 5;
     private const int FillRounds = 12;
 
-    /// <summary>Where a sheet would be seen if no object were there, a pixel that differs no more than this, in grey levels, is filled.</summary>
+    /// <summary>
+    /// Where a sheet would be seen if no object were there, a pixel that differs no more than this, in grey levels, is filled.
+    /// </summary>
     private const double LikeLevels = 8;
     private const int LikeNeighbours = 2;
 
@@ -86,8 +88,8 @@ internal sealed class EdgeSettler(PictureStack stack, NoiseMap noise, SheetMap s
     }
 
     /// <summary>
-    /// Whether a pixel at the edge is a mixture of the background and less than half of a neighbour. A pixel between two that show different
-    /// things is mixed on one side of the border only, so the neighbour's colour is pure.
+    /// Whether a pixel at the edge is a mixture of the background and less than half of a neighbour. A pixel between two that show
+    /// different things is mixed on one side of the border only, so the neighbour's colour is pure.
     /// </summary>
     private bool IsMostlyOther(ObjectPlane plane, int x, int y)
     {

@@ -15,7 +15,9 @@ internal sealed class FragmentFilter(NoiseMap noise, int imageWidth)
     private const int MinHolePixels = 4;
     private const double HoleFraction = 0.015;
 
-    /// <summary>A larger one is filled up to this fraction if its colour differs by no more than this from the object's, grey levels.</summary>
+    /// <summary>
+    /// A larger one is filled up to this fraction if its colour differs by no more than this from the object's, grey levels.
+    /// </summary>
     private const double LikeFraction = 0.2;
     private const double LikeLevels = 12;
 

@@ -19,7 +19,9 @@ public sealed record GroundSheet(Vector3D A, Vector3D B, Vector3D C, Vector3D D)
     /// <summary>The sheet reaches beyond the object's box by so much, metres: as far as the shadows that touch it in the image.</summary>
     private const double MarginMetres = 0.3;
 
-    /// <summary>It lies so high above the lower end of the box, metres, that the ground does not cover it; it hides that much of wheels.</summary>
+    /// <summary>
+    /// It lies so high above the lower end of the box, metres, that the ground does not cover it; it hides that much of wheels.
+    /// </summary>
     private const double LiftMetres = 0.04;
 
     /// <summary>The colour of sheets: magenta, each channel 0 to 255.</summary>

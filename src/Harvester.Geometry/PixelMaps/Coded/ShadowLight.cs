@@ -96,5 +96,6 @@ internal sealed class ShadowLight
         return variance + (ratio * ratio * litVariance) + (slack * slack);
     }
 
-    private static double Dot(Vector3D a, Vector3D b, Vector3D weight) => (a.X * b.X * weight.X) + (a.Y * b.Y * weight.Y) + (a.Z * b.Z * weight.Z);
+    private static double Dot(Vector3D a, Vector3D b, Vector3D weight) =>
+        (a.X * b.X * weight.X) + (a.Y * b.Y * weight.Y) + (a.Z * b.Z * weight.Z);
 }

@@ -170,7 +170,8 @@ internal sealed class ShadowSeparator(Camera camera, NoiseMap noise, ShadowLight
         return TextureWeight * gain / (2 * variance * (1 + (ratio * ratio)));
     }
 
-    private static double Grey(float[] colours, int index) => (colours[3 * index] + colours[(3 * index) + 1] + colours[(3 * index) + 2]) / 3;
+    private static double Grey(float[] colours, int index) =>
+        (colours[3 * index] + colours[(3 * index) + 1] + colours[(3 * index) + 2]) / 3;
 
     private static double[] Smoothed(ObjectPlane plane, double[] evidence)
     {

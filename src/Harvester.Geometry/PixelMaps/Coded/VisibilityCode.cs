@@ -6,8 +6,8 @@ namespace Harvester.Geometry.PixelMaps.Coded;
 /// <summary>
 /// Which objects are hidden in which picture of a coded mask. Every object has a code word of a few bits. The pictures are: one with all
 /// objects; for each bit one without the objects whose word has it and one without the others; one without any; and again one with all, in
-/// which sheets may lie on the ground and from which the noise is estimated. Words are unique. Objects that may touch in the image get words that differ in about half of their
-/// bits, so that pictures show each of the two alone, both, and neither.
+/// which sheets may lie on the ground and from which the noise is estimated. Words are unique. Objects that may touch in the image get
+/// words that differ in about half of their bits, so that pictures show each of the two alone, both, and neither.
 /// </summary>
 public sealed class VisibilityCode
 {
@@ -17,7 +17,9 @@ public sealed class VisibilityCode
     /// <summary>Bits beyond those that make the words unique, up to <see cref="AmpleBits"/>.</summary>
     private const int SpareBits = 2;
 
-    /// <summary>The boxes of objects that may touch, or shade each other, are closer than this fraction of their size, and pixels.</summary>
+    /// <summary>
+    /// The boxes of objects that may touch, or shade each other, are closer than this fraction of their size, and pixels.
+    /// </summary>
     private const double NearFraction = 0.25;
     private const double NearPixels = 8;
 
