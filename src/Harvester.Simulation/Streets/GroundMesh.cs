@@ -23,8 +23,28 @@ internal sealed class GroundMesh
         AddTriangle(a, c, d, colour, surface);
     }
 
-    public void AddTriangle(Vector3D a, Vector3D b, Vector3D c, Rgb colour, Surface surface)
+    /// <summary>Adds asphalt from a left to a right offset across its road.</summary>
+    /// <param name="facet">The asphalt.</param>
+    /// <param name="left">Offset of its left side, in lanes.</param>
+    /// <param name="right">The same of its right side.</param>
+    public void AddAsphalt(RoadFacet facet, LaneOffsets left, LaneOffsets right)
     {
+        AddTriangle(new MeshTriangle(facet.NearLeft, facet.NearRight, facet.FarRight, Palette.Asphalt, Surface.Asphalt)
+        {
+            Lanes = left with { B = right.A, C = right.A },
+        });
+        AddTriangle(new MeshTriangle(facet.NearLeft, facet.FarRight, facet.FarLeft, Palette.Asphalt, Surface.Asphalt)
+        {
+            Lanes = left with { B = right.A },
+        });
+    }
+
+    public void AddTriangle(Vector3D a, Vector3D b, Vector3D c, Rgb colour, Surface surface) =>
+        AddTriangle(new MeshTriangle(a, b, c, colour, surface));
+
+    private void AddTriangle(in MeshTriangle triangle)
+    {
+        (Vector3D a, Surface surface) = (triangle.A, triangle.Surface);
         bool isMarking = surface == Surface.Marking;
         double size = isMarking ? MarkingPatchSize : PatchSize;
         (int X, int Y, bool IsMarking) key = ((int)Math.Floor(a.X / size), (int)Math.Floor(a.Y / size), isMarking);
@@ -33,7 +53,7 @@ internal sealed class GroundMesh
             _patches[key] = patch = [];
         }
 
-        patch.Add(new MeshTriangle(a, b, c, colour, surface));
+        patch.Add(triangle);
     }
 
     public IEnumerable<MeshInstance> Instances() =>
