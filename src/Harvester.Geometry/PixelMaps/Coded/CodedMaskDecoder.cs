@@ -7,8 +7,8 @@ namespace Harvester.Geometry.PixelMaps.Coded;
 
 /// <summary>
 /// Decodes an instance map from the pictures of a <see cref="VisibilityCode"/>. Each pixel is explained by a stack of objects, so that the
-/// objects behind others are found too; then each object is separated from its shadow and its outline is settled. The result does not
-/// depend on the order of the targets. Work is done in steps of a row or an object, so that it can be spread over ticks.
+/// objects behind others are found too; then each object is separated from its shadow and its outline is settled. Work is done in
+/// steps of a row or an object, so that it can be spread over ticks.
 /// </summary>
 public sealed class CodedMaskDecoder
 {
@@ -33,7 +33,7 @@ public sealed class CodedMaskDecoder
     private readonly Box2D[] _shadows;
     private readonly ShadowLight _light = new();
     private readonly IEnumerator<bool> _work;
-    private readonly byte[][] _order;
+    private readonly ushort[][] _order;
     private readonly float[] _margins;
     private readonly NoiseMap _noise;
     private readonly byte[] _first;
@@ -67,7 +67,7 @@ public sealed class CodedMaskDecoder
         _first = pictures[0];
         _last = pictures[pictures.Count - 1];
         _noise = new NoiseMap(pictures, image);
-        _order = new byte[image.PixelCount][];
+        _order = new ushort[image.PixelCount][];
         _margins = new float[image.PixelCount];
         _work = Work().GetEnumerator();
     }
@@ -180,7 +180,7 @@ public sealed class CodedMaskDecoder
                 continue;
             }
 
-            var order = new byte[best.Count];
+            var order = new ushort[best.Count];
             for (int layer = 0; layer < best.Count; layer++)
             {
                 ObjectPlane plane = _planes[best.Objects[layer]];
@@ -192,7 +192,7 @@ public sealed class CodedMaskDecoder
                     PictureStack.CountOf(front),
                     _stack.MeanIn(behind),
                     PictureStack.CountOf(behind));
-                order[layer] = (byte)best.Objects[layer];
+                order[layer] = (ushort)best.Objects[layer];
             }
 
             _order[pixel] = order;
@@ -264,7 +264,7 @@ public sealed class CodedMaskDecoder
     /// <summary>Whether an object of a pixel has no other in front of it there.</summary>
     private bool IsFront(ObjectPlane plane, int column, int row)
     {
-        foreach (byte index in _order[(row * _image.Width) + column] ?? [])
+        foreach (ushort index in _order[(row * _image.Width) + column] ?? [])
         {
             ObjectPlane other = _planes[index];
             if (other == plane)

@@ -16,13 +16,13 @@ internal sealed class SheetMap
     private const double BorderMetres = 0.25;
 
     private readonly Camera _camera;
-    private readonly byte[][] _objects;
+    private readonly ushort[][] _objects;
     private readonly HashSet<ObjectPlane> _own;
     private readonly byte[] _first;
     private readonly byte[] _last;
     private readonly Dictionary<ObjectPlane, List<GroundSheet>> _sheets = [];
 
-    public SheetMap(Camera camera, IReadOnlyList<ObjectPlane> planes, byte[][] objects, byte[] first, byte[] last)
+    public SheetMap(Camera camera, IReadOnlyList<ObjectPlane> planes, ushort[][] objects, byte[] first, byte[] last)
     {
         _camera = camera;
         _objects = objects;
@@ -82,7 +82,7 @@ internal sealed class SheetMap
             && GroundSheet.Under(plane.Target).IsMet(_camera.RayThrough(column + 0.5, row + 0.5), BorderMetres);
     }
 
-    private bool IsTrusted(GroundSheet sheet, ObjectPlane plane, byte[][] objects)
+    private bool IsTrusted(GroundSheet sheet, ObjectPlane plane, ushort[][] objects)
     {
         (int expected, int seen, int seenInside) = (0, 0, 0);
         for (int row = plane.Top; row < plane.Top + plane.Height; row++)
