@@ -136,7 +136,8 @@ public sealed class HidingTests
         Assert.False(IsAnyHidden(driver));
     }
 
-    private static ScriptDriver Harvesting()
+    /// <summary>A script that harvests a street with masks from photographs.</summary>
+    internal static ScriptDriver Harvesting()
     {
         var driver = new ScriptDriver(Ini);
         HarvestTests.Street(driver.Game);

@@ -11,15 +11,13 @@ namespace Harvester.Mod.Tests;
 internal static class Playthrough
 {
     /// <summary>The settings that it needs.</summary>
-    public const string Ini = "[Bridge]\nKind = Folder\nFolder = out/bridge\n[Harvest]\nDriveLights = On\nFreeze = Auto\nMasks = Coded\n";
+    public const string Ini = "[Bridge]\nKind = Folder\nFolder = out/bridge\n[Harvest]\nDriveLights = On\nFreeze = Auto\n";
 
     /// <summary>More than a calibration takes that looks for markers in vain.</summary>
     private const int TicksOfCalibration = 400;
 
     /// <summary>More than both trials take in a world that freezes at once and whose camera moves at once: 34 ticks each.</summary>
     private const int TicksOfFreezeTrials = 80;
-    /// <summary>More than a frame takes whose mask is made from photographs: 16 of two ticks each, and the measurement before.</summary>
-    private const int TicksOfCodedFrame = 150;
     private const string Failed = " failed: ";
     private const string Stopped = " stopped: ";
 
@@ -50,7 +48,6 @@ internal static class Playthrough
         driver.Tick(TicksOfCalibration);
         driver.Press(Keys.J);
         driver.Tick(TicksOfFreezeTrials + 25);
-        PhotographAFrame(driver);
         driver.Press(Keys.J);
         driver.WaitForDisk();
         PlayDrive(driver);
@@ -60,16 +57,6 @@ internal static class Playthrough
         driver.WaitForDisk();
         driver.Game.BrokenList = null;
         driver.Press(Keys.O);
-    }
-
-    /// <summary>Waits for the last photograph of a mask; where a native is broken, there may be none.</summary>
-    private static void PhotographAFrame(ScriptDriver driver)
-    {
-        for (int tick = 0; tick < TicksOfCodedFrame && !driver.Game.Calls.Contains(Hash.DRAW_POLY); tick++)
-        {
-            driver.WaitForDisk();
-            driver.Tick();
-        }
     }
 
     private static void SurveySigns(ScriptDriver driver)
