@@ -38,6 +38,9 @@ public record LabellingOptions
     /// <summary>Whether instance masks are made.</summary>
     public bool Masks { get; init; }
 
+    /// <summary>How instance masks are made. Methods other than rays need a frozen game that can hide its entities.</summary>
+    public MaskMethod MaskMethod { get; init; } = MaskMethod.Rays;
+
     /// <summary>
     /// Maximum number of rays per frame, 0 to 10,000,000: for the mask first, then for objects, faces, ignore regions, lanes and joints.
     /// When they are used up, the mask is finished from what is known, and the rest is undetermined.

@@ -32,6 +32,12 @@ public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IP
     /// <summary>What could not be read of the game correctly; null for a game that is always read completely.</summary>
     public ReadingRecord? Reading { get; init; }
 
+    /// <summary>Hides entities from pictures; null if the game cannot.</summary>
+    public IVisibility? Visibility { get; init; }
+
+    /// <summary>Draws sheets on the ground; null if the game cannot.</summary>
+    public ISheets? Sheets { get; init; }
+
     /// <summary>The camera, if it can be moved on its vehicle; otherwise null.</summary>
     public IMountedCamera? MountedCamera { get; init; }
 }

@@ -33,6 +33,7 @@ internal sealed class HarvestCommand
         "docs/dataset-format.md describes the session. The same options and seed give the same bytes. Ctrl+C stops after the current\n"
         + "frame and leaves a valid session. A shard is a session with every N-th frame of the full run, under the same frame numbers and\n"
         + "without a report; harvester merge combines all shards.\n\n"
+        + MaskOption.Notes + "\n\n"
         + QuirkList.Notes + "\n\n"
         + "Examples:\n"
         + "  harvester harvest --out out\n"
@@ -77,7 +78,7 @@ internal sealed class HarvestCommand
 
     private MomentOptions Moment { get; } = new();
 
-    private Option<bool> Masks { get; } = new("--masks") { Description = "Also write instance masks" };
+    private Option<string?> Masks { get; } = MaskOption.Create();
     private Option<bool> TrueOcclusion { get; } = new("--true-occlusion")
     {
         Description = "Also label how much of each object the renderer hides, exactly; slower",
@@ -253,6 +254,12 @@ internal sealed class HarvestCommand
     private HarvestOptions OptionsOf(ParseResult parsed)
     {
         ImageFormat format = parsed.GetValue(Format) ?? ImageFormat.Png;
+        MaskMethod? masks = MaskOption.Parse(parsed, Masks);
+        if (masks == MaskMethod.Both && parsed.GetValue(ShardOf).Count > 1)
+        {
+            throw new UsageException("--masks both compares the masks of a whole harvest; use it without --shard.");
+        }
+
         return new HarvestOptions
         {
             Image = parsed.GetValue(Size),
@@ -265,7 +272,8 @@ internal sealed class HarvestCommand
             RangeMetres = parsed.GetValue(Range),
             IgnoreRangeMetres = parsed.GetValue(IgnoreRange),
             Classes = ClassList.Parse(parsed.GetValue(Classes)),
-            Masks = parsed.GetValue(Masks),
+            Masks = masks is not null,
+            MaskMethod = masks ?? MaskMethod.Rays,
             RayBudget = parsed.GetValue(Rays),
             RayReachMetres = parsed.GetValue(RayReach),
             Lens = LensOf.Parse(parsed),

@@ -125,6 +125,7 @@ internal sealed class SimulatedHarvest
         {
             Warnings = [.. session.Warnings.Select(HarvestAdvice.TextOf)],
             Freezing = session.Freezing,
+            Masks = session.MaskComparison,
         };
     }
 

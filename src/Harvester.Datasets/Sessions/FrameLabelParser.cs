@@ -73,7 +73,22 @@ public static class FrameLabelParser
     }
 
     private static PixelMapLabel ReadPixelMap(JsonFields map) =>
-        new(map.Integer("resolutionPixels"), map.Integer("interpolatedPixels"), map.Integer("raysCast"));
+        new(map.Integer("resolutionPixels"), map.Integer("interpolatedPixels"), map.Integer("raysCast"))
+        {
+            Pictures = map.Has("pictures") ? map.Integer("pictures") : null,
+            UndeterminedPixels = map.Has("undeterminedPixels") ? map.Integer("undeterminedPixels") : null,
+        };
+
+    private static AmodalMask ReadAmodalMask(JsonFields mask)
+    {
+        int[] box = WholeNumbers(mask, "box");
+        return box.Length == 4 ? new AmodalMask(box[0], box[1], box[2], box[3], WholeNumbers(mask, "runs"))
+            : throw new DatasetFormatException("The box of amodalMask must have 4 numbers: left, top, width and height.");
+    }
+
+    private static int[] WholeNumbers(JsonFields mask, string name) => [.. mask.Numbers(name).Select(value =>
+        value is >= 0 and <= int.MaxValue && value == Math.Floor(value) ? (int)value
+            : throw new DatasetFormatException($"{name} of amodalMask must hold whole numbers of at least 0."))];
 
     private static RayCounts ReadRays(JsonFields rays) => new(
         rays.Integer("map"), rays.Integer("occlusion"), rays.Integer("faces"), rays.Integer("ignoreRegions"), rays.Integer("lanes"),
@@ -139,6 +154,7 @@ public static class FrameLabelParser
             Box2D = ReadBox(label, "box2d"),
             Box2DAmodal = ReadBox(label, "box2dAmodal"),
             Box2DVisible = label.Has("box2dVisible") ? ReadBox(label, "box2dVisible") : null,
+            AmodalMask = label.Has("amodalMask") ? ReadAmodalMask(label.Fields("amodalMask")) : null,
             TruncatedFraction = label.Number("truncatedFraction"),
             OccludedFraction = label.OptionalNumber("occludedFraction"),
             OcclusionMethod = label.Name<OcclusionMethod>("occlusionMethod"),

@@ -31,6 +31,9 @@ public sealed class ModFolder
     /// <summary>Path of the settings file.</summary>
     public string SettingsPath => Path.Combine(_folder, SettingsFile);
 
+    /// <summary>Path of the list of entities that are hidden, which exists only while some are.</summary>
+    public string HiddenPath => Path.Combine(_folder, "GtaDataHarvester.hidden");
+
     /// <summary>The settings.</summary>
     public IniFile Settings { get; }
 

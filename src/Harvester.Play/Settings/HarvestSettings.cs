@@ -34,6 +34,7 @@ public static class HarvestSettings
         var fallback = new HarvestOptions();
         IReadOnlyList<ObjectClass> classes = ini.Choices<ObjectClass>(
             Harvest, "Classes", [], "a list of " + string.Join(", ", typeof(ObjectClass).GetEnumNames()));
+        MaskChoice masks = ini.Choice(Harvest, "Masks", MaskChoice.Off, "Off, Rays, Coded or Both");
         return fallback with
         {
             Image = new ImageSize(
@@ -46,7 +47,13 @@ public static class HarvestSettings
             Classes = classes.Count > 0 ? classes : null,
             Freeze = ini.Choice(Harvest, "Mode", CaptureMode.Freeze, "Freeze or Live") == CaptureMode.Freeze,
             FreezeBy = FreezeByOf(ini.Choice(Harvest, "Freeze", FreezeChoice.Auto, "Paused, TimeScale or Auto")),
-            Masks = ini.Choice(Harvest, "Masks", Switch.Off, "On or Off") == Switch.On,
+            Masks = masks != MaskChoice.Off,
+            MaskMethod = masks switch
+            {
+                MaskChoice.Coded => MaskMethod.Coded,
+                MaskChoice.Both => MaskMethod.Both,
+                _ => MaskMethod.Rays,
+            },
             RayBudget = ini.Whole(Harvest, "Rays", fallback.RayBudget, 0, LabellingOptions.MaxRays),
             RayReachMetres = ini.Number(Harvest, "RayReach", fallback.RayReachMetres, 1, 100_000),
             OcclusionSamples = ini.Whole(Harvest, "OcclusionRays", fallback.OcclusionSamples, 1, 10_000),

@@ -106,8 +106,26 @@ public static class JsonLabelWriter
         json.BeginObject()
             .Key("resolutionPixels").Integer(map.ResolutionPixels)
             .Key("interpolatedPixels").Integer(map.InterpolatedPixels)
-            .Key("raysCast").Integer(map.RaysCast)
-            .EndObject();
+            .Key("raysCast").Integer(map.RaysCast);
+        if (map.Pictures is not null)
+        {
+            json.Key("pictures").Integer(map.Pictures).Key("undeterminedPixels").Integer(map.UndeterminedPixels);
+        }
+
+        json.EndObject();
+    }
+
+    private static void Append(JsonText json, AmodalMask mask)
+    {
+        json.BeginObject().Key("box").BeginArray()
+            .Integer(mask.Left).Integer(mask.Top).Integer(mask.Width).Integer(mask.Height)
+            .EndArray().Key("runs").BeginArray();
+        foreach (int run in mask.Runs)
+        {
+            json.Integer(run);
+        }
+
+        json.EndArray().EndObject();
     }
 
     private static void Append(JsonText json, RayCounts? rays)
@@ -195,6 +213,11 @@ public static class JsonLabelWriter
         Append(json.Key("box3d"), label.Box3D);
         json.Key("distanceMetres").Number(label.DistanceMetres, LabelDecimals.Metres)
             .Key("velocity").Vector(label.Velocity, LabelDecimals.Speed);
+        if (label.AmodalMask is { } amodal)
+        {
+            Append(json.Key("amodalMask"), amodal);
+        }
+
         Append(json.Key("space"), label.Face);
         VehicleLightsJson.Append(json, label.Lights);
         if (label.Joints is { } joints)

@@ -47,6 +47,11 @@ public sealed record ObjectLabel
     /// <summary>The box around its visible pixels; null without a pixel map or if none is visible.</summary>
     public Box2D? Box2DVisible { get; init; }
 
+    /// <summary>
+    /// Its pixels including those that other objects hide; null if they are not known. What is no object of the frame still hides it.
+    /// </summary>
+    public AmodalMask? AmodalMask { get; init; }
+
     /// <summary>The kinds of boxes that are known.</summary>
     public IReadOnlyList<BoxKind> Boxes => BoxKinds.Known(Box2DVisible is not null);
 

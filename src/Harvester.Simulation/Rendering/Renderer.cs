@@ -148,6 +148,11 @@ public sealed class Renderer
             {
                 foreach (ref readonly MeshInstance instance in set.Instances.Slice(first, count))
                 {
+                    if (scene.IsHidden(instance.Handle))
+                    {
+                        continue;
+                    }
+
                     var toClip = new ClipTransform(view.Matrix * Matrix4.ToWorld(instance.Pose));
                     ScreenBox? box = ScreenBox.Of(instance.Mesh.Bounds, toClip, view);
                     if (_markings is not null && instance.Mesh.IsMarking)
