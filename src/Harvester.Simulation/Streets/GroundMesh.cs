@@ -7,27 +7,26 @@ using Harvester.Simulation.Rendering;
 namespace Harvester.Simulation.Streets;
 
 /// <summary>
-/// Collects faces of the ground in world coordinates and returns them as square patches, so that a view need not process all of them;
-/// road markings have patches of their own.
+/// Collects faces of the ground in world coordinates and returns them as square patches, each of one kind of surface, so that a view need
+/// not process all of them.
 /// </summary>
 internal sealed class GroundMesh
 {
     private const double PatchSize = 80;
     private const double MarkingPatchSize = 40;
 
-    private readonly SortedDictionary<(int X, int Y, bool IsMarking), List<MeshTriangle>> _patches = [];
+    private readonly SortedDictionary<(int X, int Y, SurfaceKind Kind), List<MeshTriangle>> _patches = [];
 
-    public void AddQuad(Vector3D a, Vector3D b, Vector3D c, Vector3D d, Rgb colour, Surface surface)
+    public void AddQuad(Vector3D a, Vector3D b, Vector3D c, Vector3D d, Rgb colour, Surface surface, SurfaceKind kind)
     {
-        AddTriangle(a, b, c, colour, surface);
-        AddTriangle(a, c, d, colour, surface);
+        AddTriangle(a, b, c, colour, surface, kind);
+        AddTriangle(a, c, d, colour, surface, kind);
     }
 
-    public void AddTriangle(Vector3D a, Vector3D b, Vector3D c, Rgb colour, Surface surface)
+    public void AddTriangle(Vector3D a, Vector3D b, Vector3D c, Rgb colour, Surface surface, SurfaceKind kind)
     {
-        bool isMarking = surface == Surface.Marking;
-        double size = isMarking ? MarkingPatchSize : PatchSize;
-        (int X, int Y, bool IsMarking) key = ((int)Math.Floor(a.X / size), (int)Math.Floor(a.Y / size), isMarking);
+        double size = kind == SurfaceKind.Marking ? MarkingPatchSize : PatchSize;
+        (int X, int Y, SurfaceKind Kind) key = ((int)Math.Floor(a.X / size), (int)Math.Floor(a.Y / size), kind);
         if (!_patches.TryGetValue(key, out List<MeshTriangle>? patch))
         {
             _patches[key] = patch = [];
@@ -37,5 +36,6 @@ internal sealed class GroundMesh
     }
 
     public IEnumerable<MeshInstance> Instances() =>
-        _patches.Values.Select(patch => new MeshInstance(new Mesh(patch), new Pose(Vector3D.Zero, Axes.Identity), 0));
+        _patches.Select(patch => new MeshInstance(
+            new Mesh(patch.Value) { Kind = patch.Key.Kind }, new Pose(Vector3D.Zero, Axes.Identity), 0));
 }

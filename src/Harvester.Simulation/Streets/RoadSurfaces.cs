@@ -35,7 +35,7 @@ internal sealed class RoadSurfaces(
         Rgb colour = road.IsUnpaved ? Palette.Dirt : Palette.Asphalt;
         foreach (RoadFacet facet in asphalt.Of(road).All())
         {
-            mesh.AddQuad(facet.NearLeft, facet.NearRight, facet.FarRight, facet.FarLeft, colour, Surface.Ground);
+            mesh.AddQuad(facet.NearLeft, facet.NearRight, facet.FarRight, facet.FarLeft, colour, Surface.Ground, SurfaceKind.Road);
         }
 
         double median = road.Layout.MedianWidth;
@@ -46,9 +46,9 @@ internal sealed class RoadSurfaces(
             double half = (median / 2) - lineRoom;
             Func<double, bool> isPresent = distance => !road.IsInTrim(distance);
             Rgb top = road.IsHighway ? Palette.DryGrass : Palette.Grass;
-            ribbon.Lay(new Rail(-half, Walkway.KerbHeight), new Rail(half, Walkway.KerbHeight), top, Surface.Ground, isPresent);
-            ribbon.Lay(new Rail(-half, 0), new Rail(-half, Walkway.KerbHeight), Palette.Kerb, Surface.Matte, isPresent);
-            ribbon.Lay(new Rail(half, Walkway.KerbHeight), new Rail(half, 0), Palette.Kerb, Surface.Matte, isPresent);
+            ribbon.Lay(new Rail(-half, Walkway.KerbHeight), new Rail(half, Walkway.KerbHeight), top, Surface.Ground, SurfaceKind.Terrain, isPresent);
+            ribbon.Lay(new Rail(-half, 0), new Rail(-half, Walkway.KerbHeight), Palette.Kerb, Surface.Matte, SurfaceKind.Pavement, isPresent);
+            ribbon.Lay(new Rail(half, Walkway.KerbHeight), new Rail(half, 0), Palette.Kerb, Surface.Matte, SurfaceKind.Pavement, isPresent);
         }
     }
 
@@ -68,7 +68,7 @@ internal sealed class RoadSurfaces(
         Vector3D down = Horizontal.Up * -below;
         for (int i = 0; i < sides; i++)
         {
-            mesh.AddTriangle(junction.Position + down, rim[i] + down, rim[(i + 1) % sides] + down, colour, Surface.Ground);
+            mesh.AddTriangle(junction.Position + down, rim[i] + down, rim[(i + 1) % sides] + down, colour, Surface.Ground, SurfaceKind.Road);
         }
     }
 }
