@@ -26,6 +26,9 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     /// <summary>Labels faces of signs and heads of traffic lights; null to label none.</summary>
     public FaceLabeller? Faces { get; init; }
 
+    /// <summary>Makes the class map; null for none.</summary>
+    public SemanticLabeller? Semantics { get; init; }
+
     /// <summary>
     /// Labels a snapshot in steps. Each element is null until the work is done; the last is the result. The caller may pause after any step
     /// and continue in a later tick, as long as the game stands still.
@@ -44,6 +47,12 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
             ? new MapLabeller(options, _objects, rays).Label(draft, candidates, mayCastRays)
             : LabelByRays(draft, candidates, mayCastRays);
         foreach (bool _ in objects)
+        {
+            yield return null;
+        }
+
+        rays.Begin(RayPhase.Semantics);
+        foreach (bool _ in Semantics?.Label(draft, mayCastRays) ?? [])
         {
             yield return null;
         }

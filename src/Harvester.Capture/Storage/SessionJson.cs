@@ -76,6 +76,7 @@ internal static class SessionJson
             .Key("freeze").Boolean(options.Freeze)
             .Key("freezeBy").String(options.FreezeBy is { } method ? JsonName.Of(method) : "auto")
             .Key("masks").Boolean(options.Masks)
+            .Key("semantics").String(options.Semantics is { } semantics ? JsonName.Of(semantics) : null)
             .Key("scenes").Boolean(options.Scenes)
             .Key("rayBudget").Integer(options.RayBudget)
             .Key("rayReachMetres").Number(options.RayReachMetres, LabelDecimals.Metres)

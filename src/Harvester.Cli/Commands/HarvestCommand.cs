@@ -37,6 +37,7 @@ internal sealed class HarvestCommand
         + "Examples:\n"
         + "  harvester harvest --out out\n"
         + "  harvester harvest --out rain --frames 500 --seed 7 --weather rain --time 18:30 --masks\n"
+        + "  harvester harvest --out classes --semantics rays\n"
         + "  harvester harvest --out distorted --k1 -0.05 --focal-scale 1.01\n"
         + "  harvester harvest --out streets --roads nodes.zip --places 20\n"
         + "  harvester harvest --out part-2 --frames 5000 --shard 2/8";
@@ -78,6 +79,7 @@ internal sealed class HarvestCommand
     private MomentOptions Moment { get; } = new();
 
     private Option<bool> Masks { get; } = new("--masks") { Description = "Also write instance masks" };
+    private SemanticsOptions Semantics { get; } = new();
     private Option<int> Rays { get; } = WithDefault(
         ValueParsers.Integer("--rays", "N", "Rays per frame, spent on masks first, then on objects, faces and lanes", 0,
             LabellingOptions.MaxRays),
@@ -148,6 +150,7 @@ internal sealed class HarvestCommand
                 RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, DetailOf, Quirks, FreezeBy,
                     MaxPictureLag, MaxCameraError, ShardOf, Sync, NoReport,
         };
+        Semantics.AddTo(command);
         Moment.AddTo(command);
         Variety.AddTo(command);
         LensOf.AddTo(command);
@@ -260,7 +263,9 @@ internal sealed class HarvestCommand
             RangeMetres = parsed.GetValue(Range),
             IgnoreRangeMetres = parsed.GetValue(IgnoreRange),
             Classes = ClassList.Parse(parsed.GetValue(Classes)),
-            Masks = parsed.GetValue(Masks),
+            Masks = parsed.GetValue(Masks) || Semantics.Method(parsed) is not null,
+            Semantics = Semantics.Method(parsed),
+            Materials = Semantics.Materials(parsed),
             RayBudget = parsed.GetValue(Rays),
             RayReachMetres = parsed.GetValue(RayReach),
             Lens = LensOf.Parse(parsed),

@@ -11,6 +11,7 @@ using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
+using Harvester.Sessions.Semantics;
 
 namespace Harvester.Datasets.Sessions;
 
@@ -52,6 +53,7 @@ public static class FrameLabelParser
             Place = frame.Has("place") ? frame.Integer("place") : null,
             PlaceFrame = frame.Has("placeFrame") ? frame.Integer("placeFrame") : null,
             PixelMap = frame.Has("pixelMap") ? ReadPixelMap(frame.Fields("pixelMap")) : null,
+            ClassMap = frame.Has("classMap") ? ReadClassMap(frame.Fields("classMap")) : null,
             Rays = frame.Has("rays") ? ReadRays(frame.Fields("rays")) : null,
             IgnoreRegions = frame.Has("ignoreRegions") ? [.. frame.List("ignoreRegions").Select(ReadIgnoreRegion)] : [],
             Lanes = frame.Has("lanes") ? LanesParser.Parse(frame.Fields("lanes")) : null,
@@ -72,7 +74,13 @@ public static class FrameLabelParser
         rays.Integer("map"), rays.Integer("occlusion"), rays.Integer("faces"), rays.Integer("ignoreRegions"), rays.Integer("lanes"),
 
         // Sessions of earlier versions have no joints.
-        rays.Has("joints") ? rays.Integer("joints") : 0);
+        rays.Has("joints") ? rays.Integer("joints") : 0)
+    {
+        Classes = rays.Has("classes") ? rays.Integer("classes") : 0,
+    };
+
+    private static ClassMapLabel ReadClassMap(JsonFields map) => new(
+        PictureName(map, "file"), map.Name<SemanticsMethod>("method"), map.Integer("raysCast"), map.Integer("interpolatedPixels"));
 
     private static CameraLabel ReadCamera(JsonFields camera)
     {

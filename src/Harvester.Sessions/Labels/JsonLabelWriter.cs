@@ -34,6 +34,16 @@ public static class JsonLabelWriter
             .Key("image").String(frame.Image)
             .Key("mask").String(frame.Mask);
         Append(json.Key("pixelMap"), frame.PixelMap);
+        if (frame.ClassMap is { } classes)
+        {
+            json.Key("classMap").BeginObject()
+                .Key("file").String(classes.File)
+                .Key("method").String(JsonName.Of(classes.Method))
+                .Key("raysCast").Integer(classes.RaysCast)
+                .Key("interpolatedPixels").Integer(classes.InterpolatedPixels)
+                .EndObject();
+        }
+
         Append(json.Key("rays"), frame.Rays);
         Append(json.Key("camera"), frame.Camera);
         Append(json.Key("ego"), frame.Ego);
@@ -125,8 +135,13 @@ public static class JsonLabelWriter
             .Key("faces").Integer(rays.Faces)
             .Key("ignoreRegions").Integer(rays.IgnoreRegions)
             .Key("lanes").Integer(rays.Lanes)
-            .Key("joints").Integer(rays.Joints)
-            .EndObject();
+            .Key("joints").Integer(rays.Joints);
+        if (rays.Classes > 0)
+        {
+            json.Key("classes").Integer(rays.Classes);
+        }
+
+        json.EndObject();
     }
 
     private static void Append(JsonText json, EgoLabel ego)

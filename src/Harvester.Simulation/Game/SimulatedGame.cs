@@ -68,6 +68,7 @@ public sealed class SimulatedGame
             MountedCamera = new MountedCameraPort(this),
             Paint = new PaintPort(this),
             Lights = new LightsPort(this),
+            Surfaces = new SurfacePort(this),
         };
     }
 

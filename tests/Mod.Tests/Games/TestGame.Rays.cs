@@ -31,14 +31,15 @@ internal sealed partial class TestGame
             _probe = (SceneRays is { } scene ? scene.Cast(ray, way.Length, (int)a[7]) : Cast(ray, way.Length, (int)a[7]), ray);
             return 1;
         };
-        _natives[Hash.GET_SHAPE_TEST_RESULT] = a =>
+        _natives[Hash.GET_SHAPE_TEST_RESULT_INCLUDING_MATERIAL] = a =>
         {
             Write(a[1], _probe.Hit is not null);
             if (_probe.Hit is { } hit)
             {
                 Write(a[2], ToGame(_probe.Ray.At(hit.Distance)));
                 Write(a[3], ToGame(default));
-                Write(a[4], ScriptHandleOf(hit.Entity));
+                Write(a[4], unchecked((int)hit.Material));
+                Write(a[5], ScriptHandleOf(hit.Entity));
             }
 
             return 2;
