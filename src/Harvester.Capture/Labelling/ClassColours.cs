@@ -24,9 +24,8 @@ internal static class ClassColours
     /// <summary>How much nearer a pixel must be to the other side's colour than to its own: fraction of the squared distance.</summary>
     private const double Clearly = 0.4;
 
-    /// <summary>A row of road is compared with the median of this part of it; fewer pixels have no median of their own.</summary>
-    private const int SegmentsOfRow = 8;
-    private const int LeastForMedian = 12;
+    /// <summary>The rank of the road's own brightness among the pixels around; more than half of them may be paint.</summary>
+    private const double RoadRank = 0.25;
 
     /// <summary>Paint is at least so much brighter than the road: a factor and grey levels.</summary>
     private const double LeastBrightness = 1.25;
@@ -116,16 +115,16 @@ internal static class ClassColours
 
     private static void FindPaint(InstanceMap map, InstanceMap? mask, PixelBuffer picture)
     {
-        double? factor = KnownBrightness(map, picture);
+        var roads = new RoadBrightness(map, picture, RoadRank);
+        double factor = KnownBrightness(map, roads, picture) ?? 0;
         ushort[] before = (ushort[])map.Ids.Clone();
         for (int row = 1; row < map.Image.Height - 1; row++)
         {
-            double?[] medians = Medians(before, map.Image.Width, row, picture);
             for (int column = 1; column < map.Image.Width - 1; column++)
             {
                 int at = (row * map.Image.Width) + column;
-                if (before[at] == (ushort)SemanticClass.Road && medians[column * SegmentsOfRow / map.Image.Width] is { } median
-                    && Luminance(picture.Bytes, at) > Math.Max((median * LeastBrightness) + LeastStep, median * (factor ?? 0))
+                if (before[at] == (ushort)SemanticClass.Road && roads.Near(column, row) is { } road
+                    && RoadBrightness.Of(picture.Bytes, at) > Math.Max((road * LeastBrightness) + LeastStep, road * factor)
                     && IsOnRoad(before, mask, map, at))
                 {
                     map.Ids[at] = (ushort)SemanticClass.LaneMarking;
@@ -135,23 +134,15 @@ internal static class ClassColours
     }
 
     /// <summary>The brightness halfway between the road and the paint on it that is known, relative to the road's.</summary>
-    private static double? KnownBrightness(InstanceMap map, PixelBuffer picture)
+    private static double? KnownBrightness(InstanceMap map, RoadBrightness roads, PixelBuffer picture)
     {
         List<double> factors = [];
-        for (int row = 0; row < map.Image.Height; row++)
+        for (int at = 0; at < map.Ids.Length; at++)
         {
-            double?[]? medians = null;
-            for (int column = 0; column < map.Image.Width; column++)
+            if (map.Ids[at] == (ushort)SemanticClass.LaneMarking
+                && roads.Near(at % map.Image.Width, at / map.Image.Width) is > 0 and { } road)
             {
-                int at = (row * map.Image.Width) + column;
-                if (map.Ids[at] == (ushort)SemanticClass.LaneMarking)
-                {
-                    medians ??= Medians(map.Ids, map.Image.Width, row, picture);
-                    if (medians[column * SegmentsOfRow / map.Image.Width] is > 0 and { } median)
-                    {
-                        factors.Add(Luminance(picture.Bytes, at) / median);
-                    }
-                }
+                factors.Add(RoadBrightness.Of(picture.Bytes, at) / road);
             }
         }
 
@@ -162,28 +153,6 @@ internal static class ClassColours
 
         factors.Sort();
         return (1 + factors[factors.Count * 3 / 4]) / 2;
-    }
-
-    private static double?[] Medians(ushort[] classes, int width, int row, PixelBuffer picture)
-    {
-        double?[] medians = new double?[SegmentsOfRow];
-        List<double> values = [];
-        for (int segment = 0; segment < SegmentsOfRow; segment++)
-        {
-            values.Clear();
-            for (int column = segment * width / SegmentsOfRow; column < (segment + 1) * width / SegmentsOfRow; column++)
-            {
-                if (classes[(row * width) + column] == (ushort)SemanticClass.Road)
-                {
-                    values.Add(Luminance(picture.Bytes, (row * width) + column));
-                }
-            }
-
-            values.Sort();
-            medians[segment] = values.Count >= LeastForMedian ? values[values.Count / 2] : null;
-        }
-
-        return medians;
     }
 
     /// <summary>Whether a pixel and those around it are road, so that the edge of something bright beside the road is not taken for paint.</summary>
@@ -204,7 +173,4 @@ internal static class ClassColours
 
         return true;
     }
-
-    private static double Luminance(byte[] colours, int pixel) =>
-        (0.299 * colours[pixel * 3]) + (0.587 * colours[(pixel * 3) + 1]) + (0.114 * colours[(pixel * 3) + 2]);
 }

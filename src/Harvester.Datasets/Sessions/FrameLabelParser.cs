@@ -139,6 +139,7 @@ public static class FrameLabelParser
             Lights = VehicleLightsParser.Parse(label),
             Box2D = ReadBox(label, "box2d"),
             Box2DAmodal = ReadBox(label, "box2dAmodal"),
+            Box2DWhole = label.Has("box2dWhole") ? ReadBox(label, "box2dWhole") : null,
             Box2DVisible = label.Has("box2dVisible") ? ReadBox(label, "box2dVisible") : null,
             TruncatedFraction = label.Number("truncatedFraction"),
             OccludedFraction = label.OptionalNumber("occludedFraction"),

@@ -190,8 +190,13 @@ public static class JsonLabelWriter
             .Key("hasRider").Boolean(label.HasRider)
             .Key("box2d").Box(label.Box2D, LabelDecimals.Pixels)
             .Key("box2dAmodal").Box(label.Box2DAmodal, LabelDecimals.Pixels)
-            .Key("box2dVisible").Box(label.Box2DVisible, LabelDecimals.Pixels)
-            .Key("boxes").BeginArray();
+            .Key("box2dVisible").Box(label.Box2DVisible, LabelDecimals.Pixels);
+        if (label.Box2DWhole is { } whole)
+        {
+            json.Key("box2dWhole").Box(whole, LabelDecimals.Pixels);
+        }
+
+        json.Key("boxes").BeginArray();
         foreach (BoxKind kind in label.Boxes)
         {
             json.String(JsonName.Of(kind));

@@ -24,6 +24,7 @@ internal sealed class SessionSurvey
     private readonly int[] _frames;
     private readonly int[] _masks;
     private readonly int[] _classMaps;
+    private bool _hasWholeBoxes;
     private readonly SortedSet<string> _mutcdCodes = new(StringComparer.Ordinal);
 
     private SessionSurvey(ExportPlan plan)
@@ -114,6 +115,7 @@ internal sealed class SessionSurvey
         _frames[frame.SessionIndex]++;
         _classMaps[frame.SessionIndex] += frame.Label.ClassMap is null ? 0 : 1;
         _masks[frame.SessionIndex] += frame.Label.Mask is null ? 0 : 1;
+        _hasWholeBoxes |= frame.Label.Objects.Any(label => label.Box2DWhole is not null);
         _mutcdCodes.UnionWith(frame.Label.Objects.Select(label => label.Face?.MutcdCode).OfType<string>());
         if (!Format.LeavesOutUnknownLanes || frame.Label.Lanes is { Status: LaneStatus.Known })
         {
@@ -129,6 +131,12 @@ internal sealed class SessionSurvey
 
     private void CheckMasks()
     {
+        if (_plan.Options.Boxes == BoxKind.Whole && !_hasWholeBoxes)
+        {
+            throw new DatasetFormatException(
+                "Boxes of whole objects need amodal masks, and the sessions have none. Harvest with amodal masks, or choose other boxes.");
+        }
+
         if (!HasMasks)
         {
             if (_plan.Options.Boxes == BoxKind.Visible)
