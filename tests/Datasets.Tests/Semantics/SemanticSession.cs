@@ -18,7 +18,13 @@ internal sealed class SemanticSession : IDisposable
     public SemanticSession(SemanticsMethod method, Shard? shard = null)
     {
         var game = new SimulatedGame(new SimulationOptions { Seed = 8, WindowAspect = 4.0 / 3 });
-        using var writer = new SessionWriter(Folder, new SessionOrigin { Game = "simulation", Tool = "test", Seed = 8 });
+        using var writer = new SessionWriter(Folder, new SessionOrigin
+        {
+            Game = "simulation",
+            Tool = "test",
+            Seed = 8,
+            Settings = shard is { } part ? [new("shard", part.ToString())] : [],
+        });
         var options = new HarvestOptions
         {
             Image = new ImageSize(200, 150),
