@@ -87,6 +87,7 @@ def template(label):
     changed = dict(label, frame=-1, gameFrame=-2, timeSeconds=-3, image="IMAGE")
     changed["mask"] = "MASK" if label["mask"] else None
     text = json.dumps(changed, separators=(",", ":")).replace("%", "%%")
-    text = text.replace('"frame":-1,"gameFrame":-2,"timeSeconds":-3,', '"frame":%d,"gameFrame":%d,"timeSeconds":%s,', 1)
+    for mark, place in [('"frame":-1,', '"frame":%d,'), ('"gameFrame":-2,', '"gameFrame":%d,'), ('"timeSeconds":-3,', '"timeSeconds":%s,')]:
+        text = text.replace(mark, place, 1)
     text = text.replace('"IMAGE"', f'"frames/%08d{extension}"', 1)
     return (text.replace('"MASK"', '"masks/%08d.png"', 1) if label["mask"] else text + "%.0s")

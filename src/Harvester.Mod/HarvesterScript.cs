@@ -226,6 +226,7 @@ public sealed class HarvesterScript : Script
         Game = _build.Name,
         Tool = $"GtaDataHarvester {typeof(HarvesterScript).Assembly.GetName().Version}",
         RecordedUtc = DateTime.UtcNow.ToString("yyyy-MM-ddTHH:mm:ssZ", CultureInfo.InvariantCulture),
+        Truth = LabelTruths.OfGame,
         Settings = [.. _build.Settings, .. player.LaneSettings],
     };
 }

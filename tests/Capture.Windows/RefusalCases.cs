@@ -38,14 +38,14 @@ internal static class RefusalCases
         Expect.Refused(GrabRefusals.NoWindow, screen);
     }
 
-    private static void Refused(string reason, Action<PatternWindow> spoil, Action<PatternWindow> mend)
+    private static void Refused(string reason, Action<PatternWindow> spoil, Action<PatternWindow> restore)
     {
         using var window = new PatternWindow(Client, Pattern.Distinct(1));
         using var screen = GameWindowScreen.OfThisProcess();
         Expect.Shows(window, screen);
         spoil(window);
         Expect.Refused(reason, screen);
-        mend(window);
+        restore(window);
         Expect.Shows(window, screen);
     }
 

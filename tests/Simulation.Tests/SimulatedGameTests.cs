@@ -67,7 +67,7 @@ public class SimulatedGameTests
     [Fact]
     public void Ego_drives_within_its_lane_outside_junctions()
     {
-        SimulatedGame game = new(new SimulationOptions { Seed = 2 });
+        SimulatedGame game = new(new SimulationOptions { Seed = 2, TrafficDensity = 0.2, PedestrianDensity = 0 });
         int judged = 0;
         double driven = 0;
         for (int i = 0; i < 1200; i++)

@@ -39,7 +39,7 @@ internal static class Frames
         return message!;
     }
 
-    /// <summary>The next message of a client; that an earlier one is gone is passed over.</summary>
+    /// <summary>The next message of a client; messages about earlier clients leaving are skipped.</summary>
     public static ClientMessage AwaitWord(IDrivingBridge bridge)
     {
         ClientMessage message = AwaitMessage(bridge);

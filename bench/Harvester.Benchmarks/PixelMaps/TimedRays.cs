@@ -4,7 +4,7 @@ using Harvester.Geometry.Visibility;
 
 namespace Harvester.Benchmarks.PixelMaps;
 
-/// <summary>Passes rays on and measures how long they take, so that a mapper's own time can be told from the scene's.</summary>
+/// <summary>Passes rays on and measures how long they take, so that a mapper's own time can be separated from the scene's.</summary>
 internal sealed class TimedRays(IRayCaster rays) : IRayCaster
 {
     private long _ticks;

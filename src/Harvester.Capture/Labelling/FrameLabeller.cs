@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Harvester.Capture.Ports;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.Visibility;
 using Harvester.Sessions.Labels;
@@ -28,6 +29,9 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
 
     /// <summary>Makes the class map; null for none.</summary>
     public SemanticLabeller? Semantics { get; init; }
+
+    /// <summary>Tells how much of each object the drawing hides; null to leave it open.</summary>
+    public IDrawnOcclusion? DrawnOcclusion { get; init; }
 
     /// <summary>
     /// Labels a snapshot in steps. Each element is null until the work is done; the last is the result. The caller may pause after any step
@@ -85,6 +89,11 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
         foreach (bool _ in _joints.Label(draft, mayCastRays))
         {
             yield return null;
+        }
+
+        if (DrawnOcclusion is { } drawn)
+        {
+            DrawnOcclusions.Add(draft, options.Image, drawn);
         }
 
         draft.Rays = rays.Counts;

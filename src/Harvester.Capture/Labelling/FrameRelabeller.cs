@@ -92,6 +92,7 @@ public sealed class FrameRelabeller
                     ? null
                     : label with
                     {
+                        TrueOccludedFraction = isLensSame ? occlusions.LabelOf(label.Id)?.TrueOccludedFraction : null,
                         Box2DVisible = keepsMask ? occlusions.LabelOf(label.Id)?.Box2DVisible : null,
                         Joints = candidate.Entity.Skeleton is { } skeleton
                             ? JointLabels.Again(camera, skeleton, occlusions.LabelOf(label.Id)?.Joints) : null,

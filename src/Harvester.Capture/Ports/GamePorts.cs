@@ -23,6 +23,9 @@ public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IP
     /// <summary>The traffic lights that the harvester itself drives; null if there are none.</summary>
     public ILights? Lights { get; init; }
 
+    /// <summary>How much of an entity the drawing hides; null if the game cannot tell, or is not to.</summary>
+    public IDrawnOcclusion? DrawnOcclusion { get; init; }
+
     /// <summary>The ego as a car driven by a client or controller; null if it cannot be.</summary>
     public IDrivenCar? Car { get; init; }
 

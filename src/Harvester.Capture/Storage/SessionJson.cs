@@ -49,7 +49,9 @@ internal static class SessionJson
             json.String(JsonName.Of(each));
         }
 
-        json.EndArray().Key("start").BeginObject()
+        json.EndArray();
+        AppendTruth(json, record.Origin.Truth);
+        json.Key("start").BeginObject()
             .Key("gameFrame").Integer(record.Start.GameFrame)
             .Key("timeSeconds").Number(record.Start.TimeSeconds, LabelDecimals.Seconds)
             .Key("recordedUtc").String(record.Origin.RecordedUtc)
@@ -88,6 +90,22 @@ internal static class SessionJson
             .Key("maxSettleTicks").Integer(options.MaxSettleTicks)
             .Key("stillToleranceMetres").Number(options.StillToleranceMetres, LabelDecimals.Seconds)
             .EndObject();
+
+    private static void AppendTruth(JsonText json, IReadOnlyList<KeyValuePair<string, LabelTruth>> truth)
+    {
+        if (truth.Count == 0)
+        {
+            return;
+        }
+
+        json.Key("truth").BeginObject();
+        foreach (KeyValuePair<string, LabelTruth> label in truth)
+        {
+            json.Key(label.Key).String(JsonName.Of(label.Value));
+        }
+
+        json.EndObject();
+    }
 
     private static void Append(JsonText json, FreezeReport freezing)
     {

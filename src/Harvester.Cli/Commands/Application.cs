@@ -40,6 +40,29 @@ internal static class Application
         + "  143  stopped by SIGTERM; what was written is valid\n\n"
         + "Tab completion for bash, zsh and PowerShell: docs/command-line.md";
 
+    private static readonly (string Name, Func<Terminal, Command> Create)[] Commands =
+    [
+        ("harvest", HarvestCommand.Create),
+        ("contact-sheet", ContactSheetCommand.Create),
+        ("drive", DriveCommand.Create),
+        ("serve", ServeCommand.Create),
+        ("validate", ValidateCommand.Create),
+        ("repair", RepairCommand.Create),
+        ("doctor", DoctorCommand.Create),
+        ("report", ReportCommand.Create),
+        ("calibrate", CalibrateCommand.Create),
+        ("stats", StatsCommand.Create),
+        ("relabel", RelabelCommand.Create),
+        ("export", ExportCommand.Create),
+        ("merge", MergeCommand.Create),
+        ("project", ProjectCommand.Create),
+        ("boxes", BoxesCommand.Create),
+        ("masks", MasksCommand.Create),
+        ("roads", RoadsCommand.Create),
+        ("lanes", LanesCommand.Create),
+        ("spaces", SpacesCommand.Create),
+    ];
+
     /// <summary>Runs one command line.</summary>
     /// <param name="arguments">The command-line arguments, without the name of the program.</param>
     /// <param name="terminal">Standard input, output and error.</param>
@@ -48,7 +71,7 @@ internal static class Application
     public static async Task<int> RunAsync(string[] arguments, Terminal terminal, CancellationToken cancellation)
     {
         Option<bool> quiet = QuietOption.Create();
-        ParseResult parsed = CreateRoot(terminal, quiet).Parse(arguments);
+        ParseResult parsed = CreateRoot(terminal, quiet, arguments).Parse(arguments);
         if (Array.IndexOf(arguments, "") >= 0)
         {
             return Fail(terminal, ExitCode.Usage, $"A value on the command line is empty. See '{HelpOf(parsed.CommandResult)}'.");
@@ -70,7 +93,7 @@ internal static class Application
         }
 
         Terminal chosen = QuietOption.TerminalFor(parsed, quiet, terminal);
-        return await RunAsync(chosen == terminal ? parsed : CreateRoot(chosen, quiet).Parse(arguments), chosen, cancellation)
+        return await RunAsync(chosen == terminal ? parsed : CreateRoot(chosen, quiet, arguments).Parse(arguments), chosen, cancellation)
             .ConfigureAwait(false);
     }
 
@@ -87,6 +110,7 @@ internal static class Application
         };
         try
         {
+            OutputOverInput.Check(parsed);
             int code = await parsed.InvokeAsync(configuration, cancellation).ConfigureAwait(false);
             await terminal.Out.FlushAsync(CancellationToken.None).ConfigureAwait(false);
             return code;
@@ -118,29 +142,21 @@ internal static class Application
         }
     }
 
-    private static RootCommand CreateRoot(Terminal terminal, Option<bool> quiet)
+    /// <summary>All commands; if the first argument is one of them, only that one, because making options takes time.</summary>
+    private static RootCommand CreateRoot(Terminal terminal, Option<bool> quiet, string[] arguments)
     {
         var root = new RootCommand(Description);
         root.Options.Add(quiet);
-        root.Subcommands.Add(HarvestCommand.Create(terminal));
-        root.Subcommands.Add(ContactSheetCommand.Create(terminal));
-        root.Subcommands.Add(DriveCommand.Create(terminal));
-        root.Subcommands.Add(ServeCommand.Create(terminal));
-        root.Subcommands.Add(ValidateCommand.Create(terminal));
-        root.Subcommands.Add(RepairCommand.Create(terminal));
-        root.Subcommands.Add(DoctorCommand.Create(terminal));
-        root.Subcommands.Add(ReportCommand.Create(terminal));
-        root.Subcommands.Add(CalibrateCommand.Create(terminal));
-        root.Subcommands.Add(StatsCommand.Create(terminal));
-        root.Subcommands.Add(RelabelCommand.Create(terminal));
-        root.Subcommands.Add(ExportCommand.Create(terminal));
-        root.Subcommands.Add(MergeCommand.Create(terminal));
-        root.Subcommands.Add(ProjectCommand.Create(terminal));
-        root.Subcommands.Add(BoxesCommand.Create(terminal));
-        root.Subcommands.Add(MasksCommand.Create(terminal));
-        root.Subcommands.Add(RoadsCommand.Create(terminal));
-        root.Subcommands.Add(LanesCommand.Create(terminal));
-        root.Subcommands.Add(SpacesCommand.Create(terminal));
+        string first = arguments.Length > 0 ? arguments[0] : "";
+        bool isNamed = Array.Exists(Commands, command => command.Name == first);
+        foreach ((string name, Func<Terminal, Command> create) in Commands)
+        {
+            if (!isNamed || name == first)
+            {
+                root.Subcommands.Add(create(terminal));
+            }
+        }
+
         HelpWithNotes.AddTo(root, ExitCodes);
         return root;
     }

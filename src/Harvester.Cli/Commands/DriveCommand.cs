@@ -135,7 +135,7 @@ internal sealed class DriveCommand
         });
         if (former is not null)
         {
-            terminal.WriteError($"The former drive is replaced, but what is left of it cannot be deleted: '{former}'. Delete it yourself.");
+            terminal.WriteError($"The former drive is replaced, but its files in '{former}' cannot be deleted. Delete them yourself.");
         }
 
         foreach ((string name, string value) in record.Figures.Rows())

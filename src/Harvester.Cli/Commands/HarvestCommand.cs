@@ -80,6 +80,12 @@ internal sealed class HarvestCommand
 
     private Option<bool> Masks { get; } = new("--masks") { Description = "Also write instance masks" };
     private SemanticsOptions Semantics { get; } = new();
+
+    private Option<bool> TrueOcclusion { get; } = new("--true-occlusion")
+    {
+        Description = "Also label how much of each object the renderer hides, exactly; slower",
+    };
+
     private Option<int> Rays { get; } = WithDefault(
         ValueParsers.Integer("--rays", "N", "Rays per frame, spent on masks first, then on objects, faces and lanes", 0,
             LabellingOptions.MaxRays),
@@ -146,7 +152,7 @@ internal sealed class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, Masks, Rays,
+            Out, Overwrite, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, Masks, TrueOcclusion, Rays,
                 RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, DetailOf, Quirks, FreezeBy,
                     MaxPictureLag, MaxCameraError, ShardOf, Sync, NoReport,
         };
@@ -179,7 +185,7 @@ internal sealed class HarvestCommand
         if (outcome.Fault is { } fault)
         {
             terminal.WriteError(output.KeepsFormer
-                ? $"{fault.Replace(written, plan.Folder, StringComparison.Ordinal)} The session that was there is unchanged; the new "
+                ? $"{fault.Replace(written, plan.Folder, StringComparison.Ordinal)} The former session is unchanged; the new "
                     + "frames are deleted."
                 : fault);
             return outcome.ExitCode;
@@ -236,7 +242,7 @@ internal sealed class HarvestCommand
             Props = [.. parsed.GetRequiredValue(Props).Select(file => file.FullName)],
             Faces = parsed.GetValue(Faces) is { } spaces ? Path.TrimEndingDirectorySeparator(spaces.FullName) : null,
             Near = parsed.GetValue(Near),
-            Variety = Variety.Parse(parsed),
+            Variety = Variety.Parse(parsed) with { ReportsTrueOcclusion = parsed.GetValue(TrueOcclusion) },
             Weather = Moment.Weather(parsed),
             DayOfYear = Moment.DayOfYear(parsed),
             TimeOfDay = Moment.TimeOfDay(parsed),

@@ -122,7 +122,7 @@ internal static class ValidateCommand
         {
             string others = Counted.Of(validation.OtherFiles.Count, "file");
             terminal.WriteQuoting($"Note: {others} in the folder not listed in {Manifest.FileName}, e.g. '{validation.OtherFiles[0]}'; "
-                + "readers of the format pass over such files.");
+                + "readers of the format ignore such files.");
         }
 
         string frames = Counted.Of(validation.Frames, "frame");

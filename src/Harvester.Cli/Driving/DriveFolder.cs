@@ -47,8 +47,8 @@ internal sealed class DriveFolder
         {
             throw new OccupiedFolderException(unfinished is null
                 ? $"'{folder}' already has a drive. Name another folder with --out, or replace it with --overwrite."
-                : $"'{folder}' has the unfinished result of '{unfinished}'. Run that command again, name another folder with --out, "
-                    + "or replace it with --overwrite.");
+                : $"'{folder}' has the unfinished result of '{OutputFolder.Shown(unfinished)}'. Run that command again, "
+                    + "name another folder with --out, or replace it with --overwrite.");
         }
     }
 

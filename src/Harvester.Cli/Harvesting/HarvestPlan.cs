@@ -41,7 +41,7 @@ internal sealed record HarvestPlan
     /// <summary>Start position, world, metres; null for the middle of the road network.</summary>
     public required Vector2D? Near { get; init; }
 
-    /// <summary>How much happens in the world: the factors of the command line; the other values are defaults.</summary>
+    /// <summary>How much happens in the world, and what the game reports about it; the other values are defaults.</summary>
     public required SimulationOptions Variety { get; init; }
 
     /// <summary>Name of the weather, as in the game.</summary>

@@ -52,6 +52,7 @@ internal sealed class SimulatedHarvest
     /// <exception cref="UsageException">There is no road near the start position.</exception>
     public static SimulatedHarvest Build(HarvestPlan plan, Action<string> warn)
     {
+        SimulatedGame.BeginModels();
         RoadNetwork? roads = plan.Roads is null ? null : RoadImporter.Import(plan.Roads).Network;
         FaceTable faces = FaceFile.AsWritten(
             plan.Faces is null ? ModelFaces.Table : ModelFaces.Table.OverriddenBy(FaceFile.ReadValid(plan.Faces, warn)));
@@ -173,6 +174,7 @@ internal sealed class SimulatedHarvest
         Game = "simulation",
         Tool = $"harvester {typeof(SimulatedHarvest).Assembly.GetName().Version!.ToString(3)}",
         Seed = _plan.Seed,
+        Truth = LabelTruths.OfSimulation(_plan.Variety.ReportsTrueOcclusion),
         Settings = [.. Settings()],
     };
 

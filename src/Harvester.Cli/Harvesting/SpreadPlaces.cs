@@ -10,8 +10,11 @@ namespace Harvester.Cli.Harvesting;
 /// <summary>Chooses places all over a road network, from a seed: each as far as possible from those before it.</summary>
 internal static class SpreadPlaces
 {
-    /// <summary>Nodes among which the places are chosen; more would only take longer.</summary>
-    private const int Candidates = 4000;
+    /// <summary>Nodes among which a few places are chosen; more would only take longer.</summary>
+    private const int FewestCandidates = 4000;
+
+    /// <summary>For many places there are so many nodes for each, so that those of a large network are not used up early.</summary>
+    private const int CandidatesOfPlace = 20;
 
     /// <summary>Least distance between two places, metres: what one world shows of the roads.</summary>
     private const double Apart = 100;
@@ -30,7 +33,8 @@ internal static class SpreadPlaces
         Vector3D[] open = [.. ends.Order().Where(node => (network.Nodes[node].Flags & RoadNodeFlags.Water) == 0)
             .Select(node => network.Nodes[node].Position)];
         random.Shuffle(open);
-        open = open.Length > Candidates ? open[..Candidates] : open;
+        int candidates = Math.Max(FewestCandidates, CandidatesOfPlace * count);
+        open = open.Length > candidates ? open[..candidates] : open;
         double[] distances = [.. open.Select(_ => double.PositiveInfinity)];
         var places = new List<Vector2D>();
         if (first is { } start)

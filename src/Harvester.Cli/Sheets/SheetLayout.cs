@@ -12,6 +12,9 @@ internal sealed record SheetLayout
     /// <summary>Widest and highest sheet, pixels: what all viewers of pictures open.</summary>
     private const int MaxSide = 16384;
 
+    /// <summary>Most pixels of a sheet. With its compressed form and the worlds of its tiles, it takes up to 0.9 GB.</summary>
+    private const long MaxPixels = 50_000_000;
+
     private SheetLayout(ImageSize tile, int columns, int rows)
     {
         Tile = tile;
@@ -39,10 +42,13 @@ internal sealed record SheetLayout
         long rows = ((plan.Places.Count * moments) + columns - 1) / columns;
         long width = (columns * (plan.Tile.Width + Gap)) + Gap;
         long height = (rows * (plan.Tile.Height + CaptionFont.LineHeight)) + Gap;
-        return Math.Max(width, height) <= MaxSide
+        string limit = Math.Max(width, height) > MaxSide ? $"{MaxSide} a side"
+            : width * height > MaxPixels ? $"{MaxPixels} in all"
+            : "";
+        return limit.Length == 0
             ? new SheetLayout(plan.Tile, (int)columns, (int)rows)
             : throw new UsageException(
-                $"The sheet would have {width} x {height} pixels, more than {MaxSide} a side; give fewer tiles or a smaller --size.");
+                $"The sheet would have {width} x {height} pixels, more than {limit}; give fewer tiles or a smaller --size.");
     }
 
     /// <summary>Upper left corner of a tile's picture, pixels.</summary>

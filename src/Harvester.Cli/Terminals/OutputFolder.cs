@@ -56,9 +56,15 @@ internal static class OutputFolder
         return null;
     }
 
+    /// <summary>The beginning of a command, for a message: the file that has it may be a stranger's.</summary>
+    public static string Shown(string command)
+    {
+        const int maxCharacters = 200;
+        return command.Length > maxCharacters ? command[..maxCharacters] + "..." : command;
+    }
+
     private static void RefuseOccupied(string folder, string? unfinished, bool? overwrite)
     {
-        const int maxShown = 200;
         if (unfinished is null && !File.Exists(Path.Combine(folder, SessionInfo.FileName)))
         {
             throw new OccupiedFolderException($"'{folder}' is not empty and has no session. Name another folder with --out.");
@@ -67,14 +73,13 @@ internal static class OutputFolder
         if (overwrite != true)
         {
             string what = unfinished is null ? "already has a session. Name"
-                : $"has the unfinished result of '{(unfinished.Length > maxShown ? unfinished[..maxShown] + "..." : unfinished)}'. "
-                    + "Run that command again, name";
+                : $"has the unfinished result of '{Shown(unfinished)}'. Run that command again, name";
             string replace = overwrite is null ? "delete the folder" : "replace it with --overwrite";
             throw new OccupiedFolderException($"'{folder}' {what} another folder with --out, or {replace}.");
         }
     }
 
-    /// <summary>Whether there is no folder, or nothing but folders in it and the beginning of a mark.</summary>
+    /// <summary>Whether the folder is missing, or holds nothing but folders and an unfinished mark.</summary>
     private static bool HoldsNoFile(string folder) =>
         !Directory.Exists(folder)
         || Directory.EnumerateFiles(folder, "*", SearchOption.AllDirectories).All(path =>

@@ -8,7 +8,7 @@ namespace Harvester.Cli.Terminals;
 
 /// <summary>
 /// The folder to which a command writes a session. A new session is written in place, with a mark until it is complete, so that the same
-/// command given again knows what it left. A session to be replaced stays as it is until the new one, written beside it, is complete.
+/// command recognises its own unfinished result. A session to be replaced stays as it is until the new one, written beside it, is complete.
 /// </summary>
 internal sealed class SessionOutput : IDisposable
 {
@@ -85,13 +85,13 @@ internal sealed class SessionOutput : IDisposable
         else if (_replacement.Complete() is { } former)
         {
             _terminal.WriteError(
-                $"The former session is replaced, but what is left of it cannot be deleted: '{former}'. Delete it yourself.");
+                $"The former session is replaced, but its files in '{former}' cannot be deleted. Delete them yourself.");
         }
 
         _isComplete = true;
     }
 
-    /// <summary>Deletes what was begun and is of no use, and releases the folder.</summary>
+    /// <summary>Deletes an unfinished session that cannot be used, and releases the folder.</summary>
     public void Dispose()
     {
         _replacement?.Dispose();

@@ -5,9 +5,9 @@ using System.Threading;
 namespace Harvester.Cli.Terminals;
 
 /// <summary>
-/// SIGINT and SIGTERM. The first lets the command finish what it has in hand. A command that reads something which does not come, or is in
-/// the middle of a long piece of work, is ended after a few seconds: what it has written is whole at every moment. A second signal ends the
-/// process at once.
+/// Handles SIGINT and SIGTERM. The first signal lets the command finish the frame or file in progress. A command that still runs after a
+/// few seconds, because it waits for input or is in a long operation, is ended; the files it has written are complete at every moment. A
+/// second signal ends the process at once.
 /// </summary>
 internal sealed class StopSignals : IDisposable
 {
@@ -56,7 +56,7 @@ internal sealed class StopSignals : IDisposable
     private void End()
     {
         Thread.Sleep(Patience);
-        Console.Error.WriteLine("harvester: Stopped in the middle of a piece of work. What was written is whole; give the command again.");
+        Console.Error.WriteLine("harvester: Stopped in the middle of an operation. All written files are complete; run the command again.");
         Environment.Exit(ExitCode);
     }
 }

@@ -122,7 +122,7 @@ public sealed class LogFile
     }
 
     private static DatasetFormatException TooLong(string path) =>
-        new(FormattableString.Invariant($"'{path}' is larger than {MaxBytes} bytes or {MaxLines} lines. Cut it to its last part."));
+        new(FormattableString.Invariant($"'{path}' is larger than {MaxBytes} bytes or {MaxLines} lines. Keep only its last part."));
 
     private static LogKind? KindByText(string text) =>
         text.Contains("GTA V SCRIPT HOOK", StringComparison.Ordinal) ? LogKind.ScriptHook

@@ -8,7 +8,7 @@ namespace Harvester.Datasets.Files;
 
 /// <summary>
 /// The folder of a dataset. During an export, a working folder has the plan and the journals. When all frames are done, export.json is
-/// written and the working folder is deleted. Every file is written atomically; <see cref="Flush"/> brings what was written to the disk.
+/// written and the working folder is deleted. Every file is written atomically; <see cref="Flush"/> waits for the disk.
 /// </summary>
 internal sealed class DatasetFolder(string path, SyncMode sync = SyncMode.Batch)
 {
@@ -28,10 +28,10 @@ internal sealed class DatasetFolder(string path, SyncMode sync = SyncMode.Batch)
 
     public string Path => path;
 
-    /// <summary>When what is written is brought to the disk.</summary>
+    /// <summary>When written files are flushed to the disk.</summary>
     public SyncMode Sync => sync;
 
-    /// <summary>Whether what is written survives a loss of power.</summary>
+    /// <summary>Whether files that were flushed survive a loss of power.</summary>
     public bool IsDurable => sync != SyncMode.Never;
 
     public bool IsFinished => File.Exists(PathOf(Header)) && !IsBegun;
@@ -142,8 +142,8 @@ internal sealed class DatasetFolder(string path, SyncMode sync = SyncMode.Batch)
     /// <summary>Takes a file that is there already among those to be brought to the disk.</summary>
     public void Keep(string name) => Add(PathOf(name));
 
-    /// <summary>Brings to the disk what was written; nothing if nothing is to be durable.</summary>
-    /// <exception cref="IOException">The disk refuses; nothing is known of the files then.</exception>
+    /// <summary>Waits until all files written so far are on the disk; does nothing with <see cref="SyncMode.Never"/>.</summary>
+    /// <exception cref="IOException">The disk reported an error; the files may or may not be on it.</exception>
     public void Flush() => _written.Flush();
 
     // Earlier, this would delete files that other shards are writing.

@@ -7,8 +7,8 @@ namespace Harvester.Datasets.Files;
 
 /// <summary>
 /// Replaces a folder in one step. The new one is made beside it, in a temporary folder with a mark, and exchanged with the old one when it
-/// is complete; then the old one is deleted. Where the system cannot exchange folders, two renames do it, and what was stopped between them
-/// is undone by the next command that locks the folder. Hold the <see cref="FolderLock"/> of the folder.
+/// is complete; then the old one is deleted. Where the system cannot exchange folders, two renames do it; if the command is stopped between
+/// them, the next command that locks the folder undoes the first. Hold the <see cref="FolderLock"/> of the folder.
 /// </summary>
 public sealed class FolderReplacement : IDisposable
 {

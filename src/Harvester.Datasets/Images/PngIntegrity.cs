@@ -9,8 +9,8 @@ using Harvester.Sessions.Imaging.Pictures;
 namespace Harvester.Datasets.Images;
 
 /// <summary>
-/// Checks a PNG file (ISO/IEC 15948) to its last byte: the checksum of every chunk, and that the compressed data, with its own checksum, is
-/// that of as many rows as the header says.
+/// Checks a PNG file (ISO/IEC 15948) to its last byte: the checksum of every chunk, the checksum of the compressed data, and that the data
+/// has the number of rows in the header.
 /// </summary>
 internal static class PngIntegrity
 {

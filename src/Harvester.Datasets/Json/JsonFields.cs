@@ -17,7 +17,7 @@ public readonly struct JsonFields
     /// </summary>
     private const double MaxMagnitude = 1e12;
 
-    /// <summary>Texts are names, which are kept: as many as a session has objects.</summary>
+    /// <summary>Limit of strings. They are names that stay in memory, one per object of a session.</summary>
     private const int MaxTextCharacters = 4096;
 
     private readonly JsonElement _element;
@@ -97,13 +97,9 @@ public readonly struct JsonFields
     /// <summary>A list of finite numbers, of a given length.</summary>
     public double[] Numbers(string name, int count)
     {
-        JsonElement field = Field(name);
-        if (field.ValueKind != JsonValueKind.Array || field.GetArrayLength() != count)
-        {
-            throw Wrong(Path(name), $"a list of {count} numbers", field);
-        }
-
-        return NumbersOf(field, name);
+        double[] numbers = new double[count];
+        Fill(name, numbers);
+        return numbers;
     }
 
     /// <summary>A list of finite numbers.</summary>
@@ -145,8 +141,41 @@ public readonly struct JsonFields
     /// <summary>A list of three numbers as a vector.</summary>
     public Vector3D Vector(string name)
     {
-        double[] numbers = Numbers(name, 3);
+        Span<double> numbers = stackalloc double[3];
+        Fill(name, numbers);
         return new Vector3D(numbers[0], numbers[1], numbers[2]);
+    }
+
+    /// <summary>A list of lists of three numbers as vectors.</summary>
+    public Vector3D[] Vectors(string name)
+    {
+        Span<double> numbers = stackalloc double[3];
+        JsonElement list = ListOfLists(name, numbers.Length);
+        var vectors = new Vector3D[list.GetArrayLength()];
+        int count = 0;
+        foreach (JsonElement row in list.EnumerateArray())
+        {
+            FillRow(row, name, count, numbers);
+            vectors[count++] = new Vector3D(numbers[0], numbers[1], numbers[2]);
+        }
+
+        return vectors;
+    }
+
+    /// <summary>A list of lists of two numbers as points of an image.</summary>
+    public Vector2D[] Points(string name)
+    {
+        Span<double> numbers = stackalloc double[2];
+        JsonElement list = ListOfLists(name, numbers.Length);
+        var points = new Vector2D[list.GetArrayLength()];
+        int count = 0;
+        foreach (JsonElement row in list.EnumerateArray())
+        {
+            FillRow(row, name, count, numbers);
+            points[count++] = new Vector2D(numbers[0], numbers[1]);
+        }
+
+        return points;
     }
 
     /// <summary>The fields right, forward and up as an orientation.</summary>
@@ -212,32 +241,67 @@ public readonly struct JsonFields
 
     private double[][] RowsOf(string name, int? count)
     {
-        JsonElement list = Field(name);
-        string numbers = count is null ? "numbers" : $"{count} numbers";
-        if (list.ValueKind != JsonValueKind.Array)
-        {
-            throw Wrong(Path(name), $"a list of lists of {numbers}", list);
-        }
-
+        JsonElement list = ListOfLists(name, count);
         var rows = new List<double[]>(list.GetArrayLength());
         foreach (JsonElement row in list.EnumerateArray())
         {
-            rows.Add(row.ValueKind == JsonValueKind.Array && (count is null || row.GetArrayLength() == count)
-                ? NumbersOf(row, name, rows.Count)
-                : throw Wrong(Place(name, rows.Count), $"a list of {numbers}", row));
+            if (count is null && row.ValueKind != JsonValueKind.Array)
+            {
+                throw Wrong(Place(name, rows.Count), "a list of numbers", row);
+            }
+
+            double[] numbers = new double[count ?? row.GetArrayLength()];
+            FillRow(row, name, rows.Count, numbers);
+            rows.Add(numbers);
         }
 
         return [.. rows];
     }
 
-    private double[] NumbersOf(JsonElement list, string name, params ReadOnlySpan<int> places)
+    private JsonElement ListOfLists(string name, int? count)
+    {
+        JsonElement list = Field(name);
+        return list.ValueKind == JsonValueKind.Array ? list
+            : throw Wrong(Path(name), count is null ? "a list of lists of numbers" : $"a list of lists of {count} numbers", list);
+    }
+
+    private double[] NumbersOf(JsonElement list, string name)
     {
         if (list.ValueKind != JsonValueKind.Array)
         {
-            throw Wrong(Place(name, places), "a list of numbers", list);
+            throw Wrong(Path(name), "a list of numbers", list);
         }
 
         var numbers = new double[list.GetArrayLength()];
+        Fill(list, name, numbers);
+        return numbers;
+    }
+
+    /// <summary>Fills all of a span with the numbers of a field.</summary>
+    private void Fill(string name, Span<double> numbers)
+    {
+        JsonElement field = Field(name);
+        if (field.ValueKind != JsonValueKind.Array || field.GetArrayLength() != numbers.Length)
+        {
+            throw Wrong(Path(name), $"a list of {numbers.Length} numbers", field);
+        }
+
+        Fill(field, name, numbers);
+    }
+
+    /// <summary>Fills all of a span with the numbers of a row of a field.</summary>
+    private void FillRow(JsonElement row, string name, int place, Span<double> numbers)
+    {
+        if (row.ValueKind != JsonValueKind.Array || row.GetArrayLength() != numbers.Length)
+        {
+            throw Wrong(Place(name, place), $"a list of {numbers.Length} numbers", row);
+        }
+
+        Fill(row, name, numbers, place);
+    }
+
+    private void Fill(JsonElement list, string name, Span<double> numbers, params ReadOnlySpan<int> places)
+    {
         int index = 0;
         foreach (JsonElement item in list.EnumerateArray())
         {
@@ -248,8 +312,6 @@ public readonly struct JsonFields
 
             index++;
         }
-
-        return numbers;
     }
 
     private static bool IsFinite(JsonElement field, out double value)

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Linq;
 using Harvester.Sessions.Text;
 
 namespace Harvester.Datasets.Json;
@@ -11,22 +10,22 @@ public static class JsonNames
     /// <summary>The names of all values, in the order of the enumeration.</summary>
     public static IEnumerable<string> All<T>()
         where T : struct, Enum =>
-        Enum.GetValues<T>().Select(JsonName.Of);
+        Known<T>.Names;
 
     /// <summary>Reads a name; case-sensitive.</summary>
     public static bool TryRead<T>(string name, out T value)
         where T : struct, Enum
     {
-        foreach (T candidate in Enum.GetValues<T>())
-        {
-            if (string.Equals(JsonName.Of(candidate), name, StringComparison.Ordinal))
-            {
-                value = candidate;
-                return true;
-            }
-        }
+        int place = Array.IndexOf(Known<T>.Names, name);
+        value = place < 0 ? default : Known<T>.Values[place];
+        return place >= 0;
+    }
 
-        value = default;
-        return false;
+    /// <summary>The values of an enumeration and their names, made once: a label has names by the hundred.</summary>
+    private static class Known<T>
+        where T : struct, Enum
+    {
+        public static readonly T[] Values = Enum.GetValues<T>();
+        public static readonly string[] Names = Array.ConvertAll(Values, JsonName.Of);
     }
 }

@@ -39,7 +39,7 @@ internal sealed class RepairedHeader
         string path = session.PathOf(SessionInfo.FileName);
         if (!File.Exists(path))
         {
-            return new RepairedHeader(null, "it is missing; game, options and lens are not known any more.");
+            return new RepairedHeader(null, "it is missing; game, options and lens are lost.");
         }
 
         byte[] bytes = InputFile.ReadAllBytes(path);
@@ -65,7 +65,7 @@ internal sealed class RepairedHeader
         }
         catch (DatasetFormatException e)
         {
-            return new RepairedHeader(null, $"it is damaged ({e.Message.TrimEnd('.')}); game, options and lens are not known any more.");
+            return new RepairedHeader(null, $"it is damaged ({e.Message.TrimEnd('.')}); game, options and lens are lost.");
         }
     }
 

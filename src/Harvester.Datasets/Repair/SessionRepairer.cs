@@ -28,7 +28,7 @@ public sealed class SessionRepairer
     private ImageSize? _image;
     private string _format = "png";
 
-    /// <summary>Prepares.</summary>
+    /// <summary>Opens a damaged session; <see cref="Run"/> repairs it.</summary>
     /// <param name="folder">The damaged session.</param>
     /// <param name="report">Takes everything that was lost or corrected, in the order of the files.</param>
     /// <exception cref="DirectoryNotFoundException">There is no such folder.</exception>
@@ -87,7 +87,7 @@ public sealed class SessionRepairer
 
         var sequence = new SequenceCheck();
         var check = new FrameCheck(_session, info, isQuick: false);
-        foreach (LabelLine[] chunk in _session.ReadLines().Chunk(ChunkLength))
+        foreach (LabelLine[] chunk in _session.ReadLines(DerivedFieldCheck.Problems).Chunk(ChunkLength))
         {
             cancellation.ThrowIfCancellationRequested();
             CheckedLine[] lines = [.. chunk.Select(line => Prepare(line, manifest, sequence, check))];

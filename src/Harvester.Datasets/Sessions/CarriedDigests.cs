@@ -6,8 +6,8 @@ using Harvester.Sessions.Files;
 namespace Harvester.Datasets.Sessions;
 
 /// <summary>
-/// Digests of a session's files for a session that is made of it: those of its manifest where it has them, so that damage done since stays
-/// noticeable; else those of the files as they are.
+/// Digests of a session's files, for a session derived from it. They come from its manifest where it lists the file, so that later damage
+/// can still be detected, and are computed from the file otherwise.
 /// </summary>
 internal sealed class CarriedDigests(SessionReader session) : IDisposable
 {

@@ -23,12 +23,19 @@ public static class FrameLabelParser
     private static readonly string[] PictureEndings = [".png", ".bmp", ".jpg", ".jpeg"];
 
     /// <exception cref="DatasetFormatException">The line is not a valid label; the message names the field.</exception>
-    public static FrameLabel Parse(string line)
+    public static FrameLabel Parse(string line) => Parse(line, static (label, _) => label);
+
+    /// <summary>Reads a label, and then whatever else is wanted of its fields.</summary>
+    /// <param name="line">The line.</param>
+    /// <param name="read">Makes the result of the label and its fields.</param>
+    /// <exception cref="DatasetFormatException">The line is not a valid label; the message names the field.</exception>
+    internal static T Parse<T>(string line, Func<FrameLabel, JsonFields, T> read)
     {
         try
         {
             using JsonDocument document = JsonInput.Parse(line);
-            return ReadFrame(new JsonFields(document.RootElement));
+            var fields = new JsonFields(document.RootElement);
+            return read(ReadFrame(fields), fields);
         }
         catch (JsonException e)
         {
@@ -144,6 +151,7 @@ public static class FrameLabelParser
             TruncatedFraction = label.Number("truncatedFraction"),
             OccludedFraction = label.OptionalNumber("occludedFraction"),
             OcclusionMethod = label.Name<OcclusionMethod>("occlusionMethod"),
+            TrueOccludedFraction = label.Has("trueOccludedFraction") ? label.Number("trueOccludedFraction") : null,
             Box3D = box3D.Checked(() => new Cuboid(box3D.Vector("centre"), box3D.Vector("halfExtents"), box3D.Axes())),
             DistanceMetres = label.Number("distanceMetres"),
             Velocity = label.Vector("velocity"),

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Harvester.Sessions.Labels;
 
 namespace Harvester.Datasets.Sessions;
@@ -7,4 +8,8 @@ namespace Harvester.Datasets.Sessions;
 /// <param name="Text">The text of the line.</param>
 /// <param name="Label">The label; null if the line cannot be read.</param>
 /// <param name="Problem">Why the line cannot be read; null if it can.</param>
-public sealed record LabelLine(int Number, string Text, FrameLabel? Label, string? Problem);
+public sealed record LabelLine(int Number, string Text, FrameLabel? Label, string? Problem)
+{
+    /// <summary>What a check of the line's fields found; empty if none was asked for.</summary>
+    internal IReadOnlyList<string> Findings { get; init; } = [];
+}

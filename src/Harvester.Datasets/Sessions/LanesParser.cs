@@ -60,9 +60,9 @@ internal static class LanesParser
 
     private static LaneLineView ReadLine(JsonFields line)
     {
-        double[][] points = line.Rows("points", 3);
-        double[][] inCamera = line.Rows("inCamera", 3);
-        double[][] pixels = line.Rows("pixels", 2);
+        Vector3D[] points = line.Vectors("points");
+        Vector3D[] inCamera = line.Vectors("inCamera");
+        Vector2D[] pixels = line.Points("pixels");
         bool?[] hidden = line.OptionalBooleans("hidden");
         if (inCamera.Length != points.Length || pixels.Length != points.Length || hidden.Length != points.Length)
         {
@@ -72,11 +72,6 @@ internal static class LanesParser
         return new LaneLineView(
             line.Integer("index"),
             line.Text("side") == "left",
-            [
-                .. points.Select((point, i) => new LaneLinePoint(
-                    Vector(point), Vector(inCamera[i]), new Vector2D(pixels[i][0], pixels[i][1]), hidden[i])),
-            ]);
+            [.. points.Select((point, i) => new LaneLinePoint(point, inCamera[i], pixels[i], hidden[i]))]);
     }
-
-    private static Vector3D Vector(double[] numbers) => new(numbers[0], numbers[1], numbers[2]);
 }

@@ -68,8 +68,8 @@ public sealed class ManifestReader : IDisposable
     }
 
     /// <summary>
-    /// What it says of the frame of a label line: of the line with this checksum, and if there is none, because either file is damaged, of
-    /// the frame with this number, which stays to be found again.
+    /// The entry of a label line's frame. It is found by the checksum of the line or, if either file is damaged, by the number of the
+    /// frame; in the second case it can be found again.
     /// </summary>
     /// <param name="line">Digest of the label line. Lines are asked for in their order.</param>
     /// <param name="number">The number of the frame that it says; null if it cannot be read.</param>

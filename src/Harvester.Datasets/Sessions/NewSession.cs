@@ -8,8 +8,8 @@ using Harvester.Sessions.Files;
 namespace Harvester.Datasets.Sessions;
 
 /// <summary>
-/// Writes a session that is made of others: the files of its frames, then the manifest, the labels and, last of all, session.json. What is
-/// there at the end has all that it stands for on the disk.
+/// Writes a session derived from others: the files of its frames, then the manifest, the labels and, last of all, session.json. Each file
+/// is written only after everything that it refers to is on the disk.
 /// </summary>
 internal sealed class NewSession
 {

@@ -104,7 +104,7 @@ internal static class SceneParser
 
     private static Skeleton SkeletonOf(JsonFields entity)
     {
-        Vector3D[] joints = [.. entity.Rows("joints", 3).Select(row => new Vector3D(row[0], row[1], row[2]))];
+        Vector3D[] joints = entity.Vectors("joints");
         return entity.Checked(() => new Skeleton(joints));
     }
 

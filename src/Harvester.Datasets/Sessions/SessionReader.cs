@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using Harvester.Datasets.Files;
+using Harvester.Datasets.Json;
 using Harvester.Sessions.Files;
 using Harvester.Sessions.Labels;
 
@@ -112,7 +113,12 @@ public sealed class SessionReader
 
     /// <summary>The lines of the label file, including invalid ones; empty if no frame was written.</summary>
     public IEnumerable<LabelLine> ReadLines() =>
-        ReadAhead.Select(ReadTexts().Index(), static line => ReadLine(line.Index + 1, line.Item));
+        ReadLines(static (_, _) => []);
+
+    /// <summary>The lines of the label file, including invalid ones, with what a check finds in the fields of the others.</summary>
+    /// <param name="check">Looks at a label and its fields; several are checked at once.</param>
+    internal IEnumerable<LabelLine> ReadLines(Func<FrameLabel, JsonFields, IReadOnlyList<string>> check) =>
+        ReadAhead.Select(ReadTexts().Index(), line => ReadLine(line.Index + 1, line.Item, check));
 
     /// <summary>Number of lines of the label file, valid or not.</summary>
     public int CountLines() => ReadTexts().Count();
@@ -139,11 +145,12 @@ public sealed class SessionReader
             : $"an object has the id {item.Id}; ids are 1 to {ushort.MaxValue}.";
     }
 
-    private static LabelLine ReadLine(int number, string line)
+    private static LabelLine ReadLine(int number, string line, Func<FrameLabel, JsonFields, IReadOnlyList<string>> check)
     {
         try
         {
-            return new LabelLine(number, line, FrameLabelParser.Parse(line), null);
+            return FrameLabelParser.Parse(
+                line, (label, fields) => new LabelLine(number, line, label, null) { Findings = check(label, fields) });
         }
         catch (DatasetFormatException e)
         {

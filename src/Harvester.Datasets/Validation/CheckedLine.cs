@@ -3,7 +3,7 @@ using Harvester.Datasets.Sessions;
 
 namespace Harvester.Datasets.Validation;
 
-/// <summary>A line of labels with what was found out about it in the order of the lines.</summary>
+/// <summary>A label line with the results of those checks that must see the lines in their order.</summary>
 /// <param name="Source">The line.</param>
 internal sealed record CheckedLine(LabelLine Source)
 {

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using System.Text.Json;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Json;
 using Harvester.Sessions.Labels;
@@ -19,11 +18,10 @@ internal static class DerivedFieldCheck
     private const double RoundingDegrees = 1e-4;
 
     /// <param name="label">The label.</param>
-    /// <param name="line">The line that it was read from.</param>
-    public static IEnumerable<string> Problems(FrameLabel label, string line)
+    /// <param name="frame">The fields that it was read from.</param>
+    public static IReadOnlyList<string> Problems(FrameLabel label, JsonFields frame)
     {
-        using JsonDocument document = JsonDocument.Parse(line);
-        IReadOnlyList<JsonFields> objects = new JsonFields(document.RootElement).List("objects");
+        IReadOnlyList<JsonFields> objects = frame.List("objects");
         var problems = new List<string>();
         for (int i = 0; i < objects.Count; i++)
         {

@@ -39,7 +39,7 @@ internal sealed class FrameCheck(SessionReader session, SessionInfo? info, bool 
             .. line.Sequence,
             .. _files.Problems(label, line.Taken, line.Manifest),
             .. new[] { _scenes.Problem(label, line.Manifest) }.OfType<string>(),
-            .. DerivedFieldCheck.Problems(label, line.Source.Text),
+            .. line.Source.Findings,
             .. label.Lanes is { } lanes ? LanesCheck.Problems(lanes) : [],
             .. IgnoreRegionCheck.Problems(label),
             .. label.Objects.SelectMany(item => ObjectCheck.Problems(item, label)),

@@ -10,8 +10,8 @@ using Harvester.Sessions.Text;
 namespace Harvester.Datasets.Validation;
 
 /// <summary>
-/// The manifest of a session: it has every frame and every other file, and these are what it says. Frames are asked for in the order of
-/// the labels.
+/// Checks that the manifest of a session lists every frame and every other file, and that their contents match it. Frames must be checked
+/// in the order of the labels.
 /// </summary>
 internal sealed class ManifestCheck : IDisposable
 {

@@ -65,7 +65,7 @@ internal static class MaskCheck
                 $"visibleFraction is {part.VisibleFraction:0.####}, but its whole object, {parent}, has no pixel in the mask.");
         }
 
-        // Rays tell whether a part is hidden by the rest of its object. A map does not, so the pixels of the object there count as the
+        // Rays show whether a part is hidden by the rest of its object. A map does not, so the pixels of the object there count as the
         // part's.
         if (part is { OcclusionMethod: OcclusionMethod.Imported, OccludedFraction: 1 }
             && new CuboidPixels(LabelCamera.Of(label.Camera), part).Shows(map, parent))

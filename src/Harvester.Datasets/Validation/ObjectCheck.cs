@@ -69,6 +69,11 @@ internal static class ObjectCheck
             yield return Of(item, FormattableString.Invariant($"occludedFraction is {item.OccludedFraction}; it must be 0 to 1."));
         }
 
+        if (item.TrueOccludedFraction is < 0 or > 1)
+        {
+            yield return Of(item, FormattableString.Invariant($"trueOccludedFraction is {item.TrueOccludedFraction}; it must be 0 to 1."));
+        }
+
         double distance = (item.Box3D.Centre - camera.Pose.Position).Length;
         if (Math.Abs(item.DistanceMetres - distance) > RoundingMetres)
         {

@@ -32,7 +32,7 @@ public static class SessionValidator
         int objects = 0;
         int undetermined = 0;
         int undeterminedRegions = 0;
-        foreach (LabelLine[] chunk in Chunks(session.ReadLines()))
+        foreach (LabelLine[] chunk in Chunks(session.ReadLines(DerivedFieldCheck.Problems)))
         {
             cancellation.ThrowIfCancellationRequested();
             var lines = new CheckedLine[chunk.Length];

@@ -91,7 +91,7 @@ internal sealed class FrameFiles(string folder) : IDisposable
         if (_pictures.Count >= MaxPictures)
         {
             throw new BridgeException(
-                FormattableString.Invariant($"{MaxPictures} old pictures cannot be deleted; no frame is written until they can."));
+                FormattableString.Invariant($"{MaxPictures} old pictures cannot be deleted; no frame is written until they are."));
         }
 
         // The folder may have been deleted.

@@ -48,7 +48,7 @@ public sealed class PlayerMessages
     public void TellFailure(string what, Exception exception)
     {
         string message = $"{what} failed: {exception?.Message} More in GtaDataHarvester.log.";
-        if (!_failures.TryGetValue(message, out double told) || IsLongAgo(told))
+        if (!_failures.TryGetValue(message, out double lastShown) || IsLongAgo(lastShown))
         {
             _failures[message] = _clock.Milliseconds;
             Log(exception?.ToString() ?? what);

@@ -99,12 +99,12 @@ internal readonly struct FaceRow
 
         if (!TryFacing(fields[12].Trim(), out Facing facing))
         {
-            return Refused("facing", $"'{fields[12]}' is none of -y, +y, -x, +x.");
+            return Refused("facing", $"'{fields[12]}' is not one of -y, +y, -x, +x.");
         }
 
         if (!TryProvenance(fields[13].Trim(), out Provenance provenance))
         {
-            return Refused("provenance", $"'{fields[13]}' is none of measured, derived, estimated.");
+            return Refused("provenance", $"'{fields[13]}' is not one of measured, derived, estimated.");
         }
 
         return new FaceRow(

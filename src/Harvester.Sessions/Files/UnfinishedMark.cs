@@ -16,7 +16,7 @@ public static class UnfinishedMark
     private const int MaxCharacters = 4 << 20;
 
     /// <summary>The command under way in a folder; null for a folder without the mark.</summary>
-    /// <exception cref="IOException">The file cannot be read.</exception>
+    /// <exception cref="IOException">The file is a link, which would show another file, or cannot be read.</exception>
     /// <exception cref="System.UnauthorizedAccessException">The file may not be read.</exception>
     public static string? CommandIn(string folder)
     {
@@ -24,6 +24,11 @@ public static class UnfinishedMark
         if (!File.Exists(path))
         {
             return null;
+        }
+
+        if (AppendedFile.IsLink(path))
+        {
+            throw new IOException($"'{path}' is a link, which is not followed. Delete it, or name another folder.");
         }
 
         using var text = new StreamReader(RegularFile.OpenRead(path));

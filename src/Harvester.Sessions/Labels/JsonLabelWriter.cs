@@ -207,6 +207,11 @@ public static class JsonLabelWriter
             .Key("occludedFraction").Number(label.OccludedFraction, LabelDecimals.Fraction)
             .Key("occlusionMethod").String(JsonName.Of(label.OcclusionMethod))
             .Key("visibleFraction").Number(label.VisibleFraction, LabelDecimals.Fraction);
+        if (label.TrueOccludedFraction is { } hidden)
+        {
+            json.Key("trueOccludedFraction").Number(hidden, LabelDecimals.Fraction);
+        }
+
         Append(json.Key("box3d"), label.Box3D);
         json.Key("distanceMetres").Number(label.DistanceMetres, LabelDecimals.Metres)
             .Key("velocity").Vector(label.Velocity, LabelDecimals.Speed);

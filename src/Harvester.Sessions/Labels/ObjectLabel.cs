@@ -64,6 +64,12 @@ public sealed record ObjectLabel
     /// <summary>How <see cref="OccludedFraction"/> was determined.</summary>
     public OcclusionMethod OcclusionMethod { get; init; }
 
+    /// <summary>
+    /// Fraction of its drawn pixels in the image that something nearer hides, by the renderer, 0 to 1; null for a part of another object
+    /// and unless the game reports it. Unlike <see cref="OccludedFraction"/> it is not sampled.
+    /// </summary>
+    public double? TrueOccludedFraction { get; init; }
+
     /// <summary>Whether it is unknown how much of the object is visible, or whether any of it is.</summary>
     public bool IsUndetermined => OcclusionMethod == OcclusionMethod.None;
 

@@ -69,6 +69,7 @@ public sealed class SimulatedGame
             Paint = new PaintPort(this),
             Lights = new LightsPort(this),
             Surfaces = new SurfacePort(this),
+            DrawnOcclusion = options.ReportsTrueOcclusion ? new DrawnOcclusionPort(this) : null,
         };
     }
 
@@ -101,6 +102,8 @@ public sealed class SimulatedGame
     public int Place { get; private set; }
 
     internal Freezing Freezing { get; }
+
+    internal RenderLens Lens => _options.Lens;
 
     internal SimulatedWorld World => _world;
 
@@ -144,7 +147,8 @@ public sealed class SimulatedGame
     private CameraState Camera =>
         new(_world.Ego.Pose.Compose(_mount), _options.VerticalFovDegrees, _options.NearClip, _options.WindowAspect);
 
-    private Moment Present
+    /// <summary>The present moment, which rays meet and which a frozen game shows.</summary>
+    internal Moment Present
     {
         get
         {
@@ -171,6 +175,11 @@ public sealed class SimulatedGame
     }
 
     private Moment MomentShown => _toBeShown.TryPeek(out Moment? oldest) ? oldest : Present;
+
+    /// <summary>
+    /// Begins to build the models of all games on another thread. The first game waits for them, or builds them if this was not called.
+    /// </summary>
+    public static void BeginModels() => _ = Task.Run(static () => ModelCatalogue.Shared);
 
     /// <summary>Goes to another place, whose entities have handles of their own, while the time of day stands still.</summary>
     /// <param name="near">Where the ego starts, metres, world x and y.</param>

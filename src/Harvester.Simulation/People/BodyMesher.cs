@@ -8,7 +8,7 @@ namespace Harvester.Simulation.People;
 /// <summary>Makes the mesh of a body around its joints.</summary>
 /// <param name="person">Build and clothes.</param>
 /// <param name="pose">The joints.</param>
-/// <param name="builderOf">The mesh that a part is added to; the same for all, unless parts are to be told apart.</param>
+/// <param name="builderOf">The mesh that a part is added to; the same for all, unless parts must be distinguishable.</param>
 internal sealed class BodyMesher(Person person, BodyPose pose, Func<BodyPart, MeshBuilder> builderOf)
 {
     private const int LimbSides = 7;

@@ -32,6 +32,16 @@ internal readonly record struct Bounds(Vector3D Min, Vector3D Max)
 
     public Bounds With(Bounds other) => With(other.Min).With(other.Max);
 
+    /// <summary>Distance of a point from the box; 0 inside it.</summary>
+    public double DistanceTo(Vector3D point)
+    {
+        Vector3D outside = new(
+            Math.Max(Math.Max(Min.X - point.X, point.X - Max.X), 0),
+            Math.Max(Math.Max(Min.Y - point.Y, point.Y - Max.Y), 0),
+            Math.Max(Math.Max(Min.Z - point.Z, point.Z - Max.Z), 0));
+        return outside.Length;
+    }
+
     /// <summary>The box around this one after it has been turned and moved.</summary>
     public Bounds MovedBy(Pose pose)
     {

@@ -34,10 +34,10 @@ internal sealed class PixelRow
     /// <summary>Metres down that each pixel looks for a metre ahead.</summary>
     public float[] Down { get; }
 
-    /// <summary>Length of the way for a metre ahead.</summary>
+    /// <summary>Length of each pixel's ray per metre of depth.</summary>
     public float[] Stretch { get; }
 
-    /// <summary>What each pixel shows lies so many metres ahead; infinity for the sky.</summary>
+    /// <summary>Depth of each pixel along the camera's forward axis, metres; infinity for the sky.</summary>
     public float[] Depths { get; }
 
     /// <summary>The share of the light that the air lets through.</summary>
@@ -45,7 +45,7 @@ internal sealed class PixelRow
 
     /// <summary>Sets the colours of eight pixels.</summary>
     /// <param name="column">The first of them.</param>
-    /// <param name="light">Colours, 0 to 1; what is outside is held to the range.</param>
+    /// <param name="light">Colours, 0 to 1; other values are clamped.</param>
     public void Write(int column, in WideVector light)
     {
         Vector256<int> packed = Channel(light.X) | (Channel(light.Y) << 8) | (Channel(light.Z) << 16);

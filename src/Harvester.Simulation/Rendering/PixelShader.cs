@@ -16,7 +16,7 @@ internal sealed class PixelShader
     private const double FineGrainsPerMetre = 9;
     private const float GrainReachMetres = 40;
 
-    /// <summary>Where the noise of patches is above this, the ground has been mended and is darker.</summary>
+    /// <summary>Where the noise of patches is above this, the ground has been patched and is darker.</summary>
     private const float PatchFrom = 0.66f;
     private const float PatchEdge = 40;
     private const float PatchDarkness = 0.14f;

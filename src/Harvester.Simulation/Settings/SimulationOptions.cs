@@ -82,6 +82,9 @@ public sealed record SimulationOptions
     /// </summary>
     public bool DefersPictures { get; init; }
 
+    /// <summary>Whether the renderer reports how much of each object is hidden; each object is drawn once more for it.</summary>
+    public bool ReportsTrueOcclusion { get; init; }
+
     /// <summary>Imitated faults of the real game; none by default.</summary>
     public GameQuirks Quirks { get; init; } = new();
 }

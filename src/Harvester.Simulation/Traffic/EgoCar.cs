@@ -87,6 +87,13 @@ internal sealed class EgoCar(Vehicle ego, LaneGraph lanes, EgoManoeuvres? manoeu
         }
     }
 
+    /// <summary>Whether its built-in driver is still to begin the drift that was asked for.</summary>
+    public bool IsPrompted => manoeuvres?.IsPrompted ?? false;
+
+    /// <summary>Lets its built-in driver drift onto a marking as soon as it can, if it ever does.</summary>
+    /// <param name="side">-1 for a marking to the left, 1 for one to the right.</param>
+    public void Prompt(int side) => manoeuvres?.Prompt(side);
+
     /// <summary>Stops it at once, as vehicles on their lanes stop before an obstacle.</summary>
     public void Stop() => _state = _state with { Speed = 0, YawRate = 0 };
 

@@ -13,16 +13,20 @@ internal sealed class EgoManoeuvres(Vehicle ego, LaneTravel lanes, int seed, dou
     /// <summary>Standard deviation of the wandering at factor 1, metres.</summary>
     private const double WanderMetres = 0.55;
     private const double WanderSeconds = 3;
-    private const double DriftsPerSecond = 0.16;
+    private const double DriftsPerSecond = 0.28;
     private const double LaneChangesPerSecond = 0.2;
-    private const double ShortestDriftSeconds = 1;
-    private const double LongestDriftSeconds = 4;
+    private const double ShortestDriftSeconds = 1.5;
+    private const double LongestDriftSeconds = 5;
+    private const double PromptedDriftSeconds = 3;
 
     /// <summary>Room between the car's side and the border of its lane at which wandering ends, metres.</summary>
     private const double SideRoom = 0.1;
 
     /// <summary>How far the car's middle goes beyond a marking on which it drives, at most, metres.</summary>
     private const double BeyondMarking = 0.3;
+
+    /// <summary>How far the wheels go onto a line that must not be crossed, at most, metres.</summary>
+    private const double OntoLine = 0.12;
 
     /// <summary>Way along the lane that a drift or lane change needs before a junction, metres.</summary>
     private const double JunctionRoom = 30;
@@ -46,6 +50,7 @@ internal sealed class EgoManoeuvres(Vehicle ego, LaneTravel lanes, int seed, dou
     private int _lanesToGo;
     private LanePath? _passing;
     private double _passingSeconds;
+    private int _promptedSide;
 
     /// <summary>Where the car shall be, metres to the right of its lane's line.</summary>
     public double Offset { get; private set; }
@@ -74,6 +79,13 @@ internal sealed class EgoManoeuvres(Vehicle ego, LaneTravel lanes, int seed, dou
         (double gap, _) = Driver.Leader(ego, occupation);
         return gap < FollowMetres + (FollowSeconds * ego.Speed) ? Manoeuvre.Follow : wander > 0 ? Manoeuvre.Wander : Manoeuvre.KeepLane;
     }
+
+    /// <summary>Whether it is still to begin the drift that was asked for.</summary>
+    public bool IsPrompted => _promptedSide != 0;
+
+    /// <summary>Asks for a drift onto a marking as soon as there is room for it.</summary>
+    /// <param name="side">-1 for a marking to the left, 1 for one to the right.</param>
+    public void Prompt(int side) => _promptedSide = wander > 0 ? side : 0;
 
     /// <summary>Decides where to be after a time step.</summary>
     /// <param name="seconds">The time step.</param>
@@ -205,6 +217,10 @@ internal sealed class EgoManoeuvres(Vehicle ego, LaneTravel lanes, int seed, dou
         {
             _ = TryChange(side, occupation) || TryChange(-side, occupation);
         }
+        else if (_promptedSide != 0)
+        {
+            Drift(_promptedSide, 1, occupation, isClear);
+        }
         else if (drifts)
         {
             Drift(side, depth, occupation, isClear);
@@ -245,11 +261,19 @@ internal sealed class EgoManoeuvres(Vehicle ego, LaneTravel lanes, int seed, dou
             ? side > 0 && ego.Path.Road is { IsInner: false, IsUnpaved: false } road
                 && onMarking + ego.Model.Max.X < HalfLane + road.Shoulder
             : laneChanges > 0 && LaneTravel.HasGap(ego, beside, occupation);
+        if (side < 0 && beside is null)
+        {
+            // The middle of the road or its left edge: the wheels reach the line and stay off the lane behind it.
+            within = HalfLane - ego.Model.Max.X + (OntoLine * depth);
+        }
+
         double goal = side * (isOpen && depth > 0.3 && isClear(side * onMarking, JunctionRoom) ? onMarking : within);
         if (isClear(goal, JunctionRoom))
         {
+            double least = IsPrompted ? PromptedDriftSeconds : ShortestDriftSeconds;
+            _promptedSide = 0;
             Begin(Manoeuvre.Drift, goal, SidewaysOf(depth));
-            _secondsLeft = ShortestDriftSeconds + ((LongestDriftSeconds - ShortestDriftSeconds) * _random.NextDouble());
+            _secondsLeft = least + ((LongestDriftSeconds - least) * _random.NextDouble());
         }
     }
 

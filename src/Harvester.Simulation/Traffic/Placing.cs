@@ -34,14 +34,15 @@ internal sealed class Placing
     /// <summary>Total length of the lanes on which vehicles can be placed, metres.</summary>
     public double LaneMetres => _summedLengths.Length == 0 ? 0 : _summedLengths[^1];
 
-    /// <summary>Places the ego on a lane from which it can drive on for ever, as close to a point as possible.</summary>
-    /// <param name="ego">The ego.</param>
+    /// <summary>Where the ego starts: on a lane from which it can drive on for ever, as close to a point as possible.</summary>
     /// <param name="near">The point.</param>
-    /// <param name="isBeside">Whether it starts beside the point; otherwise at the beginning of the lane.</param>
+    /// <param name="visit">
+    /// Number of the visited place: the ego starts beside the point, and in turn in each lane of its direction. Null to start at the
+    /// beginning of the nearest lane.
+    /// </param>
     /// <exception cref="ArgumentException">No lane is long enough.</exception>
-    public void PutEgo(Vehicle ego, Vector3D near, bool isBeside = false)
+    public (LanePath Path, double Distance) StartOfEgo(Vector3D near, int? visit = null)
     {
-        _ego = ego;
         const double shortest = 30;
         LanePath? path = _paths
             .Where(path => path.Length > shortest)
@@ -56,7 +57,52 @@ internal sealed class Placing
         }
 
         double least = Math.Min(EndRoom, path.Length / 2);
-        ego.PutOn(path, isBeside ? Math.Clamp(LanePlace.Of(path, near, path.Length / 2).Distance, least, path.Length - least) : least);
+        if (visit is not { } number)
+        {
+            return (path, least);
+        }
+
+        LanePath[] abreast = [.. _paths.Where(other => other.Road == path.Road && other.IsForward == path.IsForward
+            && other.GoesOn == path.GoesOn && other.Length > shortest).OrderBy(other => other.Lane)];
+        path = abreast.Length > 0 ? abreast[number % abreast.Length] : path;
+        return (path, Math.Clamp(LanePlace.Of(path, near, path.Length / 2).Distance, least, path.Length - least));
+    }
+
+    /// <summary>Places the ego, which other vehicles are later not placed near.</summary>
+    public void PutEgo(Vehicle ego, (LanePath Path, double Distance) start)
+    {
+        _ego = ego;
+        ego.PutOn(start.Path, start.Distance);
+    }
+
+    /// <summary>Places a vehicle at a random free position about which a condition holds; if none is found, it is not placed.</summary>
+    /// <returns>Whether it was placed.</returns>
+    public bool PutWhere(Vehicle vehicle, Func<Vector3D, Vector3D, bool> isWanted, Func<Footprint, bool> isFree)
+    {
+        const double step = 5;
+        List<(LanePath Path, double Distance)> places = [];
+        foreach (LanePath path in _paths)
+        {
+            for (double distance = EndRoom; distance < path.Length - EndRoom; distance += step)
+            {
+                if (isWanted(path.Line.PositionAt(distance), path.Line.TangentAt(distance)))
+                {
+                    places.Add((path, distance));
+                }
+            }
+        }
+
+        for (int i = 0; i < Attempts && places.Count > 0; i++)
+        {
+            (LanePath path, double distance) = places[_random.Next(places.Count)];
+            vehicle.PutOn(path, distance);
+            if (isFree(vehicle.Footprint.Grown(Room)))
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     /// <summary>Places a vehicle at a random free position; if none is found, it is not moved.</summary>

@@ -5,6 +5,7 @@ using Harvester.Geometry;
 using Harvester.Simulation.Models;
 using Harvester.Simulation.Streets;
 using Harvester.Simulation.Traffic;
+using RoadNodeFlags = Harvester.Geometry.Roads.RoadNodeFlags;
 
 namespace Harvester.Simulation.World;
 
@@ -21,7 +22,17 @@ internal sealed class Population
     /// <summary>Around a place that is visited, metres, there are more vehicles and people: most labels are of what is near.</summary>
     private const double NearEgo = 100;
     private const double VehiclesNearEgo = 14;
+
+    /// <summary>As far as the ego gets in half a minute, metres, there are more of the parked vehicles that are rare elsewhere.</summary>
+    private const double ParkedNearEgo = 250;
     private const double BusyFactor = 3;
+    private const double AheadFrom = 18;
+    private const double AheadTo = 55;
+    private const double SameWay = 0.7;
+
+    /// <summary>Distance between places beside a road without kerbs where a vehicle may have been left, metres.</summary>
+    private const double RoadsideSlot = 18;
+    private const double LeftShare = 0.2;
 
     /// <summary>A sports car as in the thesis, of a model whose dimensions are known.</summary>
     private const string EgoModel = "cheetah";
@@ -40,7 +51,11 @@ internal sealed class Population
     }
 
     /// <summary>Parked vehicles, of which wide ones stand a little on the lane beside them.</summary>
-    public List<Prop> Park(IReadOnlyList<Walkway> walkways, RoadIndex index, double density)
+    /// <param name="walkways">The kerbs.</param>
+    /// <param name="index">The roads.</param>
+    /// <param name="busy">A place that is visited, with all classes around it; null if there is none.</param>
+    /// <param name="density">Factor on the number of parked vehicles.</param>
+    public List<Prop> Park(IReadOnlyList<Walkway> walkways, RoadIndex index, Vector3D? busy, double density)
     {
         List<Prop> parked = [];
         foreach (Walkway walkway in walkways)
@@ -52,7 +67,8 @@ internal sealed class Population
             {
                 if (_random.NextDouble() < ParkedShare * density)
                 {
-                    Model model = _mix.PickParked(_random);
+                    Model model = _mix.PickParked(
+                        _random, busy is { } place && Horizontal.Distance(walkway.PlaceBeyondKerb(distance, 0), place) < ParkedNearEgo);
                     double beyondSlot = Math.Max(0, model.Max.Y - model.Min.Y + ParkingGap - ParkingSlot);
                     if (distance + beyondSlot < to)
                     {
@@ -66,12 +82,59 @@ internal sealed class Population
         return parked;
     }
 
+    /// <summary>Vehicles left beside roads without kerbs near a place that is visited.</summary>
+    /// <param name="roads">The roads.</param>
+    /// <param name="index">The roads, by place.</param>
+    /// <param name="busy">The place.</param>
+    /// <param name="heightAt">Height of the land at a place, metres.</param>
+    /// <param name="density">Factor on the number of vehicles.</param>
+    public List<Prop> Leave(
+        IEnumerable<Road> roads, RoadIndex index, Vector3D busy, Func<Vector3D, double> heightAt, double density)
+    {
+        const double fromLane = 0.4;
+        const double level = 0.6;
+        List<Prop> left = [];
+        foreach (Road road in roads.Where(road => !road.IsStreet && !road.IsInner && !road.Flags.HasFlag(RoadNodeFlags.Tunnel)))
+        {
+            for (double distance = road.StartTrim + RoadsideSlot; distance < road.Length - road.EndTrim - RoadsideSlot;
+                distance += RoadsideSlot)
+            {
+                bool isNear = Horizontal.Distance(road.Curve.PositionAt(distance), busy) < ParkedNearEgo;
+                if (!isNear || _random.NextDouble() >= LeftShare * density)
+                {
+                    continue;
+                }
+
+                Model model = _mix.PickLeft(_random);
+                bool onRight = _random.Next(2) == 0;
+                double beyond = Math.Max(model.Max.X, -model.Min.X) + fromLane;
+                double offset = onRight ? road.Layout.RightEdge + beyond : road.Layout.LeftEdge - beyond;
+                Vector3D place = road.Curve.OffsetAt(distance, offset);
+                if (Math.Abs(heightAt(place) - place.Z) < level && !index.IsOnAnother(road, place, 2 * beyond))
+                {
+                    bool facesForward = road.Layout.IsOneWay ? road.Layout.Forward > 0 : onRight;
+                    Vector3D tangent = road.Curve.TangentAt(distance);
+                    Axes axes = Horizontal.AxesAlong(facesForward ? tangent : -tangent);
+                    left.Add(new Prop(_handles.Next(), model, _random.Next(), new Pose(place - (axes.Up * model.Min.Z), axes)));
+                }
+            }
+        }
+
+        return left;
+    }
+
     /// <summary>The ego, then the driving vehicles, each clear of the others.</summary>
-    public List<Vehicle> Drive(Placing placing, IReadOnlyList<Prop> parked, Vector3D start, bool isBeside, double density)
+    /// <param name="placing">Finds places.</param>
+    /// <param name="parked">What stands beside the lanes.</param>
+    /// <param name="start">Where the ego starts.</param>
+    /// <param name="visit">Number of the visited place, around which there is more traffic; null if none is visited.</param>
+    /// <param name="density">Factor on the number of vehicles.</param>
+    public List<Vehicle> Drive(
+        Placing placing, IReadOnlyList<Prop> parked, (LanePath Path, double Distance) start, int? visit, double density)
     {
         const double egoSpeed = 10;
         Vehicle ego = new(_handles.Next(), _catalogue[EgoModel], _random.Next(), egoSpeed);
-        placing.PutEgo(ego, start, isBeside);
+        placing.PutEgo(ego, start);
         List<Vehicle> vehicles = [ego];
         BodyIndex<Footprint> taken = new();
         taken.Add(ego.Footprint, ego.Pose.Position);
@@ -83,21 +146,40 @@ internal sealed class Population
         int count = (int)(placing.LaneMetres * VehiclesPerLaneMetre * density);
         for (int i = 0; i < count; i++)
         {
-            Add(8 + (4 * _random.NextDouble()), static _ => true);
+            double cruise = 8 + (4 * _random.NextDouble());
+            Vehicle vehicle = new(_handles.Next(), _mix.PickDriving(_random), _random.Next(), cruise);
+            Keep(vehicle, placing.Replace(vehicle, IsFree));
         }
 
-        int near = isBeside ? (int)(VehiclesNearEgo * density) : 0;
+        int near = visit is null ? 0 : (int)Math.Round(VehiclesNearEgo * density);
         for (int i = 0; i < near; i++)
         {
-            Add(6 + (5 * _random.NextDouble()), place => Horizontal.Distance(place.Centre, start) < NearEgo);
+            // The first two go ahead of the ego, so that they are seen: in turn one of each class but cars, which are everywhere.
+            bool isAhead = i < 2;
+            double cruise = 6 + (5 * _random.NextDouble());
+            Model model = isAhead ? _mix.PickInTurn(_random, visit!.Value + (2 * i)) : _mix.PickDriving(_random);
+            Vehicle vehicle = new(_handles.Next(), model, _random.Next(), cruise);
+            bool isPlaced = isAhead && placing.PutWhere(vehicle, IsAhead, IsFree);
+            Keep(vehicle, isPlaced || placing.PutWhere(vehicle, IsNear, IsFree));
         }
 
         return vehicles;
 
-        void Add(double cruise, Func<Footprint, bool> isWanted)
+        bool IsFree(Footprint place) => !taken.Near(place.Centre).Any(place.Overlaps);
+
+        bool IsNear(Vector3D place, Vector3D tangent) => Horizontal.Distance(place, ego.Pose.Position) < NearEgo;
+
+        bool IsAhead(Vector3D place, Vector3D tangent)
         {
-            Vehicle vehicle = new(_handles.Next(), _mix.PickDriving(_random), _random.Next(), cruise);
-            if (placing.Replace(vehicle, place => isWanted(place) && !taken.Near(place.Centre).Any(place.Overlaps)))
+            Vector3D forward = ego.Pose.Axes.Forward;
+            double ahead = (place - ego.Pose.Position).Dot(forward);
+            return IsNear(place, tangent) && ahead is > AheadFrom and < AheadTo && tangent.Dot(forward) > SameWay * tangent.Length
+                && Math.Abs((place - ego.Pose.Position).Dot(ego.Pose.Axes.Right)) < ahead / 2;
+        }
+
+        void Keep(Vehicle vehicle, bool isPlaced)
+        {
+            if (isPlaced)
             {
                 vehicles.Add(vehicle);
                 taken.Add(vehicle.Footprint, vehicle.Pose.Position);

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading.Tasks;
 using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Geometry.Roads;
@@ -20,6 +21,15 @@ internal sealed class SimulatedWorld
 
     /// <summary>A prime, so that the seeds of a game's places differ from each other and from those of other games.</summary>
     private const int SeedStep = 15_485_863;
+
+    /// <summary>
+    /// At every second place the ego is asked to drift onto a marking, so that a session of few frames at each place has such frames too.
+    /// The first frame is so long after the drift has begun.
+    /// </summary>
+    private const double SecondsToMarking = 1.5;
+
+    /// <summary>After so long the ego need not drift: it may wait at a light or follow a lane too narrow for it.</summary>
+    private const double MostSecondsToDrift = 25;
 
     private readonly List<Prop> _entities;
     private readonly List<Vehicle> _vehicles;
@@ -61,9 +71,18 @@ internal sealed class SimulatedWorld
         ModelCatalogue catalogue = ModelCatalogue.Shared;
         Population population = new(seed, catalogue, handles);
         Placing placing = new(site.Lanes, seed);
-        List<Prop> parked = population.Park(site.Walkways, site.Index, options.ParkedDensity ?? options.TrafficDensity);
-        _vehicles = population.Drive(placing, parked, start, options.IsWarm, options.TrafficDensity);
-        _walkers = population.Walk(site.Walkways, options.IsWarm ? start : null, options.PedestrianDensity);
+        int? visit = options.IsWarm ? place : null;
+        (LanePath Path, double Distance) startOfEgo = placing.StartOfEgo(start, visit);
+        Vector3D? busy = options.IsWarm ? startOfEgo.Path.Line.PositionAt(startOfEgo.Distance) : null;
+        double parkedDensity = options.ParkedDensity ?? options.TrafficDensity;
+        List<Prop> parked = population.Park(site.Walkways, site.Index, busy, parkedDensity);
+        if (busy is { } visited)
+        {
+            parked.AddRange(population.Leave(site.Plan.Roads, site.Index, visited, site.Terrain.HeightAt, parkedDensity));
+        }
+
+        _vehicles = population.Drive(placing, parked, startOfEgo, visit, options.TrafficDensity);
+        _walkers = population.Walk(site.Walkways, busy, options.PedestrianDensity);
         bool isLively = options.Wander > 0 || options.LaneChanges > 0;
         Car = new EgoCar(
             Ego,
@@ -108,7 +127,18 @@ internal sealed class SimulatedWorld
         {
             const double leastSeconds = 5;
             const double moreSeconds = 10;
+            BuildTrees();
             Advance(leastSeconds + (moreSeconds * new Random(seed).NextDouble()));
+            if (place % 2 == 1)
+            {
+                Car.Prompt(place % 4 == 1 ? -1 : 1);
+                for (double waited = 0; Car.IsPrompted && waited < MostSecondsToDrift; waited += MaxTick)
+                {
+                    Advance(MaxTick);
+                }
+
+                Advance(SecondsToMarking);
+            }
         }
     }
 
@@ -232,6 +262,23 @@ internal sealed class SimulatedWorld
             .Take(most)
             .Select(vehicle => LightSource.Headlights(vehicle.Pose.ToWorld(new Vector3D(0, lampAhead, 0)), vehicle.Pose.Axes.Forward));
         return [.. lamps, .. headlights];
+    }
+
+    /// <summary>
+    /// Begins to build, on another thread, the trees of the meshes around the ego: the first pictures need them, and the traffic, which is
+    /// simulated meanwhile, does not. A mesh whose tree is not ready in time builds it where it is needed.
+    /// </summary>
+    private void BuildTrees()
+    {
+        const double reachMetres = 150;
+        Vector3D place = Ego.Pose.Position;
+        Mesh[] nearest = [.. Scene.Static.Instances.ToArray().Concat(MovingNear(place, reachMetres))
+            .Select(instance => (instance.Mesh, Distance: instance.Mesh.Bounds.MovedBy(instance.Pose).DistanceTo(place)))
+            .Where(each => each.Distance < reachMetres)
+            .OrderBy(each => each.Distance)
+            .Select(each => each.Mesh)
+            .Distinct()];
+        _ = Task.Run(() => Array.ForEach(nearest, static mesh => _ = mesh.Tree));
     }
 
     private VehicleLights LightsOf(Vehicle vehicle) => vehicle.Signals.At(vehicle, TimeSeconds, IsDark);

@@ -27,6 +27,19 @@ internal sealed class VehicleMix
         (ObjectClass.Car, 0.87), (ObjectClass.Motorcycle, 0.06), (ObjectClass.Trailer, 0.04), (ObjectClass.Other, 0.03),
     ];
 
+    private static readonly ObjectClass[] InTurn = [ObjectClass.Bus, ObjectClass.Truck, ObjectClass.Bicycle, ObjectClass.Motorcycle];
+
+    private static readonly (ObjectClass Class, double Share)[] Left =
+    [
+        (ObjectClass.Car, 0.3), (ObjectClass.Trailer, 0.4), (ObjectClass.Other, 0.3),
+    ];
+
+    /// <summary>At kerbs near a place that is visited there are more of the classes that do not drive.</summary>
+    private static readonly (ObjectClass Class, double Share)[] ParkedNear =
+    [
+        (ObjectClass.Car, 0.7), (ObjectClass.Motorcycle, 0.08), (ObjectClass.Trailer, 0.12), (ObjectClass.Other, 0.1),
+    ];
+
     private readonly ILookup<ObjectClass, Model> _models;
 
     public VehicleMix(ModelCatalogue catalogue) => _models = catalogue.Vehicles.ToLookup(model => model.Class);
@@ -34,9 +47,17 @@ internal sealed class VehicleMix
     /// <summary>A vehicle that drives.</summary>
     public Model PickDriving(Random random) => Pick(random, Driving, _ => true);
 
+    /// <summary>A vehicle that drives, of one class after another but cars.</summary>
+    public Model PickInTurn(Random random, int number) => Pick(random, [(InTurn[number % InTurn.Length], 1)], _ => true);
+
+    /// <summary>A vehicle that was left beside a road without kerbs.</summary>
+    public Model PickLeft(Random random) => Pick(random, Left, _ => true);
+
     /// <summary>A vehicle that stands at a kerb.</summary>
-    public Model PickParked(Random random) =>
-        Pick(random, Parked, model => model.Class != ObjectClass.Car || model.Max.X - model.Min.X < WidestParkedCar);
+    /// <param name="random">Decides which.</param>
+    /// <param name="isNear">Whether the place is near one that is visited.</param>
+    public Model PickParked(Random random, bool isNear) =>
+        Pick(random, isNear ? ParkedNear : Parked, model => model.Class != ObjectClass.Car || model.Max.X - model.Min.X < WidestParkedCar);
 
     private Model Pick(Random random, (ObjectClass Class, double Share)[] shares, Func<Model, bool> isWanted)
     {

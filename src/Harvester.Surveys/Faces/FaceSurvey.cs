@@ -188,7 +188,7 @@ public sealed class FaceSurvey : IDisposable
     {
         if (!_stage.IsStanding(_standing))
         {
-            throw new InvalidOperationException($"the game took {model} away while it was measured.");
+            throw new InvalidOperationException($"the game removed {model} while it was measured.");
         }
     }
 

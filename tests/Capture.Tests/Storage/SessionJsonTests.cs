@@ -22,6 +22,24 @@ public sealed class SessionJsonTests
         HasManifest: true);
 
     [Fact]
+    public void Truth_says_what_is_exact_and_what_is_estimated()
+    {
+        string text = SessionJson.Text(Recording with
+        {
+            Origin = Recording.Origin with { Truth = LabelTruths.OfSimulation(hasTrueOcclusion: true) },
+        });
+
+        using var document = JsonDocument.Parse(text);
+        JsonElement truth = document.RootElement.GetProperty("truth");
+        Assert.Equal("exact", truth.GetProperty("joints").GetString());
+        Assert.Equal("exact", truth.GetProperty("trueOcclusion").GetString());
+        Assert.Equal("estimated", truth.GetProperty("occlusion").GetString());
+        Assert.Equal(
+            LabelTruths.OfGame.Select(label => label.Key), truth.EnumerateObject().Select(property => property.Name));
+        Assert.DoesNotContain("truth", SessionJson.Text(Recording), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Text_of_a_finished_session_is_as_documented()
     {
         SessionRecord finished = Recording with

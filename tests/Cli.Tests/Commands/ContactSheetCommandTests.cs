@@ -104,6 +104,7 @@ public sealed class ContactSheetCommandTests : IDisposable
     [InlineData("--seconds", "-1", "--seconds takes a number from 0 to 600, not '-1'.")]
     [InlineData("--places", "12", "The road network has only ")]
     [InlineData("--size", "8192x8192", "pixels, more than 16384 a side; give fewer tiles or a smaller --size.")]
+    [InlineData("--size", "8000x8000", "pixels, more than 50000000 in all; give fewer tiles or a smaller --size.")]
     public void Bad_value_is_a_usage_error(string option, string value, string message)
     {
         string[] more = option == "--size" ? ["--seconds", "1", "--seconds", "2"] : [];

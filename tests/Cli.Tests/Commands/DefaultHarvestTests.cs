@@ -3,10 +3,11 @@ using System.Text.RegularExpressions;
 using Harvester.Datasets.Sessions;
 using Harvester.Sessions.Labels;
 using Harvester.Sessions.Scenes;
+using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Commands;
 
-/// <summary>The figures that issue 20 requires of 1,000 frames harvested with the defaults, as harvester stats reports them.</summary>
+/// <summary>The figures required of a harvest with the defaults, as harvester stats reports them.</summary>
 public sealed partial class DefaultHarvestTests
 {
     private const double LeastActivePercent = 5;
@@ -14,19 +15,45 @@ public sealed partial class DefaultHarvestTests
     private const double LeastAngleRadians = 0.2;
     private const double MostSmallPercent = 50;
 
-    [Fact]
+    [Theory]
+    [InlineData(100, 1)]
+    [InlineData(100, 9)]
+    [InlineData(1000, 1)]
+    [InlineData(1000, 31)]
     [Trait("Category", "Heavy")]
-    public void Default_harvest_is_worth_learning_from()
+    public void Default_harvest_is_worth_learning_from(int frames, int seed)
+    {
+        FrameLabel[] labels = LabelsWorthLearningFrom(frames, "--seed", Invariant(seed));
+
+        Manoeuvre[] seen = [.. labels.Select(label => label.Ego.Motion!.Manoeuvre!.Value).Distinct()];
+        Assert.Contains(Manoeuvre.Drift, seen);
+        Assert.Contains(seen, manoeuvre => manoeuvre is Manoeuvre.LaneChangeLeft or Manoeuvre.LaneChangeRight);
+        if (frames == 1000)
+        {
+            Assert.Contains(Manoeuvre.Follow, seen);
+            Assert.Contains(Manoeuvre.Recover, seen);
+        }
+    }
+
+    [RealWorldFact("nodes.zip")]
+    [Trait("Category", "Heavy")]
+    public void Harvest_of_real_roads_is_worth_learning_from() =>
+        LabelsWorthLearningFrom(1000, "--roads", RealWorldFactAttribute.PathOf("nodes.zip")!);
+
+    private static FrameLabel[] LabelsWorthLearningFrom(int frames, params string[] options)
     {
         using var folder = new TemporaryFolder();
         string session = folder.PathOf("session");
-        CliRun.Of("harvest", "--frames", "1000", "--out", session, "--no-report").AssertDone();
+
+        // The plain picture has the same labels and is drawn faster.
+        CliRun.Of(["harvest", "--frames", Invariant(frames), "--out", session, "--no-report", "--detail", "plain", .. options])
+            .AssertDone();
 
         string stats = CliRun.Of("stats", session).Out;
 
         double[] active = [.. ActiveShare().Matches(stats).Select(match => Number(match.Groups[1].Value))];
         Assert.Equal(13, active.Length);
-        Assert.All(active, percent => Assert.InRange(percent, LeastActivePercent, 100));
+        Assert.True(active.Min() >= LeastActivePercent, stats);
         Assert.InRange(Number(Deviation().Match(stats).Groups[1].Value), LeastDeviationMetres, 10);
         Assert.InRange(Number(SmallShare().Match(stats).Groups[1].Value), 0, MostSmallPercent);
         Assert.Contains("classes without labels: none\n", stats, StringComparison.Ordinal);
@@ -34,12 +61,10 @@ public sealed partial class DefaultHarvestTests
         FrameLabel[] labels = [.. new SessionReader(session).ReadLabels()];
         Assert.Contains(labels, label => Math.Abs(label.Lanes!.Indicators.Angle.Value) >= LeastAngleRadians);
         Assert.Equal(10, labels.Select(label => label.Place).Distinct().Count());
-        Manoeuvre[] seen = [.. labels.Select(label => label.Ego.Motion!.Manoeuvre!.Value).Distinct()];
-        Assert.Contains(Manoeuvre.Follow, seen);
-        Assert.Contains(Manoeuvre.Drift, seen);
-        Assert.Contains(Manoeuvre.Recover, seen);
-        Assert.Contains(seen, manoeuvre => manoeuvre is Manoeuvre.LaneChangeLeft or Manoeuvre.LaneChangeRight);
+        return labels;
     }
+
+    private static string Invariant(int number) => number.ToString(CultureInfo.InvariantCulture);
 
     private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
 

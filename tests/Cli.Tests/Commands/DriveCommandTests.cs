@@ -107,7 +107,7 @@ public sealed class DriveCommandTests
     private static CliRun Short(string folder, params string[] more) =>
         CliRun.Of([.. new[] { "drive", "--out", folder, "--distance", "5", "--traffic", "0" }, .. more]);
 
-    /// <summary>What was printed but how far it was in the meantime, which a slow machine is told more often.</summary>
+    /// <summary>The printed lines without those of the progress, whose number depends on the machine's speed.</summary>
     private static IEnumerable<string> Figures(CliRun run) =>
         run.Out.Split('\n').Where(line => !line.Contains(" of 250 m", StringComparison.Ordinal));
 

@@ -81,7 +81,7 @@ public sealed class LanesCommandTests : IDisposable
     public void Lanes_at_the_box_centre_of_a_scene_equal_the_labels()
     {
         string session = _folder.PathOf("session");
-        CliRun.Of("harvest", "--out", session, "--frames", "6", "--hz", "1", "--seed", "3", "--size", "64x48", "--no-report");
+        CliRun.Of("harvest", "--out", session, "--frames", "4", "--hz", "1", "--seed", "5", "--size", "64x48", "--no-report");
         FrameLabel[] known = [.. new SessionReader(session).ReadLabels().Where(label => label.Lanes!.Status == LaneStatus.Known)];
 
         Assert.NotEmpty(known);

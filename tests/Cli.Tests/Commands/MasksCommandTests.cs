@@ -20,9 +20,7 @@ public sealed class MasksCommandTests
     {
         using var folder = new TemporaryFolder();
         string session = folder.PathOf("session");
-        Assert.Equal(
-            ExitCode.Done,
-            CliRun.Of("harvest", "--out", session, "--frames", "2", "--seed", "2", "--masks", "--no-report", "--size", "640x480").ExitCode);
+        SharedHarvest.CopyTo(session, "--frames", "2", "--seed", "2", "--masks", "--no-report", "--size", "640x480");
         string maps = folder.PathOf("maps");
         Directory.CreateDirectory(maps);
         foreach (string mask in Directory.GetFiles(Path.Combine(session, "masks")))
@@ -51,14 +49,13 @@ public sealed class MasksCommandTests
     {
         using var folder = new TemporaryFolder();
         string session = folder.PathOf("session");
-        Assert.Equal(
-            ExitCode.Done,
-            CliRun.Of("harvest", "--out", session, "--frames", "1", "--seed", "1", "--masks", "--no-report", "--size", "640x480").ExitCode);
+        SharedHarvest.CopyTo(session, "--frames", "2", "--seed", "2", "--masks", "--no-report", "--size", "640x480");
         Assert.NotEmpty(VisibleFaces(session));
         string maps = folder.PathOf("maps");
         Directory.CreateDirectory(maps);
-        using (FileStream map = File.Create(Path.Combine(maps, "0.png")))
+        foreach (string name in (string[])["0.png", "1.png"])
         {
+            using FileStream map = File.Create(Path.Combine(maps, name));
             new PngEncoder().Write(new InstanceMap(new ImageSize(640, 480)), map);
         }
 

@@ -111,7 +111,7 @@ public sealed class RelabelCommandTests(HarvestedShards harvested) : IClassFixtu
     public void Relabel_reports_a_session_with_an_invalid_lane_width(string width)
     {
         string session = _folder.PathOf("session");
-        CliRun.Of("harvest", "--out", session, "--frames", "1", "--size", "64x48", "--no-report");
+        SharedHarvest.CopyTo(session, "--frames", "1", "--seed", "5", "--size", "64x48", "--masks", "--no-report");
         string header = Path.Combine(session, "session.json");
         File.WriteAllText(
             header, File.ReadAllText(header).Replace("\"laneWidth\": \"5.4\"", $"\"laneWidth\": \"{width}\"", StringComparison.Ordinal));

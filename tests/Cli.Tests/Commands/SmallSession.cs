@@ -1,5 +1,3 @@
-using Harvester.Cli.Terminals;
-
 namespace Harvester.Cli.Tests.Commands;
 
 /// <summary>Two small frames with masks and lanes.</summary>
@@ -7,8 +5,8 @@ public sealed class SmallSession : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
 
-    public SmallSession() => Assert.Equal(ExitCode.Done, CliRun.Of(
-        "harvest", "--out", Folder, "--frames", "2", "--seed", "5", "--size", "80x60", "--masks", "--no-report").ExitCode);
+    public SmallSession() =>
+        SharedHarvest.CopyTo(Folder, "--frames", "2", "--seed", "5", "--size", "80x60", "--masks", "--no-report");
 
     public string Folder => _folder.PathOf("session");
 

@@ -188,7 +188,7 @@ public sealed class SpacesCommandTests : IDisposable
         string session = _folder.PathOf("session");
         string file = _folder.File("spaces.csv", Good + "\n");
         CliRun run = CliRun.Of(
-            "harvest", "--out", session, "--frames", "12", "--hz", "1", "--size", "320x240", "--no-report", "--spaces", file);
+            "harvest", "--out", session, "--frames", "6", "--hz", "0.5", "--size", "320x240", "--no-report", "--spaces", file);
         Assert.Equal("", run.Error);
 
         List<ObjectLabel> parts =

@@ -31,7 +31,7 @@ public sealed class StatsCommandTests
     public void Bins_show_both_ends_and_the_last_one_is_open()
     {
         using var folder = new TemporaryFolder();
-        CliRun.Of("harvest", "--out", folder.PathOf("session"), "--frames", "3", "--seed", "5", "--size", "80x60", "--no-report");
+        SharedHarvest.CopyTo(folder.PathOf("session"), "--frames", "3", "--seed", "5", "--size", "80x60", "--no-report");
         string labels = folder.PathOf("session/labels.jsonl");
         File.WriteAllText(labels, new Regex("\"distanceMetres\":[0-9.]+").Replace(File.ReadAllText(labels), "\"distanceMetres\":400", 1));
 

@@ -142,7 +142,7 @@ public sealed class ValidateCommandTests
 
         Assert.Equal(
             (ExitCode.Done,
-                "Note: 1 file in the folder not listed in manifest.jsonl, e.g. 'labels/train.cache'; readers of the format pass over "
+                "Note: 1 file in the folder not listed in manifest.jsonl, e.g. 'labels/train.cache'; readers of the format ignore "
                 + $"such files.\n{dataset}: yolo, 2 frames, no problems\n"),
             (noted.ExitCode, noted.Out));
         Assert.Equal(ExitCode.BadData, damaged.ExitCode);

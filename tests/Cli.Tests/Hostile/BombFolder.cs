@@ -43,7 +43,7 @@ internal sealed class BombFolder : IDisposable
     public string SmallSession()
     {
         string folder = PathOf("session");
-        Run("harvest", "--out", folder, "--frames", "1", "--seed", "5", "--size", "80x60", "--masks", "--no-report");
+        SharedHarvest.CopyTo(folder, "--frames", "1", "--seed", "5", "--size", "80x60", "--masks", "--no-report");
         return folder;
     }
 

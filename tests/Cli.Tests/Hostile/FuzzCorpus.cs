@@ -11,14 +11,15 @@ public sealed class FuzzCorpus : IDisposable
 
     public FuzzCorpus()
     {
+        FuzzTexts.WriteTo(_folder.Path);
         foreach ((string name, string format) in new[] { ("session", "png"), ("jpg", "jpg"), ("bmp", "bmp") })
         {
             Run($"harvest --out {{0}}/{name} --frames 2 --seed 5 --size 80x60 --masks --no-report --image-format {format}");
         }
 
-        foreach (string format in (string[])["csv", "coco", "coco-panoptic", "kitti", "voc", "yolo", "webdataset"])
+        foreach (string command in FuzzKind.Makers)
         {
-            Run($"export {{0}}/session --format {format} --out {{0}}/{format}");
+            Run(command);
         }
 
         Run("export {0}/session --format csv --shard 1/2 --out {0}/shard");
@@ -26,7 +27,6 @@ public sealed class FuzzCorpus : IDisposable
         Directory.CreateDirectory(_folder.PathOf("maps"));
         File.Copy(_folder.PathOf("session/masks/00000000.png"), _folder.PathOf("maps/0.png"));
         File.Copy(_folder.PathOf("session/masks/00000001.png"), _folder.PathOf("maps/1.png"));
-        FuzzTexts.WriteTo(_folder.Path);
         File.Copy(_folder.PathOf("maps/0.png"), _folder.PathOf("survey/photos/a.png"));
         foreach (string file in Directory.EnumerateFiles(_folder.Path, "*", SearchOption.AllDirectories))
         {

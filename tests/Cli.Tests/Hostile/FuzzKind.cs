@@ -2,11 +2,14 @@ using Harvester.Cli.Boxes;
 using Harvester.Cli.Commands;
 using Harvester.Cli.Faces;
 using Harvester.Cli.Relabelling;
+using Harvester.Cli.Sheets;
 using Harvester.Datasets.Diagnosis;
 using Harvester.Datasets.Exports.Assembly;
+using Harvester.Datasets.Exports.Formats;
 using Harvester.Datasets.Exports.Validation;
 using Harvester.Datasets.Files;
 using Harvester.Datasets.Images;
+using Harvester.Datasets.Props;
 using Harvester.Datasets.Roads;
 using Harvester.Datasets.Sessions;
 using Harvester.Datasets.Statistics;
@@ -28,7 +31,19 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
 {
     private const string Relabel = "relabel {0}/session --no-report --out {0}/out";
     private const string Project = "project --position 0,0,0 --rotation 0,0,0 --fov 50 --size 80x60 --points {0}/points.csv";
+    private const string Sheet =
+        "contact-sheet --roads {0}/straight.csv --size 64x48 --seconds 0 --out {0}/out.png";
+
     private const string Merge = "merge {0}/shard {0}/shard2 --out {0}/out";
+
+    /// <summary>Makes the datasets of the corpus, and a session that shows people with joints; {0} is its folder.</summary>
+    public static IReadOnlyList<string> Makers { get; } =
+    [
+        "harvest --out {0}/people --frames 1 --pedestrians 5 --roads {0}/straight.csv --seed 2 --size 64x48 --masks --no-report",
+        .. "coco-keypoints jta".Split(' ').Select(format => $"export {{0}}/people --format {format} --out {{0}}/{format}"),
+        .. "csv coco coco-panoptic kitti kitti-tracking voc yolo yolo-segment cityscapes deepdriving tusimple openlane webdataset"
+            .Split(' ').Select(format => $"export {{0}}/session --format {format} --out {{0}}/{format}"),
+    ];
 
     /// <summary>Whether invalid lines are ignored by design, so that nothing is ever rejected.</summary>
     public bool IsReadWhatever { get; init; }
@@ -41,9 +56,11 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         new("labels", "session/labels.jsonl", ReadLabels, [
             "validate {0}/session", "stats {0}/session", "report {0}/session --out {0}/out.html", "report {0}/session --still 0 --out "
                 + "{0}/out.png", Relabel, "masks import {0}/session {0}/maps",
-            .. "csv coco coco-panoptic yolo kitti kitti-tracking voc cityscapes webdataset openlane tusimple deepdriving".Split(' ')
-                .Select(Export),
+            .. DatasetFormats.All.Select(format => Export(format.Name)),
         ]),
+        new("joints", "people/labels.jsonl", ReadPeople, "validate {0}/people", "stats {0}/people", "report {0}/people --out {0}/out.html",
+            "relabel {0}/people --no-report --out {0}/out", "export {0}/people --format coco-keypoints --out {0}/out",
+            "export {0}/people --format jta --out {0}/out"),
         new("manifest", "session/manifest.jsonl", ValidateSession, "validate {0}/session", Relabel, "repair {0}/session --out {0}/out",
             "masks import {0}/session {0}/maps", Export("csv")),
         new("scene", "session/scenes/00000000.json", ValidateSession, "validate {0}/session", Relabel),
@@ -56,7 +73,7 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
             "validate {0}/session", "spaces check {0}/session/scenes/spaces.csv", "spaces list {0}/session/scenes/spaces.csv",
             "spaces gallery {0}/session/scenes/spaces.csv --out {0}/out.html"),
         Picture("png", "session", "png", "export {0}/session --format csv --image-format bmp --out {0}/out", Export("deepdriving")),
-        new("mask", "session/masks/00000000.png", ValidateSession, "validate {0}/session", Export("coco"), Export("cityscapes"), Relabel),
+        new("mask", "session/masks/00000000.png", ValidatePictures, "validate {0}/session", Export("coco"), Export("cityscapes"), Relabel),
         new("map", "maps/0.png", folder => PngDecoder.ReadInstanceMap(In(folder, "maps/0.png")), "masks import {0}/session {0}/maps",
             "masks import {0}/session {0}/maps --match"),
         Picture("jpg", "jpg", "jpg"),
@@ -67,15 +84,26 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("csv-objects", "csv", "objects.csv"),
         Dataset("coco", "coco", "annotations/instances_train.json"),
         Dataset("panoptic", "coco-panoptic", "annotations/panoptic_train.json"),
+        Dataset("keypoints", "coco-keypoints", "annotations/person_keypoints_train.json"),
+        Dataset("jta", "jta", "annotations/train/seq_0.json"),
+        Dataset("jta-camera", "jta", "cameras/train/seq_0.json"),
         Dataset("kitti", "kitti", "training/label_2/000000.txt"),
+        Dataset("kitti-tracking", "kitti-tracking", "training/label_02/0000.txt"),
         Dataset("voc", "voc", "Annotations/00000000.xml"),
         Dataset("yolo", "yolo", "labels/train/00000000.txt"),
+        Dataset("outlines", "yolo-segment", "labels/train/00000000.txt"),
+        Dataset("cityscapes", "cityscapes", "gtFine/train/session0000/session0000_000000_000000_gtFine_polygons.json"),
+        Dataset("indicators", "deepdriving", "indicators.csv"),
+        Dataset("tusimple", "tusimple", "label_data_train.json"),
+        Dataset("openlane", "openlane", "lane3d/train/segment-0000/00000000.json"),
         Dataset("webdataset", "webdataset", "train-000000.tar"),
         new("plan", "shard/.export/plan.json", MergeShards, Merge, "validate {0}/shard"),
         new("journal", "shard/.export/journal-1-of-2.jsonl", MergeShards, Merge),
         new("points", "points.csv", ReadPoints, Project),
         new("vehicles", "vehicles.csv", ReadVehicles, "lanes --roads {0}/session/scenes/roads.csv --position 0,0,0 --heading 0 --vehicles "
             + "{0}/vehicles.csv"),
+        new("places", "places.csv", folder => PlaceList.Read(In(folder, "places.csv")), $"{Sheet} --list {{0}}/places.csv"),
+        new("props", "props.json", folder => PropPlacementImporter.Import(In(folder, "props.json")), $"{Sheet} --props {{0}}/props.json"),
         new("lens", "lens.txt", folder => LensFile.Read(In(folder, "lens.txt")), $"{Project} --calibration {{0}}/lens.txt"),
         new("boxes", "boxes.json", folder => BoxSceneReader.Read(new FileInfo(In(folder, "boxes.json"))), "boxes {0}/boxes.json"),
         new("log", "GtaDataHarvester.log", folder => Doctor.Examine(In(folder, "GtaDataHarvester.log")),
@@ -129,12 +157,22 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
 
     private static string Export(string format) => $"export {{0}}/session --format {format} --out {{0}}/out";
 
-    private static void ValidateSession(string folder) => SessionValidator.Validate(new SessionReader(In(folder, "session")));
+    private static void ValidatePictures(string folder) => SessionValidator.Validate(new SessionReader(In(folder, "session")));
+
+    /// <summary>Without decoding pictures, which are sound and would take most of the time.</summary>
+    private static void ValidateSession(string folder) =>
+        SessionValidator.Validate(new SessionReader(In(folder, "session")), isQuick: true);
 
     private static void ReadLabels(string folder)
     {
         ValidateSession(folder);
         SessionStatistics.Of(new SessionReader(In(folder, "session")).ReadLabels());
+    }
+
+    private static void ReadPeople(string folder)
+    {
+        var session = new SessionReader(In(folder, "people"));
+        SessionStatistics.Of(session.ReadLabels());
     }
 
     private static FaceTable ReadFaces(string path) => FaceFile.ReadValid(path, static _ => { });

@@ -1,3 +1,5 @@
+using Harvester.Cli.Tests.Repetition;
+
 namespace Harvester.Cli.Tests.Hostile;
 
 /// <summary>The input files of a corpus that no command writes.</summary>
@@ -9,6 +11,12 @@ internal static class FuzzTexts
         ("survey/photos.csv", "file,model,x,y,z,pitch,roll,yaw,verticalFov\na.png,prop_sign_road_01a,0,-3,2,0,0,0,50\n"),
         ("points.csv", "0,5,0\n1.5,20,-3\n"),
         ("vehicles.csv", "10,20,0,90\n-5,3,0,0,12\n"),
+        ("straight.csv", WritingCommand.Roads),
+        ("places.csv", "# places\nname,x,y\nNorth end,0,150.5\nSouth end,-1,-150\n"),
+        ("props.json", """
+            [{"Name": "prop_traffic_01a", "Position": {"X": 5.5, "Y": 20, "Z": 30}, "Rotation": {"X": 0, "Y": 0, "Z": 90}},
+             {"Name": "prop_streetlight_01", "Position": {"X": -6, "Y": 40, "Z": 30}, "Rotation": {"X": 0, "Y": 0, "Z": -90}}]
+            """),
         ("lens.txt", "FocalScale = 1.1\nCentreOffsetX = 0.01\nCentreOffsetY = 0\nK1 = 0.05\nK2 = 0\n"),
         ("boxes.json", """
             {"camera": {"position": [0, 0, 0], "rotation": [0, 0, 0], "verticalFovDegrees": 50, "width": 80, "height": 60},

@@ -27,25 +27,24 @@ public sealed class FuzzedReaderTests(FuzzReaderCorpus corpus, ITestOutputHelper
         byte[] sound = corpus.Sound(kind);
         TimeSpan before = Environment.CpuUsage.TotalTime;
         var faults = new ConcurrentDictionary<string, byte[]>(StringComparer.Ordinal);
-        Parallel.For(
-            0,
-            cases,
-            new ParallelOptions { MaxDegreeOfParallelism = Environment.ProcessorCount },
-            corpus.Copy,
-            (i, _, folder) =>
+        int workers = Environment.ProcessorCount;
+        Parallel.For(0, workers, new ParallelOptions { MaxDegreeOfParallelism = workers }, worker =>
+        {
+            string folder = corpus.FolderOf(worker);
+            string file = Path.Combine(folder, kind.File);
+            for (int i = worker; i < cases; i += workers)
             {
                 byte[] damaged = Mutation.Of(sound, new Random(unchecked((seed * 31) + i)));
-                string file = Path.Combine(folder, kind.File);
                 File.Delete(file);
                 File.WriteAllBytes(file, damaged);
                 if (kind.FaultOf(folder) is { } fault)
                 {
                     faults.TryAdd(fault, damaged);
                 }
+            }
 
-                return folder;
-            },
-            static folder => Directory.Delete(folder, recursive: true));
+            File.WriteAllBytes(file, sound);
+        });
 
         double seconds = (Environment.CpuUsage.TotalTime - before).TotalSeconds;
         output.WriteLine(string.Create(

@@ -69,6 +69,11 @@ public sealed class MemoryTests(ITestOutputHelper output) : IDisposable
         "lanes", "--roads", _bombs.Roads(), "--position", "0,0,0", "--heading", "0", "--vehicles",
         _bombs.File("vehicles.csv", "", "10,20,0,90\n", megabytes: 100));
 
+    [Fact]
+    public void List_of_31_MB_of_empty_props_is_refused() => AssertRefused(
+        "contact-sheet", "--out", _bombs.PathOf("sheet.png"), "--roads", _bombs.Roads(), "--props",
+        _bombs.File("props.json", "[", "[],", megabytes: 31));
+
     [Theory]
     [InlineData("stats", "[", 900)]
     [InlineData("validate", "[", 900)]

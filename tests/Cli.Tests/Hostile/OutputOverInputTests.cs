@@ -1,5 +1,6 @@
 using Harvester.Cli.Terminals;
 using Harvester.Cli.Tests.Commands;
+using Harvester.Cli.Tests.Repetition;
 using Harvester.TestSupport;
 
 namespace Harvester.Cli.Tests.Hostile;
@@ -70,6 +71,27 @@ public sealed class OutputOverInputTests(SmallSession session) : IClassFixture<S
         Assert.Equal(ExitCode.Usage, HostileSession.Run("report", _hostile.Folder, "--still", "0", "--out", _hostile.In(name)).ExitCode);
 
         Assert.Equal(before, File.ReadAllBytes(_hostile.In(name)));
+    }
+
+    [Theory]
+    [InlineData("roads", "nodes", "ROADS", "--out", "ROADS")]
+    [InlineData("roads", "import", "ROADS", "--out", "ROADS")]
+    [InlineData("contact-sheet", "--size", "64x48", "--roads", "ROADS", "--out", "ROADS")]
+    [InlineData("contact-sheet", "--size", "64x48", "--roads", "ROADS", "--list", "LIST", "--out", "LIST")]
+    [InlineData("contact-sheet", "--size", "64x48", "--roads", "ROADS", "--list", "LIST", "--out", "a/../LIST")]
+    public void Output_does_not_replace_a_file_that_is_read(params string[] command)
+    {
+        string roads = _hostile.PathOf("roads.csv");
+        string list = _hostile.PathOf("places.csv");
+        File.WriteAllText(roads, WritingCommand.Roads);
+        File.WriteAllText(list, "North,0,150\n");
+
+        CliRun run = HostileSession.Run([.. command.Select(word => word
+            .Replace("a/../LIST", _hostile.PathOf("a/../places.csv"), StringComparison.Ordinal)
+            .Replace("LIST", list, StringComparison.Ordinal).Replace("ROADS", roads, StringComparison.Ordinal))]);
+
+        run.AssertFailed(ExitCode.Usage, "would replace an input");
+        Assert.Equal((WritingCommand.Roads, "North,0,150\n"), (File.ReadAllText(roads), File.ReadAllText(list)));
     }
 
     [Fact]

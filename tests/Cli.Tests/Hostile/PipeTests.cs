@@ -42,6 +42,8 @@ public sealed class PipeTests(SmallSession session) : IClassFixture<SmallSession
     [InlineData("spaces", "check", "PIPE")]
     [InlineData("spaces", "gallery", "PIPE", "--out", "OUT.html")]
     [InlineData("boxes", "PIPE")]
+    [InlineData("contact-sheet", "--roads", "ROADS", "--list", "PIPE", "--out", "OUT.png")]
+    [InlineData("contact-sheet", "--roads", "ROADS", "--props", "PIPE", "--out", "OUT.png")]
     [InlineData("doctor", "PIPE")]
     [InlineData("lanes", "--roads", "ROADS", "--position", "0,0,0", "--heading", "0", "--vehicles", "PIPE")]
     [InlineData("project", "--position", "0,0,0", "--rotation", "0,0,0", "--fov", "50", "--size", "80x60", "--points", "PIPE")]

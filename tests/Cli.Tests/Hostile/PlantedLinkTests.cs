@@ -29,6 +29,39 @@ public sealed class PlantedLinkTests(SmallSession session) : IClassFixture<Small
         Assert.Equal(before[..^"end\n".Length], File.ReadAllBytes(target));
     }
 
+    [PosixTheory]
+    [InlineData("harvest", "--frames", "1")]
+    [InlineData("harvest", "--frames", "1", "--overwrite")]
+    [InlineData("drive", "--duration", "1")]
+    public void Mark_of_a_stopped_command_that_is_a_link_is_not_read(params string[] command)
+    {
+        const string secret = "secret words";
+        string folder = _hostile.PathOf("out");
+        Directory.CreateDirectory(folder);
+        File.WriteAllText(_hostile.PathOf("secret"), secret);
+        File.CreateSymbolicLink(Path.Combine(folder, ".harvester-unfinished"), _hostile.PathOf("secret"));
+
+        CliRun run = HostileSession.Run([.. command, "--out", folder]);
+
+        run.AssertFailed(ExitCode.InputOutput, "is a link");
+        Assert.DoesNotContain(secret, run.Error, StringComparison.Ordinal);
+        Assert.Equal(secret, File.ReadAllText(_hostile.PathOf("secret")));
+    }
+
+    [Fact]
+    public void Mark_of_a_stopped_drive_is_printed_in_part()
+    {
+        string folder = _hostile.PathOf("out");
+        Directory.CreateDirectory(folder);
+        File.WriteAllText(Path.Combine(folder, ".harvester-unfinished"), new string('x', 100_000));
+        File.WriteAllText(Path.Combine(folder, "drive.json"), "{}");
+
+        CliRun run = HostileSession.Run("drive", "--duration", "1", "--out", folder);
+
+        run.AssertFailed(ExitCode.Usage, "has the unfinished result of 'xxx");
+        Assert.InRange(run.Error.Length, 1, 2000);
+    }
+
     [Theory]
     [InlineData("image", "labels.jsonl")]
     [InlineData("image", "./labels.jsonl")]

@@ -35,6 +35,7 @@ public sealed class SignalTests(HugeSession session) : IClassFixture<HugeSession
     [InlineData("TERM", "roads map ROADS --out OUT.svg")]
     [InlineData("TERM", "harvest --frames 1000000 --size 80x60 --no-report --out OUT --roads ROADS")]
     [InlineData("TERM", "serve --port 0 --roads ROADS")]
+    [InlineData("TERM", "contact-sheet --roads ROADS --out OUT.png")]
     [InlineData("TERM", "lanes --roads ROADS --position 0,0,0 --heading 0")]
     public void Signal_ends_a_command_that_reads_a_huge_file(string signal, string command)
     {

@@ -43,10 +43,14 @@ internal sealed class CommandTrial
     {
         Directory.CreateDirectory(inputs);
         File.WriteAllText(Path.Combine(inputs, "roads.csv"), WritingCommand.Roads);
+        File.WriteAllText(Path.Combine(inputs, "places.csv"), WritingCommand.Places);
         foreach (string words in WritingCommand.Inputs)
         {
             Assert.Equal((ExitCode.Done, ""), EndingOf(CliRun.Of(WritingCommand.WordsOf(words, inputs, ""))));
         }
+
+        // An export of people that finds none would write nothing of its own.
+        Assert.Contains("\"joint\":", File.ReadAllText(Path.Combine(inputs, "people/labels.jsonl")), StringComparison.Ordinal);
     }
 
     /// <summary>The folder before the command, in the folder of its trial.</summary>

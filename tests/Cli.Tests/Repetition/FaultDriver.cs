@@ -57,8 +57,9 @@ internal sealed partial class FaultDriver
     }
 
     /// <summary>
-    /// Each operation fails with one error and kills the command once. The first of each kind on each kind of file fails with all errors:
-    /// the frames after the first are written as the first.
+    /// Each operation fails with one error. The first of each kind on each kind of file fails with all errors: the frames after the first
+    /// are written as the first. Each operation also kills the command, once for every state of the disk: before an operation that comes
+    /// after opening, flushing or closing an existing file, the disk is as it was before that.
     /// </summary>
     private void RunFaults()
     {
@@ -71,7 +72,10 @@ internal sealed partial class FaultDriver
                 Check(new Fault(operation, error));
             }
 
-            Check(new Fault(operation, Fault.InputOutput, Kills: true));
+            if (index == 0 || _trial.Command.Only is not null || _operations[index - 1].Kind is not ("open" or "flush" or "close"))
+            {
+                Check(new Fault(operation, Fault.InputOutput, Kills: true));
+            }
         }
 
         if (_operations.Any(operation => operation.Kind == "exchange"))

@@ -22,7 +22,7 @@ public sealed class RepeatedCommandTests : IDisposable
 
         Assert.Equal((ExitCode.Done, ""), Ending(Harvest("out", "2")));
 
-        Harvest("whole", "2");
+        Recorded("whole", "2");
         Assert.Equal(FolderContent.Of(_folder.PathOf("whole")), FolderContent.Of(Out));
     }
 
@@ -72,7 +72,7 @@ public sealed class RepeatedCommandTests : IDisposable
     [Fact]
     public async Task Stopped_overwrite_keeps_the_session_that_was_there()
     {
-        Harvest("out", "1");
+        Recorded("out", "1");
         FolderContent former = FolderContent.Of(Out);
 
         using var stopped = new CancellationTokenSource();
@@ -88,8 +88,8 @@ public sealed class RepeatedCommandTests : IDisposable
     [Fact]
     public void Failed_relabel_with_overwrite_keeps_the_former_session()
     {
-        Harvest("recorded", "2");
-        Harvest("out", "1");
+        Recorded("recorded", "2");
+        Recorded("out", "1");
         FolderContent former = FolderContent.Of(Out);
         File.Delete(_folder.PathOf("recorded/frames/00000001.png"));
 
@@ -102,7 +102,7 @@ public sealed class RepeatedCommandTests : IDisposable
     [Fact]
     public void Failed_relabel_can_be_repeated()
     {
-        Harvest("recorded", "2");
+        Recorded("recorded", "2");
         string image = _folder.PathOf("recorded/frames/00000001.png");
         File.Move(image, image + ".away");
         Assert.Equal(ExitCode.BadData, Relabel().ExitCode);
@@ -115,7 +115,7 @@ public sealed class RepeatedCommandTests : IDisposable
     [Fact]
     public void Killed_relabel_is_started_anew()
     {
-        Harvest("recorded", "2");
+        Recorded("recorded", "2");
         Relabel();
         FolderContent whole = FolderContent.Of(Out);
         UnfinishedMark.Write(Out, "harvester relabel " + _folder.PathOf("recorded") + " --no-report");
@@ -130,8 +130,8 @@ public sealed class RepeatedCommandTests : IDisposable
     [Fact]
     public void Merge_that_found_a_damaged_shard_can_be_repeated()
     {
-        Harvest("1", "2", "--shard", "1/2");
-        Harvest("2", "2", "--shard", "2/2");
+        Recorded("1", "2", "--shard", "1/2");
+        Recorded("2", "2", "--shard", "2/2");
         string labels = _folder.PathOf("2/labels.jsonl");
         string line = File.ReadAllText(labels);
         File.WriteAllText(labels, line.Replace("{\"frame\":1,", "{\"frame\":7,", StringComparison.Ordinal));
@@ -145,9 +145,9 @@ public sealed class RepeatedCommandTests : IDisposable
     [Fact]
     public void Shard_that_was_stopped_is_not_merged()
     {
-        Harvest("out", "2", "--shard", "1/2");
+        Recorded("out", "2", "--shard", "1/2");
         UnfinishedMark.Write(Out, "harvester harvest");
-        Harvest("2", "2", "--shard", "2/2");
+        Recorded("2", "2", "--shard", "2/2");
 
         CliRun.Of("merge", Out, _folder.PathOf("2"), "--out", _folder.PathOf("merged"))
             .AssertFailed(ExitCode.BadData, "Shard 1/2 in '" + Out + "' is not finished. Run it again.");
@@ -156,7 +156,7 @@ public sealed class RepeatedCommandTests : IDisposable
     [Fact]
     public void Failed_import_of_masks_keeps_the_session()
     {
-        Harvest("out", "2");
+        Recorded("out", "2");
         string maps = _folder.PathOf("maps");
         Directory.Move(Path.Combine(Out, "masks"), maps);
 
@@ -173,7 +173,7 @@ public sealed class RepeatedCommandTests : IDisposable
     [Fact]
     public void Import_of_masks_keeps_all_other_files()
     {
-        Harvest("out", "1");
+        Recorded("out", "1");
         string maps = _folder.PathOf("maps");
         Directory.CreateDirectory(maps);
         File.Copy(Path.Combine(Out, "masks/00000000.png"), Path.Combine(maps, "0.png"));
@@ -190,7 +190,7 @@ public sealed class RepeatedCommandTests : IDisposable
     [Fact]
     public void Report_takes_away_what_a_killed_one_left()
     {
-        Harvest("out", "1");
+        Recorded("out", "1");
         string page = _folder.PathOf("page.html");
         File.WriteAllText(AtomicFile.TemporaryFor(page), "half");
 
@@ -204,13 +204,17 @@ public sealed class RepeatedCommandTests : IDisposable
     /// <summary>What a harvest of two frames leaves that was killed while it wrote the second.</summary>
     private void HalfHarvest()
     {
-        Harvest("out", "2");
+        Recorded("out", "2");
         UnfinishedMark.Write(Out, "harvester harvest --frames 2 --seed 5 --size 64x48 --masks --no-report");
         string labels = Path.Combine(Out, "labels.jsonl");
         string first = File.ReadLines(labels).First();
         File.WriteAllText(labels, first + "\n" + first[..20]);
         File.WriteAllText(AtomicFile.TemporaryFor(Path.Combine(Out, "frames/00000001.png")), "half");
     }
+
+    /// <summary>A session that was harvested before.</summary>
+    private void Recorded(string name, string frames, params string[] more) =>
+        SharedHarvest.CopyTo(_folder.PathOf(name), ["--frames", frames, .. Small, .. more]);
 
     private CliRun Harvest(string name, string frames, params string[] more) =>
         CliRun.Of(["harvest", "--out", _folder.PathOf(name), "--frames", frames, .. Small, .. more]);

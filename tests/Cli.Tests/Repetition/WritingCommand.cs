@@ -12,15 +12,19 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
     public bool Replaces => Before.Length == 1;
 
     /// <summary>Whether it builds a world, which takes longer than all else.</summary>
-    public bool BuildsWorld =>
-        Words.StartsWith("harvest ", StringComparison.Ordinal) || Words.StartsWith("drive ", StringComparison.Ordinal);
+    public bool BuildsWorld => Words.Split(' ')[0] is "harvest" or "drive" or "contact-sheet";
 
     /// <summary>A straight road, the file roads.csv of the inputs: its world is built in a fraction of the time of a town.</summary>
     public static string Roads { get; } =
         "harvester roads,1\nnode,0,0,0,-200,30,,,,\nnode,0,1,0,0,30,,,,\nnode,0,2,0,200,30,,,,\nlink,0,1,1,1,0,,200\nlink,1,2,1,1,0,,200\n"
         + "end,3,2\n";
 
-    /// <summary>The only file whose operations are the command's own, because another command has all others; null for all.</summary>
+    /// <summary>A list of places, the file places.csv of the inputs.</summary>
+    public static string Places { get; } = "name,x,y\nNorth,0,150\n";
+
+    /// <summary>
+    /// How the paths of the files begin whose operations are the command's own, because another command has all others; null for all.
+    /// </summary>
     public string? Only { get; private init; }
 
     /// <summary>Command lines that make the inputs of all commands.</summary>
@@ -29,6 +33,7 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         $"harvest --out {{inputs}}/session --frames 2 {Small}",
         $"harvest --out {{inputs}}/part-1 --frames 2 --shard 1/2 {Small}",
         $"harvest --out {{inputs}}/part-2 --frames 2 --shard 2/2 {Small}",
+        "harvest --out {inputs}/people --frames 1 --pedestrians 5 --size 64x48 --masks --seed 2 --roads {inputs}/roads.csv",
         "export {inputs}/session --format coco --out {inputs}/coco-1 --shard 1/2",
         "export {inputs}/session --format coco --out {inputs}/coco-2 --shard 2/2",
     ];
@@ -37,6 +42,9 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
     [
         new("harvest", $"harvest --out {{root}}/out --frames 2 {Small}"),
         new("harvest-town", "harvest --out {root}/out --frames 1 --size 64x48 --seed 5 --no-report") { Only = "out/scenes/roads.csv" },
+
+        // Of five frames, some have their pictures drawn while others are written.
+        new("harvest-queue", $"harvest --out {{root}}/out --frames 5 --no-report --no-scenes {Small}") { Only = "out/frames/" },
         new("harvest-overwrite", $"harvest --out {{root}}/out --frames 1 --no-report --overwrite {Small}", Former),
         new("harvest-shard", $"harvest --out {{root}}/out --frames 2 --shard 2/2 {Small}"),
         new("relabel", "relabel {inputs}/session --out {root}/out --range 60"),
@@ -44,6 +52,8 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("merge", "merge {inputs}/part-1 {inputs}/part-2 --out {root}/out"),
         new("export-kitti", "export {inputs}/session --format kitti --out {root}/out"),
         new("export-coco", "export {inputs}/session --format coco --out {root}/out --image-format bmp"),
+        new("export-coco-keypoints", "export {inputs}/people --format coco-keypoints --out {root}/out"),
+        new("export-jta", "export {inputs}/people --format jta --out {root}/out"),
         new("export-webdataset", "export {inputs}/session --format webdataset --out {root}/out"),
         new("export-shard", "export {inputs}/session --format yolo --out {root}/out --shard 1/2"),
         new("merge-export", "merge {inputs}/coco-1 {inputs}/coco-2 --out {root}/out --images copy"),
@@ -60,11 +70,14 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("roads-map", "roads map {inputs}/roads.csv --size 64 --out {root}/map.png"),
         new("roads-nodes", "roads nodes {inputs}/roads.csv --out {root}/nodes.csv"),
         new("spaces-gallery", "spaces gallery {inputs}/session/scenes/spaces.csv --out {root}/gallery.html"),
+        new("contact-sheet", $"{Sheet} --list {{inputs}}/places.csv", $"{Sheet} --at 0,-150"),
         new("drive", $"{Drive} --duration 2"),
         new("drive-overwrite", $"{Drive} --duration 2 --overwrite", $"{Drive} --duration 1"),
     ];
 
     private static string Former => $"harvest --out {{root}}/out --frames 1 --size 80x60 --seed 6 --roads {{inputs}}/roads.csv";
+
+    private static string Sheet => "contact-sheet --out {root}/sheet.png --roads {inputs}/roads.csv --size 64x48 --seconds 0";
 
     private static string Drive => $"drive --out {{root}}/out --traffic 0 --distance 3 --roads {{inputs}}/roads.csv";
 

@@ -23,7 +23,7 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
     public void Export_twice_gives_the_same_bytes(string format)
     {
         ExportResult result = Folder.Export(format, simulated.Open(), SplitsOf(format), "a");
-        Folder.Export(format, simulated.Open(), SplitsOf(format) with { Images = ImageTransfer.Copy }, "b");
+        Folder.Export(format, simulated.Open(), SplitsOf(format) with { Images = ImageTransfer.Copy }, "b", sync: SyncMode.Batch);
 
         Assert.Equal(SimulatedSession.Frames, result.Frames + result.FramesLeftOut);
         Assert.True(result.Labels > SimulatedSession.Frames);

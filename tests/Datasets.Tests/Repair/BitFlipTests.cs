@@ -18,11 +18,11 @@ public sealed class BitFlipTests(DamagedSession session) : IClassFixture<Damaged
 
     [Theory]
     [MemberData(nameof(Names))]
-    public void Validate_notices_flipped_bits(string name) => CheckNoticed(name, 8, isQuick: false);
+    public void Validate_notices_flipped_bits(string name) => CheckNoticed(name, 4, isQuick: false);
 
     [Theory]
     [MemberData(nameof(Names))]
-    public void Quick_validate_notices_flipped_bits(string name) => CheckNoticed(name, 8, isQuick: true);
+    public void Quick_validate_notices_flipped_bits(string name) => CheckNoticed(name, 4, isQuick: true);
 
     [Theory]
     [MemberData(nameof(Names))]
@@ -37,7 +37,7 @@ public sealed class BitFlipTests(DamagedSession session) : IClassFixture<Damaged
         session.MakeOlder();
         Assert.True(SessionValidator.Validate(session.Open()).IsGood);
 
-        CheckNoticed(name, 50, isQuick: false);
+        CheckNoticed(name, 15, isQuick: false);
     }
 
     private void CheckNoticed(string name, int flips, bool isQuick)

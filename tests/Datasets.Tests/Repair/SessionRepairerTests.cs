@@ -160,7 +160,7 @@ public sealed class SessionRepairerTests(DamagedSession session) : IClassFixture
         }
 
         Assert.Equal(3, Repair().Frames);
-        Assert.Contains("not known any more", _reported[0], StringComparison.Ordinal);
+        Assert.Contains("game, options and lens are lost", _reported[0], StringComparison.Ordinal);
         Assert.Equal("unknown", new SessionReader(session.Repaired).ReadInfo().Game);
     }
 

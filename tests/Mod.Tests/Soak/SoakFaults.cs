@@ -116,7 +116,7 @@ internal sealed class SoakFaults
         {
             0 => new InvalidOperationException("The native is broken."),
             1 => new KeyNotFoundException("Nothing is there."),
-            _ => new ArithmeticException("A number is none."),
+            _ => new ArithmeticException("Not a number."),
         };
     }
 

@@ -7,7 +7,7 @@ namespace Harvester.Simulation.Tests.Calibration;
 /// <summary>A harvest checks its camera model by markers before it records anything.</summary>
 public sealed class CalibrationCheckTests
 {
-    private static readonly HarvestOptions Options = new() { Image = new ImageSize(800, 600), MaxFrames = 1, ProbeLag = false };
+    private static readonly HarvestOptions Options = new() { Image = new ImageSize(400, 300), MaxFrames = 1, ProbeLag = false };
     private static readonly Lens Right = new(1.008, 0, 0, -0.02, 0);
 
     [Fact]

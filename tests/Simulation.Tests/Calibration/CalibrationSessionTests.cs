@@ -42,7 +42,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     [Fact]
     public void Step_finds_the_lens_in_a_window_of_another_aspect()
     {
-        var image = new ImageSize(800, 600);
+        var image = new ImageSize(400, 300);
         var game = new RenderedGame { Lens = Injected, WindowAspect = 16.0 / 9, VerticalFovDegrees = 60 };
 
         CalibrationResult result = Calibrate(game, image);
@@ -54,7 +54,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     [Fact]
     public void Step_finds_the_lens_in_rain()
     {
-        var image = new ImageSize(800, 600);
+        var image = new ImageSize(400, 300);
         var game = new RenderedGame
         {
             Lens = Injected,
@@ -72,7 +72,7 @@ public sealed class CalibrationSessionTests(ITestOutputHelper output)
     [Fact]
     public void Step_of_a_pinhole_finds_a_pinhole()
     {
-        var image = new ImageSize(800, 600);
+        var image = new ImageSize(400, 300);
         var game = new RenderedGame();
 
         CalibrationResult result = Calibrate(game, image);

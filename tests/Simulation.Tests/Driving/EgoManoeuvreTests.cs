@@ -49,7 +49,7 @@ public sealed class EgoManoeuvreTests
         List<double> offsets = [];
         foreach (int seed in new[] { 4, 5, 6, 11 })
         {
-            SimulatedGame game = new(Lively(seed) with { TrafficDensity = 0.5, LaneChanges = 3 });
+            SimulatedGame game = new(Lively(seed) with { TrafficDensity = 0.5, PedestrianDensity = 0, LaneChanges = 3 });
             Run(game, 60, () =>
             {
                 EgoState ego = game.Ports.World.ReadEgo();
@@ -72,7 +72,7 @@ public sealed class EgoManoeuvreTests
     [Fact]
     public void Motion_of_the_label_is_that_of_the_poses()
     {
-        SimulatedGame game = new(Lively(7));
+        SimulatedGame game = new(Alone(7));
         EgoState before = game.Ports.World.ReadEgo();
         double turned = 0;
         double gained = 0;
@@ -103,7 +103,7 @@ public sealed class EgoManoeuvreTests
 
         static Vector3D Way(int seed)
         {
-            SimulatedGame game = new(Lively(seed));
+            SimulatedGame game = new(Alone(seed));
             Run(game, 20, () => { });
             return game.Ports.World.ReadEgo().Pose.Position;
         }
@@ -112,8 +112,8 @@ public sealed class EgoManoeuvreTests
     [Fact]
     public void Place_has_entities_of_its_own_and_time_goes_on()
     {
-        SimulatedGame game = new(Lively(10));
-        Run(game, 3, () => { });
+        SimulatedGame game = new(Lively(10) with { TrafficDensity = 0.3 });
+        Run(game, 1, () => { });
         int greatest = game.Ports.World.ReadEntities(Vector3D.Zero, 5000).Max(entity => entity.Handle);
         double time = game.Ports.World.TimeSeconds;
         long frame = game.Ports.World.GameFrame;
@@ -131,6 +131,8 @@ public sealed class EgoManoeuvreTests
     }
 
     private static SimulationOptions Lively(int seed) => new() { Seed = seed, Wander = 1, LaneChanges = 1, IsWarm = true };
+
+    private static SimulationOptions Alone(int seed) => Lively(seed) with { TrafficDensity = 0, PedestrianDensity = 0 };
 
     private static void Run(SimulatedGame game, double seconds, Action check)
     {

@@ -33,7 +33,7 @@ public sealed class FrameRaysTests
         var counted = new CountedRays(game.Ports.Rays);
         GamePorts ports = game.Ports with { Rays = counted, Roads = new FixedRoads(game.Roads, "simulation") };
         var options =
-            new HarvestOptions { Image = new ImageSize(800, 600), MaxFrames = 3, RateHz = 0.25, Masks = masks, RayBudget = budget };
+            new HarvestOptions { Image = new ImageSize(400, 300), MaxFrames = 3, RateHz = 0.25, Masks = masks, RayBudget = budget };
         LabelledTown.Harvest(game, ports, options, (frame, _) => reported.Add(frame.Label.Rays!));
         Assert.Equal(counted.Count, reported.Sum(rays => rays.Total));
         return [.. reported];

@@ -12,7 +12,7 @@ namespace Harvester.Simulation.Tests.Lanes;
 
 /// <summary>
 /// Painted markings as a harvest writes them against the paint in the picture. The text of each label is read as it is, and its points
-/// are looked for in a finer picture of the same moment, in which the middle of a stripe two pixels wide can be told.
+/// are looked for in a finer picture of the same moment, in which the middle of a stripe two pixels wide can be determined.
 /// </summary>
 public sealed class LabelledMarkingsTests(ITestOutputHelper output)
 {

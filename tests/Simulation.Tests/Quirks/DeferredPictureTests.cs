@@ -12,7 +12,7 @@ namespace Harvester.Simulation.Tests.Quirks;
 /// <summary>Pictures rendered by another thread while the world moves on are those of the moment at which they were grabbed.</summary>
 public sealed class DeferredPictureTests
 {
-    private const int Frames = 8;
+    private const int Frames = 5;
 
     public static TheoryData<string> Games => [.. Quirks.Keys];
 

@@ -3,7 +3,7 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Tests.Rendering;
 
-/// <summary>How the renderer shares out its work and what it passes over never shows in the picture.</summary>
+/// <summary>How the renderer divides its work and what it skips never shows in the picture.</summary>
 public sealed class SharedWorkTests
 {
     /// <summary>The power times log2 e, up to 115, is rounded to single precision: by up to 4e-6; the rest is the series.</summary>

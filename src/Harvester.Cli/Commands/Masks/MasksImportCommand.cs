@@ -55,7 +55,7 @@ internal static class MasksImportCommand
             if (done.Leftover is { } leftover)
             {
                 terminal.WriteError(
-                    $"The masks are imported, but files of the session before cannot be deleted: '{leftover}'. Delete them yourself.");
+                    $"The masks are imported, but files of the former session in '{leftover}' cannot be deleted. Delete them yourself.");
             }
 
             string masks = Counted.Of(done.Frames, "mask");

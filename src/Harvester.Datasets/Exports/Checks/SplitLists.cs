@@ -38,7 +38,7 @@ internal static class SplitLists
 
         foreach (string name in framesOf.Keys.Where(name => !listed.Contains(name)))
         {
-            yield return new SessionProblem(listOf("*"), null, $"'{name}' is in no list.");
+            yield return new SessionProblem(listOf("*"), null, $"'{name}' is not in any list.");
         }
     }
 }

@@ -37,7 +37,7 @@ internal sealed class DatasetManifestCheck(string folder, int? files)
     /// <summary>Files that the manifest does not list and that are of no kind that it lists in their folder.</summary>
     public IReadOnlyList<string> OtherFiles => _otherFiles;
 
-    /// <summary>Adds what is wrong, except with files of which a problem is known already.</summary>
+    /// <summary>Adds the problems of all files that have none so far.</summary>
     /// <exception cref="DatasetFormatException">A line of the manifest is too long.</exception>
     /// <exception cref="IOException">A file cannot be read.</exception>
     public void AddProblems(ProblemList problems, CancellationToken cancellation)
@@ -110,7 +110,7 @@ internal sealed class DatasetManifestCheck(string folder, int? files)
         return isWhole;
     }
 
-    /// <summary>The file of a line and what is wrong with it; of a damaged line, what is wrong with the line.</summary>
+    /// <summary>The file that a line lists, with its problem if it has one; for a damaged line, only its problem.</summary>
     private (string? Path, string? Problem) ProblemOf(string line)
     {
         string path;

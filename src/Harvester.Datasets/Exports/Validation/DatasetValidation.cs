@@ -12,6 +12,6 @@ public sealed record DatasetValidation(string Format, int Frames, IReadOnlyList<
     /// <summary>Whether the dataset has a manifest.</summary>
     public bool HasManifest { get; init; }
 
-    /// <summary>Files in the folder that are no part of the dataset and that its readers pass over, such as caches.</summary>
+    /// <summary>Files in the folder that are no part of the dataset and that its readers ignore, such as caches.</summary>
     public IReadOnlyList<string> OtherFiles { get; init; } = [];
 }

@@ -41,7 +41,7 @@ public sealed class KittiCheckTests(SimulatedSession simulated) : CheckTests(sim
     [InlineData("training/image_2/000003.png", "training/label_2/000003.txt: its image is missing.")]
     [InlineData("training/image_2/000003.png", "ImageSets/train.txt, line 4: '000003' is not in the dataset.")]
     [InlineData("training/image_2/000003.png", "export.json: it counts 7 frames in train, but the dataset has 6.")]
-    [InlineData("ImageSets/train.txt", "ImageSets/*.txt: '000000' is in no list.")]
+    [InlineData("ImageSets/train.txt", "ImageSets/*.txt: '000000' is not in any list.")]
     public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 
     [Fact]

@@ -9,7 +9,7 @@ public sealed class KittiTrackingCheckTests(SimulatedSession simulated) : CheckT
     [InlineData("^((\\S+ ){3})\\S+", "${1}3", "truncated is not 0, 1 or 2.")]
     [InlineData("^((\\S+ ){4})\\S+", "${1}5", "occluded is not 0, 1, 2 or 3.")]
     [InlineData(" [^ ]+$", "", "it has 16 columns instead of 17.")]
-    [InlineData("^(\\S+) \\S+", "$1 x", "a column but the type is not a number.")]
+    [InlineData("^(\\S+) \\S+", "$1 x", "a column other than the type is not a number.")]
     [InlineData("^((\\S+ ){14})\\S+", "${1}90", "its 3D box, projected with P2, does not fall onto its 2D box.")]
     public void A_damaged_label_is_found_with_its_line(string pattern, string replacement, string expected) =>
         AssertDamageIsFound(Labels, pattern, replacement, $"{Labels}, line 1: {expected}");
@@ -48,7 +48,7 @@ public sealed class KittiTrackingCheckTests(SimulatedSession simulated) : CheckT
     [InlineData(
         "training/evaluate_tracking.seqmap.training",
         "training/evaluate_tracking.seqmap.training: it has no line '0000 empty 000000 000007'.")]
-    [InlineData("ImageSets/train.txt", "ImageSets/*.txt: '0000' is in no list.")]
+    [InlineData("ImageSets/train.txt", "ImageSets/*.txt: '0000' is not in any list.")]
     [InlineData("training/image_02/0000/000006.png", "export.json: it counts 7 frames in train, but the dataset has 6.")]
     public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 }

@@ -43,6 +43,6 @@ public sealed class OpenLaneCheckTests(SimulatedSession simulated) : CheckTests(
     [Theory]
     [InlineData(Labels, Labels + ": it is missing, but its image exists.")]
     [InlineData("images/" + Frame + ".png", Labels + ": its image is missing.")]
-    [InlineData("train.txt", "*.txt: '" + Frame + ".png' is in no list.")]
+    [InlineData("train.txt", "*.txt: '" + Frame + ".png' is not in any list.")]
     public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 }

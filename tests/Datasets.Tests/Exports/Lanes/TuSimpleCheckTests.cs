@@ -31,6 +31,6 @@ public sealed class TuSimpleCheckTests(SimulatedSession simulated) : CheckTests(
         Export();
         Delete(Labels);
         AssertFound($"{Labels}: it is missing.");
-        AssertFound("clips/0000/00000006.png: it is in no list of labels.");
+        AssertFound("clips/0000/00000006.png: it is not in any list of labels.");
     }
 }

@@ -21,7 +21,7 @@ public sealed class VocCheckTests(SimulatedSession simulated) : CheckTests(simul
     [InlineData(Annotation, Annotation + ": it is missing, but its image exists.")]
     [InlineData("JPEGImages/00000001.png", Annotation + ": its image is missing.")]
     [InlineData("JPEGImages/00000001.png", "ImageSets/Main/train.txt, line 2: '00000001' is not in the dataset.")]
-    [InlineData("ImageSets/Main/train.txt", "ImageSets/Main/*.txt: '00000000' is in no list.")]
+    [InlineData("ImageSets/Main/train.txt", "ImageSets/Main/*.txt: '00000000' is not in any list.")]
     [InlineData("labelmap.txt", "labelmap.txt: the class 'car' is missing.")]
     public void Missing_file_is_found(string file, string expected) => AssertLossIsFound(file, expected);
 }

@@ -16,7 +16,7 @@ public sealed class YoloCheckTests(SimulatedSession simulated) : CheckTests(simu
         AssertDamageIsFound(Label, "^\\S+", word, $"{Label}, line 1: class {word} is not one of the {Classes} classes in data.yaml.");
 
     [Theory]
-    [InlineData(" \\S+$", " x", "a word is not a number.")]
+    [InlineData(" \\S+$", " x", "a value is not a number.")]
     [InlineData(" \\S+$", " 1.1", "a coordinate is not 0 to 1.")]
     [InlineData(" \\S+$", "", "a box has 4 numbers, not 3.")]
     [InlineData(" \\S+$", " 0", "its box does not lie in the image, or has no area.")]

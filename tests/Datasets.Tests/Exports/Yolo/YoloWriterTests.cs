@@ -80,7 +80,7 @@ public sealed class YoloWriterTests(SimulatedSession simulated) : ExportTests
                 seen.Select(item => (int)item.Class), lines.Select(line => int.Parse(line.Split(' ')[0], CultureInfo.InvariantCulture)));
             foreach ((string line, ObjectLabel item) in lines.Zip(seen))
             {
-                Assert.Equal(mask.Ids.Select(id => id == item.Id), Covered(Corners(line, mask.Image), mask.Image));
+                Assert.True(mask.Ids.Select(id => id == item.Id).SequenceEqual(Covered(Corners(line, mask.Image), mask.Image)), line);
             }
 
             frame++;

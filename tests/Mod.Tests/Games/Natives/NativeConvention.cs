@@ -44,7 +44,7 @@ internal sealed class NativeConvention(int boolBytes)
         }
     }
 
-    /// <summary>Writes random bits as the result and to every address; a text is none or two random letters.</summary>
+    /// <summary>Writes random bits as the result and to every address; a string is null or two random letters.</summary>
     public void WriteGarbage(NativeSignature native, NativeCall call, Random random)
     {
         for (int i = 0; i < native.Parameters.Count; i++)

@@ -16,7 +16,7 @@ internal static class JtaCheck
 {
     private const int Columns = 10;
 
-    /// <summary>Positions are rounded to 0.1 mm, which this focal length and depth makes less than so many pixels.</summary>
+    /// <summary>Tolerance of projections, pixels: positions are rounded to 0.1 mm, which is less than this at any depth in use.</summary>
     private const double RoundingPixels = 0.5;
 
     public static IEnumerable<SessionProblem> Problems(DatasetContent dataset) =>

@@ -64,7 +64,7 @@ internal static class KittiTrackingCheck
             return $"it has {words.Length} columns instead of {Columns}.";
         }
 
-        return Numbers.Parse(words.Where((_, column) => column != 2)) is not { } numbers ? "a column but the type is not a number."
+        return Numbers.Parse(words.Where((_, column) => column != 2)) is not { } numbers ? "a column other than the type is not a number."
             : !frames.TryGetValue((int)numbers[0], out ImageSize? image) || numbers[0] != Math.Floor(numbers[0])
                 ? $"frame {words[0]} has no image."
             : words[2] != KittiClasses.DontCare && numbers[2] is not (0 or 1 or 2) ? "truncated is not 0, 1 or 2."

@@ -18,7 +18,7 @@ internal static class TuSimpleCheck
         var named = new HashSet<string>(StringComparer.Ordinal);
         return dataset.Splits.SelectMany(split => SplitProblems(dataset, split, named))
             .Concat(dataset.Folders("clips").SelectMany(dataset.Files).Where(image => !named.Contains(image))
-                .Select(image => new SessionProblem(image, null, "it is in no list of labels.")));
+                .Select(image => new SessionProblem(image, null, "it is not in any list of labels.")));
     }
 
     private static IEnumerable<SessionProblem> SplitProblems(DatasetContent dataset, string split, HashSet<string> named)

@@ -78,7 +78,7 @@ internal static class YoloCheck
     }
 
     private static string? ProblemOf(string[] words, int classes, Func<double[], string?> shapeProblem) =>
-        Numbers.Parse(words) is not { } numbers ? "a word is not a number."
+        Numbers.Parse(words) is not { } numbers ? "a value is not a number."
             : !(numbers[0] >= 0 && numbers[0] < classes && numbers[0] == Math.Floor(numbers[0]))
                 ? $"class {words[0]} is not one of the {classes} classes in data.yaml."
             : numbers.Skip(1).Any(number => number is < 0 or > 1) ? "a coordinate is not 0 to 1."
