@@ -155,7 +155,7 @@ internal static class ClassColours
         return (1 + factors[factors.Count * 3 / 4]) / 2;
     }
 
-    /// <summary>Whether a pixel and those around it are road, so that the edge of something bright beside the road is not taken for paint.</summary>
+    /// <summary>Whether a pixel and those around it are road: the edge of something bright beside the road is no paint.</summary>
     private static bool IsOnRoad(ushort[] classes, InstanceMap? mask, InstanceMap map, int at)
     {
         for (int y = -1; y <= 1; y++)

@@ -46,7 +46,8 @@ public record LabellingOptions
     public MaterialTable Materials { get; init; } = MaterialTable.BuiltIn;
 
     /// <summary>
-    /// Maximum number of rays per frame, 0 to 10,000,000: for the mask first, then for objects, the class map, faces, ignore regions, lanes and joints.
+    /// Maximum number of rays per frame, 0 to 10,000,000: for the mask first, then for objects, the class map, faces, ignore
+    /// regions, lanes and joints.
     /// When they are used up, the mask is finished from what is known, and the rest is undetermined.
     /// </summary>
     public int RayBudget { get; init => field = OptionCheck.InRange(value, 0, MaxRays, nameof(RayBudget)); } = 50_000;

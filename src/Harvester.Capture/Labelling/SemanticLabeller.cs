@@ -97,7 +97,7 @@ internal sealed class SemanticLabeller(LabellingOptions options, FrameRays rays,
         return given;
     }
 
-    /// <summary>The row where the camera's level forward direction is seen; far outside the image if it looks straight up or down.</summary>
+    /// <summary>The row where the level direction ahead is seen; -1 if the camera looks straight up or down.</summary>
     private static int HorizonRow(Camera camera)
     {
         const double far = 1e5;

@@ -94,7 +94,8 @@ public sealed class ExportFrame
 
     /// <summary>The class map, read on first use; null if the frame has none.</summary>
     /// <exception cref="DatasetFormatException">The map is missing, damaged or of another size than the image.</exception>
-    internal InstanceMap? Classes => Label.ClassMap is { } map ? _classes ??= ReadMap(map.File, "class map", PngDecoder.ReadLabelMap) : null;
+    internal InstanceMap? Classes =>
+        Label.ClassMap is { } map ? _classes ??= ReadMap(map.File, "class map", PngDecoder.ReadLabelMap) : null;
 
     /// <summary>The instance mask with separate pixels for faces and heads; null if the session has none.</summary>
     /// <exception cref="DatasetFormatException">As for <see cref="Mask"/>.</exception>

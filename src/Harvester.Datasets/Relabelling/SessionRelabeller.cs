@@ -105,7 +105,8 @@ public sealed class SessionRelabeller
                 session.EndFrame(made.Frame, JsonLabelWriter.Line(made));
                 report(++frames);
             }
-        }, () => new RelabelledHeader(_recorded, _changes, _options with { Lens = lens, Masks = masks, Semantics = semantics }).Text(frames));
+        }, () => new RelabelledHeader(
+            _recorded, _changes, _options with { Lens = lens, Masks = masks, Semantics = semantics }).Text(frames));
         return frames;
     }
 

@@ -83,7 +83,8 @@ public sealed class SessionReader
             || ((string[])[FramePaths.Frames, FramePaths.Masks, FramePaths.ClassMaps, FramePaths.Scenes])
                 .Contains(name.Split('/')[0], StringComparer.OrdinalIgnoreCase)
             || (InnerPath.IsWithin(Folder, name)
-                && ReadLines().Any(line => line.Label is { } label && (label.Image == name || label.Mask == name || label.ClassMap?.File == name)));
+                && ReadLines().Any(line => line.Label is { } label
+                    && (label.Image == name || label.Mask == name || label.ClassMap?.File == name)));
     }
 
     /// <summary>Reads session.json.</summary>

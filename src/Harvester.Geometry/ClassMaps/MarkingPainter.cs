@@ -27,7 +27,7 @@ public sealed class MarkingPainter(Camera camera, InstanceMap map, ushort road, 
 
     /// <summary>Draws lines.</summary>
     /// <param name="lines">The lines, whose points are on the road.</param>
-    /// <param name="endMetres">How far paint continues beyond the last of its points before a gap, metres: half the points' distance.</param>
+    /// <param name="endMetres">How far paint continues beyond its last point before a gap, metres: half the points' distance.</param>
     public void Paint(IEnumerable<PaintedLine> lines, double endMetres)
     {
         foreach (PaintedLine line in Guard.NotNull(lines, nameof(lines)))

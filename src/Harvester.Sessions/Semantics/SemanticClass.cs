@@ -1,6 +1,6 @@
 namespace Harvester.Sessions.Semantics;
 
-/// <summary>What a pixel shows; the numbers are the values in class maps. From <see cref="Car"/> on they are the classes of objects.</summary>
+/// <summary>What a pixel shows; the numbers are values in class maps. From <see cref="Car"/> on they are classes of objects.</summary>
 public enum SemanticClass : byte
 {
     /// <summary>Unknown.</summary>

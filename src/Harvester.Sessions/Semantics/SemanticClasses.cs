@@ -23,7 +23,7 @@ public static class SemanticClasses
     /// <summary>The class of objects of a class.</summary>
     public static SemanticClass Of(ObjectClass kind) => (SemanticClass)((int)SemanticClass.Car + (int)kind);
 
-    /// <summary>The class of the objects that a class stands for; null for surfaces, the sky and <see cref="SemanticClass.None"/>.</summary>
+    /// <summary>The objects that a class stands for; null for surfaces, the sky and <see cref="SemanticClass.None"/>.</summary>
     public static ObjectClass? ObjectOf(SemanticClass kind) =>
         kind is >= SemanticClass.Car and <= SemanticClass.Other ? (ObjectClass)((int)kind - (int)SemanticClass.Car) : null;
 

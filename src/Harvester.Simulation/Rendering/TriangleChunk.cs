@@ -141,7 +141,9 @@ internal sealed class TriangleChunk
             if (doubleArea != 0)
             {
                 normal ??= NormalTowards(view.Camera.Pose.Position, instance.Pose, triangle);
-                Add(new ScreenTriangle(a, b, c, doubleArea, pixels, instance.Handle, instance.Mesh.Kind, triangle, normal.Value), bandHeight);
+                Add(
+                    new ScreenTriangle(a, b, c, doubleArea, pixels, instance.Handle, instance.Mesh.Kind, triangle, normal.Value),
+                    bandHeight);
             }
         }
     }

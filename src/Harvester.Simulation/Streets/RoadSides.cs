@@ -144,7 +144,8 @@ internal sealed class RoadSides(RoadIndex index, Terrain terrain, RoadLevels lev
         }
 
         mesh.AddQuad(
-            from.Edge + (up * height), FootOf(from), FootOf(to), to.Edge + (up * height), Palette.Grass, Surface.Ground, SurfaceKind.Terrain);
+            from.Edge + (up * height), FootOf(from), FootOf(to), to.Edge + (up * height), Palette.Grass, Surface.Ground,
+            SurfaceKind.Terrain);
 
         void Lay(
             Vector3D fromA, Vector3D toA, double heightA, Vector3D fromB, Vector3D toB, double heightB, Rgb colour, Surface surface,

@@ -46,8 +46,10 @@ internal sealed class RoadSurfaces(
             double half = (median / 2) - lineRoom;
             Func<double, bool> isPresent = distance => !road.IsInTrim(distance);
             Rgb top = road.IsHighway ? Palette.DryGrass : Palette.Grass;
-            ribbon.Lay(new Rail(-half, Walkway.KerbHeight), new Rail(half, Walkway.KerbHeight), top, Surface.Ground, SurfaceKind.Terrain, isPresent);
-            ribbon.Lay(new Rail(-half, 0), new Rail(-half, Walkway.KerbHeight), Palette.Kerb, Surface.Matte, SurfaceKind.Pavement, isPresent);
+            ribbon.Lay(new Rail(-half, Walkway.KerbHeight), new Rail(half, Walkway.KerbHeight), top, Surface.Ground, SurfaceKind.Terrain,
+                isPresent);
+            ribbon.Lay(new Rail(-half, 0), new Rail(-half, Walkway.KerbHeight), Palette.Kerb, Surface.Matte, SurfaceKind.Pavement,
+                isPresent);
             ribbon.Lay(new Rail(half, Walkway.KerbHeight), new Rail(half, 0), Palette.Kerb, Surface.Matte, SurfaceKind.Pavement, isPresent);
         }
     }
@@ -68,7 +70,8 @@ internal sealed class RoadSurfaces(
         Vector3D down = Horizontal.Up * -below;
         for (int i = 0; i < sides; i++)
         {
-            mesh.AddTriangle(junction.Position + down, rim[i] + down, rim[(i + 1) % sides] + down, colour, Surface.Ground, SurfaceKind.Road);
+            mesh.AddTriangle(
+                junction.Position + down, rim[i] + down, rim[(i + 1) % sides] + down, colour, Surface.Ground, SurfaceKind.Road);
         }
     }
 }

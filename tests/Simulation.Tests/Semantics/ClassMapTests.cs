@@ -53,28 +53,17 @@ public sealed class ClassMapTests(ITestOutputHelper output)
                 InstanceMap map = frame.Classes!;
                 for (int i = 0; i < truth.Ids.Length; i++)
                 {
-                    (ushort is_, ushort seen) = (truth.Ids[i], map.Ids[i]);
-                    shown[is_]++;
-                    either[is_]++;
-                    both[is_] += is_ == seen ? 1 : 0;
-                    either[seen] += is_ == seen ? 0 : 1;
+                    (ushort real, ushort seen) = (truth.Ids[i], map.Ids[i]);
+                    shown[real]++;
+                    either[real]++;
+                    both[real] += real == seen ? 1 : 0;
+                    either[seen] += real == seen ? 0 : 1;
                 }
 
                 double fraction = (double)frame.Label.ClassMap!.RaysCast / options.Image.PixelCount;
                 mostRays = Math.Max(mostRays, fraction);
-                output.WriteLine($"seed {seed}, frame {frame.Label.Frame}: {fraction:P3} of the pixels as rays, mask {frame.Label.Rays!.Map}");
-                if (Environment.GetEnvironmentVariable("HARVESTER_DUMP_CLASSES") is { } folder)
-                {
-                    var png = new Harvester.Sessions.Imaging.Pictures.PngEncoder();
-                    foreach ((string name, InstanceMap which) in new[] { ("truth", truth), ("map", map) })
-                    {
-                        using FileStream file = File.Create(Path.Combine(folder, $"{seed}_{frame.Label.Frame}_{name}.png"));
-                        png.WriteGrey8(which, file);
-                    }
-
-                    using FileStream picture = File.Create(Path.Combine(folder, $"{seed}_{frame.Label.Frame}_picture.png"));
-                    png.Write(frame.Picture, picture);
-                }
+                output.WriteLine(
+                    $"seed {seed}, frame {frame.Label.Frame}: {fraction:P3} of the pixels as rays, mask {frame.Label.Rays!.Map}");
             });
         }
 

@@ -9,8 +9,8 @@ using Harvester.Geometry.PixelMaps;
 namespace Harvester.Sessions.Imaging.Pictures;
 
 /// <summary>
-/// Writes PNG images (ISO/IEC 15948): 8-bit red, green, blue, grey of 16 or 8 bits, and 8 bits with a palette. Rows of colours are filtered with Sub and those of
-/// maps with Up, the cheapest of the filters that help. One encoder serves one thread; its buffers are reused.
+/// Writes PNG images (ISO/IEC 15948): 8-bit red, green, blue, grey of 16 or 8 bits, and 8 bits with a palette. Rows of colours are filtered
+/// with Sub and those of maps with Up, the cheapest of the filters that help. One encoder serves one thread; its buffers are reused.
 /// </summary>
 #pragma warning disable CA1001 // A memory stream holds nothing to dispose.
 public sealed class PngEncoder

@@ -74,7 +74,7 @@ internal static class CityscapesLabels
             _ => throw new ArgumentOutOfRangeException(nameof(kind), kind, "The class has no label in Cityscapes."),
         });
 
-    /// <summary>The label of what is no object, by its value in class maps; unlabeled for water, objects without an id, and unknown.</summary>
+    /// <summary>The label of a value in class maps; unlabeled for water, for objects, and for what is unknown.</summary>
     public static CityscapesLabel OfSurface(SemanticClass kind) => kind switch
     {
         SemanticClass.Road or SemanticClass.LaneMarking => Named("road"),
