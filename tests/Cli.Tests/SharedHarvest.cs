@@ -22,7 +22,8 @@ internal static class SharedHarvest
     public static void CopyTo(string folder, params string[] options)
     {
         Assert.Contains("--no-report", options);
-        string session = Made.GetOrAdd(string.Join(' ', options), _ => new Lazy<TemporaryFolder>(() => Make(options))).Value.PathOf("session");
+        string session = Made.GetOrAdd(string.Join(' ', options), _ => new Lazy<TemporaryFolder>(() => Make(options)))
+            .Value.PathOf("session");
         foreach (string file in Directory.EnumerateFiles(session, "*", SearchOption.AllDirectories))
         {
             string copy = Path.Combine(folder, Path.GetRelativePath(session, file));

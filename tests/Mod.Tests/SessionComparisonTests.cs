@@ -3,6 +3,8 @@ using System.Text.RegularExpressions;
 using System.Windows.Forms;
 using Harvester.Capture.Harvesting;
 using Harvester.Capture.Storage;
+using Harvester.Datasets.Sessions;
+using Harvester.Datasets.Validation;
 using Harvester.Geometry.Cameras;
 using Harvester.Mod.Tests.Games;
 using Harvester.Sessions.Faces;
@@ -45,6 +47,7 @@ public sealed class SessionComparisonTests
         }
 
         Assert.Equal(Files(direct, "frames"), Files(byMod, "frames"));
+        Assert.Empty(SchemaValidator.Problems(new SessionReader(byMod)));
     }
 
     private static string AsOfTheGame(string line) => Regex.Replace(

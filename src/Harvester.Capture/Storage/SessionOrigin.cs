@@ -19,7 +19,7 @@ public sealed record SessionOrigin
     /// </summary>
     public string? RecordedUtc { get; init; }
 
-    /// <summary>Which labels are exact and which are estimated, in the order in which they are written; empty if it is not stated.</summary>
+    /// <summary>Which labels are exact and which are estimated, in the order in which they are written; empty if unknown.</summary>
     public IReadOnlyList<KeyValuePair<string, LabelTruth>> Truth { get; init; } = [];
 
     /// <summary>Further settings of the game worth keeping, in the order in which they are written.</summary>

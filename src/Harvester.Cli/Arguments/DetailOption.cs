@@ -8,11 +8,13 @@ namespace Harvester.Cli.Arguments;
 internal static class DetailOption
 {
     private const string Plain = "plain";
-    private const string Full = "full";
+
+    /// <summary>The value for all of the light.</summary>
+    public const string Full = "full";
 
     public static Option<string> Create() => new("--detail")
     {
-        Description = $"Light of the simulated game: {Plain}, or {Full} with shadows, which takes longer; labels are the same",
+        Description = $"Pictures of the simulated game: {Plain}, or {Full} with shadows, worn and wet roads; labels are the same",
         HelpName = "LEVEL",
         DefaultValueFactory = _ => Plain,
     };

@@ -30,9 +30,10 @@ internal sealed class ContactSheetCommand
     private const double MaxSeconds = 600;
 
     private const string Notes =
-        "There is a tile for each place, weather, time of day and moment, with a caption. The camera is that of a harvest. The places are\n"
-        + "those of --list, then those of --at, then --places; without any, the middle of the road network. The file of --list has one\n"
-        + "name,x,y a line, in metres. The same options and seed give the same bytes.\n\n"
+        "There is a tile for each place, weather, time of day and moment, with a caption. With several weathers and several times,\n"
+        + "each place has a row per weather and a column per time. The camera is that of a harvest. The places are those of --list,\n"
+        + "then those of --at, then --places; without any, the middle of the road network. The file of --list has one name,x,y a line,\n"
+        + "in metres. The same options and seed give the same bytes.\n\n"
         + "Examples:\n"
         + "  harvester contact-sheet --out town.png --weather clear --weather rain --time 12:00 --time 22:00\n"
         + "  harvester contact-sheet --out streets.png --roads nodes.zip --list data/places.csv\n"
@@ -66,6 +67,7 @@ internal sealed class ContactSheetCommand
 
     private Option<int> Seed { get; } = WithDefault(ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue), 1);
     private Option<ImageSize> Size { get; } = WithDefault(CameraOptions.SizeOfHarvest(), new ImageSize(480, 360));
+    private Option<string> Detail { get; } = WithDefault(DetailOption.Create(), DetailOption.Full);
     private Option<double> Fov { get; } = WithDefault(CameraOptions.FovOfHarvest(), 50);
 
     public static Command Create(Terminal terminal) => new ContactSheetCommand().Build(terminal);
@@ -74,7 +76,7 @@ internal sealed class ContactSheetCommand
     {
         var command = new Command("contact-sheet", "Show what a harvest sees at several places, weathers and hours, as one picture.")
         {
-            Out, Roads, Props, At, List, Places, Weathers, Times, Seconds, Seed, Size, Fov,
+            Out, Roads, Props, At, List, Places, Weathers, Times, Seconds, Seed, Size, Fov, Detail,
         };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
@@ -138,6 +140,7 @@ internal sealed class ContactSheetCommand
             Seconds = seconds,
             Tile = parsed.GetValue(Size),
             FovDegrees = parsed.GetValue(Fov),
+            Detail = DetailOption.Parse(parsed.GetRequiredValue(Detail)),
         };
     }
 

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.CommandLine;
 using System.Linq;
 using System.Threading;
@@ -29,6 +30,8 @@ internal static class ValidateCommand
         + "  boxes       boxes lie in the image; calibrations project 3D boxes onto 2D boxes\n"
         + "  order       ids are unique and known; no frame is in two splits; the number of frames is that of export.json\n"
         + "  manifest    every file has the SHA-256 in manifest.jsonl, and no other file is among them\n\n"
+        + "--schema also compares session.json and every label line with the JSON Schemas in docs/schema, and reports fields\n"
+        + "that these do not have. It takes many times as long.\n\n"
         + "Problems are printed one per line; the exit code is 1 if there are any. An unfinished last line is ignored, with a note.\n\n"
         + "Example:\n"
         + "  harvester validate out";
@@ -38,7 +41,8 @@ internal static class ValidateCommand
         Argument<string> folder = SessionArgument.Create();
         folder.Description = "Folder of a session or of an exported dataset";
         var quick = new Option<bool>("--quick") { Description = "Compare pictures with the manifest only, and do not decode them" };
-        var command = new Command("validate", "Check a session or an exported dataset and list every problem.") { folder, quick };
+        var schema = new Option<bool>("--schema") { Description = "Also compare a session with the published JSON Schemas" };
+        var command = new Command("validate", "Check a session or an exported dataset and list every problem.") { folder, quick, schema };
         HelpWithNotes.AddTo(command, Notes);
         command.SetAction((parsed, cancellation) =>
         {
@@ -56,7 +60,8 @@ internal static class ValidateCommand
 
             var reader = new SessionReader(session);
             SessionValidation validation = SessionValidator.Validate(reader, parsed.GetValue(quick), cancellation);
-            foreach (SessionProblem problem in validation.Problems)
+            IReadOnlyList<SessionProblem> differences = parsed.GetValue(schema) ? SchemaValidator.Problems(reader, cancellation) : [];
+            foreach (SessionProblem problem in validation.Problems.Concat(differences))
             {
                 terminal.WriteQuoting(problem.ToString());
             }
@@ -98,8 +103,8 @@ internal static class ValidateCommand
             }
 
             string counts = $"{Counted.Of(validation.Frames, "frame")}, {Counted.Of(validation.Objects, "label")}";
-            terminal.Out.WriteLine($"{session}: {counts}, {Verdict(validation.Problems.Count)}");
-            return Task.FromResult(validation.IsGood ? ExitCode.Done : ExitCode.BadData);
+            terminal.Out.WriteLine($"{session}: {counts}, {Verdict(validation.Problems.Count + differences.Count)}");
+            return Task.FromResult(validation.IsGood && differences.Count == 0 ? ExitCode.Done : ExitCode.BadData);
         });
         return command;
     }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Globalization;
+using System.Linq;
 using Harvester.Sessions.Imaging;
 
 namespace Harvester.Cli.Sheets;
@@ -8,9 +9,7 @@ namespace Harvester.Cli.Sheets;
 /// <summary>Draws captions into an image, in capital letters made of straight strokes.</summary>
 internal static class CaptionFont
 {
-    /// <summary>Height of a line with its margins, pixels.</summary>
-    public const int LineHeight = 20;
-
+    private const int LineStep = 16;
     private const int Unit = 3;
     private const int Rows = 4;
     private const int Advance = 9;
@@ -71,27 +70,62 @@ internal static class CaptionFont
 
     private const string Unknown = "00 04 24 20 00 24";
 
-    /// <summary>Writes a caption, cut off where the room ends.</summary>
-    /// <param name="target">The image.</param>
+    /// <summary>Height of a caption with its margins, pixels.</summary>
+    public static int HeightOf(int lines) => (lines * LineStep) + Margin;
+
+    /// <summary>The lines of a caption: it is broken between words, and within a word that is longer than a line.</summary>
+    /// <param name="text">The caption.</param>
+    /// <param name="width">Width of the room, pixels; a line has at least one letter.</param>
+    public static IReadOnlyList<string> LinesOf(string text, int width)
+    {
+        int fitting = Math.Max(1, (width - (2 * Margin)) / Advance);
+        List<string> lines = [];
+        string line = "";
+        foreach (string[] word in text.Split(' ').Select(word => word.Chunk(fitting).Select(part => new string(part)).ToArray()))
+        {
+            foreach (string part in word.DefaultIfEmpty(""))
+            {
+                if (line.Length > 0 && line.Length + 1 + part.Length > fitting)
+                {
+                    lines.Add(line.TrimEnd());
+                    line = part;
+                }
+                else
+                {
+                    line = line.Length > 0 ? $"{line} {part}" : part;
+                }
+            }
+        }
+
+        lines.Add(line);
+        return lines;
+    }
+
+    /// <summary>Writes a caption.</summary>
+    /// <param name="target">The image, with room for the lines of the caption.</param>
     /// <param name="text">The caption; letters are capitalised, characters that the font lacks are drawn as a crossed box.</param>
     /// <param name="left">Left edge of the room, pixels.</param>
     /// <param name="top">Its top edge, pixels.</param>
     /// <param name="width">Its width, pixels.</param>
     public static void Write(PixelBuffer target, string text, int left, int top, int width)
     {
-        int fitting = Math.Max(0, (width - (2 * Margin)) / Advance);
-        string shown = text.ToUpper(CultureInfo.InvariantCulture);
-        shown = shown.Length <= fitting ? shown : shown[..fitting];
-        for (int i = 0; i < shown.Length; i++)
+        foreach ((int number, string line) in LinesOf(text.ToUpper(CultureInfo.InvariantCulture), width).Index())
         {
-            string glyph = Glyphs.GetValueOrDefault(shown[i], Unknown);
-            foreach (string stroke in glyph.Split('|', StringSplitOptions.RemoveEmptyEntries))
+            for (int i = 0; i < line.Length; i++)
             {
-                string[] points = stroke.Split(' ');
-                for (int point = 1; point < points.Length; point++)
-                {
-                    Draw(target, left + Margin + (i * Advance), top + Margin, points[point - 1], points[point]);
-                }
+                Write(target, line[i], left + Margin + (i * Advance), top + Margin + (number * LineStep));
+            }
+        }
+    }
+
+    private static void Write(PixelBuffer target, char letter, int left, int top)
+    {
+        foreach (string stroke in Glyphs.GetValueOrDefault(letter, Unknown).Split('|', StringSplitOptions.RemoveEmptyEntries))
+        {
+            string[] points = stroke.Split(' ');
+            for (int point = 1; point < points.Length; point++)
+            {
+                Draw(target, left, top, points[point - 1], points[point]);
             }
         }
     }

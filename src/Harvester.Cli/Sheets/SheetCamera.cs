@@ -1,7 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
 using System.Threading;
 using Harvester.Cli.Terminals;
 using Harvester.Sessions.Imaging;
@@ -40,7 +38,7 @@ internal static class SheetCamera
 
                         var picture = new PixelBuffer(plan.Tile);
                         game.Ports.Screen.Grab(picture);
-                        yield return new SheetTile(picture, CaptionOf(place, new SheetMoment(weather, time, seconds)));
+                        yield return new SheetTile(picture, SheetPlan.CaptionOf(place, new SheetMoment(weather, time, seconds)));
                     }
                 }
             }
@@ -58,6 +56,7 @@ internal static class SheetCamera
                 Near = place.Position,
                 Props = plan.Props,
                 Weather = weather,
+                Detail = plan.Detail,
                 TimeOfDay = time,
                 IsTimeOfDayFixed = true,
                 VerticalFovDegrees = plan.FovDegrees,
@@ -68,13 +67,5 @@ internal static class SheetCamera
         {
             throw new UsageException(place.Name.Length > 0 ? $"{place.Name}: {e.Message}" : e.Message);
         }
-    }
-
-    private static string CaptionOf(SheetPlace place, SheetMoment moment)
-    {
-        string at = place.Position is { } position
-            ? string.Create(CultureInfo.InvariantCulture, $"{position.X:0.#},{position.Y:0.#}") : "";
-        string when = string.Create(CultureInfo.InvariantCulture, $"{moment.Weather} {moment.TimeOfDay:hh\\:mm} {moment.Seconds:0.##} s");
-        return string.Join("  ", new[] { place.Name, at, when }.Where(part => part.Length > 0));
     }
 }

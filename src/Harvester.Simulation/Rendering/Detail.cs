@@ -6,6 +6,9 @@ public enum Detail
     /// <summary>Light without shadows.</summary>
     Plain,
 
-    /// <summary>Shadows of sun and moon, and less light of the sky where something stands close by.</summary>
+    /// <summary>
+    /// Shadows of sun and moon, less light of the sky where something stands close by, asphalt that is worn and that mirrors in rain,
+    /// tracks in lying snow, and markings that do not break into dots.
+    /// </summary>
     Full,
 }

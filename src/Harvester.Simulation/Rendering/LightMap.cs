@@ -10,6 +10,10 @@ namespace Harvester.Simulation.Rendering;
 internal sealed class LightMap
 {
     private const int TileSize = 32;
+
+    /// <summary>However strong lamps are, surfaces do not get brighter than one over this.</summary>
+    private const float Exposure = 0.8f;
+
     private readonly int _tilesAcross;
     private readonly List<NearLight>?[] _tiles = [];
     private readonly float _night;
@@ -55,16 +59,22 @@ internal sealed class LightMap
             light = lamp.Add(light, place, normal);
         }
 
-        return light * Vector256.Create(_night);
+        // The brightest places of a picture are as bright as a sunny day's, as a camera exposes them.
+        Vector256<float> most = Vector256.MaxNative(light.X, Vector256.MaxNative(light.Y, light.Z));
+        return light * (Vector256.Create(_night) / (Wide.One + (Vector256.Create(Exposure) * most)));
     }
 
-    /// <summary>The pixels that the sphere of a lamp's light may cover.</summary>
+    /// <summary>The pixels that a lamp may light: those of a sphere around it or, if its cone is narrow, around the cone.</summary>
     private static PixelRectangle ReachOf(LightSource light, View view)
     {
+        const double narrow = 0.71;
         RenderCamera camera = view.Camera;
-        Vector3D centre = camera.Pose.ToLocal(light.Position);
-        double nearest = centre.Y - light.RangeMetres;
-        if (centre.Y + light.RangeMetres < camera.NearClip)
+        double range = light.ConeCosine > narrow ? light.RangeMetres / (2 * light.ConeCosine) : light.RangeMetres;
+        Vector3D middle = light.ConeCosine > narrow ? light.Position + (light.Direction * range) : light.Position;
+        Vector3D centre = camera.Pose.ToLocal(middle);
+        double nearest = centre.Y - range;
+        double farthest = centre.Y + range;
+        if (farthest < camera.NearClip)
         {
             return default;
         }
@@ -74,10 +84,10 @@ internal sealed class LightMap
             return new PixelRectangle(0, 0, camera.Width, camera.Height);
         }
 
-        double left = Math.Min((centre.X - light.RangeMetres) / nearest, (centre.X - light.RangeMetres) / (centre.Y + light.RangeMetres));
-        double right = Math.Max((centre.X + light.RangeMetres) / nearest, (centre.X + light.RangeMetres) / (centre.Y + light.RangeMetres));
-        double low = Math.Min((centre.Z - light.RangeMetres) / nearest, (centre.Z - light.RangeMetres) / (centre.Y + light.RangeMetres));
-        double high = Math.Max((centre.Z + light.RangeMetres) / nearest, (centre.Z + light.RangeMetres) / (centre.Y + light.RangeMetres));
+        double left = Math.Min((centre.X - range) / nearest, (centre.X - range) / farthest);
+        double right = Math.Max((centre.X + range) / nearest, (centre.X + range) / farthest);
+        double low = Math.Min((centre.Z - range) / nearest, (centre.Z - range) / farthest);
+        double high = Math.Max((centre.Z + range) / nearest, (centre.Z + range) / farthest);
         return view.PixelsIn(
             camera.CentreX + (camera.FocalX * left),
             camera.CentreY - (camera.FocalY * high),
@@ -89,9 +99,11 @@ internal sealed class LightMap
     {
         private readonly Vector3 _place = Sky.ToSingle(light.Position - eye);
         private readonly Vector3 _direction = Sky.ToSingle(light.Direction);
-        private readonly Vector3 _colour = Sky.ToLight(light.Colour);
+        private readonly Vector3 _colour = Sky.ToLight(light.Colour) * (float)light.Strength;
+        private readonly float _grazing = (float)light.GrazingFraction;
         private readonly float _cone = (float)light.ConeCosine;
         private readonly float _range = (float)light.RangeMetres;
+        private readonly float _nearest = (float)Math.Max(0.01, light.NearestMetres);
 
         public WideVector Add(in WideVector light, in WideVector place, Vector3 normal)
         {
@@ -107,9 +119,15 @@ internal sealed class LightMap
             towards *= Wide.One / distance;
             Vector256<float> inCone = Wide.Fraction(
                 (-towards.Dot(WideVector.Of(_direction)) - Vector256.Create(_cone)) * Vector256.Create(2.5f / (1 - _cone)));
-            Vector256<float> facing = Vector256.Create(0.25f)
-                + (Vector256.Create(0.75f) * Vector256.MaxNative(towards.Dot(WideVector.Of(normal)), Wide.Zero));
-            return light + (WideVector.Of(_colour) * (isLit & (Vector256.Create(1.6f) * inCone * facing * fade * fade)));
+            if ((isLit & inCone) == Wide.Zero)
+            {
+                return light;
+            }
+
+            Vector256<float> facing = Vector256.Create(_grazing)
+                + (Vector256.Create(1 - _grazing) * Vector256.MaxNative(towards.Dot(WideVector.Of(normal)), Wide.Zero));
+            return light + (WideVector.Of(_colour) * (isLit & (inCone * facing * fade * fade
+                * Wide.Fraction(distance * Vector256.Create(1 / _nearest)))));
         }
     }
 }

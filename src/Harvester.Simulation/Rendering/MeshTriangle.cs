@@ -8,4 +8,8 @@ namespace Harvester.Simulation.Rendering;
 /// <param name="C">Third corner.</param>
 /// <param name="Colour">Its colour in white light.</param>
 /// <param name="Surface">How it reflects or emits light.</param>
-public readonly record struct MeshTriangle(Vector3D A, Vector3D B, Vector3D C, Rgb Colour, Surface Surface);
+public readonly record struct MeshTriangle(Vector3D A, Vector3D B, Vector3D C, Rgb Colour, Surface Surface)
+{
+    /// <summary>Where it lies across its road; only asphalt has it.</summary>
+    public LaneOffsets Lanes { get; init; }
+}

@@ -1,41 +1,30 @@
 using System;
 using System.Numerics;
-using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
-using Harvester.Geometry;
 
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>Light and air for each pixel, row by row.</summary>
 internal sealed class PixelShader
 {
-    /// <summary>Noise of the ground per metre: patches, and a grain that is seen from near only.</summary>
-    private const double PatchesPerMetre = 0.35;
+    /// <summary>How much of a vehicle's roof and bonnet snow covers, where it covers the ground.</summary>
+    private const float SnowOnPaint = 0.5f;
 
-    private const double GrainsPerMetre = 5;
-    private const double FineGrainsPerMetre = 9;
-    private const float GrainReachMetres = 40;
+    /// <summary>Where asphalt has no lanes, in junctions, wheels run everywhere, but less.</summary>
+    private const float EverywhereInJunctions = 0.4f;
 
-    /// <summary>Where the noise of patches is above this, the ground has been patched and is darker.</summary>
-    private const float PatchFrom = 0.66f;
-    private const float PatchEdge = 40;
-    private const float PatchDarkness = 0.14f;
+    /// <summary>Snow covers so much of what lies level where lighting and detail are plain.</summary>
+    private const float PlainSnow = 0.7f;
 
-    /// <summary>How much lighter the ground is than new asphalt.</summary>
-    private const float Bleaching = 0.25f;
-
-    /// <summary>Seams of tar run where the noise of patches has this value.</summary>
-    private const float SeamAt = 0.3f;
-    private const float SeamThinness = 70;
-    private const float SeamDarkness = 0.2f;
+    /// <summary>From this amount of snow on, the ground is covered wherever it lies level.</summary>
+    private const float FullSnow = 0.75f;
     private static readonly Vector3 Snow = new(0.95f, 0.96f, 1);
 
     private readonly Lighting _lighting;
     private readonly Sky _sky;
     private readonly LightMap _lights;
     private readonly ViewDirections _directions;
-    private readonly NoisePlane _patches;
-    private readonly NoisePlane _grains;
+    private readonly GroundLook _ground;
     private readonly Vector3 _sun;
     private readonly Vector3 _sunColour;
     private readonly Vector3 _ambient;
@@ -59,9 +48,7 @@ internal sealed class PixelShader
         _sky = new Sky(_lighting);
         _lights = new LightMap(scene, view);
         _directions = new ViewDirections(view);
-        Vector3D eye = view.Camera.Pose.Position;
-        _patches = new NoisePlane(eye.X, eye.Y, PatchesPerMetre);
-        _grains = new NoisePlane(eye.X, eye.Y, shadows is null ? GrainsPerMetre : FineGrainsPerMetre);
+        _ground = new GroundLook(view.Camera.Pose.Position, shadows is not null);
         _sun = Sky.ToSingle(_lighting.SunDirection);
         _sunColour = Sky.ToLight(_lighting.SunColour);
         _ambient = Sky.ToLight(_lighting.AmbientColour);
@@ -104,7 +91,7 @@ internal sealed class PixelShader
         // Everything is relative to the camera, so that single precision is enough anywhere in the world.
         Surface surface = triangle.Surface;
         Vector3 normal = triangle.Normal;
-        float lying = SnowOn(surface, normal) * 0.7f;
+        float lying = SnowOn(surface, normal);
         Vector3 colour = Sky.ToLight(triangle.Colour);
         Vector3 fromSky = _ambient * (0.8f + (0.2f * normal.Z));
         float facing = Math.Max(0, Vector3.Dot(normal, _sun));
@@ -112,20 +99,30 @@ internal sealed class PixelShader
         WideVector own = WideVector.Of(Vector3.Lerp(colour, Snow, lying));
         WideVector lit = own * light;
         WideVector horizon = WideVector.Of(_sky.Horizon);
-        bool isMarked = surface == Surface.Ground && _markings?.HasAny(row.Number) == true;
+        bool isGround = surface is Surface.Ground or Surface.Asphalt;
+        bool isMarked = isGround && _markings?.HasAny(row.Number) == true;
+        bool needsPlace = isGround || _shadows is not null || _lights.AreLit;
         for (int column = first; column < first + length; column += _lights.StepAt(column))
         {
-            if (surface == Surface.Ground)
+            WideVector place = default;
+            if (needsPlace)
             {
-                own = WideVector.Of(colour) * GrainAt(row, column);
+                place = _directions.At(row, column) * Vector256.Create(row.Depths, column);
+            }
+
+            if (isGround)
+            {
+                Vector256<float> tracks = _shadows is null ? Wide.Zero : triangle.Lanes.HasLanes ? triangle.Lanes.TracksAt(place)
+                    : Vector256.Create(EverywhereInJunctions);
+                Vector256<float> distance = Vector256.Create(row.Depths, column) * Vector256.Create(row.Stretch, column);
+                own = WideVector.Of(colour) * _ground.GrainAt(place, distance, surface, tracks);
                 own = isMarked ? Marked(own, row.Number, column) : own;
-                own = own.Towards(WideVector.Of(Snow), Vector256.Create(lying));
+                own = own.Towards(WideVector.Of(Snow), _ground.SnowAt(place, surface, tracks, lying));
                 lit = own * light;
             }
 
             if (_shadows is not null || _lights.AreLit)
             {
-                WideVector place = _directions.At(row, column) * Vector256.Create(row.Depths, column);
                 light = _shadows is null ? light : LightAt(place, normal, fromSky, facing);
                 lit = own * (_lights.AreLit ? light + _lights.At(place, normal, column, row.Number) : light);
             }
@@ -138,8 +135,9 @@ internal sealed class PixelShader
                     .Towards(own, Vector256.Create(_night)),
                 Surface.Glass => Mirrored(lit, row, column, normal, 0.3f),
                 Surface.Paint => Mirrored(lit, row, column, normal, 0.06f),
-                Surface.Ground when _rain > 0 && _shadows is not null => lit * Vector256.Create(1 - (0.4f * _rain)),
-                Surface.Ground when _rain > 0 =>
+                Surface.Asphalt when _rain > 0 && _shadows is not null => lit * Vector256.Create(1 - (0.4f * _rain)),
+                Surface.Ground when _rain > 0 && _shadows is not null => lit * Vector256.Create(1 - (0.2f * _rain)),
+                Surface.Ground or Surface.Asphalt when _rain > 0 =>
                     Mirrored(lit * Vector256.Create(1 - (0.3f * _rain)), row, column, normal, 0.09f * _rain),
                 _ => lit,
             };
@@ -197,39 +195,16 @@ internal sealed class PixelShader
         return lit.Towards(_sky.GradientAt(height), share);
     }
 
-    /// <summary>How much snow lies on a surface, 0 to 1.</summary>
-    private float SnowOn(Surface surface, Vector3 normal) => surface is Surface.Ground or Surface.Matte or Surface.Marking or Surface.Paint
-        ? (float)_lighting.SnowFraction * Math.Clamp((normal.Z - 0.5f) * 2, 0, 1)
-        : 0;
-
-    /// <summary>A grain on the ground that fades where it would be finer than the pixels.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Vector256<float> GrainAt(PixelRow row, int column)
+    /// <summary>How much snow lies on a surface on average, 0 to 1.</summary>
+    private float SnowOn(Surface surface, Vector3 normal)
     {
-        Vector256<float> depth = Vector256.Create(row.Depths, column);
-        WideVector place = _directions.At(row, column) * depth;
-        Vector256<float> patch = _patches.At(place.X, place.Y);
-        Vector256<float> grain = Wide.One + (Vector256.Create(0.10f) * (patch - Vector256.Create(0.5f)));
-        if (_shadows is not null)
+        float level = (float)_lighting.SnowFraction * Math.Clamp((normal.Z - 0.5f) * 2, 0, 1);
+        return surface switch
         {
-            grain += Vector256.Create(Bleaching);
-            grain -= Vector256.Create(PatchDarkness) * Wide.Fraction((patch - Vector256.Create(PatchFrom)) * Vector256.Create(PatchEdge));
-        }
-
-        Vector256<float> closeness = Wide.One - (depth * Vector256.Create(row.Stretch, column) * Vector256.Create(1 / GrainReachMetres));
-        if (Vector256.GreaterThanAny(closeness, Wide.Zero))
-        {
-            Vector256<float> fine = _grains.At(place.X, place.Y) - Vector256.Create(0.5f);
-            Vector256<float> near = Vector256.MaxNative(closeness, Wide.Zero);
-            grain += Vector256.Create(0.16f) * fine * near;
-            if (_shadows is not null)
-            {
-                // Where the ground is coarser, the seam is broken.
-                Vector256<float> seam = Wide.One - (Vector256.Abs(patch - Vector256.Create(SeamAt)) * Vector256.Create(SeamThinness));
-                grain -= Vector256.Create(SeamDarkness) * Wide.Fraction(seam - fine) * near;
-            }
-        }
-
-        return grain;
+            Surface.Glass or Surface.LitWindow or Surface.NightLamp or Surface.Lamp => 0,
+            _ when _shadows is null => level * PlainSnow,
+            Surface.Paint => level * SnowOnPaint,
+            _ => Math.Min(1, level / FullSnow),
+        };
     }
 }

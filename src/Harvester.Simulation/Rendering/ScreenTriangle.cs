@@ -21,8 +21,9 @@ internal readonly struct ScreenTriangle
     /// <param name="kind">What the surface of its mesh is.</param>
     /// <param name="source">The triangle that is shown.</param>
     /// <param name="normal">Unit vector of the world square to it, on the camera's side.</param>
+    /// <param name="lanes">Where wheels run on it.</param>
     public ScreenTriangle(Vector256<double> a, Vector256<double> b, Vector256<double> c, double doubleArea, PixelRectangle pixels,
-        int handle, SurfaceKind kind, in MeshTriangle source, Vector3 normal)
+        int handle, SurfaceKind kind, in MeshTriangle source, Vector3 normal, in LanePlane lanes)
     {
         Edges = doubleArea >= 0 ? new EdgeTriple(a, b, c) : new EdgeTriple(b, a, c);
         Vector256<double> ab = b - a;
@@ -36,6 +37,7 @@ internal readonly struct ScreenTriangle
         Colour = source.Colour;
         Surface = source.Surface;
         Normal = normal;
+        Lanes = lanes;
     }
 
     public EdgeTriple Edges { get; }
@@ -55,6 +57,9 @@ internal readonly struct ScreenTriangle
 
     /// <summary>Unit normal of the triangle in the world, on the camera's side.</summary>
     public Vector3 Normal { get; }
+
+    /// <summary>Where wheels run on it.</summary>
+    public LanePlane Lanes { get; }
 
     /// <summary>The near plane's distance divided by the depth at a place of the image.</summary>
     public double NearnessAt(double x, double y) => (_slopeX * x) + (_slopeY * y) + _atOrigin;

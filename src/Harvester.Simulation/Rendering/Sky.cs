@@ -10,6 +10,7 @@ internal sealed class Sky
 {
     private const float GlowCosine = 0.9f;
     private const float DiscCosine = 0.9996f;
+    private const float StarsFrom = 0.7f;
     private const float MinCloudHeight = 0.02f;
     private static readonly NoisePlane Large = new(0, 0, 1.3);
     private static readonly NoisePlane Middle = new(0, 0, 3.1);
@@ -33,7 +34,7 @@ internal sealed class Sky
         Horizon = ToLight(lighting.HorizonColour);
         (_glow, _glowDirection) = (ToLight(lighting.GlowColour), ToSingle(lighting.GlowDirection));
         _clouds = (float)lighting.CloudFraction;
-        _stars = (float)lighting.NightFraction * Math.Max(0, 1 - (1.5f * _clouds));
+        _stars = Math.Max(0, ((float)lighting.NightFraction - StarsFrom) / (1 - StarsFrom)) * Math.Max(0, 1 - (1.5f * _clouds));
         _cloud = Vector3.Min(Vector3.One, (ToLight(lighting.AmbientColour) * 1.15f) + (_sunColour * 0.75f));
     }
 

@@ -24,6 +24,9 @@ public enum Surface
     /// <summary>Ground: matte, with a fine grain so that large faces are not of one colour.</summary>
     Ground,
 
+    /// <summary>Asphalt: ground that is patched and worn, holds water in rain, and has tracks through snow.</summary>
+    Asphalt,
+
     /// <summary>Paint on a road: matte.</summary>
     Marking,
 }

@@ -125,6 +125,7 @@ internal sealed class TriangleChunk
         Span<Vector256<double>> corners = stackalloc Vector256<double>[4];
         int count = NearClipper.Clip(toClip.Apply(triangle.A), toClip.Apply(triangle.B), toClip.Apply(triangle.C), view.NearClip, corners);
         Vector3? normal = null;
+        LanePlane lanes = default;
         for (int i = 2; i < count; i++)
         {
             Vector256<double> a = corners[0];
@@ -140,10 +141,15 @@ internal sealed class TriangleChunk
             double doubleArea = ((b[0] - a[0]) * (c[1] - a[1])) - ((b[1] - a[1]) * (c[0] - a[0]));
             if (doubleArea != 0)
             {
-                normal ??= NormalTowards(view.Camera.Pose.Position, instance.Pose, triangle);
-                Add(
-                    new ScreenTriangle(a, b, c, doubleArea, pixels, instance.Handle, instance.Mesh.Kind, triangle, normal.Value),
-                    bandHeight);
+                if (normal is null)
+                {
+                    normal = NormalTowards(view.Camera.Pose.Position, instance.Pose, triangle);
+                    lanes = triangle.Lanes.Outer > 0 ? new LanePlane(triangle, instance.Pose, view.Camera.Pose.Position) : default;
+                }
+
+                var shown = new ScreenTriangle(
+                    a, b, c, doubleArea, pixels, instance.Handle, instance.Mesh.Kind, triangle, normal.Value, lanes);
+                Add(shown, bandHeight);
             }
         }
     }

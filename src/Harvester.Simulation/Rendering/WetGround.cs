@@ -6,7 +6,7 @@ using Harvester.Geometry;
 namespace Harvester.Simulation.Rendering;
 
 /// <summary>
-/// Mirrors the picture in wet ground. The ground is taken as level and the camera as upright: what lies above the foot of an object by so
+/// Mirrors the picture in wet asphalt. The ground is taken as level and the camera as upright: what lies above the foot of an object by so
 /// many rows is then seen in the ground by as many rows below it.
 /// </summary>
 internal sealed class WetGround(View view, ScreenTriangles triangles, int[] ids, float[] nearness)
@@ -104,7 +104,7 @@ internal sealed class WetGround(View view, ScreenTriangles triangles, int[] ids,
         }
 
         ref readonly ScreenTriangle triangle = ref triangles[ids[pixel]];
-        return triangle.Surface == Surface.Ground && triangle.Normal.Z > MinLevel;
+        return triangle.Surface == Surface.Asphalt && triangle.Normal.Z > MinLevel;
     }
 
     private double PuddleAt(int column, int row, double depth)

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Harvester.Geometry.Roads;
+using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Streets;
 
@@ -53,6 +54,18 @@ internal readonly record struct LaneLayout(int Forward, int Backward, double Lan
         double inner = IsOneWay ? (Forward + Backward) * -LaneWidth / 2 : MedianWidth / 2;
         int lane = (int)Math.Floor(((forward ? offset : -offset) - inner) / LaneWidth);
         return lane >= 0 && lane < Lanes(forward) ? (forward, lane) : null;
+    }
+
+    /// <summary>
+    /// An offset counted in lanes, with the range in which lanes lie: from the road's line to both sides, or from the left edge of a
+    /// one-way road. On a road with more lanes one way than the other the range is that of the wider side.
+    /// </summary>
+    public LaneOffsets InLanes(double offset)
+    {
+        double inner = IsOneWay ? 0 : MedianWidth / 2;
+        float at = (float)((IsOneWay ? offset - LeftEdge : offset) / LaneWidth);
+        double outer = inner + (LaneWidth * (IsOneWay ? Forward + Backward : Math.Max(Forward, Backward)));
+        return new LaneOffsets(at, at, at, (float)(inner / LaneWidth), (float)(outer / LaneWidth));
     }
 
     /// <summary>The painted lines across the road, left to right.</summary>

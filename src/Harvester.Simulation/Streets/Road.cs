@@ -46,9 +46,12 @@ internal sealed class Road(int index, IReadOnlyList<int> nodes, LaneLayout layou
 
     public bool IsUnpaved => Flags.HasFlag(RoadNodeFlags.OffRoad);
 
+    /// <summary>Whether it is covered; only some road files know that.</summary>
+    public bool IsInTunnel => Flags.HasFlag(RoadNodeFlags.Tunnel);
+
     /// <summary>Whether it has pavements and houses.</summary>
     public bool IsStreet =>
-        !IsHighway && !IsUnpaved && !IsInner && !IsAlley && Zone != Zone.Country && !Flags.HasFlag(RoadNodeFlags.Tunnel);
+        !IsHighway && !IsUnpaved && !IsInner && !IsAlley && Zone != Zone.Country && !IsInTunnel;
 
     /// <summary>Whether it is the lane of a car park or a yard: without traffic of its own and unknown to navigation.</summary>
     public bool IsAlley => Flags.HasFlag(RoadNodeFlags.SwitchedOff | RoadNodeFlags.NoGps);

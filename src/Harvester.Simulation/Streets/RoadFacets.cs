@@ -54,9 +54,15 @@ internal sealed class RoadFacets
     /// <summary>Stations at which facets begin and end, metres along the road.</summary>
     public IReadOnlyList<double> Stations => _stations;
 
-    /// <summary>All facets.</summary>
-    public IEnumerable<RoadFacet> All() => _pieces.SelectMany(piece =>
-        Enumerable.Range(1, piece.Near.Length - 1).Select(column => Facet(piece, column)));
+    /// <summary>
+    /// All facets, each with the distance along the road at which it begins, and the offsets of its left and right sides, metres.
+    /// </summary>
+    public IEnumerable<(RoadFacet Facet, double From, double Left, double Right)> All() => _pieces.SelectMany((piece, number) =>
+        Enumerable.Range(1, piece.Near.Length - 1).Select(column => (
+            Facet(piece, column),
+            _stations[number],
+            OffsetOf(column - 1, piece.Near.Length - 1),
+            OffsetOf(column, piece.Near.Length - 1))));
 
     /// <summary>The point of the asphalt at a distance along the road and an offset to the right of its line, metres, world.</summary>
     public Vector3D At(double distance, double rightOffset)

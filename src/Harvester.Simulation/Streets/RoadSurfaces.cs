@@ -13,10 +13,12 @@ internal sealed class RoadSurfaces(
     public void Build()
     {
         RoadSides sides = new(index, terrain, levels, asphalt, mesh);
+        TunnelBuilder tunnels = new(index, asphalt, mesh);
         foreach (Road road in plan.Roads)
         {
             Pave(road);
             sides.Build(road);
+            tunnels.Build(road);
         }
 
         foreach (Junction junction in plan.Junctions.Where(junction => junction.Arms.Count != 2 || junction.IsCorner))
@@ -32,10 +34,19 @@ internal sealed class RoadSurfaces(
     private void Pave(Road road)
     {
         RoadRibbon ribbon = new(road, asphalt.Of(road).Stations, mesh);
-        Rgb colour = road.IsUnpaved ? Palette.Dirt : Palette.Asphalt;
-        foreach (RoadFacet facet in asphalt.Of(road).All())
+        foreach ((RoadFacet facet, double from, double left, double right) in asphalt.Of(road).All())
         {
-            mesh.AddQuad(facet.NearLeft, facet.NearRight, facet.FarRight, facet.FarLeft, colour, Surface.Ground, SurfaceKind.Road);
+            if (road.IsUnpaved)
+            {
+                mesh.AddQuad(
+                    facet.NearLeft, facet.NearRight, facet.FarRight, facet.FarLeft, Palette.Dirt, Surface.Ground, SurfaceKind.Road);
+            }
+            else
+            {
+                bool hasLanes = !road.IsInner && !road.IsInTrim(from);
+                mesh.AddAsphalt(
+                    facet, hasLanes ? road.Layout.InLanes(left) : default, hasLanes ? road.Layout.InLanes(right) : default);
+            }
         }
 
         double median = road.Layout.MedianWidth;
@@ -59,7 +70,8 @@ internal sealed class RoadSurfaces(
     {
         const int sides = 16;
         double radius = junction.Arms.Min(arm => arm.Road.Layout.HalfWidth);
-        Rgb colour = junction.Arms.All(arm => arm.Road.IsUnpaved) ? Palette.Dirt : Palette.Asphalt;
+        (Rgb colour, Surface surface) = junction.Arms.All(arm => arm.Road.IsUnpaved)
+            ? (Palette.Dirt, Surface.Ground) : (Palette.Asphalt, Surface.Asphalt);
         List<Vector3D> rim = [.. Enumerable.Range(0, sides).Select(i =>
         {
             (double sin, double cos) = Math.SinCos(2 * Math.PI * i / sides);
@@ -71,7 +83,7 @@ internal sealed class RoadSurfaces(
         for (int i = 0; i < sides; i++)
         {
             mesh.AddTriangle(
-                junction.Position + down, rim[i] + down, rim[(i + 1) % sides] + down, colour, Surface.Ground, SurfaceKind.Road);
+                junction.Position + down, rim[i] + down, rim[(i + 1) % sides] + down, colour, surface, SurfaceKind.Road);
         }
     }
 }

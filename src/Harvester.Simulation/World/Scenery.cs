@@ -77,7 +77,7 @@ internal sealed class Scenery
             }
         }
 
-        foreach (Road road in plan.Roads.Where(road => road.IsHighway))
+        foreach (Road road in plan.Roads.Where(road => road.IsHighway && !road.IsInTunnel))
         {
             for (double distance = MotorwayLampSpacing / 2; distance < road.Length; distance += MotorwayLampSpacing)
             {

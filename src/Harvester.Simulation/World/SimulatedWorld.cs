@@ -248,18 +248,19 @@ internal sealed class SimulatedWorld
     /// <summary>The nearest street lamps and headlights, which light the scene at night.</summary>
     public List<LightSource> LightsNear(Vector3D eye)
     {
-        const double range = 90;
-        const int most = 14;
+        const double range = 120;
+        const int mostLamps = 14;
+        const int mostVehicles = 8;
         const double lampAhead = 2;
         IEnumerable<LightSource> lamps = _lamps
             .Where(lamp => (lamp - eye).Length < range)
             .OrderBy(lamp => (lamp - eye).LengthSquared)
-            .Take(most)
+            .Take(mostLamps)
             .Select(LightSource.StreetLamp);
         IEnumerable<LightSource> headlights = Vehicles
             .Where(vehicle => (vehicle.Pose.Position - eye).Length < range)
             .OrderBy(vehicle => (vehicle.Pose.Position - eye).LengthSquared)
-            .Take(most)
+            .Take(mostVehicles)
             .Select(vehicle => LightSource.Headlights(vehicle.Pose.ToWorld(new Vector3D(0, lampAhead, 0)), vehicle.Pose.Axes.Forward));
         return [.. lamps, .. headlights];
     }

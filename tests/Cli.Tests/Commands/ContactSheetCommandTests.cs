@@ -9,10 +9,11 @@ namespace Harvester.Cli.Tests.Commands;
 
 public sealed class ContactSheetCommandTests : IDisposable
 {
-    private const int TileWidth = 64;
+    private const int TileWidth = 240;
     private const int TileHeight = 48;
     private const int Gap = 4;
     private const int Caption = 20;
+    private const int CaptionLine = 16;
 
     private readonly TemporaryFolder _folder = new();
     private readonly string _roads;
@@ -30,7 +31,7 @@ public sealed class ContactSheetCommandTests : IDisposable
     }
 
     [Fact]
-    public void Sheet_has_a_row_per_place_and_a_tile_per_moment()
+    public void Sheet_has_a_row_per_weather_and_a_column_per_time()
     {
         CliRun run = Sheet(
             "--at", "0,100", "--at", "0,800", "--weather", "clear", "--weather", "foggy", "--time", "12:00", "--time", "23:00");
@@ -38,9 +39,9 @@ public sealed class ContactSheetCommandTests : IDisposable
         Assert.Equal("", run.Error);
         Assert.Equal(ExitCode.Done, run.ExitCode);
         (int width, int height, byte[] rgb) = Decoded();
-        Assert.Equal((4 * (TileWidth + Gap)) + Gap, width);
-        Assert.Equal((2 * (TileHeight + Caption)) + Gap, height);
-        byte[][] tiles = [.. Enumerable.Range(0, 8).Select(tile => Cut(rgb, width, tile % 4, tile / 4))];
+        Assert.Equal((2 * (TileWidth + Gap)) + Gap, width);
+        Assert.Equal((4 * (TileHeight + Caption)) + Gap, height);
+        byte[][] tiles = [.. Enumerable.Range(0, 8).Select(tile => Cut(rgb, width, tile % 2, tile / 2))];
         for (int i = 0; i < tiles.Length; i++)
         {
             for (int j = 0; j < i; j++)
@@ -48,6 +49,47 @@ public sealed class ContactSheetCommandTests : IDisposable
                 Assert.NotEqual(tiles[i], tiles[j]);
             }
         }
+
+        // The second column shows the night, whose sky is dark.
+        Assert.All([0, 2, 4, 6], day => Assert.True(Sky(tiles[day]) > 1.5 * Sky(tiles[day + 1]), $"Tile {day}"));
+    }
+
+    [Theory]
+    [InlineData("--weather", "foggy")]
+    [InlineData("--time", "23:00")]
+    public void Sheet_has_a_row_per_place_if_one_thing_varies(string option, string value)
+    {
+        Sheet("--at", "0,100", "--at", "0,800", "--weather", "clear", "--time", "12:00", option, value);
+
+        (int width, int height, _) = Decoded();
+        Assert.Equal((2 * (TileWidth + Gap)) + Gap, width);
+        Assert.Equal((2 * (TileHeight + Caption)) + Gap, height);
+    }
+
+    [Fact]
+    public void Detail_is_full_unless_plain_is_asked_for()
+    {
+        Sheet();
+        byte[] byDefault = File.ReadAllBytes(_out);
+        Sheet("--detail", "full");
+        Assert.Equal(byDefault, File.ReadAllBytes(_out));
+        Sheet("--detail", "plain");
+        Assert.NotEqual(byDefault, File.ReadAllBytes(_out));
+    }
+
+    [Fact]
+    public void Long_caption_is_written_on_several_lines()
+    {
+        // A line of 240 pixels has room for 25 letters of 9.
+        Sheet("--list", Write("A long name of a place at the northern end,0,900"));
+        (_, int height, byte[] rgb) = Decoded();
+        Sheet("--list", Write("A long name of a place at the northern edge,0,900"));
+        (_, int sameHeight, byte[] other) = Decoded();
+
+        // "A LONG NAME OF A PLACE AT", "THE NORTHERN END  0,900", "CLEAR 12:00 1 S"
+        Assert.Equal(Gap + TileHeight + Caption + (2 * CaptionLine), height);
+        Assert.Equal(height, sameHeight);
+        Assert.NotEqual(rgb, other);
     }
 
     [Fact]
@@ -85,7 +127,7 @@ public sealed class ContactSheetCommandTests : IDisposable
         Assert.Equal(Cut(named, width, 0, 0), Cut(unnamed, width, 0, 0));
         int belowPicture = (Gap + TileHeight) * width * 3;
         Assert.NotEqual(named[belowPicture..], unnamed[belowPicture..]);
-        Assert.Equal(Gap + TileHeight + Caption, height);
+        Assert.Equal(Gap + TileHeight + Caption + CaptionLine, height);
     }
 
     [Theory]
@@ -135,6 +177,9 @@ public sealed class ContactSheetCommandTests : IDisposable
         PngDecoder picture = PngDecoder.Decode(File.ReadAllBytes(_out));
         return (picture.Width, picture.Height, picture.Samples);
     }
+
+    /// <summary>Brightness of the first row of a tile.</summary>
+    private static double Sky(byte[] tile) => tile.Take(TileWidth * 3).Average(value => (double)value);
 
     private static byte[] Cut(byte[] rgb, int width, int column, int row)
     {

@@ -12,6 +12,14 @@ public sealed class CameraTests
     /// <summary>Issue's demand for the round trip, pixels.</summary>
     private const double RoundTripPixels = 1e-9;
 
+    /// <summary>Vectors that python/tests/test_camera.py reads too; posed_projection.py computes them with 50 digits.</summary>
+    private const string PosedVectors = "Cameras/posed-projection.csv";
+
+    private const double PosedNearClip = 0.15;
+
+    /// <summary>Coordinates are up to 4 km, whose last binary digit is 5e-13 m, and a lens multiplies it by up to 10.</summary>
+    private const double UnprojectMetres = 1e-9;
+
     private static readonly Lens[] Lenses =
     [
         Lens.Ideal,
@@ -21,6 +29,8 @@ public sealed class CameraTests
     ];
 
     public static TheoryData<string> ProjectionCases => [.. Vectors.Read("Cameras/projection.csv").Select(row => row["case"])];
+
+    public static TheoryData<string> PosedCases => [.. Vectors.Read(PosedVectors).Select(row => row["case"])];
 
     [Theory]
     [MemberData(nameof(ProjectionCases))]
@@ -39,6 +49,31 @@ public sealed class CameraTests
         Assert.Equal(row.Number("u"), projection.U, row.Number("tolerance"));
         Assert.Equal(row.Number("v"), projection.V, row.Number("tolerance"));
         Assert.Equal(row.Number("depth"), projection.Depth, row.Number("tolerance"));
+    }
+
+    [Theory]
+    [MemberData(nameof(PosedCases))]
+    public void Project_and_Unproject_posed_cameras_with_lenses(string name)
+    {
+        IReadOnlyDictionary<string, string> row = Vectors.Read(PosedVectors).Single(r => r["case"] == name);
+        var lens = new Lens(row.Number("focalScale"), row.Number("centreX"), row.Number("centreY"), row.Number("k1"), row.Number("k2"));
+        var size = new ImageSize((int)row.Number("width"), (int)row.Number("height"));
+        var axes = Axes.FromVectors(row.Vector("right"), row.Vector("forward"), row.Vector("up"));
+        var camera = new Camera(
+            new Pose(row.Vector("position"), axes),
+            new CameraIntrinsics(row.Number("fovDegrees"), size, row.Number("windowAspect"), PosedNearClip, lens));
+
+        Projection projection = camera.Project(row.Vector("point"));
+
+        Assert.Equal(Enum.Parse<ProjectionOutcome>(row["outcome"]), projection.Outcome);
+        Assert.Equal(row.Number("depth"), projection.Depth, RoundTripPixels);
+        Assert.Equal(row.Number("u"), projection.U, RoundTripPixels);
+        Assert.Equal(row.Number("v"), projection.V, RoundTripPixels);
+        if (projection.Outcome != ProjectionOutcome.BehindNearPlane)
+        {
+            Vector3D point = camera.Unproject(row.Number("u"), row.Number("v"), row.Number("depth"));
+            Assert.Equal(0, (point - row.Vector("point")).Length, UnprojectMetres);
+        }
     }
 
     [Theory]

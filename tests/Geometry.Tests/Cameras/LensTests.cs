@@ -36,6 +36,18 @@ public sealed class LensTests
         }
     }
 
+    [Theory]
+    [InlineData(-0.2, 0.05)]
+    [InlineData(0.3, 0)]
+    [InlineData(0, 1)]
+    public void Undistort_inverts_Distort_to_a_degree_beside_the_camera(double k1, double k2)
+    {
+        var lens = new Lens(1, 0, 0, k1, k2);
+        double radius = Math.Tan(89 * Math.PI / 180);
+
+        Assert.Equal(radius, lens.Undistort(lens.Distort(new Vector2D(radius, 0))).X, 1e-12 * radius);
+    }
+
     [Fact]
     public void Lens_invalid_input_is_refused()
     {

@@ -13,13 +13,13 @@ namespace Harvester.Simulation.Tests.Labelling;
 /// <summary>The occlusion that the renderer reports, against a ray through the centre of every pixel.</summary>
 public sealed class TrueOcclusionTests(ITestOutputHelper output)
 {
-    /// <summary>Rays and z-buffer may differ at so many pixels of an object: those whose centres lie on an edge to within rounding.</summary>
+    /// <summary>Rays and z-buffer may differ at so many pixels of an object, whose centres lie on an edge to within rounding.</summary>
     private const double EdgePixels = 2;
 
     /// <summary>Labels are rounded to four decimals.</summary>
     private const double Rounding = 1e-4;
 
-    /// <summary>64 rays through an object that is half hidden have a standard deviation of 0.06; most objects are hidden less or more.</summary>
+    /// <summary>64 rays through an object that is half hidden have a standard deviation of 0.06, the largest of all.</summary>
     private const double MaxMeanErrorOfRays = 0.04;
 
     private static readonly SimulationOptions Town =

@@ -10,7 +10,7 @@ internal enum PaintFindingKind
     NoPaint,
 
     /// <summary>
-    /// Something stands before it, or it is too thin in the picture, cut at a slant, or runs into other paint: its middle cannot be determined.
+    /// Something stands before it, or it is too thin in the picture, cut at a slant, or runs into other paint: its middle is unknown.
     /// </summary>
     NotMeasurable,
 }

@@ -28,6 +28,19 @@ public class WeatherTests
     }
 
     [Fact]
+    public void Sky_of_dusk_is_redder_than_at_noon_and_lighter_than_at_night()
+    {
+        // On the first of May the sun sets at 18:43 by the sun's own time.
+        Rgb noon = HorizonAt(12);
+        Rgb dusk = HorizonAt(18.75);
+        Rgb night = HorizonAt(23);
+
+        Assert.True(dusk.Red - dusk.Blue > noon.Red - noon.Blue + 20, $"The horizon is {dusk} at dusk and {noon} at noon.");
+        Assert.True(dusk.Red > night.Red + 40, $"The horizon is {dusk} at dusk and {night} at night.");
+        Assert.NotEqual(default, Weather.LightingOf("clear", 121, TimeSpan.FromHours(18.75)).GlowColour);
+    }
+
+    [Fact]
     public void LightingOf_unknown_name_is_refused_with_the_names()
     {
         ArgumentException error = Assert.Throws<ArgumentException>(() => new SimulatedGame(new SimulationOptions { Weather = "sunny" }));
@@ -35,6 +48,8 @@ public class WeatherTests
         Assert.Contains("'sunny'", error.Message, StringComparison.Ordinal);
         Assert.All(WeatherNames.All, name => Assert.Contains(name, error.Message, StringComparison.Ordinal));
     }
+
+    private static Rgb HorizonAt(double hour) => Weather.LightingOf("clear", 121, TimeSpan.FromHours(hour)).HorizonColour;
 
     private static byte[] PictureOf(string weather)
     {

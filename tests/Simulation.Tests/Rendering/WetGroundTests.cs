@@ -2,7 +2,7 @@ using Harvester.Simulation.Rendering;
 
 namespace Harvester.Simulation.Tests.Rendering;
 
-/// <summary>Wet ground mirrors what stands on it.</summary>
+/// <summary>Wet asphalt mirrors what stands on it.</summary>
 public sealed class WetGroundTests
 {
     /// <summary>
@@ -24,7 +24,11 @@ public sealed class WetGroundTests
     }
 
     [Fact]
-    public void Dry_ground_mirrors_nothing() => Assert.InRange(RednessOf(Render(0), 136, 150), -NotReddish, NotReddish);
+    public void Dry_asphalt_mirrors_nothing() => Assert.InRange(RednessOf(Render(0), 136, 150), -NotReddish, NotReddish);
+
+    [Fact]
+    public void Wet_grass_mirrors_nothing() =>
+        Assert.InRange(RednessOf(Render(1, Surface.Ground), 136, 150), -NotReddish, NotReddish);
 
     [Fact]
     public void Reflections_change_colours_only()
@@ -45,10 +49,10 @@ public sealed class WetGroundTests
             .Average(pixel => picture.Colour[pixel * 3] - (double)picture.Colour[(pixel * 3) + 1]);
     }
 
-    private static RenderTarget Render(double rain)
+    private static RenderTarget Render(double rain, Surface surface = Surface.Asphalt)
     {
         Mesh ground = new MeshBuilder().AddQuad(
-            new(-300, 0, -1), new(300, 0, -1), new(300, 300, -1), new(-300, 300, -1), new Rgb(60, 60, 60), Surface.Ground).Build();
+            new(-300, 0, -1), new(300, 0, -1), new(300, 300, -1), new(-300, 300, -1), new Rgb(60, 60, 60), surface).Build();
         Mesh wall = new MeshBuilder().AddBox(new(-4, 10, -1), new(4, 11, 1), new Rgb(255, 40, 40)).Build();
         var scene = new RenderScene([TestScene.AtOrigin(ground, 0), TestScene.AtOrigin(wall, 0)])
         {

@@ -71,6 +71,36 @@ public sealed class DrivableStreetsTests
         Assert.InRange(longest, 0, MaxSpan);
     }
 
+    [Fact]
+    public void Roads_in_tunnels_have_a_ceiling_and_walls_and_others_none()
+    {
+        // Lorries are up to 4.3 m high; the ceiling lies a little above that.
+        const double highest = 6;
+        const double eye = 1;
+        const double reach = 30;
+        Site site = SiteOf("tunnel");
+        SceneRayCaster rays = new(new RenderScene(site.Ground));
+        int covered = 0;
+        foreach (Road road in site.Plan.Roads)
+        {
+            for (double distance = 5; distance < road.Length - 5; distance += 10)
+            {
+                CrossSection section = road.Curve.SectionAt(distance);
+                Vector3D place = section.Centre + (Horizontal.Up * eye);
+                bool hasCeiling = rays.Cast(new Ray(place, Horizontal.Up), highest, RayHit.World) is not null;
+                Assert.Equal(road.IsInTunnel, hasCeiling);
+                if (hasCeiling)
+                {
+                    covered++;
+                    Assert.NotNull(rays.Cast(new Ray(place, section.Right), reach, RayHit.World));
+                    Assert.NotNull(rays.Cast(new Ray(place, -section.Right), reach, RayHit.World));
+                }
+            }
+        }
+
+        Assert.True(covered > 25, $"Only {covered} places are covered.");
+    }
+
     [Theory]
     [MemberData(nameof(Layouts))]
     public void No_building_stands_on_a_carriageway(string layout) => AssertBuildingsAreOffRoads(SiteOf(layout));

@@ -11,7 +11,7 @@ internal sealed class Layout
     private readonly List<RoadNode> _nodes = [];
     private readonly List<RoadLink> _links = [];
 
-    public static IEnumerable<string> Names => ["crossing", "ramp", "hill", "serpentine", "interchange", "parallel"];
+    public static IEnumerable<string> Names => ["crossing", "ramp", "hill", "serpentine", "interchange", "parallel", "tunnel"];
 
     public static RoadNetwork Named(string name)
     {
@@ -60,6 +60,19 @@ internal sealed class Layout
                 // Two carriageways that drift apart in height.
                 layout.Add(2, 0, RoadNodeFlags.Highway, new(-300, -7, 40), new(0, -7, 40.6), new(300, -9, 44));
                 layout.Add(2, 0, RoadNodeFlags.Highway, new(300, 8, 40), new(0, 7, 40), new(-300, 7, 40));
+                break;
+            case "tunnel":
+                // Two carriageways through a hill, each with a tunnel of 200 m.
+                layout.Add(
+                    2, 0, RoadNodeFlags.Highway, new(-300, -9, 40), new(-110, -9, 40));
+                layout.Add(2, 0, RoadNodeFlags.Highway | RoadNodeFlags.Tunnel, new(-100, -9, 40), new(100, -9, 41));
+                layout.Add(2, 0, RoadNodeFlags.Highway, new(110, -9, 41), new(300, -9, 41));
+                layout.Add(2, 0, RoadNodeFlags.Highway, new(-110, -9, 40), new(-100, -9, 40));
+                layout.Add(2, 0, RoadNodeFlags.Highway, new(100, -9, 41), new(110, -9, 41));
+                layout.Add(1, 1, RoadNodeFlags.None, new(-300, 60, 40), new(-110, 60, 40));
+                layout.Add(1, 1, RoadNodeFlags.Tunnel, new(-100, 60, 40), new(0, 60, 40), new(80, 100, 42));
+                layout.Add(1, 1, RoadNodeFlags.None, new(-110, 60, 40), new(-100, 60, 40));
+                layout.Add(1, 1, RoadNodeFlags.None, new(80, 100, 42), new(250, 180, 42));
                 break;
             default:
                 throw new ArgumentException($"There is no layout '{name}'.", nameof(name));

@@ -70,7 +70,7 @@ public sealed class RealPlacesTests(ITestOutputHelper output)
         Assert.InRange(highRises["Financial district"], 10, 1000);
         foreach (string low in new[]
         {
-            "Hills and country", "Desert town", "Grapeseed farms", "Chumash coast", "Vinewood Hills", "Raton canyon", "Mirror Park",
+            "Hills and country", "Desert town", "Grapeseed farms", "Chumash coast", "Vinewood Hills", "Mirror Park",
         })
         {
             Assert.Equal(0, highRises[low]);

@@ -1,0 +1,22 @@
+"""Reads the sessions of GtaDataHarvester: images with labels, from GTA V or from its simulation.
+
+open_session opens a folder. docs/python.md of the project has examples, docs/dataset-format.md the meaning of every field.
+"""
+
+from ._version import __version__
+from .arrays import ObjectArrays
+from .camera import Camera, Lens, Projection
+from .errors import (
+    LabelError, MissingPictureError, NewerFormatError, NotASessionError, PartialSessionError, PictureError, SessionError)
+from .frame import Frame, View
+from .lanes import INDICATOR_NAMES, Indicators, LaneLine, Lanes, VehicleInLane
+from .records import (
+    CLASS_NAMES, JOINT_NAMES, Cuboid, Ego, Face, IgnoreRegion, Joint, Light, ObjectLabel, VehicleLights)
+from .selection import Selection
+from .session import FORMAT_VERSION, Session, Track, open_session
+
+__all__ = [
+    "CLASS_NAMES", "FORMAT_VERSION", "INDICATOR_NAMES", "JOINT_NAMES", "Camera", "Cuboid", "Ego", "Face", "Frame", "IgnoreRegion",
+    "Indicators", "Joint", "LabelError", "LaneLine", "Lanes", "Lens", "Light", "MissingPictureError", "NewerFormatError",
+    "NotASessionError", "ObjectArrays", "ObjectLabel", "PartialSessionError", "PictureError", "Projection", "Selection", "Session",
+    "SessionError", "Track", "VehicleInLane", "VehicleLights", "View", "__version__", "open_session"]

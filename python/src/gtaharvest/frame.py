@@ -1,0 +1,188 @@
+"""A frame of a session, and the views of its cameras."""
+
+from __future__ import annotations
+
+import functools
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Callable, Dict, Mapping, Optional, Tuple, TypeVar
+
+from .arrays import ObjectArrays
+from .camera import Camera
+from .errors import LabelError, MissingPictureError, PictureError
+from .lanes import Lanes
+from .pictures import read_image, read_mask
+from .png import Picture
+from .records import Ego, IgnoreRegion, ObjectLabel
+from .selection import Selection
+
+if TYPE_CHECKING:
+    import pandas
+
+_T = TypeVar("_T")
+
+ONLY_VIEW = "camera"
+"""Name of the view of a session with a single camera."""
+
+
+def _checked(source: str, read: Callable[[], _T]) -> _T:
+    """Reads part of a label; what is missing or of another type becomes a LabelError."""
+    try:
+        return read()
+    except KeyError as missing:
+        raise LabelError(f"{source}: the field {missing.args[0]!r} is missing. Run harvester validate.") from None
+    except (TypeError, IndexError, ValueError) as problem:
+        raise LabelError(f"{source}: a field has the wrong type ({problem}). Run harvester validate.") from None
+
+
+class View:
+    """What one camera shows in a frame. Pictures and records are read when they are asked for.
+
+    name: of the view. frame: number of the frame. raw: the view's part of the label line as parsed JSON.
+    """
+
+    def __init__(self, name: str, frame: int, raw: Mapping[str, Any], folder: Path, source: str) -> None:
+        self.name = name
+        self.frame = frame
+        self.raw = raw
+        self._folder = folder
+        self._source = source
+
+    @functools.cached_property
+    def camera(self) -> Camera:
+        """The camera, with the lens."""
+        return _checked(self._source, lambda: Camera.from_json(self.raw["camera"]))
+
+    @functools.cached_property
+    def objects(self) -> Tuple[ObjectLabel, ...]:
+        """The objects in the image, by ascending id."""
+        return _checked(self._source, lambda: tuple(map(ObjectLabel.from_json, self.raw["objects"])))
+
+    @functools.cached_property
+    def ignore_regions(self) -> Tuple[IgnoreRegion, ...]:
+        """Regions that show, or may show, an object without a label; nearest first."""
+        return _checked(self._source, lambda: tuple(map(IgnoreRegion.from_json, self.raw.get("ignoreRegions", ()))))
+
+    def select(self, selection: Selection) -> Tuple[ObjectLabel, ...]:
+        """The objects that pass a filter."""
+        return tuple(filter(selection.takes, self.objects))
+
+    def arrays(self, selection: Optional[Selection] = None) -> ObjectArrays:
+        """The objects as arrays, all or those that pass a filter."""
+        return ObjectArrays.of(self.objects if selection is None else self.select(selection))
+
+    @property
+    def image_path(self) -> Path:
+        """The file of the image."""
+        return self._inner(_checked(self._source, lambda: str(self.raw["image"])))
+
+    @property
+    def mask_path(self) -> Optional[Path]:
+        """The file of the instance mask; None if the frame has none."""
+        mask = self.raw.get("mask")
+        return None if mask is None else self._inner(str(mask))
+
+    def image(self) -> Picture:
+        """The image as (height, width, 3), uint8, red first.
+
+        Raises MissingPictureError if the file does not exist, and PictureError if it cannot be decoded or has another size.
+        """
+        path = self.image_path
+        return self._sized(path, read_image(path))
+
+    def mask(self) -> Picture:
+        """The instance mask as (height, width), uint16: the id of the object visible at each pixel, or 0.
+
+        Raises MissingPictureError if the frame has no mask or the file does not exist, and PictureError as image does.
+        """
+        path = self.mask_path
+        if path is None:
+            raise MissingPictureError(f"{self._source}: the frame has no mask. Harvest with --masks, or see harvester masks import.")
+        return self._sized(path, read_mask(path))
+
+    def _sized(self, path: Path, picture: Picture) -> Picture:
+        size = (self.camera.height, self.camera.width)
+        if picture.shape[:2] != size:
+            shape = f"{picture.shape[1]}x{picture.shape[0]}"
+            raise PictureError(f"{path}: the picture has {shape} pixels; its label says {size[1]}x{size[0]}.")
+        return picture
+
+    def _inner(self, name: str) -> Path:
+        """The path of a file of the session. A label of somebody else must not open files elsewhere."""
+        path = (self._folder / name).resolve()
+        if self._folder not in path.parents:
+            raise LabelError(f"{self._source}: '{name}' is outside the session.")
+        return path
+
+
+class Frame:
+    """One moment of a session. raw: the label line as parsed JSON."""
+
+    def __init__(self, raw: Mapping[str, Any], folder: Path, source: str) -> None:
+        self.raw = raw
+        self._folder = folder
+        self._source = source
+
+    @property
+    def number(self) -> int:
+        """Number of the frame."""
+        return _checked(self._source, lambda: int(self.raw["frame"]))
+
+    @property
+    def time_seconds(self) -> float:
+        """Game time, seconds."""
+        return _checked(self._source, lambda: float(self.raw["timeSeconds"]))
+
+    @property
+    def weather(self) -> str:
+        """The game's name of the weather, in lower case."""
+        return _checked(self._source, lambda: str(self.raw["environment"]["weather"]))
+
+    @property
+    def time_of_day(self) -> str:
+        """Time of day in the game, as 18:30:00."""
+        return _checked(self._source, lambda: str(self.raw["environment"]["timeOfDay"]))
+
+    @functools.cached_property
+    def ego(self) -> Ego:
+        """The vehicle that carries the camera."""
+        return _checked(self._source, lambda: Ego.from_json(self.raw["ego"]))
+
+    @functools.cached_property
+    def lanes(self) -> Optional[Lanes]:
+        """The lanes around the car; None if no roads are known."""
+        return _checked(self._source, lambda: Lanes.from_json(self.raw["lanes"]) if "lanes" in self.raw else None)
+
+    @functools.cached_property
+    def views(self) -> Dict[str, View]:
+        """The views by name. A session with a single camera has one, named ONLY_VIEW."""
+        return {ONLY_VIEW: View(ONLY_VIEW, self.number, self.raw, self._folder, self._source)}
+
+    @property
+    def view(self) -> View:
+        """The view of a frame with a single camera."""
+        (only,) = self.views.values()
+        return only
+
+    @property
+    def camera(self) -> Camera:
+        """The camera of the only view."""
+        return self.view.camera
+
+    @property
+    def objects(self) -> Tuple[ObjectLabel, ...]:
+        """The objects of the only view."""
+        return self.view.objects
+
+    def image(self) -> Picture:
+        """The image of the only view; see View.image."""
+        return self.view.image()
+
+    def mask(self) -> Picture:
+        """The instance mask of the only view; see View.mask."""
+        return self.view.mask()
+
+    def to_pandas(self, selection: Optional[Selection] = None) -> pandas.DataFrame:
+        """A table with one row per object; see Session.to_pandas."""
+        from .tables import table_of
+
+        return table_of([self], selection)

@@ -1,0 +1,127 @@
+"""Images and masks, with each decoder, and what is wrong with them."""
+
+from __future__ import annotations
+
+import struct
+import zlib
+from typing import Iterator
+
+import conftest
+import gtaharvest
+import numpy as np
+import pytest
+from conftest import HEIGHT, WIDTH, HandmadeSession
+from gtaharvest import open_session, pictures, png
+
+DECODERS = ("_opencv", "_pillow", "decode_plain")
+
+
+@pytest.fixture(params=DECODERS)
+def decoder(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
+    """Reads pictures with one decoder, as if no other were installed."""
+    pytest.importorskip({"_opencv": "cv2", "_pillow": "PIL", "decode_plain": "numpy"}[request.param])
+
+    def absent() -> pictures.Decoder:
+        raise ImportError
+
+    for name in DECODERS[:2]:
+        if name != request.param:
+            monkeypatch.setattr(pictures, name, absent)
+    pictures.decoder.cache_clear()
+    yield request.param
+    pictures.decoder.cache_clear()
+
+
+def test_images_are_red_green_blue_and_masks_have_16_bits(handmade: HandmadeSession, decoder: str) -> None:
+    frame = open_session(handmade.write())[2]
+    assert frame.image().dtype == np.uint8 and frame.mask().dtype == np.uint16
+    np.testing.assert_array_equal(frame.image(), conftest.image(2))
+    np.testing.assert_array_equal(frame.mask(), conftest.mask())
+    assert (frame.mask() == 7).sum() == 36
+
+
+def test_bmp_images(handmade: HandmadeSession, decoder: str) -> None:
+    picture = conftest.image(0)
+    handmade.lines[0]["image"] = "frames/0.bmp"
+    folder = handmade.write()
+    for height, rows in ((HEIGHT, picture[::-1]), (-HEIGHT, picture)):
+        data = rows[..., ::-1].tobytes()
+        header = struct.pack("<IIiiHHIIiiII", 40, 0, WIDTH, height, 1, 24, 0, len(data), 0, 0, 0, 0)[:4] + struct.pack(
+            "<iiHHIIiiII", WIDTH, height, 1, 24, 0, len(data), 0, 0, 0, 0)
+        (folder / "frames/0.bmp").write_bytes(b"BM" + struct.pack("<III", 54 + len(data), 0, 54) + header + data)
+        np.testing.assert_array_equal(open_session(folder)[0].image(), picture)
+
+
+def test_a_missing_picture_is_named(handmade: HandmadeSession) -> None:
+    handmade.lines[1]["mask"] = None
+    folder = handmade.write()
+    (folder / "frames/00000001.png").unlink()
+    frame = open_session(folder)[1]
+    with pytest.raises(gtaharvest.MissingPictureError, match=r"00000001\.png.*does not exist") as missing:
+        frame.image()
+    assert "\n" not in str(missing.value)
+    with pytest.raises(gtaharvest.MissingPictureError, match="line 2: the frame has no mask"):
+        frame.mask()
+    assert frame.view.mask_path is None
+
+
+def test_a_damaged_picture_is_refused(handmade: HandmadeSession, decoder: str) -> None:
+    folder = handmade.write()
+    path = folder / "frames/00000000.png"
+    for data in (b"", b"no picture", path.read_bytes()[:60]):
+        path.write_bytes(data)
+        with pytest.raises(gtaharvest.PictureError, match="cannot be decoded"):
+            open_session(folder)[0].image()
+
+
+def test_a_picture_of_another_size_is_refused(handmade: HandmadeSession) -> None:
+    folder = handmade.write()
+    (folder / "frames/00000000.png").write_bytes(png.encode(np.zeros((4, 6, 3), np.uint8)))
+    with pytest.raises(gtaharvest.PictureError, match="6x4 pixels; its label says 80x60"):
+        open_session(folder)[0].image()
+
+
+def test_a_picture_outside_the_session_is_not_opened(handmade: HandmadeSession) -> None:
+    folder = handmade.write()
+    (folder.parent / "secret.png").write_bytes((folder / "frames/00000000.png").read_bytes())
+    (folder / "link.png").symlink_to(folder.parent / "secret.png")
+    for line, name in zip(handmade.lines, ("../secret.png", str(folder.parent / "secret.png"), "link.png")):
+        line["image"] = name
+    handmade.write()
+    for frame in open_session(folder):
+        with pytest.raises(gtaharvest.LabelError, match="outside the session"):
+            frame.image()
+
+
+@pytest.mark.parametrize("shape, dtype", [((5, 7), np.uint8), ((5, 7), np.uint16), ((5, 7, 3), np.uint8), ((1, 1), np.uint16)])
+def test_png_round_trip(shape: tuple[int, ...], dtype: type) -> None:
+    picture = np.random.default_rng(2).integers(0, np.iinfo(dtype).max, shape, dtype=dtype, endpoint=True)
+    np.testing.assert_array_equal(png.decode(png.encode(picture)), picture)
+
+
+def test_png_filters_as_other_encoders_write_them() -> None:
+    """All five filters, row by row, encoded here by the formulas of the specification."""
+    picture = np.random.default_rng(3).integers(0, 256, (11, 6, 3)).astype(np.uint8)
+    flat = picture.reshape(11, -1).astype(int)
+    rows = b""
+    for y, row in enumerate(flat):
+        kind = y % 5
+        rows += bytes([kind])
+        for x, value in enumerate(row):
+            a = row[x - 3] if x >= 3 else 0
+            b = flat[y - 1][x] if y else 0
+            c = flat[y - 1][x - 3] if y and x >= 3 else 0
+            p = a + b - c
+            paeth = min(((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c)))[2]
+            rows += bytes([(value - (0, a, b, (a + b) // 2, paeth)[kind]) % 256])
+    parts = ((b"IHDR", struct.pack(">IIBBBBB", 6, 11, 8, 2, 0, 0, 0)), (b"IDAT", zlib.compress(rows)), (b"IEND", b""))
+    data = b"\x89PNG\r\n\x1a\n" + b"".join(
+        struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body)) for kind, body in parts)
+    np.testing.assert_array_equal(png.decode(data), picture)
+
+
+def test_every_flipped_bit_of_a_png_is_noticed() -> None:
+    data = png.encode(conftest.image(0)[:6, :5])
+    for position in range(len(data)):
+        with pytest.raises(ValueError):
+            png.decode(data[:position] + bytes([data[position] ^ 0x10]) + data[position + 1:])
