@@ -51,6 +51,7 @@ public sealed class HarvesterScript : Script
         _folder = new ModFolder(BaseDirectory);
         _messages = new PlayerMessages(BaseDirectory, message => Notification.Show(message), clock);
         PlayerSettings player = PlayerSettings.Read(_folder.Settings, BaseDirectory);
+        player = player with { Options = player.Options with { Materials = _folder.Materials } };
         var measured = new MeasuredFaces(player.FacesFolder, _folder.ShippedFaces, _folder.FacesWith(player.FacesFolder));
         var display = new GameDisplay();
         var time = new GameTime(

@@ -12,6 +12,11 @@ public sealed class HidingTests
     /// <summary>More than the photographs of a frame take.</summary>
     private const int TicksOfAFrame = 80;
 
+    public static TheoryData<Hash> Natives => [.. OwnNatives];
+
+    /// <summary>The natives that only a harvest with coded masks calls.</summary>
+    internal static IReadOnlyList<Hash> OwnNatives { get; } = [Hash.IS_ENTITY_VISIBLE, Hash.SET_ENTITY_VISIBLE, Hash.DRAW_POLY];
+
     [Fact]
     public void Everything_is_shown_after_an_abort_at_any_tick()
     {
@@ -121,14 +126,13 @@ public sealed class HidingTests
     }
 
     [Theory]
-    [InlineData(Hash.SET_ENTITY_VISIBLE)]
-    [InlineData(Hash.DRAW_POLY)]
+    [MemberData(nameof(Natives))]
     public void Everything_is_shown_after_a_fault(Hash broken)
     {
         using var driver = Harvesting();
         driver.Until(() => IsAnyHidden(driver));
         driver.Game.Fault = native => native == broken ? new InvalidOperationException("The native is broken.") : null;
-        driver.Tick(TicksOfAFrame);
+        driver.UntilMessage("The native is broken.");
         driver.Game.Fault = _ => null;
         driver.Script.RaiseAborted();
         driver.WaitForDisk();

@@ -46,6 +46,7 @@ internal sealed class CaptureFlows(
         {
             Comparison = Comparison,
             Lanes = game.Roads is { } roads ? new LaneLabeller(roads, game.Paint, rays, registry) : null,
+            Semantics = options.Semantics is null ? null : new SemanticLabeller(options, rays, game.Paint, game.Surfaces),
             Faces = options.Faces is { } faces ? new FaceLabeller(faces, options, rays, game.Lights, registry) : null,
             DrawnOcclusion = game.DrawnOcclusion,
         };

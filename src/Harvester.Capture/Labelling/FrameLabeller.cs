@@ -31,6 +31,9 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
     /// <summary>Labels faces of signs and heads of traffic lights; null to label none.</summary>
     public FaceLabeller? Faces { get; init; }
 
+    /// <summary>Makes the class map; null for none.</summary>
+    public SemanticLabeller? Semantics { get; init; }
+
     /// <summary>Tells how much of each object the drawing hides; null to leave it open.</summary>
     public IDrawnOcclusion? DrawnOcclusion { get; init; }
 
@@ -53,6 +56,12 @@ internal sealed class FrameLabeller(LabellingOptions options, FrameRays rays, Ob
             ? new MapLabeller(options, _objects, rays) { Comparison = Comparison }.Label(draft, candidates, mayCastRays, pictures)
             : LabelByRays(draft, candidates, mayCastRays);
         foreach (bool _ in objects)
+        {
+            yield return null;
+        }
+
+        rays.Begin(RayPhase.Semantics);
+        foreach (bool _ in Semantics?.Label(draft, mayCastRays) ?? [])
         {
             yield return null;
         }

@@ -17,6 +17,9 @@ public sealed record GamePorts(IWorld World, IRayCaster Rays, IScreen Screen, IP
     /// <summary>The paint on the roads; null if the game does not report it.</summary>
     public IRoadPaint? Paint { get; init; }
 
+    /// <summary>What the picture truly shows, of a simulated game; otherwise null.</summary>
+    public ISurfaceTruth? Surfaces { get; init; }
+
     /// <summary>The traffic lights that the harvester itself drives; null if there are none.</summary>
     public ILights? Lights { get; init; }
 

@@ -85,7 +85,8 @@ internal static class SessionJson
             json.Key("maskMethod").String(JsonName.Of(options.MaskMethod));
         }
 
-        json.Key("scenes").Boolean(options.Scenes)
+        json.Key("semantics").String(options.Semantics is { } semantics ? JsonName.Of(semantics) : null)
+            .Key("scenes").Boolean(options.Scenes)
             .Key("rayBudget").Integer(options.RayBudget)
             .Key("rayReachMetres").Number(options.RayReachMetres, LabelDecimals.Metres)
             .Key("minBoxAreaPixels").Number(options.MinBoxAreaPixels, LabelDecimals.Pixels)

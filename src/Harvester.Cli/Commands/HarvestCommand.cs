@@ -38,6 +38,7 @@ internal sealed class HarvestCommand
         + "Examples:\n"
         + "  harvester harvest --out out\n"
         + "  harvester harvest --out rain --frames 500 --seed 7 --weather rain --time 18:30 --masks\n"
+        + "  harvester harvest --out classes --semantics rays\n"
         + "  harvester harvest --out distorted --k1 -0.05 --focal-scale 1.01\n"
         + "  harvester harvest --out streets --roads nodes.zip --places 20\n"
         + "  harvester harvest --out part-2 --frames 5000 --shard 2/8";
@@ -75,10 +76,11 @@ internal sealed class HarvestCommand
     private Option<Vector2D?> Near { get; } =
         ValueParsers.Point("--near", "X,Y", "Start position, metres [default: the middle of the road network]");
     private VarietyOptions Variety { get; } = new();
-
     private MomentOptions Moment { get; } = new();
 
     private Option<string?> Masks { get; } = MaskOption.Create();
+    private SemanticsOptions Semantics { get; } = new();
+
     private Option<bool> TrueOcclusion { get; } = new("--true-occlusion")
     {
         Description = "Also label how much of each object the renderer hides, exactly; slower",
@@ -154,6 +156,7 @@ internal sealed class HarvestCommand
                 RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, DetailOf, Quirks, FreezeBy,
                     MaxPictureLag, MaxCameraError, ShardOf, Sync, NoReport,
         };
+        Semantics.AddTo(command);
         Moment.AddTo(command);
         Variety.AddTo(command);
         LensOf.AddTo(command);
@@ -272,8 +275,10 @@ internal sealed class HarvestCommand
             RangeMetres = parsed.GetValue(Range),
             IgnoreRangeMetres = parsed.GetValue(IgnoreRange),
             Classes = ClassList.Parse(parsed.GetValue(Classes)),
-            Masks = masks is not null,
+            Masks = masks is not null || Semantics.Method(parsed) is not null,
             MaskMethod = masks ?? MaskMethod.Rays,
+            Semantics = Semantics.Method(parsed),
+            Materials = Semantics.Materials(parsed),
             RayBudget = parsed.GetValue(Rays),
             RayReachMetres = parsed.GetValue(RayReach),
             Lens = LensOf.Parse(parsed),

@@ -60,6 +60,11 @@ internal static class ObjectCheck
             yield return Of(item, unfit);
         }
 
+        if (item is { Box2DWhole: { } whole, Box2DVisible: { } seen } && !whole.Contains(seen, RoundingPixels))
+        {
+            yield return Of(item, $"box2dVisible {Text(seen)} does not lie within box2dWhole {Text(whole)}.");
+        }
+
         if (item.TruncatedFraction is < 0 or > 1)
         {
             yield return Of(item, FormattableString.Invariant($"truncatedFraction is {item.TruncatedFraction}; it must be 0 to 1."));
@@ -99,6 +104,11 @@ internal static class ObjectCheck
         if (item.Box2DVisible is { } visible)
         {
             yield return ("box2dVisible", visible);
+        }
+
+        if (item.Box2DWhole is { } whole)
+        {
+            yield return ("box2dWhole", whole);
         }
     }
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Harvester.Geometry;
 using Harvester.Geometry.Cameras;
 using Harvester.Geometry.PixelMaps;
 
@@ -16,6 +17,9 @@ namespace Harvester.Sessions.Labels;
 /// <param name="Runs">Lengths of the runs, pixels; their sum is the area of the box.</param>
 public sealed record AmodalMask(int Left, int Top, int Width, int Height, IReadOnlyList<int> Runs)
 {
+    /// <summary>The box, pixels.</summary>
+    public Box2D Box => new(Left, Top, Left + Width, Top + Height);
+
     /// <summary>The runs of a map with at least one pixel.</summary>
     public static AmodalMask Of(PixelMap pixels)
     {

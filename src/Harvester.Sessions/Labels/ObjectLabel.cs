@@ -52,8 +52,13 @@ public sealed record ObjectLabel
     /// </summary>
     public AmodalMask? AmodalMask { get; init; }
 
+    /// <summary>
+    /// The box around all its pixels in the image, hidden ones included; null without an amodal mask.
+    /// </summary>
+    public Box2D? Box2DWhole => AmodalMask?.Box;
+
     /// <summary>The kinds of boxes that are known.</summary>
-    public IReadOnlyList<BoxKind> Boxes => BoxKinds.Known(Box2DVisible is not null);
+    public IReadOnlyList<BoxKind> Boxes => BoxKinds.Known(Box2DVisible is not null, Box2DWhole is not null);
 
     /// <summary>Fraction of its silhouette outside the image, 0 to 1.</summary>
     public required double TruncatedFraction { get; init; }

@@ -72,6 +72,7 @@ public sealed class SimulatedGame
             Lights = new LightsPort(this),
             Visibility = new VisibilityPort(this),
             Sheets = new SheetsPort(this),
+            Surfaces = new SurfacePort(this),
             DrawnOcclusion = options.ReportsTrueOcclusion ? new DrawnOcclusionPort(this) : null,
         };
     }

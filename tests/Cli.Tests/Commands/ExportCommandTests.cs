@@ -146,12 +146,13 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData(
         "--images",
         "copy",
-        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, tusimple, openlane, csv")]
+        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, semantic, "
+            + "tusimple, openlane, csv")]
     [InlineData(
         "--split-block",
         "10",
-        "kitti, coco, coco-panoptic, coco-keypoints, yolo, yolo-segment, voc, cityscapes, deepdriving, tusimple, openlane, webdataset, "
-            + "csv")]
+        "kitti, coco, coco-panoptic, coco-keypoints, yolo, yolo-segment, voc, cityscapes, semantic, deepdriving, tusimple, openlane, "
+            + "webdataset, csv")]
     public void Export_refuses_an_option_that_has_no_effect_on_the_format(string option, string value, string formats)
     {
         foreach (string format in DatasetFormats.All.Select(format => format.Name))
