@@ -20,7 +20,7 @@ internal sealed class CaptureFlows(
         return options.Freeze
             ? new FrozenFlow(options, game, reader, labeller, pool, budget, counters, calls, Photographer)
             {
-                TakesNext = () => options.Shard.Takes(sink.FirstFrame + counters.Taken),
+                TakesNext = () => Takes(sink.FirstFrame + counters.Taken),
             }
             : new LiveFlow(game, reader, labeller, pool, budget, counters, lag ?? throw LagUnknown());
     }
@@ -31,6 +31,8 @@ internal sealed class CaptureFlows(
 
     /// <summary>Compares masks of both methods; null if they are not compared.</summary>
     public MaskComparison? Comparison { get; } = options is { Masks: true, MaskMethod: MaskMethod.Both } ? new MaskComparison() : null;
+
+    private bool Takes(int frame) => frame > options.RecordedThrough && options.Shard.Takes(frame);
 
     private static HarvestFaultException LagUnknown() =>
         new(new CaptureFault(

@@ -36,7 +36,8 @@ internal sealed class FrozenFlow(
     public bool IsPassed { get; private set; }
 
     /// <summary>
-    /// Whether the next frame belongs to this shard. A frame of another shard is read and settled too, but not grabbed or labelled.
+    /// Whether the next frame is to be taken. One of another shard, or one that the session already holds, is read and settled too, but not
+    /// grabbed or labelled.
     /// </summary>
     public required Func<bool> TakesNext { get; init; }
 

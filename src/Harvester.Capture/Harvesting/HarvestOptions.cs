@@ -70,6 +70,12 @@ public sealed record HarvestOptions : LabellingOptions
     public Shard Shard { get; init; } = Shard.Whole;
 
     /// <summary>
+    /// Number of the last frame that the session holds from an earlier run of the same course; -1 (default) for none. Frames up to it are
+    /// skipped like those of other shards. Frozen harvests only.
+    /// </summary>
+    public int RecordedThrough { get; init => field = OptionCheck.InRange(value, -1, int.MaxValue, nameof(RecordedThrough)); } = -1;
+
+    /// <summary>
     /// Number of frames after which the harvest stops by itself, including those of other shards; at least 1; null for no limit.
     /// </summary>
     public int? MaxFrames

@@ -48,14 +48,14 @@ public sealed class HarvestSession : IDisposable
             throw new ArgumentException("Masks need a game that is frozen for each frame.", nameof(options));
         }
 
-        if (options is { MaskMethod: MaskMethod.Both, Shard.Count: > 1 })
+        if (options is { MaskMethod: MaskMethod.Both, Shard.Count: > 1 } or { MaskMethod: MaskMethod.Both, RecordedThrough: >= 0 })
         {
-            throw new ArgumentException("Masks of two methods cannot be compared in shards.", nameof(options));
+            throw new ArgumentException("Masks of two methods are compared in whole harvests only.", nameof(options));
         }
 
-        if (options is { Freeze: false, Shard.Count: > 1 })
+        if (options is { Freeze: false, Shard.Count: > 1 } or { Freeze: false, RecordedThrough: >= 0 })
         {
-            throw new ArgumentException("Shards need a game that is frozen for each frame.", nameof(options));
+            throw new ArgumentException("Skipping frames needs a game that is frozen for each frame.", nameof(options));
         }
 
         _budget = new TickBudget(game.Clock, options.TickBudgetMilliseconds);

@@ -10,11 +10,12 @@ namespace Harvester.Capture.Storage;
 /// <summary>What a session directory already holds, as far as resuming the session needs it.</summary>
 /// <param name="Header">The text of session.json; null if there is no such file.</param>
 /// <param name="Frames">Frames with a label line.</param>
+/// <param name="LastFrame">Number of the last frame; -1 if there is none.</param>
 /// <param name="MaxObjectId">The greatest object id in use; 0 if there are no objects.</param>
 /// <param name="HasManifest">Whether there is a manifest; sessions of earlier versions have none.</param>
-internal sealed record SessionContent(string? Header, int Frames, int MaxObjectId, bool HasManifest)
+internal sealed record SessionContent(string? Header, int Frames, int LastFrame, int MaxObjectId, bool HasManifest)
 {
-    public static SessionContent Nothing { get; } = new(null, 0, 0, false);
+    public static SessionContent Nothing { get; } = new(null, 0, -1, 0, false);
 
     /// <summary>Reads a directory. An unfinished last line is cut off, so that the next one starts a line.</summary>
     public static SessionContent Read(string directory)
@@ -22,20 +23,24 @@ internal sealed record SessionContent(string? Header, int Frames, int MaxObjectI
         string header = Path.Combine(directory, SessionDirectory.Header);
         string labels = Path.Combine(directory, SessionDirectory.Labels);
         int frames = 0;
+        int lastFrame = -1;
         int maxId = 0;
         if (File.Exists(labels))
         {
             CutAfterLastLine(labels);
             foreach (string line in File.ReadLines(labels, Encoding.UTF8))
             {
+                (int? frame, int lineMaxId) = NumbersIn(line);
+                lastFrame = frame ?? lastFrame + 1;
                 frames++;
-                maxId = Math.Max(maxId, MaxIdIn(line));
+                maxId = Math.Max(maxId, lineMaxId);
             }
         }
 
         return new SessionContent(
             File.Exists(header) ? File.ReadAllText(header, Encoding.UTF8) : null,
             frames,
+            lastFrame,
             maxId,
             File.Exists(Path.Combine(directory, Manifest.FileName)));
     }
@@ -49,28 +54,43 @@ internal sealed record SessionContent(string? Header, int Frames, int MaxObjectI
         return end < 0 ? header : header.Substring(0, end);
     }
 
-    /// <summary>The greatest object id in a label line; in a damaged line, that in the part before the damage.</summary>
-    private static int MaxIdIn(string line)
+    /// <summary>
+    /// The number of a label line's frame and its greatest object id; in a damaged line, those in the part before the damage.
+    /// </summary>
+    private static (int? Frame, int MaxId) NumbersIn(string line)
     {
+        int? frame = null;
         int maxId = 0;
         var json = new JsonReader(line);
         try
         {
-            json.Object(field => ReadIf(json, field == "objects", () => json.List(() =>
-                json.Object(name => ReadIf(json, name == "id", () => maxId = Math.Max(maxId, ObjectId(json)))))));
+            json.Object(field =>
+            {
+                if (field == "frame")
+                {
+                    frame = WholeNumber(json, int.MaxValue - 1, "a frame number out of range");
+                }
+                else
+                {
+                    ReadIf(json, field == "objects", () => json.List(() => json.Object(name => ReadIf(
+                        json,
+                        name == "id",
+                        () => maxId = Math.Max(maxId, WholeNumber(json, ObjectRegistry.MaxId, "an object number out of range"))))));
+                }
+            });
         }
         catch (FormatException)
         {
             // Frames that follow a damaged one are still worth recording; harvester validate reports the damage.
         }
 
-        return maxId;
+        return (frame, maxId);
     }
 
-    private static int ObjectId(JsonReader json)
+    private static int WholeNumber(JsonReader json, int max, string wrong)
     {
-        double id = json.Number();
-        return id is >= 0 and <= ObjectRegistry.MaxId ? (int)id : throw json.Wrong("an object number out of range");
+        double number = json.Number();
+        return number >= 0 && number <= max ? (int)number : throw json.Wrong(wrong);
     }
 
     private static void ReadIf(JsonReader json, bool isWanted, Action read)

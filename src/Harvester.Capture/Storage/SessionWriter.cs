@@ -60,6 +60,15 @@ public sealed class SessionWriter : IFrameSink
         }
     }
 
+    /// <summary>
+    /// Whether a resumed session is harvested from its beginning again, by a game whose course is the same in every run: frames and objects
+    /// keep their numbers, and frames up to <see cref="RecordedThrough"/> must not be enqueued. By default, new frames follow the old ones.
+    /// </summary>
+    public bool Replays { get; init; }
+
+    /// <summary>Number of the last frame that the resumed session holds; -1 for none.</summary>
+    public int RecordedThrough => _before.LastFrame;
+
     /// <summary>The session's directory, as it was given.</summary>
     public string Folder { get; }
 
@@ -72,10 +81,10 @@ public sealed class SessionWriter : IFrameSink
     public string? Fault => _fault;
 
     /// <inheritdoc />
-    public int FirstFrame => _before.Frames;
+    public int FirstFrame => Replays ? 0 : _before.Frames;
 
     /// <inheritdoc />
-    public int FirstObjectId => _before.MaxObjectId + 1;
+    public int FirstObjectId => Replays ? 1 : _before.MaxObjectId + 1;
 
     /// <summary>Frames of the session whose label lines are written, including those of earlier runs.</summary>
     public int FramesWritten => _before.Frames + (_store?.Committed ?? 0);
@@ -187,7 +196,7 @@ public sealed class SessionWriter : IFrameSink
 
         if (_before.HasManifest)
         {
-            _store!.TidyManifest(frame => frame < _before.Frames, keepsReplaced: true);
+            _store!.TidyManifest(frame => frame <= _before.LastFrame, keepsReplaced: true);
         }
 
         if (_start.Options.Scenes)
@@ -212,7 +221,7 @@ public sealed class SessionWriter : IFrameSink
     {
         WriteHeader(end);
         int last = _store!.LastCommitted;
-        _store.TidyManifest(frame => frame < _before.Frames || frame <= last, keepsReplaced: false);
+        _store.TidyManifest(frame => frame <= _before.LastFrame || frame <= last, keepsReplaced: false);
     }
 
     private void WriteHeader(SessionEnd? end)

@@ -31,8 +31,9 @@ internal sealed class HarvestCommand
 
     private const string Notes =
         "docs/dataset-format.md describes the session. The same options and seed give the same bytes. Ctrl+C stops after the current\n"
-        + "frame and leaves a valid session. A shard is a session with every N-th frame of the full run, under the same frame numbers and\n"
-        + "without a report; harvester merge combines all shards.\n\n"
+        + "frame and leaves a valid session. The same command with --resume goes on after the last frame, whatever stopped it, and ends\n"
+        + "with the same bytes as if it had not been stopped; without --resume it starts anew. A shard is a session with every N-th\n"
+        + "frame of the full run, under the same frame numbers and without a report; harvester merge combines all shards.\n\n"
         + MaskOption.Notes + "\n\n"
         + QuirkList.Notes + "\n\n"
         + "Examples:\n"
@@ -46,6 +47,10 @@ internal sealed class HarvestCommand
     private Option<string> Out { get; } =
         new("--out") { Description = "Folder to write the session to", HelpName = "DIR", Required = true };
     private Option<bool> Overwrite { get; } = new("--overwrite") { Description = "Replace an existing session in the folder" };
+    private Option<bool> Resume { get; } = new("--resume")
+    {
+        Description = "Go on with the session that the same command has left unfinished in the folder; without one, start it",
+    };
     private Option<int> Frames { get; } = WithDefault(ValueParsers.Integer("--frames", "N", "Number of frames", 1, MaxFrames), 100);
     private Option<int> Seed { get; } = WithDefault(ValueParsers.Integer("--seed", "N", "Random seed", 0, int.MaxValue), 1);
 
@@ -93,11 +98,8 @@ internal sealed class HarvestCommand
 
     private Option<double> RayReach { get; } = WithDefault(
         ValueParsers.Number(
-            "--ray-reach",
-            "M",
-            "Distance to which rays hit objects reliably, metres; objects beyond it become ignore regions",
-            IsDistance,
-            DistanceForm),
+            "--ray-reach", "M", "Distance to which rays hit objects reliably, metres; objects beyond it become ignore regions",
+            IsDistance, DistanceForm),
         new HarvestOptions().RayReachMetres);
 
     private Option<bool> NoScenes { get; } =
@@ -107,11 +109,8 @@ internal sealed class HarvestCommand
 
     private Option<double> IgnoreRange { get; } = WithDefault(
         ValueParsers.Number(
-            "--ignore-range",
-            "M",
-            "Mark visible objects between --range and this distance as ignore regions, metres; 0 marks none",
-            value => value is >= 0 and <= MaxRange,
-            "a number from 0 to 100000"),
+            "--ignore-range", "M", "Mark visible objects between --range and this distance as ignore regions, metres; 0 marks none",
+            value => value is >= 0 and <= MaxRange, "a number from 0 to 100000"),
         new HarvestOptions().IgnoreRangeMetres);
 
     private Option<LookAhead> LaneLookAhead { get; } = LaneOptions.LookAhead();
@@ -152,7 +151,7 @@ internal sealed class HarvestCommand
     {
         var command = new Command("harvest", "Harvest a labelled session from a simulated game.")
         {
-            Out, Overwrite, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, Masks, TrueOcclusion, Rays,
+            Out, Overwrite, Resume, Frames, Seed, Size, Format, Quality, Fov, Hz, Roads, Props, Faces, Near, Masks, TrueOcclusion, Rays,
                 RayReach, NoScenes, Range, IgnoreRange, LaneLookAhead, LaneWidth, NarrowLaneWidth, Classes, DetailOf, Quirks, FreezeBy,
                     MaxPictureLag, MaxCameraError, ShardOf, Sync, NoReport,
         };
@@ -168,7 +167,12 @@ internal sealed class HarvestCommand
 
     private static int Run(Terminal terminal, HarvestPlan plan, string command, bool withReport, CancellationToken cancellation)
     {
-        using var output = new SessionOutput(terminal, plan.Folder, command, plan.Overwrite, keepsFrames: true);
+        if (plan is { Overwrite: true, Resume: true })
+        {
+            throw new UsageException("--resume goes on with a session, and --overwrite replaces it. Give only one of them.");
+        }
+
+        using var output = new SessionOutput(terminal, plan.Folder, command, plan.Overwrite, keepsFrames: true, plan.Resume);
         ImageSize image = plan.Options.Image;
         string shard = plan.Options.Shard.Count > 1 ? $"shard {plan.Options.Shard} of " : "";
         terminal.Out.WriteLine(
@@ -222,8 +226,8 @@ internal sealed class HarvestCommand
         if (outcome.IsCancelled)
         {
             terminal.WriteError(
-                $"Stopped after {outcome.Frames} of {Counted.Of(plan.Frames, "frame")}; the session is valid. The same command starts "
-                + "anew.");
+                $"Stopped after {outcome.Frames} of {Counted.Of(plan.Frames, "frame")}; the session is valid. To go on, give the same "
+                + "command with --resume; without it, the command starts anew.");
         }
 
         return outcome.ExitCode;
@@ -234,6 +238,7 @@ internal sealed class HarvestCommand
         {
             Folder = parsed.GetRequiredValue(Out),
             Overwrite = parsed.GetValue(Overwrite),
+            Resume = parsed.GetValue(Resume),
             Options = OptionsOf(parsed),
             Frames = parsed.GetValue(Frames),
             Seed = parsed.GetValue(Seed),
@@ -257,12 +262,7 @@ internal sealed class HarvestCommand
     private HarvestOptions OptionsOf(ParseResult parsed)
     {
         ImageFormat format = parsed.GetValue(Format) ?? ImageFormat.Png;
-        MaskMethod? masks = MaskOption.Parse(parsed, Masks);
-        if (masks == MaskMethod.Both && parsed.GetValue(ShardOf).Count > 1)
-        {
-            throw new UsageException("--masks both compares the masks of a whole harvest; use it without --shard.");
-        }
-
+        MaskMethod? masks = MaskOption.Parse(parsed, Masks, isWhole: parsed.GetValue(ShardOf).Count == 1 && !parsed.GetValue(Resume));
         return new HarvestOptions
         {
             Image = parsed.GetValue(Size),

@@ -14,6 +14,9 @@ namespace Harvester.Cli.Harvesting;
 /// <param name="IsCancelled">Whether the user stopped it.</param>
 internal sealed record HarvestOutcome(int Frames, int Discarded, TimeSpan Elapsed, string? Fault, bool IsDiskFault, bool IsCancelled)
 {
+    /// <summary>Number of the frames that the session held from an earlier run.</summary>
+    public int Resumed { get; init; }
+
     /// <summary>Checks that could not be made.</summary>
     public IReadOnlyList<string> Warnings { get; init; } = [];
 
@@ -23,8 +26,8 @@ internal sealed record HarvestOutcome(int Frames, int Discarded, TimeSpan Elapse
     /// <summary>How well masks from rays agree with those from photographs; null if they were not compared.</summary>
     public MaskComparison? Masks { get; init; }
 
-    /// <summary>Frames per second of real time.</summary>
-    public double FramesPerSecond => Elapsed > TimeSpan.Zero ? Frames / Elapsed.TotalSeconds : 0;
+    /// <summary>New frames per second of real time.</summary>
+    public double FramesPerSecond => Elapsed > TimeSpan.Zero ? (Frames - Resumed) / Elapsed.TotalSeconds : 0;
 
     /// <summary>The exit code for this result.</summary>
     public int ExitCode => this switch

@@ -30,7 +30,8 @@ internal static class HarvestSummary
 
         string counts = $"{Counted.Of(outcome.Frames, "frame")}, {Counted.Of(statistics.Labels, "label")}";
         string rate = FormattableString.Invariant($"{outcome.Elapsed.TotalSeconds:0.0} s ({outcome.FramesPerSecond:0.0} frames/s)");
-        terminal.Out.WriteLine($"{counts} in {rate}, {Counted.Of(outcome.Discarded, "frame")} discarded");
+        string resumed = outcome.Resumed > 0 ? $", {outcome.Resumed} of them from an earlier run" : "";
+        terminal.Out.WriteLine($"{counts} in {rate}{resumed}, {Counted.Of(outcome.Discarded, "frame")} discarded");
         if (outcome.Freezing is { } freezing)
         {
             terminal.Out.WriteLine($"freeze   {freezing}");

@@ -88,16 +88,18 @@ internal sealed class SimulatedHarvest
     }
 
     /// <summary>Harvests until the end, a fault or cancellation. The session is opened and closed in every case.</summary>
-    /// <param name="folder">Folder to write the session to; empty but for its mark.</param>
+    /// <param name="folder">Folder to write the session to; empty but for its mark and, where the plan resumes, its frames.</param>
     /// <param name="report">Receives the number of frames after each frame.</param>
     /// <param name="cancellation">Stops between two ticks.</param>
     /// <exception cref="IOException">The folder cannot be created.</exception>
     public HarvestOutcome Run(string folder, Action<int> report, CancellationToken cancellation)
     {
         var clock = Stopwatch.StartNew();
-        using var writer = new SessionWriter(folder, Origin());
+        using var writer = new SessionWriter(folder, Origin(), _plan.Resume) { Replays = _plan.Resume };
+        int resumed = writer.FramesWritten;
         RoadNetwork roads = _plan.Roads is null ? KeepRoads(_game.Roads, writer) : _game.Roads;
-        using var session = new HarvestSession(_plan.Options with { Faces = _faces }, Ports(roads), writer);
+        using var session = new HarvestSession(
+            _plan.Options with { Faces = _faces, RecordedThrough = writer.RecordedThrough }, Ports(roads), writer);
         do
         {
             // The game waits for the disk; otherwise the frames would depend on the disk's speed.
@@ -123,6 +125,7 @@ internal sealed class SimulatedHarvest
             writer.Fault is not null,
             cancellation.IsCancellationRequested && session.Status.Captured < _plan.Frames)
         {
+            Resumed = resumed,
             Warnings = [.. session.Warnings.Select(HarvestAdvice.TextOf)],
             Freezing = session.Freezing,
             Masks = session.MaskComparison,

@@ -9,7 +9,7 @@ namespace Harvester.Cli.Terminals;
 internal static class CommandText
 {
     // These do not change what is written.
-    private static readonly string[] LeftOut = ["--overwrite", "--quiet", "-q"];
+    private static readonly string[] LeftOut = ["--overwrite", "--resume", "--quiet", "-q"];
 
     /// <summary>The command with its arguments, without the output folder and without what does not change the result.</summary>
     public static string Of(ParseResult parsed) => string.Join(' ', Words(parsed.Tokens).Select(ShellWord.Of).Prepend("harvester"));

@@ -18,6 +18,7 @@ internal sealed class SessionOutput : IDisposable
     private readonly FolderLock _held;
     private readonly bool _replaces;
     private readonly bool _keepsFrames;
+    private readonly bool _resumes;
     private FolderReplacement? _replacement;
     private bool _isBegun;
     private bool _isComplete;
@@ -28,14 +29,16 @@ internal sealed class SessionOutput : IDisposable
     /// <param name="command">The command, as <see cref="CommandText"/> gives it.</param>
     /// <param name="overwrite">Whether a session there is to be replaced; null for a command that never replaces one.</param>
     /// <param name="keepsFrames">Whether a new session that was begun stays when the command fails, because its frames are valid.</param>
+    /// <param name="resumes">Whether to go on with what the same command has left unfinished, instead of starting anew.</param>
     /// <exception cref="IOException">A file is where the folder should be.</exception>
     /// <exception cref="OccupiedFolderException">The folder is in use, or holds something that is not to be replaced.</exception>
-    public SessionOutput(Terminal terminal, string folder, string command, bool? overwrite, bool keepsFrames = false)
+    public SessionOutput(Terminal terminal, string folder, string command, bool? overwrite, bool keepsFrames = false, bool resumes = false)
     {
         _terminal = terminal;
         _folder = folder;
         _command = command;
         _keepsFrames = keepsFrames;
+        _resumes = resumes;
         _held = FolderLock.Take(folder);
         try
         {
@@ -51,7 +54,9 @@ internal sealed class SessionOutput : IDisposable
     /// <summary>Whether an earlier session stays unless the command succeeds.</summary>
     public bool KeepsFormer => _replaces;
 
-    /// <summary>Makes room, and returns the folder to write to, which is empty but for its mark.</summary>
+    /// <summary>
+    /// Makes room, and returns the folder to write to, which is empty but for its mark and, where the command resumes, its own frames.
+    /// </summary>
     /// <exception cref="IOException">The folder cannot be made or cleared.</exception>
     /// <exception cref="UnauthorizedAccessException">The folder may not be made or cleared.</exception>
     public string Begin()
@@ -69,7 +74,11 @@ internal sealed class SessionOutput : IDisposable
             UnfinishedMark.Write(_folder, _command);
         }
 
-        SessionFolder.Clear(_folder);
+        if (!_resumes)
+        {
+            SessionFolder.Clear(_folder);
+        }
+
         return _folder;
     }
 

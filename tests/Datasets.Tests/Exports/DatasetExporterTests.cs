@@ -41,7 +41,8 @@ public sealed class DatasetExporterTests(SimulatedSession simulated) : ExportTes
         for (int number = 1; number <= 3; number++)
         {
             // The first two share a folder, as runs on one file system may.
-            Folder.Export(format, [simulated.OpenFor(format), simulated.OpenFor(format)], TwoSplits, number < 3 ? "a" : "b", new Shard(number, 3));
+            string folder = number < 3 ? "a" : "b";
+            Folder.Export(format, [simulated.OpenFor(format), simulated.OpenFor(format)], TwoSplits, folder, new Shard(number, 3));
         }
 
         DatasetMerger.Merge([Folder.PathOf("a"), Folder.PathOf("b")], Folder.PathOf("merged"), ImageTransfer.Link);

@@ -78,7 +78,7 @@ public sealed class CodedMaskTests(ITestOutputHelper output)
     /// </summary>
     [Fact]
     [Trait("Category", "Heavy")]
-    public void Masks_agree_with_the_pictures_despite_noise_shadows_and_moving_textures()
+    public void Masks_agree_with_pictures_despite_noise_and_shadows()
     {
         Scores scores = Judge([701, 702, 703, 704, 705, 706], 2, new ImageSize(800, 600), Detail.Full, Hard);
         output.WriteLine(scores.ToString());

@@ -28,7 +28,7 @@ public sealed class SimulatedTownMapTests(ITestOutputHelper output)
         for (int moment = 0; moment < 12; moment++)
         {
             int seed = firstSeed + moment;
-            double density = 0.2 + (0.15 * moment);
+            double density = 0.2 + (0.1 * moment);
             var game = new SimulatedGame(new SimulationOptions
             {
                 Seed = seed,
