@@ -122,7 +122,7 @@ public sealed class HarvestTests
 
         // The free space is read on another thread.
         driver.Until(() => driver.Game.Texts.Any(text => text.EndsWith("free", StringComparison.Ordinal)));
-        Assert.Matches(@"^REC  \d+ frames  \d+\.\d/s  0 discarded  queue \d+  \d+\.\d GB free$", driver.Game.Texts.Last());
+        Assert.Matches(@"^REC  \d+ frames  \d+\.\d/s  0 discarded  queue \d+  \d+\.\d GB free$", driver.Game.Texts[^1]);
         Assert.All(lines, line => Assert.InRange(line.Length, 1, 99));
     }
 

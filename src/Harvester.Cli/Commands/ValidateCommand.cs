@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.CommandLine;
+using System.IO;
 using System.Linq;
 using System.Threading;
 using System.Threading.Tasks;
@@ -81,6 +82,11 @@ internal static class ValidateCommand
             {
                 terminal.Out.WriteLine(
                     "Note: the recording was cut off before session.json was complete; the frames recorded until then are included.");
+            }
+            else if (File.Exists(Path.Combine(session, UnfinishedMark.FileName)))
+            {
+                terminal.Out.WriteLine(
+                    $"Note: the session has the file {UnfinishedMark.FileName}: it is being written, or the command was stopped.");
             }
 
             if (validation.Undetermined > 0)

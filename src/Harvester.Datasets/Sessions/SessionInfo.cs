@@ -102,7 +102,8 @@ public sealed record SessionInfo(string Game, long? Seed, ImageSize Image, int? 
         int version = session.Integer("formatVersion");
         if (version != KnownFormatVersion)
         {
-            throw new DatasetFormatException($"formatVersion is {version}; this program supports only version {KnownFormatVersion}.");
+            string remedy = version > KnownFormatVersion ? " Install a newer one." : string.Empty;
+            throw new DatasetFormatException($"formatVersion is {version}; this program reads version {KnownFormatVersion}.{remedy}");
         }
 
         JsonFields image = session.Fields("image");

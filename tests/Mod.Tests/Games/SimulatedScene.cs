@@ -1,5 +1,6 @@
 using GTA.Hosting;
 using Harvester.Capture.Ports;
+using Harvester.Geometry.Roads;
 using Harvester.Sessions.Faces;
 using Harvester.Sessions.Scenes;
 using Harvester.Simulation.Game;
@@ -27,6 +28,9 @@ internal sealed class SimulatedScene
 
     /// <summary>The scene without the mod between; as in the mod there are no markers to calibrate by.</summary>
     public GamePorts Ports { get; }
+
+    /// <summary>The roads of the town.</summary>
+    public RoadNetwork Roads => _simulation.Roads;
 
     public void NextFrame() => _simulation.Tick(SecondsOfAFrame);
 

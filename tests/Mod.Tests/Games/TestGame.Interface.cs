@@ -3,6 +3,7 @@ using GTA.Native;
 using Harvester.Capture.Ports;
 using Harvester.Geometry;
 using Harvester.Geometry.Calibration;
+using Harvester.Play.Features;
 using Harvester.Sessions.Scenes;
 
 namespace Harvester.Mod.Tests.Games;
@@ -12,10 +13,18 @@ internal sealed partial class TestGame
 {
     private const int MaxTextLength = 99;
 
-    /// <summary>What this frame draws, as fractions of the window: left, top, width, height.</summary>
-    public List<Box2D> Rectangles { get; } = [];
+    private string _text = string.Empty;
 
-    public List<string> Texts { get; } = [];
+    /// <summary>What this frame draws, as fractions of the window.</summary>
+    public List<DrawnRectangle> Drawn { get; } = [];
+
+    /// <summary>Where it draws them.</summary>
+    public IReadOnlyList<Box2D> Rectangles => [.. Drawn.Select(rectangle => rectangle.Place)];
+
+    /// <summary>The lines that this frame shows.</summary>
+    public List<DrawnText> Lines { get; } = [];
+
+    public IReadOnlyList<string> Texts => [.. Lines.Select(line => line.Text)];
 
     public bool IsHudHidden { get; private set; }
 
@@ -37,11 +46,11 @@ internal sealed partial class TestGame
 
     private void ClearDrawings()
     {
-        ShowedDisplay = !IsHudHidden || !IsFeedHidden || Rectangles.Count > 0 || Texts.Count > 0;
+        ShowedDisplay = !IsHudHidden || !IsFeedHidden || Drawn.Count > 0 || Lines.Count > 0;
         BallsDrawn([.. Balls]);
         Balls.Clear();
-        Rectangles.Clear();
-        Texts.Clear();
+        Drawn.Clear();
+        Lines.Clear();
         IsHudHidden = false;
         IsFeedHidden = false;
     }
@@ -66,22 +75,21 @@ internal sealed partial class TestGame
         Do(Hash.DRAW_RECT, a =>
         {
             float x = (float)a[0], y = (float)a[1], width = (float)a[2], height = (float)a[3];
-            Rectangles.Add(new Box2D(x - (width / 2), y - (height / 2), x + (width / 2), y + (height / 2)));
+            var place = new Box2D(x - (width / 2), y - (height / 2), x + (width / 2), y + (height / 2));
+            Drawn.Add(new DrawnRectangle(place, new Colour((int)a[4], (int)a[5], (int)a[6])));
         });
         Do(Hash.ADD_TEXT_COMPONENT_SUBSTRING_PLAYER_NAME, a =>
         {
-            string text = (string)a[0];
-            if (Encoding.UTF8.GetByteCount(text) > MaxTextLength)
+            _text = (string)a[0];
+            if (Encoding.UTF8.GetByteCount(_text) > MaxTextLength)
             {
-                Report($"The text is longer than {MaxTextLength} bytes: {text}");
+                Report($"The text is longer than {MaxTextLength} bytes: {_text}");
             }
-
-            Texts.Add(text);
         });
+        Do(Hash.END_TEXT_COMMAND_DISPLAY_TEXT, a => Lines.Add(new DrawnText(_text, (float)a[0], (float)a[1])));
         foreach (Hash style in new[]
         {
             Hash.SET_TEXT_FONT, Hash.SET_TEXT_SCALE, Hash.SET_TEXT_COLOUR, Hash.SET_TEXT_OUTLINE, Hash.BEGIN_TEXT_COMMAND_DISPLAY_TEXT,
-            Hash.END_TEXT_COMMAND_DISPLAY_TEXT,
         })
         {
             Do(style, _ => { });
