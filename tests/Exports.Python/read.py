@@ -12,7 +12,12 @@ import numpy as np
 from PIL import Image
 from torchvision.datasets import Cityscapes, Kitti, VOCDetection
 
+import bdd100k
+import culane
+import imagefolder
 import mcap
+import motchallenge
+import openlabel
 
 VANS = ("minivan", "speedo", "boxville")
 
@@ -329,3 +334,7 @@ if __name__ == "__main__":
     for reader in readers:
         reader(root, session)
         print(f"{reader.__name__}: {len(session)} frames as in the session")
+    for module in (bdd100k, culane, imagefolder, motchallenge, openlabel):
+        module.read(os.path.join(root, module.__name__), session)
+        print(f"{module.__name__}: {len(session)} frames as in the session")
+    imagefolder.read_webdataset_card(os.path.join(root, "webdataset"))

@@ -36,6 +36,9 @@ public sealed record AggregateSection
     /// <summary>Writes a file around the content of staged files; null if the section is written part by part.</summary>
     public Action<Stream, IEnumerable<byte[]>>? WriteContainer { get; private init; }
 
+    /// <summary>Writes what follows from all parts; null if the section is written part by part.</summary>
+    public Action<TextWriter, IEnumerable<string>>? WriteSummary { get; private init; }
+
     /// <summary>A fixed text.</summary>
     public static AggregateSection Literal(string text) => new(text, null, "", "", false);
 
@@ -53,4 +56,10 @@ public sealed record AggregateSection
     /// <param name="write">Writes the container; it gets the files one after another, so that it can hold one at a time.</param>
     public static AggregateSection Container(string part, Action<Stream, IEnumerable<byte[]>> write) =>
         new("", part, "", "", true) { WriteContainer = write };
+
+    /// <summary>A text that follows from all parts, such as their number.</summary>
+    /// <param name="part">Name of the parts.</param>
+    /// <param name="write">Writes the text; it gets the parts in the order of the frames, so that it can hold one at a time.</param>
+    public static AggregateSection Summary(string part, Action<TextWriter, IEnumerable<string>> write) =>
+        new("", part, "", "", false) { WriteSummary = write };
 }

@@ -69,4 +69,7 @@ public sealed record DatasetFormat(string Name, string Description, Func<ExportO
 
     /// <summary>Whether a session stays together as one sequence, so that whole sessions are assigned to splits.</summary>
     public bool KeepsSessions { get; init; }
+
+    /// <summary>How the Hugging Face hub reads it; null if the hub has no reader for it.</summary>
+    internal DatasetCard? Card { get; init; }
 }

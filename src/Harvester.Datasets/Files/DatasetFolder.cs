@@ -15,6 +15,9 @@ internal sealed class DatasetFolder(string path, SyncMode sync = SyncMode.Batch)
     /// <summary>Name of the file that says what was exported, which only a finished dataset has.</summary>
     public const string Header = "export.json";
 
+    /// <summary>Name of the file that describes the dataset to its users.</summary>
+    public const string Readme = "README.md";
+
     /// <summary>Name of the working folder.</summary>
     public const string Working = ".export";
 

@@ -46,6 +46,9 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData("voc", "car=auto")]
     [InlineData("cityscapes", "other=static")]
     [InlineData("csv", "car=auto")]
+    [InlineData("bdd100k", "other=train")]
+    [InlineData("openlabel", "car=auto")]
+    [InlineData("imagefolder", "car=auto")]
     public void Format_accepts_its_own_class_names(string format, string map)
     {
         CliRun run = CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"), "--map", map);
@@ -58,12 +61,14 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData("openlane")]
     [InlineData("deepdriving")]
     [InlineData("webdataset")]
+    [InlineData("motchallenge")]
+    [InlineData("culane")]
     public void Names_have_no_effect_on_formats_without_own_classes(string format) =>
         CliRun.Of("export", session.Folder, "--format", format, "--out", _folder.PathOf("out"), "--map", "car=auto")
             .AssertFailed(
                 ExitCode.Usage,
                 $"--map has no effect in {format}, only in kitti, kitti-tracking, coco, coco-panoptic, yolo, yolo-segment, voc, "
-                    + $"cityscapes, csv.");
+                    + $"cityscapes, bdd100k, openlabel, imagefolder, csv.");
 
     [Fact]
     public void Unknown_subclass_is_refused() =>
@@ -135,24 +140,30 @@ public sealed class ExportCommandTests(SmallSession session) : IClassFixture<Sma
     [InlineData(
         "--classes",
         "car",
-        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, webdataset, mcap, csv")]
+        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, bdd100k, motchallenge, "
+            + "openlabel, webdataset, imagefolder, mcap, csv")]
     [InlineData(
         "--min-visible",
         "0.2",
-        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, webdataset, mcap, csv")]
-    [InlineData("--parts", "none", "coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, webdataset, mcap, csv")]
-    [InlineData("--boxes", "cuboid", "kitti, kitti-tracking, coco, yolo, voc, mcap")]
-    [InlineData("--subclasses", "mutcd,light", "coco, coco-panoptic, yolo, yolo-segment, voc")]
+        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, bdd100k, motchallenge, "
+            + "openlabel, webdataset, imagefolder, mcap, csv")]
+    [InlineData(
+        "--parts",
+        "none",
+        "coco, coco-panoptic, yolo, yolo-segment, voc, cityscapes, bdd100k, openlabel, webdataset, imagefolder, mcap, csv")]
+    [InlineData(
+        "--boxes", "cuboid", "kitti, kitti-tracking, coco, yolo, voc, bdd100k, motchallenge, openlabel, imagefolder, mcap")]
+    [InlineData("--subclasses", "mutcd,light", "coco, coco-panoptic, yolo, yolo-segment, voc, imagefolder")]
     [InlineData(
         "--images",
         "copy",
-        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, semantic, "
-            + "tusimple, openlane, csv")]
+        "kitti, kitti-tracking, coco, coco-panoptic, coco-keypoints, jta, yolo, yolo-segment, voc, cityscapes, semantic, bdd100k, "
+            + "motchallenge, openlabel, tusimple, culane, openlane, imagefolder, csv")]
     [InlineData(
         "--split-block",
         "10",
-        "kitti, coco, coco-panoptic, coco-keypoints, yolo, yolo-segment, voc, cityscapes, semantic, deepdriving, tusimple, openlane, "
-            + "webdataset, csv")]
+        "kitti, coco, coco-panoptic, coco-keypoints, yolo, yolo-segment, voc, cityscapes, semantic, bdd100k, deepdriving, tusimple, "
+            + "culane, openlane, webdataset, imagefolder, csv")]
     public void Export_refuses_an_option_that_has_no_effect_on_the_format(string option, string value, string formats)
     {
         foreach (string format in DatasetFormats.All.Select(format => format.Name))

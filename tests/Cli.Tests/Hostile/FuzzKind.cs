@@ -41,8 +41,8 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
     [
         "harvest --out {0}/people --frames 1 --pedestrians 5 --roads {0}/straight.csv --seed 2 --size 64x48 --masks --no-report",
         .. "coco-keypoints jta".Split(' ').Select(format => $"export {{0}}/people --format {format} --out {{0}}/{format}"),
-        .. "csv coco coco-panoptic kitti kitti-tracking voc yolo yolo-segment cityscapes deepdriving tusimple openlane webdataset"
-            .Split(' ').Select(format => $"export {{0}}/session --format {format} --out {{0}}/{format}"),
+        .. DatasetFormats.All.Select(format => format.Name).Except(["coco-keypoints", "jta"])
+            .Select(format => $"export {{0}}/session --format {format} --out {{0}}/{format}"),
     ];
 
     /// <summary>Whether invalid lines are ignored by design, so that nothing is ever rejected.</summary>
@@ -97,6 +97,15 @@ internal sealed record FuzzKind(string Name, string File, Action<string> Read, p
         Dataset("tusimple", "tusimple", "label_data_train.json"),
         Dataset("openlane", "openlane", "lane3d/train/segment-0000/00000000.json"),
         Dataset("webdataset", "webdataset", "train-000000.tar"),
+        Dataset("mcap", "mcap", "train/0000.mcap"),
+        Dataset("bdd100k", "bdd100k", "labels/det_20/det_train.json"),
+        Dataset("bdd100k-lanes", "bdd100k", "labels/lane/polygons/lane_train.json"),
+        Dataset("motchallenge", "motchallenge", "MOT17-train/session-0000/gt/gt.txt"),
+        Dataset("motchallenge-sequence", "motchallenge", "MOT17-train/session-0000/seqinfo.ini"),
+        Dataset("openlabel", "openlabel", "labels/train/0000.json"),
+        Dataset("culane", "culane", "list/train.txt"),
+        Dataset("culane-truth", "culane", "list/train_gt.txt"),
+        Dataset("imagefolder", "imagefolder", "data/train/metadata.jsonl"),
         new("plan", "shard/.export/plan.json", MergeShards, Merge, "validate {0}/shard"),
         new("journal", "shard/.export/journal-1-of-2.jsonl", MergeShards, Merge),
         new("points", "points.csv", ReadPoints, Project),

@@ -56,6 +56,11 @@ internal sealed record WritingCommand(string Name, string Words, params string[]
         new("export-coco-keypoints", "export {inputs}/people --format coco-keypoints --out {root}/out"),
         new("export-jta", "export {inputs}/people --format jta --out {root}/out"),
         new("export-webdataset", "export {inputs}/session --format webdataset --out {root}/out"),
+        new("export-openlabel", "export {inputs}/session --format openlabel --out {root}/out"),
+        new("export-motchallenge", "export {inputs}/session --format motchallenge --out {root}/out"),
+        new("export-culane", "export {inputs}/session --format culane --out {root}/out"),
+        new("export-bdd100k", "export {inputs}/session --format bdd100k --out {root}/out"),
+        new("export-imagefolder", "export {inputs}/session --format imagefolder --out {root}/out"),
         new("export-shard", "export {inputs}/session --format yolo --out {root}/out --shard 1/2"),
         new("merge-export", "merge {inputs}/coco-1 {inputs}/coco-2 --out {root}/out --images copy"),
         new(

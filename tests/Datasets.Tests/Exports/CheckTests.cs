@@ -16,6 +16,8 @@ public abstract class CheckTests(SimulatedSession simulated, string format) : Ex
     private protected static readonly ExportOptions TwoSplits =
         Copied with { Splits = new SplitPlan([new("train", 0.5), new("val", 0.5)], 1, 1) };
 
+    private protected SimulatedSession Simulated => simulated;
+
     /// <summary>Exports; images are copies, as tests change them.</summary>
     private protected void Export(ExportOptions? options = null) => Folder.Export(format, simulated.Open(), options ?? Copied);
 

@@ -98,13 +98,13 @@ public sealed class DatasetManifestTests(SimulatedSession simulated) : ExportTes
     public void Files_that_readers_ignore_are_no_problem()
     {
         Folder.Export("yolo", simulated.Open());
-        File.WriteAllText(Folder.PathOf("out/README.md"), "mine");
+        File.WriteAllText(Folder.PathOf("out/NOTES.md"), "mine");
         File.WriteAllText(Folder.PathOf("out/labels/train.cache"), "of a training");
 
         DatasetValidation validation = Validate();
 
         Assert.Empty(validation.Problems);
-        Assert.Equal(["README.md", "labels/train.cache"], validation.OtherFiles);
+        Assert.Equal(["NOTES.md", "labels/train.cache"], validation.OtherFiles);
     }
 
     [Fact]

@@ -116,16 +116,18 @@ internal static class DatasetAssembly
         }
 
         parts.Flush();
-        manifest.AddOthers(format.CreateWriter(options).Aggregates(parts.Counts).Select(file =>
-            KeyValuePair.Create(file.Path, folder.Write(file.Path, stream => Write(stream, file, parts, folder)))));
-        return new ExportResult(format, splits.Values.Sum(), IsFinished: true)
+        var result = new ExportResult(format, splits.Values.Sum(), IsFinished: true)
         {
             FramesLeftOut = leftOut,
             Labels = labels,
             Objects = objects,
             Ignored = ignored,
-            FramesOfSplits = splits
+            FramesOfSplits = splits,
         };
+        var readme = new AggregateFile(DatasetFolder.Readme, [AggregateSection.Literal(DatasetReadme.Of(options, result))]);
+        manifest.AddOthers(format.CreateWriter(options).Aggregates(parts.Counts).Append(readme).Select(file =>
+            KeyValuePair.Create(file.Path, folder.Write(file.Path, stream => Write(stream, file, parts, folder)))));
+        return result;
     }
 
     /// <summary>The entries of all journals by rising number; each journal is in order already.</summary>
@@ -168,6 +170,12 @@ internal static class DatasetAssembly
                 writer.Flush();
                 writeContainer(stream, parts.Read(section.Part!).Select(
                     part => InputFile.ReadAllBytes(folder.PathOf(part), InputFile.MaxPictureBytes)));
+                continue;
+            }
+
+            if (section.WriteSummary is { } writeSummary)
+            {
+                writeSummary(writer, parts.Read(section.Part!));
                 continue;
             }
 

@@ -1,14 +1,18 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Harvester.Datasets.Exports.Formats.Bdd100K;
 using Harvester.Datasets.Exports.Formats.Cityscapes;
 using Harvester.Datasets.Exports.Formats.Coco;
 using Harvester.Datasets.Exports.Formats.Csv;
 using Harvester.Datasets.Exports.Formats.DeepDriving;
+using Harvester.Datasets.Exports.Formats.ImageFolder;
 using Harvester.Datasets.Exports.Formats.Jta;
 using Harvester.Datasets.Exports.Formats.Kitti;
 using Harvester.Datasets.Exports.Formats.Lanes;
 using Harvester.Datasets.Exports.Formats.Mcap;
+using Harvester.Datasets.Exports.Formats.MotChallenge;
+using Harvester.Datasets.Exports.Formats.OpenLabel;
 using Harvester.Datasets.Exports.Formats.Semantic;
 using Harvester.Datasets.Exports.Formats.Voc;
 using Harvester.Datasets.Exports.Formats.WebDataset;
@@ -72,18 +76,39 @@ public static class DatasetFormats
         {
             NeedsClassMaps = true, Check = SemanticCheck.Problems,
         },
+        new("bdd100k", "BDD100K detection, tracking and lane markings", options => new Bdd100KWriter(options))
+        {
+            UsesMasks = true, HasBoxes = true, HasNames = true, Names = Bdd100KClasses.Names, HasParts = true,
+            Check = Bdd100KCheck.Problems,
+        },
+        new("motchallenge", "MOTChallenge: a sequence for each session, with MOT17's classes", _ => new MotWriter())
+        {
+            UsesMasks = true, HasBoxes = true, HasBoxesBeyondImage = true, KeepsSessions = true, Check = MotCheck.Problems,
+        },
+        new("openlabel", "ASAM OpenLABEL 1.0: a file for each session", _ => new OpenLabelWriter())
+        {
+            UsesMasks = true, HasBoxes = true, HasBoxesBeyondImage = true, HasNames = true, HasParts = true, KeepsSessions = true,
+            Check = OpenLabelCheck.Problems,
+        },
         new("deepdriving", "Images of 280 x 210 and DeepDriving's thirteen indicators", options => new DeepDrivingWriter(options))
         {
             NeedsLanes = true, KeepsImages = false, Check = DeepDrivingCheck.Problems,
         },
         new("tusimple", "TuSimple lanes", options =>
             new TuSimpleWriter(options)) { NeedsLanes = true, LeavesOutUnknownLanes = true, Check = TuSimpleCheck.Problems },
+        new("culane", "CULane lanes", options =>
+            new CuLaneWriter(options)) { NeedsLanes = true, LeavesOutUnknownLanes = true, Check = CuLaneCheck.Problems },
         new("openlane", "OpenLane 3D lane lines", _ =>
             new OpenLaneWriter()) { NeedsLanes = true, LeavesOutUnknownLanes = true, Check = OpenLaneCheck.Problems },
         new("webdataset", "Tar archives for streaming readers", _ => new WebDatasetWriter())
         {
             UsesMasks = true, KeepsUndetermined = true, HasParts = true, DefaultParts = PartSelection.All, KeepsImages = false,
-                Check = WebDatasetCheck.Problems,
+                Check = WebDatasetCheck.Problems, Card = new("webdataset", split => $"{split}-[0-9]*.tar"),
+        },
+        new("imagefolder", "Folders of images with metadata.jsonl, as Hugging Face reads them", options => new ImageFolderWriter(options))
+        {
+            UsesMasks = true, HasBoxes = true, HasNames = true, HasSubclasses = true, HasParts = true, Check = ImageFolderCheck.Problems,
+            Card = new("imagefolder", split => $"data/{split}/**"),
         },
         new("mcap", "MCAP recordings with Foxglove's messages: a file for each session", _ => new McapWriter())
         {

@@ -87,7 +87,11 @@ internal sealed class DatasetManifestCheck(string folder, int? files)
                 }
 
                 _listed.Add(ChecksumOf(path));
-                _kinds.Add(KindOf(path));
+                if (path != DatasetFolder.Readme)
+                {
+                    _kinds.Add(KindOf(path));
+                }
+
                 if (problem is not null && !known.Contains(path))
                 {
                     problems.Add(new SessionProblem(path, null, problem));

@@ -64,8 +64,15 @@ public sealed class McapFileTests
     private static byte[] Write((McapChannel Channel, byte[] Content)[] messages)
     {
         using var stream = new MemoryStream();
-        McapFile.Write(stream, messages.Chunk(MessagesPerChunk).Select((chunk, i) => McapChunk.Of(
-            (long)Time(i), i, [.. chunk.Select(message => new McapMessage(message.Channel, message.Content))])));
+        McapFile.Write(stream, messages.Chunk(MessagesPerChunk).Select((chunk, i) => ChunkOf(i, chunk)));
+        return stream.ToArray();
+    }
+
+    private static byte[] ChunkOf(int number, (McapChannel Channel, byte[] Content)[] messages)
+    {
+        using var stream = new MemoryStream();
+        McapChunk.Write(
+            stream, (long)Time(number), number, [.. messages.Select(message => new McapMessage(message.Channel, message.Content))]);
         return stream.ToArray();
     }
 }

@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text.Json;
@@ -44,7 +43,7 @@ internal sealed class OpenLaneWriter : IDatasetWriter
         WriteMatrix(json, "intrinsic", 3, [camera.Fx, 0, camera.Cx, 0, camera.Fy, camera.Cy, 0, 0, 1]);
         json.WriteString("file_path", image);
         json.WriteStartArray("lane_lines");
-        Dictionary<int, int> attributes = Attributes(lanes.Lines);
+        IReadOnlyDictionary<int, int> attributes = LanePlaces.Of(lanes.Lines);
         foreach (LaneLineView view in WholeLines.Of(lanes.Lines, frame.Image))
         {
             WriteLine(json, view, attributes[view.Index]);
@@ -90,18 +89,6 @@ internal sealed class OpenLaneWriter : IDatasetWriter
             _ => UnknownCategory,
         }
         : UnknownCategory;
-
-    /// <summary>
-    /// The dataset's attribute: 1 left-left, 2 left, 3 right, 4 right-right, for the two nearest markings on each side; otherwise 0.
-    /// </summary>
-    private static Dictionary<int, int> Attributes(IReadOnlyList<LaneLineView> markings)
-    {
-        int[] left = [.. markings.Where(view => view.IsLeftOfCar).Select(view => view.Index).Distinct().OrderDescending()];
-        int[] right = [.. markings.Where(view => !view.IsLeftOfCar).Select(view => view.Index).Distinct().Order()];
-        return markings.Select(view => view.Index).Distinct().ToDictionary(
-            index => index, index =>
-                Array.IndexOf(left, index) switch { 0 => 2, 1 => 1, _ => Array.IndexOf(right, index) switch { 0 => 3, 1 => 4, _ => 0 } });
-    }
 
     /// <summary>The matrix, by rows, from the camera's frame to the vehicle's (both x forward, y left, z up).</summary>
     private static double[] Extrinsic(FrameLabel label)

@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Harvester.Datasets.Json;
-using Harvester.Geometry;
 using Harvester.Geometry.Lanes;
 using Harvester.Sessions.Labels;
 
@@ -65,22 +64,6 @@ internal sealed class TuSimpleWriter(ExportOptions options) : IDatasetWriter
     }
 
     /// <summary>The pixel column in which a marking crosses the middle of a row; if it crosses twice, the nearer one.</summary>
-    private static int ColumnAt(IEnumerable<LaneLineView> views, int row)
-    {
-        double y = row + 0.5;
-        foreach (LaneLineView view in views)
-        {
-            for (int i = 1; i < view.Points.Count; i++)
-            {
-                Vector2D a = view.Points[i - 1].Pixel;
-                Vector2D b = view.Points[i].Pixel;
-                if (a.Y != b.Y && Math.Min(a.Y, b.Y) <= y && y <= Math.Max(a.Y, b.Y))
-                {
-                    return (int)Math.Floor(a.X + ((b.X - a.X) * (y - a.Y) / (b.Y - a.Y)));
-                }
-            }
-        }
-
-        return Absent;
-    }
+    private static int ColumnAt(IEnumerable<LaneLineView> views, int row) =>
+        RowCrossing.Of(views, row) is { } x ? (int)Math.Floor(x) : Absent;
 }

@@ -20,6 +20,7 @@ internal sealed class FoxgloveMessages(FrameLabel label, long nanoseconds)
     private const string Ego = "ego";
     private const string CameraFrame = "camera";
     private const long NanosecondsPerSecond = 1_000_000_000;
+    private const int ImageHeadBytes = 64;
 
     private const int DeleteAll = 1;
     private const int Points = 1;
@@ -45,7 +46,7 @@ internal sealed class FoxgloveMessages(FrameLabel label, long nanoseconds)
     {
         Time(message, 1);
         message.Bytes(2, bytes).Text(3, format).Text(4, CameraFrame);
-    });
+    }, bytes.Length + ImageHeadBytes);
 
     /// <summary>CameraCalibration; k1 and k2 are the first two of plumb_bob's five coefficients.</summary>
     public byte[] Calibration() => ProtoMessage.Of(message =>

@@ -62,6 +62,11 @@ internal sealed class McapReader(Stream file)
             throw new DatasetFormatException($"a record has {length} bytes; {MaxRecordBytes} is the limit.");
         }
 
+        if ((long)length > file.Length - file.Position)
+        {
+            throw new EndOfStreamException();
+        }
+
         var kind = (McapOpcode)head[0];
         uint beforeContent = _crc;
         byte[] content = Read((int)length);

@@ -14,11 +14,15 @@ internal sealed class McapRecord : IDisposable
     /// <summary>Bytes of a record before its content: kind and length.</summary>
     public const int HeadLength = 1 + sizeof(ulong);
 
-    private readonly MemoryStream _bytes = new();
+    private readonly MemoryStream _bytes;
     private readonly BinaryWriter _writer;
 
-    public McapRecord(McapOpcode opcode)
+    /// <summary>Begins a record.</summary>
+    /// <param name="opcode">Its kind.</param>
+    /// <param name="capacity">Number of bytes to make room for.</param>
+    public McapRecord(McapOpcode opcode, int capacity = 0)
     {
+        _bytes = new MemoryStream(capacity);
         _writer = new BinaryWriter(_bytes, Encoding.UTF8);
         _writer.Write((byte)opcode);
         _writer.Write(0UL);
@@ -73,6 +77,15 @@ internal sealed class McapRecord : IDisposable
         byte[] record = _bytes.ToArray();
         BitConverter.TryWriteBytes(record.AsSpan(1), (ulong)(record.Length - HeadLength));
         return record;
+    }
+
+    /// <summary>Writes the whole record to a stream, which for records with images is faster than a copy.</summary>
+    public void WriteTo(Stream target)
+    {
+        _writer.Flush();
+        byte[] record = _bytes.GetBuffer();
+        BitConverter.TryWriteBytes(record.AsSpan(1), (ulong)(_bytes.Length - HeadLength));
+        target.Write(record, 0, (int)_bytes.Length);
     }
 
     public void Dispose()

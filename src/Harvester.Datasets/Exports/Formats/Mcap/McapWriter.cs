@@ -43,7 +43,7 @@ internal sealed class McapWriter : IDatasetWriter
         }
 
         output.StagedPart($"{frame.Split}/{frame.SessionIndex:D4}.mcap", frame.Name + ".chunk", stream =>
-            stream.Write(McapChunk.Of(nanoseconds, frame.FrameInSession, all)));
+            McapChunk.Write(stream, nanoseconds, frame.FrameInSession, all));
         return new WrittenObjects(frame.Objects.Count);
     }
 

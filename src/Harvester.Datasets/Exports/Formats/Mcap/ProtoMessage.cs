@@ -10,15 +10,24 @@ namespace Harvester.Datasets.Exports.Formats.Mcap;
 /// </summary>
 internal sealed class ProtoMessage : IDisposable
 {
-    private readonly MemoryStream _bytes = new();
+    private readonly MemoryStream _bytes;
     private readonly CodedOutputStream _output;
 
-    private ProtoMessage() => _output = new CodedOutputStream(_bytes);
+    // Messages within this one are written one after another, thousands in a frame with lanes, so one buffer serves them all.
+    private ProtoMessage? _inner;
+
+    private ProtoMessage(int capacity)
+    {
+        _bytes = new MemoryStream(capacity);
+        _output = new CodedOutputStream(_bytes);
+    }
 
     /// <summary>The bytes of a message.</summary>
-    public static byte[] Of(Action<ProtoMessage> write)
+    /// <param name="write">Writes the message.</param>
+    /// <param name="capacity">Number of bytes to make room for.</param>
+    public static byte[] Of(Action<ProtoMessage> write, int capacity = 0)
     {
-        using var message = new ProtoMessage();
+        using var message = new ProtoMessage(capacity);
         write(message);
         message._output.Flush();
         return message._bytes.ToArray();
@@ -26,6 +35,7 @@ internal sealed class ProtoMessage : IDisposable
 
     public void Dispose()
     {
+        _inner?.Dispose();
         _output.Dispose();
         _bytes.Dispose();
     }
@@ -83,14 +93,21 @@ internal sealed class ProtoMessage : IDisposable
         return this;
     }
 
-    public ProtoMessage Bytes(int field, byte[] bytes)
+    public ProtoMessage Bytes(int field, ReadOnlyMemory<byte> bytes)
     {
         _output.WriteTag(field, WireFormat.WireType.LengthDelimited);
         _output.WriteBytes(UnsafeByteOperations.UnsafeWrap(bytes));
         return this;
     }
 
-    public ProtoMessage Message(int field, Action<ProtoMessage> write) => Bytes(field, Of(write));
+    public ProtoMessage Message(int field, Action<ProtoMessage> write)
+    {
+        _inner ??= new ProtoMessage(0);
+        _inner._bytes.SetLength(0);
+        write(_inner);
+        _inner._output.Flush();
+        return Bytes(field, _inner._bytes.GetBuffer().AsMemory(0, (int)_inner._bytes.Length));
+    }
 
     public ProtoMessage Messages<T>(int field, IEnumerable<T> items, Action<ProtoMessage, T> write)
     {

@@ -1,7 +1,7 @@
 using System;
 using Harvester.Geometry;
 
-namespace Harvester.Datasets.Exports.Formats.Mcap;
+namespace Harvester.Datasets.Exports;
 
 /// <summary>A rotation to the world as a unit quaternion, with w not negative.</summary>
 internal readonly record struct Rotation(double X, double Y, double Z, double W)

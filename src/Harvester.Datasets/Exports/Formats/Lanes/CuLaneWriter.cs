@@ -1,0 +1,94 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Harvester.Geometry;
+using Harvester.Geometry.Cameras;
+using Harvester.Geometry.Lanes;
+using Harvester.Sessions.Imaging.Pictures;
+using Harvester.Sessions.Labels;
+
+namespace Harvester.Datasets.Exports.Formats.Lanes;
+
+/// <summary>
+/// Writes CULane: the two nearest lines on each side, as points in every tenth row and as a map. See docs/exports/culane.md.
+/// </summary>
+internal sealed class CuLaneWriter(ExportOptions options) : IDatasetWriter
+{
+    /// <summary>Folder of the maps, in which lines are 16 pixels wide.</summary>
+    public const string Maps = "laneseg_label_w16";
+
+    /// <summary>Distance between the rows of the points, pixels.</summary>
+    public const int RowStep = 10;
+
+    private const int Decimals = 3;
+
+    /// <summary>A line with fewer points has no direction, and CULane's evaluation cannot draw it.</summary>
+    private const int MinPoints = 2;
+
+    /// <summary>CULane's pixels have integer centres.</summary>
+    private const double PixelShift = -0.5;
+
+    private const string ListPrefix = "list ";
+    private const string TruthPrefix = "truth ";
+
+    private readonly PngEncoder _png = new();
+
+    public WrittenObjects Write(ExportFrame frame, FrameOutput output)
+    {
+        // Without known lanes, the frame would say that there are none.
+        if (frame.Label.Lanes is not { Status: LaneStatus.Known } lanes)
+        {
+            return default;
+        }
+
+        string path = $"session-{frame.SessionIndex:D4}/{frame.FrameInSession:D8}";
+        string image = path + frame.ImageExtension;
+        string map = $"{Maps}/{path}.png";
+        var size = new ImageSize(frame.Label.Camera.Width, frame.Label.Camera.Height);
+        Vector2D[]?[] lines = LinesOf(lanes, size.Height);
+        output.Image(image, frame);
+        output.Text($"{path}.lines.txt", string.Concat(lines.OfType<Vector2D[]>().Select(Text)));
+        output.File(map, stream => _png.WriteGrey8(LaneMap.Of(size, lines), stream));
+        output.Part(ListPrefix + frame.Split, "/" + image);
+        output.Part(TruthPrefix + frame.Split, $"/{image} /{map} {string.Join(' ', lines.Select(line => line is null ? 0 : 1))}");
+        return default;
+    }
+
+    public IEnumerable<AggregateFile> Aggregates(IReadOnlyDictionary<string, int> parts) => options.Splits.Splits.SelectMany(split =>
+        (AggregateFile[])
+        [
+            new($"list/{split.Name}.txt", [AggregateSection.Lines(ListPrefix + split.Name)]),
+            new($"list/{split.Name}_gt.txt", [AggregateSection.Lines(TruthPrefix + split.Name)]),
+        ]);
+
+    /// <summary>The points of the lines by their places, from the bottom of the image upwards; null where there is no line.</summary>
+    private static Vector2D[]?[] LinesOf(LanesLabel lanes, int height)
+    {
+        var lines = new Vector2D[]?[LanePlaces.Count];
+        IReadOnlyDictionary<int, int> places = LanePlaces.Of(lanes.Lines);
+        foreach (IGrouping<int, LaneLineView> line in lanes.Lines.GroupBy(view => view.Index).Where(line => places[line.Key] > 0))
+        {
+            Vector2D[] points = [.. PointsOf(line, height)];
+            if (points.Length >= MinPoints)
+            {
+                lines[places[line.Key] - 1] = points;
+            }
+        }
+
+        return lines;
+    }
+
+    private static IEnumerable<Vector2D> PointsOf(IEnumerable<LaneLineView> line, int height)
+    {
+        for (int row = (height - 1) / RowStep * RowStep; row >= 0; row -= RowStep)
+        {
+            if (RowCrossing.Of(line, row) is { } x)
+            {
+                yield return new Vector2D(x + PixelShift, row);
+            }
+        }
+    }
+
+    private static string Text(Vector2D[] line) =>
+        string.Join(' ', line.Select(point => FormattableString.Invariant($"{Numbers.Row(Decimals, point.X)} {point.Y:0}"))) + "\n";
+}
